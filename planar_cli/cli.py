@@ -1,0 +1,119 @@
+"""The outer command line: finds the commands on their shelf, runs one, and turns what happens into an exit status.
+
+No command is imported before it is run, so that `planar --help` stays quick.
+"""
+
+from __future__ import annotations
+
+import ast
+import importlib
+import os
+import sys
+from collections.abc import Sequence
+from difflib import get_close_matches
+from pathlib import Path
+from typing import NoReturn
+
+import click
+
+from planar_cli import __version__
+from planar_cli.errors import FileProblem, NoSolution, PlanarError, Undecided
+from planar_cli.registry import modules
+
+SOLVED, DISAGREES, BAD, UNDECIDED, FAULT = range(5)
+INTERRUPTED = 130
+_COMMANDS = Path(__file__).parent / "commands"
+
+
+class CommandShelf(click.Group):
+    """A group whose commands are the modules of the folder `commands`."""
+
+    def list_commands(self, ctx: click.Context) -> list[str]:
+        return [name.replace("_", "-") for name in modules("commands")]
+
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
+        if cmd_name not in self.list_commands(ctx):
+            return None
+        module = importlib.import_module(f"planar_cli.commands.{cmd_name.replace('-', '_')}")
+        command: click.Command = module.command
+        return command
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        known = self.list_commands(ctx)
+        if args and args[0] not in known and not args[0].startswith("-"):
+            near = get_close_matches(args[0], known, n=1, cutoff=0.5)
+            hint = f" Did you mean '{near[0]}'?" if near else f" There are {', '.join(known)}."
+            raise click.UsageError(f"There is no command '{args[0]}'.{hint}", ctx)
+        return super().resolve_command(ctx, args)
+
+    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """The commands with the first line of their docstrings, read from the files without importing them."""
+        rows = [(name, short_help(name.replace("-", "_"))) for name in self.list_commands(ctx)]
+        if rows:
+            with formatter.section("Commands"):
+                formatter.write_dl(rows)
+
+
+def short_help(module: str) -> str:
+    """The first line of the docstring of a command's module."""
+    tree = ast.parse((_COMMANDS / f"{module}.py").read_text(encoding="utf-8"))
+    return (ast.get_docstring(tree) or "").partition("\n")[0]
+
+
+@click.group(cls=CommandShelf, context_settings={"help_option_names": ["-h", "--help"]})
+@click.version_option(__version__, prog_name="planar")
+def cli() -> None:
+    """Worked solutions of planar dynamics problems, from small YAML files.
+
+    `planar explain` tells how such a file is written.
+    """
+
+
+def main(args: Sequence[str] | None = None) -> NoReturn:
+    """Run the command line and leave with its exit status."""
+    sys.exit(run(args))
+
+
+def run(args: Sequence[str] | None = None) -> int:
+    """Run the command line; returns its exit status and never lets a traceback out, unless PLANAR_DEBUG is set."""
+    try:
+        status = cli.main(args=None if args is None else list(args), prog_name="planar", standalone_mode=False)
+        return status if isinstance(status, int) else SOLVED
+    except click.exceptions.Exit as leave:
+        return leave.exit_code
+    except click.Abort:
+        return INTERRUPTED
+    except click.ClickException as error:
+        error.show()
+        return BAD
+    except PlanarError as error:
+        return _tell(error)
+    except BrokenPipeError:
+        # The reader of a pipe has left (`planar list | head`); nobody is there to be told.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return SOLVED
+    except Exception as error:
+        if os.environ.get("PLANAR_DEBUG"):
+            raise
+        click.echo(f"planar: a fault of planar itself: {type(error).__name__}: {error}", err=True)
+        click.echo("Please report it; PLANAR_DEBUG=1 shows where it happened.", err=True)
+        return FAULT
+
+
+def _tell(error: PlanarError) -> int:
+    """Print what the user can mend, and choose the exit status."""
+    from planar_cli.diagnostics import show_all
+
+    if isinstance(error, FileProblem | NoSolution) and error.diagnostics:
+        show_all(error.diagnostics)
+    else:
+        click.echo(f"planar: {error}", err=True)
+    match error:
+        case NoSolution():
+            return DISAGREES
+        case Undecided():
+            return UNDECIDED
+        case _:
+            return BAD

@@ -1,0 +1,50 @@
+"""Read problem files and tell all that is wrong with them, without solving.
+
+FILES are problem files, folders (every .yaml and .yml file below), or - for standard input. The exit status is 0 when
+all are right, 2 when one is not.
+"""
+
+from __future__ import annotations
+
+import json
+
+import click
+
+from planar_cli.diagnostics import as_annotation, as_data, show_all
+from planar_cli.errors import Diagnostic
+
+RIGHT, BAD = 0, 2
+
+
+@click.command(help=__doc__)
+@click.argument("files", nargs=-1, required=True)
+@click.option("--format", "form", type=click.Choice(["text", "json", "github"]), default="text", help="How to print.")
+def command(files: tuple[str, ...], form: str) -> int:
+    """Validate each file and print what is wrong."""
+    from planar_cli.problem.files import problem_files
+    from planar_cli.problem.structure import load
+
+    wrong: list[Diagnostic] = []
+    read: list[str] = []
+    for path in problem_files(files):
+        _, diagnostics, source = load(path)
+        read.append(path)
+        wrong += diagnostics
+        if form == "text":
+            show_all(diagnostics, {d.mark.file: source for d in diagnostics})
+    _report(read, wrong, form)
+    return BAD if wrong else RIGHT
+
+
+def _report(read: list[str], wrong: list[Diagnostic], form: str) -> None:
+    """The whole result for programs, or one closing line for people."""
+    if form == "json":
+        data = {"schema_version": 1, "files": read, "diagnostics": [as_data(d) for d in wrong]}
+        click.echo(json.dumps(data, ensure_ascii=False, indent=2))
+    elif form == "github":
+        for diagnostic in wrong:
+            click.echo(as_annotation(diagnostic))
+    else:
+        files = "1 file" if len(read) == 1 else f"{len(read)} files"
+        bad = len({d.mark.file for d in wrong})
+        click.echo(f"{files} read, {f'{bad} with errors' if bad else 'all right'}", err=bool(bad))

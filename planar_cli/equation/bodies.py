@@ -1,0 +1,192 @@
+"""Mass, mass centre and moment of inertia of the bodies, with the lines that show how they were found.
+
+Uniform shapes, about their mass centre (An Introduction to Planar Dynamics, appendix on moments of inertia):
+slender rod m l²/12, disk m r²/2, ring m r², sphere 2 m r²/5, plate m (w² + h²)/12, sector m r²/2 - m d² with its mass
+centre at d = 4 r sin(span/2)/(3 span) from the apex; composites by the parallel-axis theorem, I = Σ (I_i + m_i d_i²).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import sympy as sp
+
+from planar_cli.equation.evaluate import Evaluator, refuse
+from planar_cli.equation.ledger import Ledger
+from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scene import Body, Composite, Outline, Particle, Piece, Plate, Rod, Round, Sector, Shape
+
+ZERO = sp.S.Zero
+
+
+@dataclass(frozen=True, slots=True)
+class BodyModel:
+    """One body as principles see it.
+
+    `mass` [kg] (0: massless), `inertia` [kg m²] about the mass centre at `center`; `center_name` in print. `theta`: the
+    direction that its angle measures. `rigid`: False for a particle, which has no angle.
+    """
+
+    name: str
+    shape: Shape
+    rigid: bool
+    mass: sp.Expr
+    inertia: sp.Expr
+    center: Vec
+    center_name: str
+    theta: sp.Expr
+
+
+@dataclass(frozen=True, slots=True)
+class Uniform:
+    """Mass centre of a uniform shape and its moment of inertia per unit of mass about it; direction of its angle."""
+
+    center: Vec
+    center_name: str
+    gyration_squared: sp.Expr
+    theta: sp.Expr
+
+
+def uniform(shape: Shape, points: Callable[[str], Vec], evaluator: Evaluator) -> Uniform:
+    """The uniform properties of a simple shape."""
+    match shape:
+        case Particle():
+            center = points(shape.place) if isinstance(shape.place, str) else Vec(ZERO, ZERO)
+            return Uniform(center, shape.place if isinstance(shape.place, str) else "", ZERO, ZERO)
+        case Rod():
+            return _rod(shape, points, evaluator)
+        case Round():
+            radius = evaluator.value(shape.radius)
+            share = {"disk": sp.Rational(1, 2), "ring": sp.S.One, "sphere": sp.Rational(2, 5)}[shape.kind]
+            return Uniform(points(shape.center), shape.center, share * radius**2, ZERO)
+        case Plate():
+            width, height = evaluator.value(shape.width), evaluator.value(shape.height)
+            angle = evaluator.value(shape.angle) if shape.angle is not None else ZERO
+            return Uniform(points(shape.center), shape.center, (width**2 + height**2) / 12, angle)
+        case Sector():
+            radius, span = evaluator.value(shape.radius), evaluator.value(shape.span)
+            angle = evaluator.value(shape.angle) if shape.angle is not None else ZERO
+            reach = 4 * radius * sp.sin(span / 2) / (3 * span)
+            center = points(shape.apex) + Vec(sp.cos(angle), sp.sin(angle)) * reach
+            return Uniform(center, "", radius**2 / 2 - reach**2, angle)
+        case Outline():
+            center = points(shape.center) if shape.center else Vec(ZERO, ZERO)
+            return Uniform(center, shape.center or "", ZERO, ZERO)
+    raise TypeError(type(shape).__name__)
+
+
+def _rod(shape: Rod, points: Callable[[str], Vec], evaluator: Evaluator) -> Uniform:
+    start = points(shape.start)
+    if shape.end is not None:
+        reach = points(shape.end) - start
+        length_squared = sp.simplify(reach.dot(reach)) if not reach.dot(reach).is_number else reach.dot(reach)
+        angle = sp.atan2(reach.y, reach.x)
+    else:
+        angle = evaluator.value(shape.angle) if shape.angle is not None else ZERO
+        length = evaluator.value(shape.length) if shape.length is not None else ZERO
+        reach, length_squared = Vec(sp.cos(angle), sp.sin(angle)) * length, length**2
+    return Uniform(start + reach * sp.Rational(1, 2), "", length_squared / 12, angle)
+
+
+class MassReader:
+    """Reads the mass properties of one problem's bodies, defining the symbols that the solution shows."""
+
+    def __init__(self, ledger: Ledger, evaluator: Evaluator, points: Callable[[str], Vec], gravity: sp.Expr, alone: bool) -> None:
+        self.ledger, self.evaluator, self.points, self.gravity, self.alone = ledger, evaluator, points, gravity, alone
+        self.cancelling: list[sp.Symbol] = []
+
+    def read(self, body: Body) -> BodyModel:
+        """The model of one body."""
+        if isinstance(body.shape, Composite):
+            return self._composite(body, body.shape)
+        shape = uniform(body.shape, self.points, self.evaluator)
+        mass = self._mass(body)
+        rigid = not isinstance(body.shape, Particle)
+        inertia = self._inertia(body, shape, mass) if rigid else ZERO
+        return BodyModel(body.name, body.shape, rigid, mass, inertia, shape.center, shape.center_name, shape.theta)
+
+    def _named(self, stem: str, body: Body) -> str:
+        return stem if self.alone else f"{stem}_{body.name}"
+
+    def _mass(self, body: Body) -> sp.Expr:
+        if body.any_mass:
+            symbol = self.ledger.letter(self._free(self._named("m", body)), "kg")
+            self.cancelling.append(symbol)
+            return symbol
+        if body.weight is not None:
+            weight = self.evaluator.value(body.weight)
+            return self.ledger.define(self._named("m", body), weight / self.gravity, "kg", f"mass of {body.name}", positive=True)
+        if body.mass is None:
+            return ZERO
+        return self._shown(self.evaluator.value(body.mass), self._named("m", body), "kg", f"mass of {body.name}")
+
+    def _free(self, name: str) -> str:
+        while name in self.ledger.symbols:
+            name += "_"
+        return name
+
+    def _shown(self, value: sp.Expr, name: str, unit: str, title: str) -> sp.Expr:
+        """A number gets a letter, so that formulas show it; a symbol stays itself."""
+        if value.is_Symbol or value == 0:
+            return value
+        return self.ledger.define(name, value, unit, title, positive=bool(value.is_positive))
+
+    def _inertia(self, body: Body, shape: Uniform, mass: sp.Expr) -> sp.Expr:
+        name, title = self._named("I", body), f"moment of inertia of {body.name}"
+        if self.alone and shape.center_name:
+            name = f"I_{shape.center_name}"
+        unit = "kg*m^2"
+        if body.inertia is not None:
+            value = self.evaluator.value(body.inertia)
+            if body.about is None:
+                return self._shown(value, name, unit, title)
+            value = value - mass * self._shift(body, shape)
+        elif body.gyration is not None:
+            value = mass * self.evaluator.value(body.gyration) ** 2
+            if body.about is not None:
+                value = value - mass * self._shift(body, shape)
+        elif isinstance(body.shape, Outline) and mass != 0:
+            symbol = self.ledger.letter(self._free(name), unit)
+            self.cancelling.append(symbol)
+            return symbol
+        else:
+            value = mass * shape.gyration_squared
+        return ZERO if value == 0 else self.ledger.define(name, value, unit, title, positive=True)
+
+    def _shift(self, body: Body, shape: Uniform) -> sp.Expr:
+        d = shape.center - self.points(body.about or "")
+        return d.dot(d)
+
+    def _composite(self, body: Body, shape: Composite) -> BodyModel:
+        """Mass centre and moment of inertia of the parts together."""
+        parts = [(self._piece(p, body, i), uniform(p.shape, self.points, self.evaluator)) for i, p in enumerate(shape.pieces, 1)]
+        whole = sp.Add(*(mass for (mass, _), _ in parts))
+        if whole == 0:
+            raise refuse(body.mark, "PL520", f"{body.name}: its parts have no mass", "give each part its `mass:`")
+        name = self._named("m", body)
+        mass = self.ledger.define(name, whole, "kg", f"mass of {body.name}", positive=True)
+        center_name = self.ledger.fresh(self._named("G", body), "m").name
+        center = Vec(*(self._coordinate(parts, mass, axis, f"{axis}_{center_name}", body) for axis in ("x", "y")))
+        inertia = sp.Add(*(own + m * (u.center - center).dot(u.center - center) for (m, own), u in parts))
+        if body.inertia is not None or body.gyration is not None:
+            stand_in = Uniform(center, center_name, ZERO, ZERO)
+            symbol = self._inertia(body, stand_in, mass)
+        else:
+            title = f"moment of inertia of {body.name} about {center_name}, parallel axes"
+            symbol = self.ledger.define(self._named("I", body), inertia, "kg*m^2", title, positive=True)
+        return BodyModel(body.name, shape, True, mass, symbol, center, center_name, parts[0][1].theta)
+
+    def _coordinate(self, parts: list[tuple[tuple[sp.Expr, sp.Expr], Uniform]], mass: sp.Expr, axis: str, name: str, body: Body) -> sp.Expr:
+        moment = sp.Add(*(m * getattr(u.center, axis) for (m, _), u in parts))
+        if moment == 0:
+            return ZERO
+        return self.ledger.define(name, moment / mass, "m", f"{axis} of the mass centre of {body.name}")
+
+    def _piece(self, piece: Piece, body: Body, number: int) -> tuple[sp.Expr, sp.Expr]:
+        """Mass of a part and its moment of inertia about its own mass centre."""
+        mass = self.evaluator.value(piece.mass) if piece.mass is not None else ZERO
+        shown = self._shown(mass, f"m_{body.name}_{number}", "kg", f"mass of part {number} of {body.name}")
+        if piece.inertia is not None:
+            return shown, self.evaluator.value(piece.inertia)
+        return shown, shown * uniform(piece.shape, self.points, self.evaluator).gyration_squared

@@ -1,0 +1,181 @@
+"""The relations of an instant as equations: joints that close loops, rows, what the file states, differentiated where it
+holds all the time.
+
+A condition is a residual that vanishes: a vector one may be projected on any direction, a scalar one is as it is.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.equation.evaluate import Evaluator
+from planar_cli.equation.motion import Motion, Tree
+from planar_cli.equation.quantities import Quantities
+from planar_cli.errors import NOWHERE, Mark
+from planar_cli.problem.expression import (
+    Binary,
+    Function,
+    Grouped,
+    Name,
+    Negate,
+    Quantity,
+    Relation,
+    Scaled,
+    Side,
+)
+from planar_cli.problem.facts import Row
+from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scene import At, Polar
+
+POSITION, VELOCITY, ACCELERATION = 0, 1, 2
+ORDERS = {
+    "r": 0, "x": 0, "y": 0, "theta": 0, "mass": 0, "I": 0, "PE": 0,
+    "v": 1, "omega": 1, "coriolis": 1, "IC": 1, "KE": 1, "momentum": 1, "H": 1, "hodograph": 1,
+    "a": 2, "alpha": 2, "rho": 2, "N": 2, "friction": 2, "reaction": 2, "moment": 2, "tension": 2, "force": 2, "power": 2,
+}  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True)
+class Condition:
+    """One relation between unknowns of one level.
+
+    `kind`: closure, row, given, coordinate. `residual`: an expression, or a Vec that vanishes. `normal`: the only direction
+    in which a vector residual counts (across a path), None: both. `text`: what it says, in words or as in the file.
+    """
+
+    kind: str
+    text: str
+    residual: sp.Expr | Vec
+    normal: Vec | None = None
+    place: str = ""
+    body: str = ""
+    base: str = ""
+    mark: Mark = NOWHERE
+
+    def rows(self) -> tuple[sp.Expr, ...]:
+        """The scalar residuals: one, or two along x and y."""
+        if not isinstance(self.residual, Vec):
+            return (self.residual,)
+        if self.normal is not None:
+            return (self.residual.dot(self.normal),)
+        return (self.residual.x, self.residual.y)
+
+
+def order(side: Side | Relation, coordinates: set[str]) -> int:
+    """The level of a side: 0 places, 1 velocities, 2 accelerations and forces; -1 for constants."""
+    match side:
+        case Name():
+            return 0 if side.name in coordinates or side.name == "t" else -1
+        case Negate() | Scaled() | Grouped():
+            return order(side.operand, coordinates)
+        case Function():
+            return order(side.argument, coordinates)
+        case Binary() | Relation():
+            return max(order(side.left, coordinates), order(side.right, coordinates))
+        case Quantity():
+            return _quantity_order(side, coordinates)
+    return -1
+
+
+def _quantity_order(q: Quantity, coordinates: set[str]) -> int:
+    if q.word in ("dot", "ddot") and q.argument is not None:
+        return max(order(q.argument, coordinates), 0) + (1 if q.word == "dot" else 2)
+    level = ORDERS.get(q.word, 0)
+    natural = max((1 if p.kind in ("t", "n") else 0 for p in q.parts), default=0)
+    return max(level, natural)
+
+
+def joint_conditions(tree: Tree, rows: list[Row], motion: Motion, level: int) -> list[Condition]:
+    """What the joints demand that the tree has not already built in."""
+    found: list[Condition] = []
+    for joining in tree.closures:
+        residual = motion.closure_velocity(joining) if level == VELOCITY else motion.closure_acceleration(joining)
+        normal = joining.path.tangent.turned() if joining.path is not None else None
+        found.append(Condition("closure", joining.joint, residual, normal, joining.place, joining.mover, joining.base))
+        if not joining.turns:
+            twists = motion.velocities if level == VELOCITY else motion.accelerations
+            turning = twists[joining.mover].angular - twists[joining.base].angular
+            found.append(Condition("row", f"{joining.mover} can not turn", turning))
+    for row in rows:
+        residual = motion.row_velocity(row) if level == VELOCITY else motion.row_acceleration(row)
+        found.append(Condition("row", row.title, residual))
+    return found
+
+
+def stated(
+    relations: list[tuple[Relation, bool]], quantities: Quantities, evaluator: Evaluator, coordinates: set[str], level: int
+) -> list[Condition]:
+    """The file's equations at one level; those that hold all the time (True) count at every level from their own on."""
+    found: list[Condition] = []
+    for relation, always in relations:
+        own = max(order(relation, coordinates), 0)
+        if own > level or (own != level and not always):
+            continue
+        try:
+            residual = _difference(relation, quantities, evaluator, level - own)
+        except ValueError:
+            continue
+        found.append(Condition("given", relation.text, residual, mark=relation.mark))
+    return found
+
+
+def _difference(relation: Relation, quantities: Quantities, evaluator: Evaluator, times: int) -> Any:
+    left, right = (vector_or_jet(s, quantities, evaluator) for s in (relation.left, relation.right))
+    difference = left - right
+    if isinstance(difference, Vec):
+        x, y = difference.x, difference.y
+        for _ in range(times):
+            x, y = x.dotted(), y.dotted()
+        return Vec(x.value, y.value)
+    for _ in range(times):
+        difference = difference.dotted()
+    return difference.value
+
+
+def vector_or_jet(side: Side, quantities: Quantities, evaluator: Evaluator) -> Any:
+    """A side as a Jet, or as a Vec of jets where it is a vector quantity, their sum, difference or multiple."""
+    if isinstance(side, Quantity) and side.at is None:
+        return quantities.any(side)
+    if isinstance(side, Negate):
+        found = vector_or_jet(side.operand, quantities, evaluator)
+        return -found
+    if isinstance(side, Binary) and side.operator in "+-":
+        left, right = (vector_or_jet(s, quantities, evaluator) for s in (side.left, side.right))
+        if isinstance(left, Vec) == isinstance(right, Vec):
+            return left + right if side.operator == "+" else left - right
+    if isinstance(side, Binary) and side.operator in "*/":
+        left, right = (vector_or_jet(s, quantities, evaluator) for s in (side.left, side.right))
+        if isinstance(left, Vec) and not isinstance(right, Vec):
+            return Vec(left.x * right, left.y * right) if side.operator == "*" else Vec(left.x / right, left.y / right)
+        if isinstance(right, Vec) and not isinstance(left, Vec) and side.operator == "*":
+            return Vec(left * right.x, left * right.y)
+    return evaluator.jet(side)
+
+
+def coordinate_conditions(quantities: Quantities, coordinates: set[sp.Symbol], level: int) -> list[Condition]:
+    """Points of bodies that are written with a coordinate move as their formula says."""
+    scene = quantities.scene
+    found = []
+    for point in scene.problem.points:
+        owner = scene.owner(point.name)
+        place = point.place
+        if owner == "ground" or not isinstance(place, At | Polar) or point.name not in scene.own_points:
+            continue
+        parts = (place.x, place.y) if isinstance(place, At) else (place.distance, place.angle)
+        if not any(coordinates & scene.value(p).free_symbols for p in parts):
+            continue
+        if isinstance(place, At):
+            formula = Vec(scene.evaluator.jet(place.x), scene.evaluator.jet(place.y))
+        else:
+            angle = scene.evaluator.jet(place.angle)
+            reach = Vec(angle.through(sp.cos), angle.through(sp.sin)) * scene.evaluator.jet(place.distance)
+            formula = quantities.place(place.origin) + reach
+        moving = quantities.place(point.name)
+        difference = moving - formula
+        pick = "rate" if level == VELOCITY else "second"
+        residual = Vec(getattr(difference.x, pick), getattr(difference.y, pick))
+        found.append(Condition("coordinate", f"the place of {point.name} follows its formula", residual, place=point.name, body=owner))
+    return found

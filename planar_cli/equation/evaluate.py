@@ -1,0 +1,132 @@
+"""Syntax trees to exact expressions in SI units, with their time derivatives."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from fractions import Fraction
+
+import sympy as sp
+
+from planar_cli.equation.jets import Jet, constant
+from planar_cli.equation.ledger import Ledger, exact
+from planar_cli.errors import Diagnostic, FileProblem, Mark
+from planar_cli.problem.expression import (
+    Binary,
+    Function,
+    Grouped,
+    Name,
+    Negate,
+    Number,
+    Quantity,
+    Scaled,
+    Side,
+    Word,
+)
+from planar_cli.units import parse_unit
+
+FUNCTIONS = {
+    "sin": sp.sin,
+    "cos": sp.cos,
+    "tan": sp.tan,
+    "asin": sp.asin,
+    "acos": sp.acos,
+    "atan": sp.atan,
+    "sqrt": sp.sqrt,
+    "exp": sp.exp,
+    "log": sp.log,
+    "abs": sp.Abs,
+}
+
+
+def refuse(mark: Mark, code: str, message: str, hint: str = "") -> FileProblem:
+    """The located error of one place."""
+    return FileProblem([Diagnostic(mark, code, message, hint)])
+
+
+def no_quantity(quantity: Quantity) -> Jet:
+    raise refuse(quantity.mark, "PL501", f"{quantity.word}(…) can not stand here", "write numbers and names of `given` here")
+
+
+@dataclass(frozen=True, slots=True)
+class Evaluator:
+    """Evaluates sides. `motions`: rate and second derivative of symbols that vary (coordinates), by symbol.
+
+    `quantity`: what to do with v(P), omega(b), …; `earlier`: finds of earlier cases by `case.find`.
+    """
+
+    ledger: Ledger
+    motions: dict[sp.Symbol, tuple[sp.Expr | None, sp.Expr | None]]
+    quantity: Callable[[Quantity], Jet] = no_quantity
+    at_state: Callable[[str], Callable[[Side], Jet]] | None = None
+
+    def value(self, side: Side) -> sp.Expr:
+        """The value alone."""
+        return self.jet(side).value
+
+    def jet(self, side: Side) -> Jet:
+        """The value with its derivatives."""
+        match side:
+            case Number():
+                return constant(side.sense * exact(side.value, parse_unit(side.unit) if side.unit else None))
+            case Scaled():
+                unit = parse_unit(side.unit)
+                return self.jet(side.operand) * constant(side.sense * exact(_ONE, unit))
+            case Name():
+                return self._name(side) if side.at is None else self._elsewhere(side.at, Name(side.name, None, side.mark))
+            case Negate():
+                return -self.jet(side.operand)
+            case Binary():
+                return self._binary(side)
+            case Function():
+                return self._function(side)
+            case Grouped():
+                return self._elsewhere(side.at, side.operand)
+            case Quantity():
+                return self.quantity(side)
+            case Word():
+                raise refuse(side.mark, "PL502", f"{side.word} is a mode, no number", "compare it: `mode(C) = stick`")
+        raise TypeError(type(side).__name__)
+
+    def _elsewhere(self, state: str, side: Side) -> Jet:
+        if self.at_state is None:
+            raise refuse(side.mark, "PL503", "`@` can not stand here", "leave it out: the relation is at its own instant")
+        return self.at_state(state)(side)
+
+    def _name(self, name: Name) -> Jet:
+        if name.name == "pi":
+            return constant(sp.pi)
+        if name.name == "infinity":
+            return constant(sp.oo)
+        symbol = self.ledger.symbols.get(name.name)
+        if symbol is None:
+            raise refuse(name.mark, "PL504", f"{name.name} has no value here", "give it in `given`, or seek it in `unknowns`")
+        rate, second = self.motions.get(symbol, (sp.S.Zero, sp.S.Zero))
+        return Jet(symbol, rate, second)
+
+    def _binary(self, side: Binary) -> Jet:
+        left, right = self.jet(side.left), self.jet(side.right)
+        if side.operator == "+":
+            return left + right
+        if side.operator == "-":
+            return left - right
+        if side.operator == "*":
+            return left * right
+        if side.operator == "/":
+            if right.value == 0:
+                raise refuse(side.mark, "PL505", "division by zero")
+            return left / right
+        if right.rate != 0:
+            raise refuse(side.mark, "PL506", "an exponent that varies with time")
+        if left.value == 0 and right.value.is_negative:
+            raise refuse(side.mark, "PL505", "division by zero")
+        return left.power(right.value)
+
+    def _function(self, side: Function) -> Jet:
+        argument = Function(side.name, side.argument, None, side.mark)
+        if side.at is not None:
+            return self._elsewhere(side.at, argument)
+        return self.jet(side.argument).through(FUNCTIONS[side.name])
+
+
+_ONE = Fraction(1)

@@ -1,0 +1,143 @@
+"""The names of one problem as SymPy symbols: which have numbers, which stay letters, which are to be solved for.
+
+The only maker of symbols. Every symbol carries the unit in which it is shown; inside, all numbers are SI.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field
+from decimal import Decimal
+from fractions import Fraction
+
+import sympy as sp
+
+from planar_cli.equation.exact import PI, Valuation
+from planar_cli.units import PURE, Unit, parse_unit
+
+DRAWS = 2
+
+
+@dataclass(slots=True)
+class Ledger:
+    """Symbols and what is known of them.
+
+    `values`: exact expression of a known (a number, or a formula of other knowns). `definitions`: named intermediates in
+    the order in which they were made, with `titles` saying what each is. `letters`: knowns without a number.
+    `sought`: unknown constants and coordinates. `units`: the unit for display, by symbol.
+    """
+
+    symbols: dict[str, sp.Symbol] = field(default_factory=dict)
+    values: dict[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    definitions: dict[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    titles: dict[sp.Symbol, str] = field(default_factory=dict)
+    letters: list[sp.Symbol] = field(default_factory=list)
+    sought: list[sp.Symbol] = field(default_factory=list)
+    coordinates: list[sp.Symbol] = field(default_factory=list)
+    units: dict[sp.Symbol, Unit] = field(default_factory=dict)
+    us: bool = False
+
+    def known(self, name: str, value: sp.Expr, unit: str) -> sp.Symbol:
+        """A name with a value; positive when its number is."""
+        symbol = sp.Symbol(name, positive=True) if value.is_positive else sp.Symbol(name, real=True)
+        self.symbols[name] = symbol
+        self.values[symbol] = value
+        self.units[symbol] = parse_unit(unit)
+        return symbol
+
+    def letter(self, name: str, unit: str) -> sp.Symbol:
+        """A known without a number: a positive letter."""
+        symbol = self.symbols[name] = sp.Symbol(name, positive=True)
+        self.letters.append(symbol)
+        self.units[symbol] = parse_unit(unit)
+        return symbol
+
+    def seek(self, name: str, unit: str, *, coordinate: bool = False) -> sp.Symbol:
+        """An unknown constant, or a coordinate."""
+        symbol = self.symbols[name] = sp.Symbol(name, real=True)
+        self.sought.append(symbol)
+        if coordinate:
+            self.coordinates.append(symbol)
+        self.units[symbol] = parse_unit(unit)
+        return symbol
+
+    def settle(self, symbol: sp.Symbol, value: sp.Expr) -> None:
+        """What was sought is now known by a formula."""
+        self.sought.remove(symbol)
+        self.values[symbol] = value
+
+    def release(self, symbol: sp.Symbol) -> None:
+        """What was sought stays a letter of the answer (a coordinate, in a formula that holds throughout)."""
+        self.sought.remove(symbol)
+        self.letters.append(symbol)
+
+    def fresh(self, name: str, unit: str, *, positive: bool = False) -> sp.Symbol:
+        """A new symbol of ours, named apart from every name of the file."""
+        free = name
+        while free in self.symbols:
+            free += "_"
+        symbol = self.symbols[free] = sp.Symbol(free, positive=True) if positive else sp.Symbol(free, real=True)
+        self.units[symbol] = parse_unit(unit)
+        return symbol
+
+    def define(self, name: str, expr: sp.Expr, unit: str, title: str, *, positive: bool = False) -> sp.Symbol:
+        """A named intermediate."""
+        symbol = self.fresh(name, unit, positive=positive)
+        self.definitions[symbol] = expr
+        self.titles[symbol] = title
+        return symbol
+
+    @property
+    def symbolic(self) -> bool:
+        """Do letters without numbers remain?"""
+        return bool(self.letters)
+
+    def valuations(self, holds: Callable[[Valuation], bool], tries: int = 400) -> tuple[Valuation, ...]:
+        """Draws of all letters (and of what is sought) for which `holds`; one is enough when there is nothing to draw.
+
+        The draws are the same in every run. An empty result: no draw was found.
+        """
+        free = [*self.letters, *self.sought]
+        found: list[Valuation] = []
+        rng = random.Random(20)
+        for _ in range(tries):
+            candidate = Valuation({s: self._draw(s, rng) for s in free}, {**self.values, **self.definitions})
+            if _holds(holds, candidate):
+                found.append(candidate)
+            if len(found) == (DRAWS if free else 1) or not free:
+                break
+        return tuple(found)
+
+    def _draw(self, symbol: sp.Symbol, rng: random.Random) -> Decimal:
+        number = Decimal(rng.randrange(10**30, 10**31)) / Decimal(10**31)
+        if self.units[symbol].angle and self.units[symbol].dimension == PURE:
+            return PI * (Decimal("0.08") + Decimal("0.36") * number)
+        return Decimal("0.5") + Decimal("1.5") * number
+
+
+def _holds(test: Callable[[Valuation], bool], valuation: Valuation) -> bool:
+    try:
+        return test(valuation)
+    except ArithmeticError:
+        return False
+
+
+def exact(number: Fraction, unit: Unit | None) -> sp.Expr:
+    """A written number in SI units, exact."""
+    value = sp.Rational(number.numerator, number.denominator)
+    if unit is None:
+        return value
+    factor = sp.Rational(unit.factor.numerator, unit.factor.denominator)
+    return value * factor * sp.pi**unit.pi_power
+
+
+def display(value: Decimal, unit: Unit) -> Decimal:
+    """An SI value in the given unit."""
+    factor = Decimal(unit.factor.numerator) / Decimal(unit.factor.denominator)
+    return value / (factor * PI**unit.pi_power)
+
+
+def total(parts: Iterable[sp.Expr]) -> sp.Expr:
+    """Σ parts."""
+    return sp.Add(*parts)

@@ -1,0 +1,273 @@
+"""Velocities and accelerations of all bodies in terms of a few natural unknowns, along a tree of joints.
+
+Each body hangs on the tree by the joint that leaves it the least freedom: by a pin it adds its angular velocity, by a guide
+the speed of the slide, free bodies two components and a rotation. Joints that are left over close loops.
+
+    v_P = v_A + ω k × r_P/A                          a_P = a_A + α k × r_P/A - ω² r_P/A
+    slide along a path of the base b:  v = v_b + s t,  a = a_b + ṡ t + κ s² n + 2 ω_b s n     (n = k × t)
+    rolling contact:  v_C = v_C' , a_C = a_C' + (ω_b - ω_a)²/(κ_a - κ_b) n
+
+(An Introduction to Planar Dynamics, 2.2 - 2.4.)
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.equation.ledger import Ledger
+from planar_cli.problem.facts import Anchor, Joining, Row
+from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scene import GROUND
+
+ZERO = sp.S.Zero
+STILL = Vec(ZERO, ZERO)
+
+
+@dataclass(frozen=True, slots=True)
+class Twist:
+    """Motion of a body: velocity (or acceleration) of its material point at `point`, and ω (or α)."""
+
+    point: Vec
+    linear: Vec
+    angular: sp.Expr
+
+
+@dataclass(frozen=True, slots=True)
+class Edge:
+    """How a body hangs on the tree: by a joining (None: free), from which body, with which new unknowns.
+
+    `backward`: the joining's base hangs on its mover. `spin`, `slide`: velocity unknowns; `spin_rate`, `slide_rate`:
+    acceleration unknowns. A free body has `slide` along x and `rise` along y.
+    """
+
+    body: str
+    parent: str
+    joining: Joining | None
+    backward: bool = False
+    spin: sp.Symbol | None = None
+    spin_rate: sp.Symbol | None = None
+    slide: sp.Symbol | None = None
+    slide_rate: sp.Symbol | None = None
+    rise: sp.Symbol | None = None
+    rise_rate: sp.Symbol | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Tree:
+    """All edges in the order in which bodies are placed, and the joinings that are left over."""
+
+    edges: tuple[Edge, ...]
+    closures: tuple[Joining, ...]
+
+    def velocity_unknowns(self) -> tuple[sp.Symbol, ...]:
+        return tuple(s for e in self.edges for s in (e.slide, e.rise, e.spin) if s is not None)
+
+    def acceleration_unknowns(self) -> tuple[sp.Symbol, ...]:
+        return tuple(s for e in self.edges for s in (e.slide_rate, e.rise_rate, e.spin_rate) if s is not None)
+
+
+class TreeBuilder:
+    """Chooses the tree and makes its unknowns; names that are asked for again give the same symbol."""
+
+    def __init__(self, ledger: Ledger, rigid: Callable[[str], bool], center_name: Callable[[str], str], bodies: Iterable[str]) -> None:
+        self.ledger, self.rigid, self.center_name, self.bodies = ledger, rigid, center_name, tuple(bodies)
+        self._made: dict[str, sp.Symbol] = {}
+        self.titles: dict[sp.Symbol, str] = {}
+
+    def build(self, joinings: Iterable[Joining], hang: bool = True) -> Tree:
+        """The tree over these joinings; with `hang` False every body is free."""
+        left = list(joinings)
+        placed = {GROUND}
+        edges: list[Edge] = []
+        while len(placed) <= len(self.bodies):
+            choice = self._choose(left, placed) if hang else None
+            if choice is None:
+                body = next(b for b in self._by_ties(left) if b not in placed)
+                edges.append(self._free(body))
+            else:
+                joining, body = choice
+                left.remove(joining)
+                edges.append(self._hung(body, joining))
+            placed.add(edges[-1].body)
+        return Tree(tuple(edges), tuple(left))
+
+    def _by_ties(self, left: list[Joining]) -> list[str]:
+        """Bodies that others are joined to come first."""
+        ties = {b: sum(b in (j.mover, j.base) for j in left) for b in self.bodies}
+        return sorted(self.bodies, key=lambda b: -ties[b])
+
+    def _choose(self, left: list[Joining], placed: set[str]) -> tuple[Joining, str] | None:
+        """The joining with the least freedom that hangs a new body on what is placed."""
+        best: tuple[tuple[int, int], Joining, str] | None = None
+        for rank, joining in enumerate(left):
+            for body, parent in ((joining.mover, joining.base), (joining.base, joining.mover)):
+                if parent in placed and body not in placed:
+                    cost = (self._freedom(joining, body), rank)
+                    if best is None or cost < best[0]:
+                        best = (cost, joining, body)
+        return None if best is None else (best[1], best[2])
+
+    def _freedom(self, joining: Joining, body: str) -> int:
+        return (joining.path is not None) + (joining.turns and self.rigid(body))
+
+    def _symbol(self, name: str, unit: str, title: str) -> sp.Symbol:
+        if name not in self._made:
+            self._made[name] = self.ledger.fresh(name, unit)
+            self.titles[self._made[name]] = title
+        return self._made[name]
+
+    def spin_of(self, body: str) -> tuple[sp.Symbol, sp.Symbol]:
+        """ω and α of a body; without an index where only one body turns."""
+        alone = sum(self.rigid(b) for b in self.bodies) == 1
+        names = ("omega", "alpha") if alone else (f"omega_{body}", f"alpha_{body}")
+        return self._symbol(names[0], "rad/s", f"angular velocity of {body}"), self._symbol(names[1], "rad/s^2", f"angular acceleration of {body}")
+
+    def _free(self, body: str) -> Edge:
+        name = self.center_name(body) or body
+        made = [
+            self._symbol(f"{q}_{name}{axis}", unit, f"{what} of {name} along {axis}")
+            for axis in ("x", "y")
+            for q, unit, what in (("v", "m/s", "velocity"), ("a", "m/s^2", "acceleration"))
+        ]
+        spin, rate = self.spin_of(body) if self.rigid(body) else (None, None)
+        return Edge(body, GROUND, None, False, spin, rate, made[0], made[1], made[2], made[3])
+
+    def _hung(self, body: str, joining: Joining) -> Edge:
+        backward = body == joining.base
+        parent = joining.mover if backward else joining.base
+        turns = joining.turns and self.rigid(body)
+        spin, rate = self.spin_of(body) if turns else (None, None)
+        slide = slide_rate = None
+        if joining.path is not None:
+            name = joining.place if joining.base == GROUND else f"{joining.place}_{joining.base}"
+            seen = "" if joining.base == GROUND else f" seen from {joining.base}"
+            slide = self._symbol(f"v_{name}", "m/s", f"speed of {joining.place} along its path{seen}")
+            slide_rate = self._symbol(f"a_{name}", "m/s^2", f"acceleration of {joining.place} along its path{seen}")
+        return Edge(body, parent, joining, backward, spin, rate, slide, slide_rate)
+
+
+class Motion:
+    """Velocities and accelerations of any material point, as expressions in the unknowns of a tree.
+
+    `known`: values of velocity unknowns that are settled (zero above all); they are put in at once, so that accelerations
+    carry no terms that vanish.
+    """
+
+    def __init__(self, tree: Tree, center: Callable[[str], Vec], known: dict[sp.Symbol, sp.Expr]) -> None:
+        self.tree, self.center, self.known = tree, center, known
+        self.velocities: dict[str, Twist] = {GROUND: Twist(STILL, STILL, ZERO)}
+        self.accelerations: dict[str, Twist] = {GROUND: Twist(STILL, STILL, ZERO)}
+        for edge in tree.edges:
+            self._place(edge)
+
+    def _v(self, symbol: sp.Symbol | None) -> sp.Expr:
+        return ZERO if symbol is None else self.known.get(symbol, symbol)
+
+    def _place(self, edge: Edge) -> None:
+        if edge.joining is None:
+            at = self.center(edge.body)
+            self.velocities[edge.body] = Twist(at, Vec(self._v(edge.slide), self._v(edge.rise)), self._v(edge.spin))
+            self.accelerations[edge.body] = Twist(at, Vec(edge.slide_rate, edge.rise_rate), edge.spin_rate or ZERO)
+            return
+        point, sign = edge.joining.point, -1 if edge.backward else 1
+        parent_spin, parent_rate = self.velocities[edge.parent].angular, self.accelerations[edge.parent].angular
+        omega = self._v(edge.spin) if edge.spin is not None else parent_spin
+        alpha = edge.spin_rate if edge.spin_rate is not None else parent_rate
+        base_spin = omega if edge.backward else parent_spin
+        mover_spin = parent_spin if edge.backward else omega
+        speed, pace = self._v(edge.slide), edge.slide_rate or ZERO
+        velocity = self.velocity(point, edge.parent) + self._relative(edge.joining, speed, base_spin) * sign
+        bend = self.relative_acceleration(edge.joining, speed, pace, base_spin, mover_spin)
+        acceleration = self.acceleration(point, edge.parent) + bend * sign
+        self.velocities[edge.body] = Twist(point, velocity, omega)
+        self.accelerations[edge.body] = Twist(point, acceleration, alpha)
+
+    @staticmethod
+    def _relative(joining: Joining, speed: sp.Expr, base_spin: sp.Expr) -> Vec:
+        relative = joining.path.tangent * speed if joining.path is not None else STILL
+        return relative + joining.drift if joining.drift is not None else relative
+
+    @staticmethod
+    def relative_acceleration(joining: Joining, speed: sp.Expr, pace: sp.Expr, base_spin: sp.Expr, mover_spin: sp.Expr) -> Vec:
+        """Relative and Coriolis acceleration of the mover's point over the base's, or that of rolling outlines."""
+        if joining.path is not None:
+            t = joining.path.tangent
+            return t * pace + t.turned() * (joining.path.curvature * speed**2 + 2 * base_spin * speed)
+        if joining.rolling is not None:
+            roll = joining.rolling
+            difference = base_spin - mover_spin
+            if roll.mover - roll.base == 0 or difference == 0:
+                return STILL
+            return roll.tangent.turned() * (difference**2 / (roll.mover - roll.base))
+        return STILL
+
+    # --- what principles and quantities ask --------------------------------------------------------------------------
+
+    def velocity(self, point: Vec, body: str) -> Vec:
+        """v of the material point of `body` at `point`."""
+        twist = self.velocities[body]
+        if twist.angular == 0:
+            return twist.linear
+        return twist.linear + (point - twist.point).turned() * twist.angular
+
+    def acceleration(self, point: Vec, body: str) -> Vec:
+        """a of the material point of `body` at `point`."""
+        twist, omega = self.accelerations[body], self.velocities[body].angular
+        arm = point - twist.point
+        found = twist.linear
+        if twist.angular != 0:
+            found = found + arm.turned() * twist.angular
+        return found if omega == 0 else found - arm * omega**2
+
+    def row_velocity(self, row: Row) -> sp.Expr:
+        """Left minus right side of a row, at velocity level."""
+        return self._row(row, self.velocity, self.velocities) - row.rate
+
+    def row_acceleration(self, row: Row) -> sp.Expr:
+        """The rate of a row: the same on accelerations, plus the turning of its free segments."""
+        found = self._row(row, self.acceleration, self.accelerations)
+        for s in row.segments:
+            if s.length is None:
+                continue
+            across = (self.velocity(s.end.point, s.end.body) - self.velocity(s.start.point, s.start.body)).dot(s.direction.turned())
+            if across != 0:
+                found += across**2 / s.length
+        return found
+
+    @staticmethod
+    def _row(row: Row, of: Callable[[Vec, str], Vec], twists: dict[str, Twist]) -> sp.Expr:
+        parts: list[Any] = [of(p.anchor.point, p.anchor.body).dot(p.direction) for p in row.pulls]
+        parts += [twists[body].angular * factor for body, factor in row.spins]
+        for s in row.segments:
+            parts.append((of(s.end.point, s.end.body) - of(s.start.point, s.start.body)).dot(s.direction))
+        return sp.Add(*parts)
+
+    def slide_speed(self, joining: Joining) -> sp.Expr:
+        """The speed of the mover's point along the path, seen from the base."""
+        if joining.path is None:
+            return ZERO
+        relative = self._gap(joining, self.velocity)
+        if joining.drift is not None:
+            relative = relative - joining.drift
+        return relative.dot(joining.path.tangent)
+
+    def _gap(self, joining: Joining, of: Callable[[Vec, str], Vec]) -> Vec:
+        return of(joining.point, joining.mover) - of(joining.point, joining.base)
+
+    def closure_velocity(self, joining: Joining) -> Vec:
+        """Relative velocity that a closing joint forbids (along its path: free)."""
+        gap = self._gap(joining, self.velocity)
+        return gap - joining.drift if joining.drift is not None else gap
+
+    def closure_acceleration(self, joining: Joining) -> Vec:
+        """Relative acceleration less its bend and Coriolis part; what a closing joint forbids (along its path: free)."""
+        base, mover = self.velocities[joining.base].angular, self.velocities[joining.mover].angular
+        bend = self.relative_acceleration(joining, self.slide_speed(joining), ZERO, base, mover)
+        return self._gap(joining, self.acceleration) - bend
+
+    def anchor_velocity(self, anchor: Anchor) -> Vec:
+        return self.velocity(anchor.point, anchor.body)

@@ -1,0 +1,76 @@
+"""What loads may ask once velocities are settled: the scene, its motion, and magnitudes that depend on it."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.equation.evaluate import Evaluator, refuse
+from planar_cli.equation.motion import Motion
+from planar_cli.equation.quantities import Quantities
+from planar_cli.equation.scene import Scene
+from planar_cli.errors import Mark
+from planar_cli.problem.expression import Name, Relation, Side, Statement
+from planar_cli.problem.facts import Wrench
+from planar_cli.problem.geometry import Vec
+from planar_cli.problem.keys import Table
+from planar_cli.registry import members
+
+
+class Moving:
+    """Delegates to the scene; adds velocities. `numbers`: a valuation that knows the velocities as well."""
+
+    def __init__(self, scene: Scene, motion: Motion, numbers: Any) -> None:
+        self._scene, self._motion, self._numbers = scene, motion, numbers
+        self._quantities: Quantities | None = None
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._scene, name)
+
+    def sign(self, expr: Any) -> int:
+        if self._numbers.is_zero(expr):
+            return 0
+        return 1 if self._numbers(expr) > 0 else -1
+
+    def is_zero(self, expr: Any) -> bool:
+        return expr == 0 or bool(self._numbers.is_zero(expr))
+
+    def velocity(self, point: Vec, body: str) -> Vec:
+        return self._motion.velocity(point, body)
+
+    def turn(self, body: str) -> sp.Expr:
+        return self._motion.velocities[body].angular
+
+    def mass(self, body: str) -> sp.Expr:
+        return self._scene.bodies[body].mass
+
+    def size(self, magnitude: Side | Table, mark: Mark) -> sp.Expr:
+        """A magnitude, which may use velocities."""
+        if isinstance(magnitude, Table):
+            raise refuse(mark, "PL590", "a table over time belongs to a motion over time", "at one instant write the value that acts then")
+        evaluator = Evaluator(self._scene.ledger, self._scene.evaluator.motions, lambda q: quantities.scalar(q))
+        quantities = Quantities(self._scene, self._motion, None, evaluator)
+        return evaluator.value(magnitude)
+
+    def with_relations(self, relations: tuple[Statement, ...], expr: sp.Expr) -> sp.Expr:
+        """An expression at other values of the coordinates: `relaxed_at: [theta = 30 deg]`."""
+        scene = self._scene
+        for relation in relations:
+            if not isinstance(relation, Relation) or not isinstance(relation.left, Name):
+                raise refuse(relation.mark, "PL542", "a relaxed position is given by its coordinates", "write `relaxed_at: [theta = 30 deg]`")
+            symbol = scene.ledger.symbols[relation.left.name]
+            expr = expr.subs(symbol, scene.value(relation.right))
+        return expr
+
+
+def all_wrenches(scene: Scene, motion: Motion, numbers: Any) -> tuple[Wrench, ...]:
+    """Weights of all bodies and every load of the file."""
+    setting = Moving(scene, motion, numbers)
+    weight = members("loads")["weight"]
+    found: list[Wrench] = []
+    for body in scene.problem.bodies:
+        found += weight(name=body.name, during=None, mark=body.mark).wrenches(setting)
+    for load in scene.problem.loads:
+        found += load.wrenches(setting)  # type: ignore[arg-type]
+    return tuple(found)

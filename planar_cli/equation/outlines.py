@@ -1,0 +1,155 @@
+"""The outline of a body or surface at a point of contact: a corner, a straight edge or an arc, with its curvature."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import sympy as sp
+
+from planar_cli.equation.evaluate import refuse
+from planar_cli.errors import Mark
+from planar_cli.problem.facts import Outline
+from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scene import Circle, Composite, Curve, Line, Plate, Rod, Round, Sector, Surface
+
+if TYPE_CHECKING:
+    from planar_cli.equation.scene import Scene
+
+
+def outline_of(scene: Scene, partner: str, point: Vec, mark: Mark) -> Outline:
+    """The outline of `partner` (a body or a surface) at `point`. Refused when the point is not on it."""
+    surface = scene.surfaces.get(partner)
+    if surface is not None:
+        return _surface(scene, surface, point, mark)
+    shape = scene.bodies[partner].shape
+    if isinstance(shape, Composite):
+        return _composite(scene, partner, shape, point)
+    if isinstance(shape, Round):
+        return _round(scene, partner, shape, point, mark)
+    if isinstance(shape, Plate):
+        return _plate(scene, partner, shape, point, mark)
+    if isinstance(shape, Rod):
+        return _rod(scene, partner, shape, point)
+    if isinstance(shape, Sector):
+        center = scene.point(shape.apex)
+        if not _same(scene, center, point):
+            return arc(scene, partner, center, shape.apex, point)
+    return Outline("corner", partner)
+
+
+def arc(scene: Scene, body: str, center: Vec, name: str, point: Vec, drift: Vec | None = None) -> Outline:
+    """An arc about `center`; its tangent is k × (outward normal), its curvature +1/R."""
+    out = point - center
+    radius = scene.length(out)
+    normal = out / radius
+    return Outline("arc", body, normal.turned(), 1 / radius, center, name, drift)
+
+
+def _surface(scene: Scene, surface: Surface, point: Vec, mark: Mark) -> Outline:
+    body = surface.body or "ground"
+    shape = surface.shape
+    if isinstance(shape, Line):
+        tangent = scene.unit(shape.angle)
+        off = (point - scene.point(shape.through)).cross(tangent)
+        if not scene.is_zero(off):
+            raise refuse(mark, "PL521", f"the point of contact is not on {surface.name}", "let the line go `through:` it")
+        return Outline("straight", body, tangent, drift=_drift(scene, surface, tangent))
+    if isinstance(shape, Circle):
+        center, radius = scene.point(shape.center), scene.value(shape.radius)
+        if not scene.is_zero((point - center).dot(point - center) - radius**2):
+            raise refuse(mark, "PL521", f"the point of contact is not on {surface.name}", "its distance from the centre is the radius")
+        found = arc(scene, body, center, shape.center, point)
+        return Outline("arc", body, found.tangent, 1 / radius, center, shape.center, _drift(scene, surface, found.tangent))
+    return _curve(scene, surface, shape, point, mark)
+
+
+def _drift(scene: Scene, surface: Surface, tangent: Vec | None) -> Vec | None:
+    if surface.speed is None or tangent is None:
+        return None
+    return tangent * scene.value(surface.speed)
+
+
+def _curve(scene: Scene, surface: Surface, shape: Curve, point: Vec, mark: Mark) -> Outline:
+    """Tangent and signed curvature of y(x) or r(theta) at the point; the arc of the osculating circle."""
+    x, formula = scene.curve_formula(shape)
+    if shape.kind == "y":
+        place, sample = Vec(x, formula), point.x
+    else:
+        place, sample = Vec(formula * sp.cos(x), formula * sp.sin(x)), sp.atan2(point.y, point.x)
+    first = Vec(sp.diff(place.x, x), sp.diff(place.y, x))
+    second = Vec(sp.diff(first.x, x), sp.diff(first.y, x))
+    at = [Vec(v.x.subs(x, sample), v.y.subs(x, sample)) for v in (place, first, second)]
+    if not (scene.is_zero(at[0].x - point.x) and scene.is_zero(at[0].y - point.y)):
+        raise refuse(mark, "PL521", f"the point of contact is not on {surface.name}")
+    speed = scene.length(at[1])
+    tangent = at[1] / speed
+    curvature = sp.simplify(at[1].cross(at[2]) / speed**3)
+    return Outline("arc" if curvature != 0 else "straight", surface.body or "ground", tangent, curvature, drift=_drift(scene, surface, tangent))
+
+
+def _round(scene: Scene, body: str, shape: Round, point: Vec, mark: Mark) -> Outline:
+    center = scene.point(shape.center)
+    out = point - center
+    radii = [scene.value(shape.radius), *([scene.value(shape.hub)] if shape.hub is not None else [])]
+    for radius in radii:
+        if scene.is_zero(out.dot(out) - radius**2):
+            normal = out / radius
+            return Outline("arc", body, normal.turned(), 1 / radius, center, shape.center)
+    if _same(scene, center, point):
+        return Outline("corner", body)
+    raise refuse(mark, "PL522", f"the point of contact is not on the rim of {body}", "its distance from the centre is the radius or the hub")
+
+
+def _plate(scene: Scene, body: str, shape: Plate, point: Vec, mark: Mark) -> Outline:
+    """An edge of the rectangle through the point, with the distances to its corners behind and ahead; both edges at a
+    corner are offered by `edges_at`."""
+    edges = edges_at(scene, body, shape, point)
+    if not edges:
+        raise refuse(mark, "PL522", f"the point of contact is not on an edge of {body}", "half the height below the centre, say")
+    return edges[0] if len(edges) == 1 else Outline("corner", body)
+
+
+def edges_at(scene: Scene, body: str, shape: Plate, point: Vec) -> list[Outline]:
+    """The edges of a plate that pass through a point (two at a corner)."""
+    along = scene.unit(shape.angle) if shape.angle is not None else Vec(sp.S.One, sp.S.Zero)
+    out = point - scene.point(shape.center)
+    found = []
+    for direction, half, depth in (
+        (along, scene.value(shape.width) / 2, scene.value(shape.height) / 2),
+        (along.turned(), scene.value(shape.height) / 2, scene.value(shape.width) / 2),
+    ):
+        across, ahead = direction.cross(out), direction.dot(out)
+        on_edge = scene.is_zero(across**2 - depth**2) and scene.sign(half**2 - ahead**2) >= 0
+        if on_edge:
+            found.append(Outline("straight", body, direction, extent=(half + ahead, half - ahead)))
+    return found
+
+
+def _rod(scene: Scene, body: str, shape: Rod, point: Vec) -> Outline:
+    start = scene.point(shape.start)
+    if shape.end is None or _same(scene, start, point) or _same(scene, scene.point(shape.end), point):
+        return Outline("corner", body)
+    reach = scene.point(shape.end) - start
+    if not scene.is_zero(reach.cross(point - start)):
+        return Outline("corner", body)
+    return Outline("straight", body, reach / scene.length(reach))
+
+
+def _composite(scene: Scene, body: str, shape: Composite, point: Vec) -> Outline:
+    """The first part on whose rim the point is; a corner when none."""
+    for piece in shape.pieces:
+        part = piece.shape
+        if isinstance(part, Round):
+            out = point - scene.point(part.center)
+            radius = scene.value(part.radius)
+            if scene.is_zero(out.dot(out) - radius**2):
+                return Outline("arc", body, (out / radius).turned(), 1 / radius, scene.point(part.center), part.center)
+        if isinstance(part, Plate):
+            edges = edges_at(scene, body, part, point)
+            if len(edges) == 1:
+                return edges[0]
+    return Outline("corner", body)
+
+
+def _same(scene: Scene, a: Vec, b: Vec) -> bool:
+    return scene.is_zero(a.x - b.x) and scene.is_zero(a.y - b.y)

@@ -1,0 +1,312 @@
+"""What v(B), omega(b), N(C), KE(all) … are at one instant: expressions in the unknowns of the motion and the pushes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import sympy as sp
+
+from planar_cli.equation.evaluate import Evaluator, refuse
+from planar_cli.equation.jets import Jet, constant, magnitude, vector_jet
+from planar_cli.equation.motion import Motion
+from planar_cli.equation.scene import Scene
+from planar_cli.problem.expression import Name, Part, PointPair, Quantity, Side
+from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scene import GROUND
+
+if TYPE_CHECKING:
+    from planar_cli.equation.reactions import Reactions
+
+HALF = sp.Rational(1, 2)
+ORIGIN = Vec(constant(0), constant(0))
+LATER = {"path", "hodograph", "work", "impulse", "heat", "path_length", "mean", "count", "reached", "period", "frequency", "stable"}
+
+
+def only(value: sp.Expr) -> Jet:
+    """A quantity whose rate one instant does not tell."""
+    return Jet(value, None, None)
+
+
+@dataclass(frozen=True, slots=True)
+class Quantities:
+    """Evaluates quantities in one scene, motion and set of reactions."""
+
+    scene: Scene
+    motion: Motion
+    reactions: Reactions | None
+    evaluator: Evaluator
+
+    def scalar(self, quantity: Quantity) -> Jet:
+        """The quantity as a number. FileProblem when it is a vector without a part."""
+        found = self.any(quantity)
+        if isinstance(found, Vec):
+            raise refuse(quantity.mark, "PL550", f"{quantity.word}(…) is a vector", "ask for a part: .x .y .mag .angle .along(30 deg)")
+        return found
+
+    def any(self, quantity: Quantity) -> Jet | Vec:
+        """The quantity with its parts: a Jet, or a Vec of jets."""
+        found = self._whole(quantity)
+        for part in quantity.parts:
+            if not isinstance(found, Vec):
+                raise refuse(part.mark, "PL551", f".{part.kind} of a number", "only a vector has parts")
+            found = self._part(found, part, quantity)
+        return found
+
+    def _whole(self, q: Quantity) -> Jet | Vec:
+        if q.word in LATER:
+            raise refuse(q.mark, "PL590", f"{q.word}(…) belongs to a motion over time", "at one instant ask places, velocities, accelerations and forces")
+        if q.word in ("dot", "ddot"):
+            return self._dotted(q)
+        handler: Callable[[Quantity], Jet | Vec] = getattr(self, f"_q_{q.word}")
+        return handler(q)
+
+    def _dotted(self, q: Quantity) -> Jet | Vec:
+        times = 1 if q.word == "dot" else 2
+        argument = q.argument
+        found: Jet | Vec
+        if isinstance(argument, Quantity):
+            found = self.any(argument)
+        else:
+            found = self.evaluator.jet(argument)  # type: ignore[arg-type]
+        try:
+            for _ in range(times):
+                found = Vec(found.x.dotted(), found.y.dotted()) if isinstance(found, Vec) else found.dotted()
+        except ValueError as error:
+            raise refuse(q.mark, "PL552", str(error), "velocities and accelerations are known at an instant, their rates beyond are not") from None
+        return found
+
+    # --- places and motion -------------------------------------------------------------------------------------------
+
+    def place(self, name: str) -> Vec:
+        """r, v and a of a point (or a body's mass centre), as jets."""
+        scene = self.scene
+        body = scene.owner(name) if name not in scene.bodies or name in scene.points else name
+        if name in scene.bodies and name not in scene.points:
+            at = scene.bodies[name].center
+        else:
+            at = scene.point(name)
+        if body == GROUND:
+            formula = scene.formulas.get(name)
+            return formula if formula is not None else vector_jet(at, None, None)
+        return vector_jet(at, self.motion.velocity(at, body), self.motion.acceleration(at, body))
+
+    def frame_body(self, q: Quantity) -> str | None:
+        """The body after the slash, None when it is a point."""
+        second = q.things[1] if len(q.things) == 2 else None
+        return second if second in self.scene.bodies and second not in self.scene.points else None
+
+    def _relative(self, q: Quantity) -> Vec:
+        """Place jets of the first thing less those of the second, a point."""
+        found = self.place(q.things[0])
+        if len(q.things) == 2 and q.things[1] != GROUND:
+            found = found - self.place(q.things[1])
+        return found
+
+    def _q_r(self, q: Quantity) -> Vec:
+        body = self.frame_body(q)
+        if body is None:
+            return self._relative(q)
+        center = self.scene.bodies[body].center
+        value = self.scene.point(q.things[0]) - center
+        velocity, acceleration = self.seen_from(q.things[0], body)
+        return vector_jet(value, velocity, acceleration)
+
+    def _q_x(self, q: Quantity) -> Jet:
+        return self._q_r(q).x  # type: ignore[no-any-return]
+
+    def _q_y(self, q: Quantity) -> Jet:
+        return self._q_r(q).y  # type: ignore[no-any-return]
+
+    def seen_from(self, name: str, body: str) -> tuple[Vec, Vec]:
+        """Relative velocity and acceleration of a point seen from a body: v - v', a - a' - 2 ω k × v_rel."""
+        place = self.place(name)
+        at = Vec(place.x.value, place.y.value)
+        velocity = Vec(place.x.rate, place.y.rate) - self.motion.velocity(at, body)
+        coriolis = velocity.turned() * (2 * self.motion.velocities[body].angular)
+        return velocity, Vec(place.x.second, place.y.second) - self.motion.acceleration(at, body) - coriolis
+
+    def _q_v(self, q: Quantity) -> Vec:
+        body = self.frame_body(q)
+        if body is not None:
+            velocity, acceleration = self.seen_from(q.things[0], body)
+            return vector_jet(velocity, acceleration, None)
+        jets = self._relative(q)
+        return Vec(jets.x.dotted(), jets.y.dotted())
+
+    def _q_a(self, q: Quantity) -> Vec:
+        body = self.frame_body(q)
+        if body is not None:
+            return vector_jet(self.seen_from(q.things[0], body)[1], None, None)
+        jets = self._relative(q)
+        return Vec(only(jets.x.second), only(jets.y.second))
+
+    def _q_theta(self, q: Quantity) -> Jet:
+        return self._turning(q, lambda b: self.scene.bodies[b].theta if b != GROUND else sp.S.Zero)
+
+    def _turning(self, q: Quantity, angle: Callable[[str], sp.Expr]) -> Jet:
+        def one(body: str) -> Jet:
+            if body not in self.motion.velocities:
+                raise refuse(q.mark, "PL553", f"{body} is no body that turns")
+            return Jet(angle(body), self.motion.velocities[body].angular, self.motion.accelerations[body].angular)
+
+        found = one(q.things[0])
+        return found - one(q.things[1]) if len(q.things) == 2 else found
+
+    def _q_omega(self, q: Quantity) -> Jet:
+        return self._turning(q, lambda b: sp.S.Zero).dotted()
+
+    def _q_alpha(self, q: Quantity) -> Jet:
+        return self._turning(q, lambda b: sp.S.Zero).dotted().dotted()
+
+    def _q_coriolis(self, q: Quantity) -> Vec:
+        body = self.frame_body(q)
+        if body is None:
+            raise refuse(q.mark, "PL554", "the Coriolis acceleration is seen from a body", "write coriolis(P/b)")
+        velocity, _ = self.seen_from(q.things[0], body)
+        return vector_jet(velocity.turned() * (2 * self.motion.velocities[body].angular), None, None)
+
+    def _q_rho(self, q: Quantity) -> Jet:
+        """ρ = |v|³ / |v × a|."""
+        jets = self._relative(q)
+        v, a = Vec(jets.x.rate, jets.y.rate), Vec(jets.x.second, jets.y.second)
+        return only(v.dot(v) ** sp.Rational(3, 2) / sp.Abs(v.cross(a)))
+
+    def _q_IC(self, q: Quantity) -> Vec:
+        """r_G + k × v_G / ω; at infinity when ω is zero."""
+        center = self.scene.bodies[q.things[0]].center
+        omega = self.motion.velocities[q.things[0]].angular
+        if omega == 0:
+            return vector_jet(Vec(sp.oo, sp.oo), None, None)
+        return vector_jet(center + self.motion.velocity(center, q.things[0]).turned() / omega, None, None)
+
+    # --- mass and energy ---------------------------------------------------------------------------------------------
+
+    def _bodies(self, q: Quantity) -> list[str]:
+        return list(self.scene.bodies) if q.things[0] == "all" else [q.things[0]]
+
+    def _q_mass(self, q: Quantity) -> Jet:
+        return constant(sp.Add(*(self.scene.bodies[b].mass for b in self._bodies(q))))
+
+    def _q_I(self, q: Quantity) -> Jet:
+        parts = []
+        for name in self._bodies(q):
+            body = self.scene.bodies[name]
+            about = self.scene.point(q.things[1]) if len(q.things) == 2 else body.center
+            arm = body.center - about
+            parts.append(body.inertia + body.mass * arm.dot(arm))
+        return constant(sp.Add(*parts))
+
+    def _q_KE(self, q: Quantity) -> Jet:
+        """Σ m v_G²/2 + I_G ω²/2."""
+        parts = []
+        for name in self._bodies(q):
+            body = self.scene.bodies[name]
+            v = self.motion.velocity(body.center, name)
+            parts.append(body.mass * v.dot(v) / 2 + body.inertia * self.motion.velocities[name].angular ** 2 / 2)
+        return only(sp.Add(*parts))
+
+    def _q_PE(self, q: Quantity) -> Jet:
+        """m g y_G, from y = 0."""
+        return only(sp.Add(*(self.scene.bodies[n].mass * self.scene.gravity * self.scene.bodies[n].center.y for n in self._bodies(q))))
+
+    def _q_momentum(self, q: Quantity) -> Vec:
+        total = Vec(sp.S.Zero, sp.S.Zero)
+        for name in self._bodies(q):
+            total = total + self.motion.velocity(self.scene.bodies[name].center, name) * self.scene.bodies[name].mass
+        return vector_jet(total, None, None)
+
+    def _q_H(self, q: Quantity) -> Jet:
+        """Σ r_G × m v_G + I_G ω about the point, by default the mass centre."""
+        parts = []
+        for name in self._bodies(q):
+            body = self.scene.bodies[name]
+            about = self.scene.point(q.things[1]) if len(q.things) == 2 else body.center
+            v = self.motion.velocity(body.center, name)
+            parts.append((body.center - about).cross(v) * body.mass + body.inertia * self.motion.velocities[name].angular)
+        return only(sp.Add(*parts))
+
+    # --- forces ------------------------------------------------------------------------------------------------------
+
+    def _forces(self, q: Quantity) -> Reactions:
+        if self.reactions is None:
+            raise refuse(q.mark, "PL555", f"{q.word}(…) can not stand here", "forces are not known before the motion is")
+        return self.reactions
+
+    def _q_N(self, q: Quantity) -> Jet:
+        return only(self._forces(q).number(q, "normal"))
+
+    def _q_tension(self, q: Quantity) -> Jet:
+        return only(self._forces(q).number(q, "tension"))
+
+    def _q_moment(self, q: Quantity) -> Jet:
+        return only(self._forces(q).couple(q))
+
+    def _q_friction(self, q: Quantity) -> Vec:
+        return vector_jet(self._forces(q).force(q, ("friction",)), None, None)
+
+    def _q_reaction(self, q: Quantity) -> Vec:
+        return vector_jet(self._forces(q).force(q, None), None, None)
+
+    def _q_force(self, q: Quantity) -> Vec:
+        return vector_jet(self._forces(q).load(q), None, None)
+
+    def _q_power(self, q: Quantity) -> Jet:
+        return only(self._forces(q).power(q, self.motion))
+
+    def _q_mode(self, q: Quantity) -> Jet:
+        raise refuse(q.mark, "PL502", "a mode is no number", "compare it: `mode(C) = stick`")
+
+    # --- parts -------------------------------------------------------------------------------------------------------
+
+    def _part(self, v: Vec, part: Part, q: Quantity) -> Jet | Vec:
+        match part.kind:
+            case "x":
+                return v.x  # type: ignore[no-any-return]
+            case "y":
+                return v.y  # type: ignore[no-any-return]
+            case "mag":
+                return magnitude(v)
+            case "angle":
+                return only(sp.atan2(v.y.value, v.x.value))
+            case "along" | "across":
+                along = self.direction(part)
+                return v.dot(along) if part.kind == "along" else v.dot(Vec(-along.y, along.x))
+            case "r" | "theta":
+                reach = self._q_r(Quantity("r", q.things, None, (), None, q.mark))
+                along = reach * (constant(1) / magnitude(reach))
+                return v.dot(along) if part.kind == "r" else v.dot(Vec(-along.y, along.x))
+        return self._natural(v, part, q)
+
+    def _natural(self, v: Vec, part: Part, q: Quantity) -> Jet:
+        """.t along the velocity, .n towards the centre of curvature."""
+        jets = self._q_v(Quantity("v", q.things, None, (), None, q.mark))
+        velocity = Vec(jets.x.value, jets.y.value)
+        speed = magnitude(vector_jet(velocity, None, None)).value
+        if speed == 0:
+            raise refuse(part.mark, "PL556", f".{part.kind} where the speed is zero", "on a circle use `.along` or `.across`")
+        value = Vec(v.x.value, v.y.value)
+        if part.kind == "t":
+            return only(value.dot(velocity) / speed)
+        bend = Vec(jets.x.rate, jets.y.rate)
+        return only(velocity.cross(value) * sp.sign(velocity.cross(bend)) / speed)
+
+    def direction(self, part: Part) -> Vec:
+        """The unit vector of .along(…) as jets; of a body or two points it turns with them."""
+        named = part.direction
+        if isinstance(named, Name) and named.name in self.scene.bodies:
+            at = self.scene.direction(named.name)
+            return self._turning_unit(at, named.name)
+        if isinstance(named, Name) and named.name in self.scene.surfaces:
+            return vector_jet(self.scene.direction(named.name), None, None)
+        if isinstance(named, PointPair):
+            reach = self.place(named.to) - self.place(named.origin)
+            return reach * (constant(1) / magnitude(reach))
+        side: Side = named  # type: ignore[assignment]
+        angle = self.evaluator.jet(side)
+        return Vec(angle.through(sp.cos), angle.through(sp.sin))
+
+    def _turning_unit(self, unit: Vec, body: str) -> Vec:
+        omega, alpha = self.motion.velocities[body].angular, self.motion.accelerations[body].angular
+        return vector_jet(unit, unit.turned() * omega, unit.turned() * alpha - unit * omega**2)

@@ -1,0 +1,105 @@
+"""The unknown pushes and the loads of one choice of modes, by name: what N(C), reaction(A/b), force(f) ask."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+from planar_cli.equation.evaluate import refuse
+from planar_cli.equation.motion import Motion
+from planar_cli.problem.expression import Quantity
+from planar_cli.problem.facts import Action, Push, Wrench
+from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scene import GROUND
+
+NONE = Vec(sp.S.Zero, sp.S.Zero)
+
+
+@dataclass(frozen=True, slots=True)
+class Reactions:
+    """`pushes` with the expression of each (its symbol, or what a friction law makes of it); `wrenches` of all loads.
+
+    `joints`: our own name of each joint to the file's; several may share one name of the file.
+    """
+
+    pushes: tuple[tuple[Push, sp.Expr], ...]
+    wrenches: tuple[Wrench, ...]
+    joints: dict[str, str]
+
+    def _of(self, q: Quantity) -> list[tuple[Push, sp.Expr]]:
+        name = q.things[0]
+        if name not in self.joints.values():
+            raise refuse(q.mark, "PL557", f"{name} is no joint", "N, friction, reaction, moment and tension take a joint's name")
+        return [(p, e) for p, e in self.pushes if self.joints[p.joint] == name]
+
+    def number(self, q: Quantity, kind: str) -> sp.Expr:
+        """The normal force or tension of a joint; for a spring, its pull."""
+        for wrench in self.wrenches:
+            if wrench.name == q.things[0] and kind == "tension" and wrench.kind in ("spring", "damper"):
+                return wrench.magnitude
+        found = [e for p, e in self._of(q) if p.kind == kind]
+        return found[0] if found else sp.S.Zero
+
+    def couple(self, q: Quantity) -> sp.Expr:
+        """The couple of a joint on the named body."""
+        parts = []
+        for push, expr in self._of(q):
+            if push.unit == "N*m":
+                parts.append(expr * self._action(push, self._body(q, [push])).couple)
+        return sp.Add(*parts)
+
+    def force(self, q: Quantity, kinds: tuple[str, ...] | None) -> Vec:
+        """The sum of a joint's forces of these kinds (None: all) on the named body."""
+        chosen = [(p, e) for p, e in self._of(q) if p.unit == "N" and (kinds is None or p.kind in kinds)]
+        if not chosen:
+            return NONE
+        body = self._body(q, [p for p, _ in chosen])
+        total = NONE
+        for push, expr in chosen:
+            for action in push.actions:
+                if action.body == body and action.force is not None:
+                    total = total + action.force * expr
+        return total
+
+    def _body(self, q: Quantity, pushes: list[Push]) -> str:
+        """On whom: the body after the slash, or the one whose partner is the ground."""
+        bodies = list(dict.fromkeys(a.body for p in pushes for a in p.actions))
+        if len(q.things) == 2:
+            if q.things[1] not in bodies:
+                raise refuse(q.mark, "PL558", f"{q.things[1]} is not held by {q.things[0]}", f"it acts on {', '.join(bodies)}")
+            return q.things[1]
+        moving = [b for b in bodies if b != GROUND]
+        if len(moving) == 1:
+            return moving[0]
+        raise refuse(q.mark, "PL559", f"{q.word}({q.things[0]}) acts on several bodies", f"say on which: {q.word}({q.things[0]}/{moving[0]})")
+
+    @staticmethod
+    def _action(push: Push, body: str) -> Action:
+        return next(a for a in push.actions if a.body == body)
+
+    def load(self, q: Quantity) -> Vec:
+        """The force of a load, on the named body, or on its only one."""
+        found = [w for w in self.wrenches if w.name == q.things[0] and w.force is not None]
+        if len(q.things) == 2:
+            found = [w for w in found if w.body == q.things[1]]
+        if not found:
+            return NONE
+        return found[0].force or NONE
+
+    def power(self, q: Quantity, motion: Motion) -> sp.Expr:
+        """Σ F · v + M ω of a load, of a joint, of all forces on a body, or of everything."""
+        name = q.things[0]
+        parts = []
+        for w in self.wrenches:
+            if name in (w.name, w.body, "all"):
+                if w.force is not None:
+                    parts.append(w.force.dot(motion.velocity(w.point, w.body)))
+                parts.append(w.couple * motion.velocities[w.body].angular)
+        for push, expr in self.pushes:
+            for action in push.actions:
+                if name in (self.joints[push.joint], action.body, "all"):
+                    if action.force is not None:
+                        parts.append(expr * action.force.dot(motion.velocity(action.point, action.body)))
+                    parts.append(expr * action.couple * motion.velocities[action.body].angular)
+        return sp.Add(*parts)

@@ -1,0 +1,304 @@
+"""One instant of a problem with its geometry settled: symbols, places, bodies. What joints and loads ask when they state facts."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.equation.bodies import BodyModel, MassReader
+from planar_cli.equation.evaluate import Evaluator, refuse
+from planar_cli.equation.exact import Valuation
+from planar_cli.equation.ledger import Ledger
+from planar_cli.equation.outlines import edges_at, outline_of
+from planar_cli.equation.places import place_jet
+from planar_cli.errors import Mark
+from planar_cli.problem.expression import Name, Side
+from planar_cli.problem.facts import Outline
+from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scene import (
+    GROUND,
+    Curve,
+    Particle,
+    Plate,
+    Point,
+    Problem,
+    Rod,
+    Round,
+    Sector,
+    Surface,
+)
+from planar_cli.problem.scene import Outline as OutlineShape
+
+WORDY = 10
+"""An expression of more operations than this gets a name of its own where it is a coordinate of a point."""
+
+
+class Scene:
+    """Geometry and bodies of one problem at one instant; built once, then only asked.
+
+    `points`: places as expressions. `formulas`: the same as jets in the coordinates. `owners`: the bodies that a point
+    belongs to, the most intimate first. `gravity`: the symbol g, or 0 in a horizontal plane.
+    """
+
+    def __init__(self, problem: Problem, ledger: Ledger, evaluator: Evaluator) -> None:
+        self.problem, self.ledger, self.evaluator = problem, ledger, evaluator
+        self.surfaces: dict[str, Surface] = {s.name: s for s in problem.surfaces}
+        self._places = {p.name: p for p in problem.points}
+        self.formulas: dict[str, Vec] = {}
+        self.points: dict[str, Vec] = {}
+        self._building: list[str] = []
+        self._valuations: tuple[Valuation, ...] | None = None
+        self.gravity: sp.Expr = self._gravity()
+        self._implicit_points()
+        for point in problem.points:
+            self.formula(point.name)
+        self.bodies: dict[str, BodyModel] = {}
+        alone = len([b for b in problem.bodies if b.mass is not None or b.weight is not None or b.any_mass]) == 1
+        reader = MassReader(ledger, evaluator, self.point, self.gravity or ledger.symbols.get("g", sp.S.Zero), alone)
+        for body in problem.bodies:
+            self.bodies[body.name] = reader.read(body)
+        self.cancelling = reader.cancelling
+        self._valuations = None
+        self.owners = self._owners()
+
+    def _gravity(self) -> sp.Expr:
+        if "g" not in self.ledger.symbols:
+            if self.problem.symbols:
+                self.ledger.letter("g", "m/s^2")
+            else:
+                self.ledger.known("g", sp.Rational(981, 100), "m/s^2")
+        return self.ledger.symbols["g"] if self.problem.plane == "vertical" else sp.S.Zero
+
+    def _implicit_points(self) -> None:
+        """A particle given by coordinates, or free, is a point of its own name."""
+        for body in self.problem.bodies:
+            if isinstance(body.shape, Particle) and not isinstance(body.shape.place, str):
+                if body.shape.place is None:
+                    x, y = (self.ledger.seek(f"{axis}_{body.name}", "m") for axis in ("x", "y"))
+                    self.points[body.name] = Vec(x, y)
+                else:
+                    self._places[body.name] = Point(body.name, body.shape.place, body.mark)
+                    self.formula(body.name)
+
+    # --- places ------------------------------------------------------------------------------------------------------
+
+    def formula(self, name: str) -> Vec:
+        """The place of a point as a Vec of jets."""
+        if name in self.formulas:
+            return self.formulas[name]
+        place = self._places.get(name)
+        if place is None:
+            raise refuse(self._mark(name), "PL530", f"{name} is no point with a place")
+        if name in self._building:
+            raise refuse(place.mark, "PL531", f"the place of {name} is given through itself: {' -> '.join([*self._building, name])}")
+        self._building.append(name)
+        jets = place_jet(place, self.evaluator, self.formula, lambda: self.valuations[0])
+        self._building.pop()
+        self.formulas[name] = jets
+        self.points[name] = Vec(*(self._named(getattr(jets, axis).value, f"{axis}_{name}") for axis in ("x", "y")))
+        return jets
+
+    def _named(self, value: sp.Expr, name: str) -> sp.Expr:
+        """A long coordinate gets a name, unless letters must stay visible in the answer."""
+        if self.ledger.symbolic or sp.count_ops(value) <= WORDY or self.ledger.sought:
+            return value
+        return self.ledger.define(name, value, "m", f"{name[0]} of {name[2:]}")
+
+    def _mark(self, name: str) -> Mark:
+        return next((b.mark for b in self.problem.bodies if b.name == name), Mark(self.problem.file, 1, 1))
+
+    @property
+    def valuations(self) -> tuple[Valuation, ...]:
+        """Numbers for everything known, and for letters draws in which what is assumed holds."""
+        if self._valuations is None:
+            self._valuations = self.ledger.valuations(self._assumed)
+            if not self._valuations:
+                raise refuse(Mark(self.problem.file, 1, 1), "PL532", "no numbers satisfy `assume`, or a length is not real")
+        return self._valuations
+
+    def _assumed(self, valuation: Valuation) -> bool:
+        for place in self.points.values():
+            valuation(place.x), valuation(place.y)
+        return all(self.compare(r, valuation) for r in self.problem.assume)
+
+    def compare(self, relation: Any, valuation: Valuation) -> bool:
+        """Does a relation between names hold with these numbers?"""
+        difference = self.value(relation.left) - self.value(relation.right)
+        value = valuation(difference)
+        return {"<": value < 0, ">": value > 0, "<=": value <= 0, ">=": value >= 0, "=": valuation.is_zero(difference)}[relation.operator]
+
+    # --- what joints and loads ask -----------------------------------------------------------------------------------
+
+    def point(self, name: str) -> Vec:
+        """The place of a point (or of a body: its mass centre)."""
+        if name in self.points:
+            return self.points[name]
+        if name in self._places:
+            self.formula(name)
+            return self.points[name]
+        return self.bodies[name].center
+
+    def value(self, side: Side) -> sp.Expr:
+        return self.evaluator.value(side)
+
+    def unit(self, angle: Side) -> Vec:
+        """The unit vector in a direction given by an angle."""
+        value = self.value(angle)
+        return Vec(sp.cos(value), sp.sin(value))
+
+    def length(self, v: Vec) -> sp.Expr:
+        """|v|, in its simplest form when v lies along an axis."""
+        for one, other in ((v.x, v.y), (v.y, v.x)):
+            if other == 0:
+                return one if self.sign(one) >= 0 else -one
+        square = v.dot(v)
+        simple = sp.trigsimp(sp.expand(square)) if square.has(sp.cos, sp.sin) else sp.expand(square) if not square.is_number else square
+        return sp.sqrt(sp.factor(simple) if simple.free_symbols else simple)
+
+    def direction(self, along: Side | str) -> Vec:
+        """A direction given by an angle, a surface (its line) or a body (its angle)."""
+        if isinstance(along, Name) and along.name not in self.ledger.symbols:
+            along = along.name
+        if not isinstance(along, str):
+            return self.unit(along)
+        if along in self.surfaces:
+            shape = self.surfaces[along].shape
+            return self.unit(shape.angle)  # type: ignore[union-attr]
+        body = self.bodies[along]
+        if isinstance(body.shape, Rod) and body.shape.end is not None:
+            reach = self.point(body.shape.end) - self.point(body.shape.start)
+            return reach / self.length(reach)
+        return Vec(sp.cos(body.theta), sp.sin(body.theta))
+
+    def curve_formula(self, curve: Curve) -> tuple[sp.Symbol, sp.Expr]:
+        """The variable of a curve and its formula."""
+        name = "x" if curve.kind == "y" else "theta"
+        x = sp.Symbol(name, real=True)
+        saved = self.ledger.symbols.get(name)
+        self.ledger.symbols[name] = x
+        formula = self.value(curve.formula)
+        if saved is None:
+            del self.ledger.symbols[name]
+        else:
+            self.ledger.symbols[name] = saved
+        return x, formula
+
+    def sign(self, expr: Any) -> int:
+        """-1, 0 or 1, decided to all certain digits."""
+        valuation = self.valuations[0]
+        if valuation.is_zero(expr):
+            return 0
+        return 1 if valuation(expr) > 0 else -1
+
+    def is_zero(self, expr: Any) -> bool:
+        return expr == 0 or all(v.is_zero(expr) for v in self.valuations)
+
+    def carrier(self, partner: str) -> str:
+        """The body that a partner of a joint stands for: a surface's body, or the ground."""
+        surface = self.surfaces.get(partner)
+        return (surface.body or GROUND) if surface is not None else partner
+
+    def outline(self, partner: str, point: Vec, mark: Mark) -> Outline:
+        return outline_of(self, partner, point, mark)
+
+    def rigid(self, body: str) -> bool:
+        return body == GROUND or self.bodies[body].rigid
+
+    def owner(self, point: str, apart_from: str = "") -> str:
+        """The body that a point belongs to (another one than `apart_from`); the ground when it belongs to none."""
+        found = [b for b in self.owners.get(point, ()) if b != apart_from]
+        return found[0] if found else GROUND
+
+    def center(self, body: str) -> Vec:
+        """The mass centre of a body; of the ground, the origin."""
+        return self.bodies[body].center if body != GROUND else Vec(sp.S.Zero, sp.S.Zero)
+
+    def center_name(self, body: str) -> str:
+        """The name of a body's mass centre in print."""
+        return self.bodies[body].center_name or body
+
+    def names_carrier(self, name: str) -> bool:
+        """Is the name a body or a surface?"""
+        return name in self.bodies or name in self.surfaces
+
+    def pulley(self, stop: str) -> str:
+        """The disk that a rope passes at a stop, named itself or by its centre; "" for a bare point."""
+        if stop in self.bodies and isinstance(self.bodies[stop].shape, Round):
+            return stop
+        found = [b for b in self.owners.get(stop, ()) if isinstance(self.bodies[b].shape, Round) and self.bodies[b].shape.center == stop]
+        return found[0] if found else ""
+
+    def radius(self, body: str) -> sp.Expr:
+        """The radius of a round body."""
+        shape = self.bodies[body].shape
+        return self.value(shape.radius) if isinstance(shape, Round) else sp.S.Zero
+
+    def edges(self, body: str, point: Vec) -> list[Outline]:
+        """The edges of a plate through a point."""
+        shape = self.bodies[body].shape if body in self.bodies else None
+        return edges_at(self, body, shape, point) if isinstance(shape, Plate) else []
+
+    def contacts(self, a: str, b: str) -> int:
+        """How many contacts the same two partners have."""
+        return sum(set(getattr(j, "between", ())) == {a, b} and j.kind == "contact" for j in self.problem.joints)
+
+    def root(self, square: Any) -> sp.Expr:
+        return sp.sqrt(square)
+
+    def middle(self) -> Vec:
+        """The mean of all drawn points."""
+        count = max(len(self.points), 1)
+        return Vec(*(sp.Add(*(getattr(p, axis) for p in self.points.values())) / count for axis in ("x", "y")))
+
+    def track(self, along: Side | str, point: Vec, mark: Mark) -> tuple[Vec, sp.Expr]:
+        """Tangent and signed curvature of a track at a point: an angle, a body's line, or a surface."""
+        name = along if isinstance(along, str) else along.name if isinstance(along, Name) else ""
+        if name in self.surfaces:
+            found = self.outline(name, point, mark)
+            return found.tangent or Vec(sp.S.One, sp.S.Zero), found.curvature
+        return self.direction(along), sp.S.Zero
+
+    def refuse(self, mark: Mark, code: str, message: str, hint: str = "") -> Exception:
+        return refuse(mark, code, message, hint)
+
+    # --- who owns a point --------------------------------------------------------------------------------------------
+
+    def _owners(self) -> dict[str, list[str]]:
+        owners: dict[str, list[str]] = {}
+        own = {p for b in self.problem.bodies for p in (*_own_points(b.shape), *b.points)}
+        self.own_points = own | {b.name for b in self.problem.bodies}
+
+        def belongs(point: str | None, body: str | None) -> None:
+            if point is not None and body in self.bodies and body not in owners.setdefault(point, []):
+                owners[point].append(body)
+
+        for body in self.problem.bodies:
+            for point in (*_own_points(body.shape), *body.points):
+                belongs(point, body.name)
+            if body.name in self.points:
+                belongs(body.name, body.name)
+        for joint in self.problem.joints:
+            for point, body_name in joint.attachments():
+                belongs(point, self.carrier(body_name))
+        for load in self.problem.loads:
+            for point, body_name in load.attachments():
+                belongs(point, body_name)
+        return owners
+
+
+def _own_points(shape: Any) -> tuple[str, ...]:
+    """The points by which a shape is drawn and which move with it."""
+    match shape:
+        case Particle():
+            return (shape.place,) if isinstance(shape.place, str) else ()
+        case Rod():
+            return (shape.start, shape.end) if shape.end else (shape.start,)
+        case Round() | OutlineShape():
+            return (shape.center,) if shape.center else ()
+        case Sector():
+            return (shape.apex,)
+    pieces = getattr(shape, "pieces", None)
+    if pieces is not None:
+        return tuple(p for piece in pieces for p in _own_points(piece.shape))
+    return (shape.center,)

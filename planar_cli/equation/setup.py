@@ -1,0 +1,167 @@
+"""From a problem to the scene of one instant: names become symbols, given numbers exact values, coordinates settle."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import sympy as sp
+
+from planar_cli.equation.evaluate import Evaluator, refuse
+from planar_cli.equation.ledger import Ledger
+from planar_cli.equation.scene import Scene
+from planar_cli.equation.system import Statements
+from planar_cli.problem.dimensions import Kind, dimension_of
+from planar_cli.problem.expression import Binary, Function, Name, Negate, Number, Quantity, Relation, Scaled, Side
+from planar_cli.problem.scene import Problem, Symbol
+from planar_cli.units import PURE, Unit, default_unit, parse_unit
+
+
+@dataclass(frozen=True, slots=True)
+class Earlier:
+    """A find of an earlier case: its exact value (or a rational close to sixty digits) and its unit."""
+
+    value: sp.Expr
+    unit: str
+
+
+class Setup:
+    """Makes ledger, evaluator and scene; `open_form`: coordinates stay letters of the answer (a formula that holds throughout)."""
+
+    def __init__(self, problem: Problem, statements: Statements, earlier: Mapping[str, Earlier], open_form: bool) -> None:
+        self.problem, self.statements, self.earlier = problem, statements, earlier
+        self.ledger = Ledger(us=problem.us)
+        self._given = {s.name: s for s in problem.given}
+        self._waiting: list[str] = []
+        self.motions: dict[sp.Symbol, tuple[sp.Expr | None, sp.Expr | None]] = {}
+        self.evaluator = Evaluator(self.ledger, self.motions)
+        self._names()
+        self.settled: list[Relation] = []
+        self._settle_coordinates(open_form)
+        self.scene = Scene(problem, self.ledger, self.evaluator)
+
+    # --- names -------------------------------------------------------------------------------------------------------
+
+    def _names(self) -> None:
+        for name, known in self.earlier.items():
+            self.ledger.known(name, known.value, known.unit)
+        time = self.ledger.symbols["t"] = sp.Symbol("t", real=True)
+        self.ledger.units[time] = parse_unit("s")
+        self.motions[time] = (sp.S.One, sp.S.Zero)
+        for symbol in self.problem.symbols:
+            self.ledger.letter(symbol.name, symbol.unit or "1")
+        for symbol in self.problem.unknowns:
+            self.ledger.seek(symbol.name, symbol.unit or "1")
+        for symbol in self.problem.coordinates:
+            made = self.ledger.seek(symbol.name, symbol.unit or "1", coordinate=True)
+            unit = symbol.unit or "1"
+            per = "rad" if parse_unit(unit).angle else unit if unit != "1" else "1"
+            self.motions[made] = (self.ledger.fresh(f"{symbol.name}_dot", f"{per}/s"), self.ledger.fresh(f"{symbol.name}_ddot", f"{per}/s^2"))
+        for symbol in self.problem.given:
+            self._know(symbol)
+
+    def _know(self, symbol: Symbol) -> None:
+        """A given name; the names in its formula come first."""
+        if symbol.name in self.ledger.symbols or symbol.value is None:
+            return
+        if symbol.name in self._waiting:
+            raise refuse(symbol.mark, "PL533", f"{symbol.name} is given through itself")
+        self._waiting.append(symbol.name)
+        for name in names_in(symbol.value):
+            if name in self._given:
+                self._know(self._given[name])
+        if "g" in names_in(symbol.value) and "g" not in self.ledger.symbols:
+            self._gravity()
+        self._waiting.pop()
+        self.ledger.known(symbol.name, self.evaluator.value(symbol.value), self.unit_of(symbol.value))
+
+    def _gravity(self) -> None:
+        if self.problem.symbols:
+            self.ledger.letter("g", "m/s^2")
+        else:
+            self.ledger.known("g", sp.Rational(981, 100), "m/s^2")
+
+    def unit_of(self, side: Side) -> str:
+        """The unit in which a value is shown: as written, else the usual one of its dimension."""
+        written = first_unit(side)
+        if written is not None and isinstance(side, Number | Negate | Scaled):
+            return written
+        return self.unit_for(dimension_of(side, self.lookup)).text
+
+    def unit_for(self, kind: Kind) -> Unit:
+        return default_unit(kind.dimension or PURE, kind.angle, self.ledger.us)
+
+    def lookup(self, thing: Name | Quantity) -> Kind | None:
+        """The dimension of a name; quantities by their table."""
+        if isinstance(thing, Name):
+            symbol = self.ledger.symbols.get(thing.name)
+            if symbol is not None:
+                unit = self.ledger.units[symbol]
+                return Kind(unit.dimension, unit.angle)
+        return None
+
+    # --- coordinates -------------------------------------------------------------------------------------------------
+
+    def _settle_coordinates(self, open_form: bool) -> None:
+        """`theta = 30 deg` gives a coordinate its value; with `motion`, its rates as well."""
+        for relation, always in self.statements.relations:
+            if isinstance(relation.right, Name) and not isinstance(relation.left, Name):
+                relation = Relation(relation.right, "=", relation.left, relation.text, relation.mark)
+            symbol = self.ledger.symbols.get(relation.left.name) if isinstance(relation.left, Name) else None
+            if symbol is None or symbol not in self.ledger.sought or has_quantity(relation.right):
+                continue
+            jet = self.evaluator.jet(relation.right)
+            if set(self.ledger.sought) & jet.value.free_symbols:
+                continue
+            self.ledger.settle(symbol, jet.value)
+            self.settled.append(relation)
+            if always and symbol in self.ledger.coordinates:
+                self.motions[symbol] = (jet.rate, jet.second)
+        if open_form:
+            for symbol in list(self.ledger.coordinates):
+                if symbol in self.ledger.sought:
+                    self.ledger.release(symbol)
+            time = self.ledger.symbols["t"]
+            self.ledger.letters.append(time)
+
+
+def names_in(side: Side) -> set[str]:
+    """All bare names of a side."""
+    match side:
+        case Name():
+            return {side.name}
+        case Negate() | Scaled():
+            return names_in(side.operand)
+        case Function():
+            return names_in(side.argument)
+        case Binary():
+            return names_in(side.left) | names_in(side.right)
+    return set()
+
+
+def has_quantity(side: Side) -> bool:
+    """Does a quantity stand in the side?"""
+    match side:
+        case Quantity():
+            return True
+        case Negate() | Scaled():
+            return has_quantity(side.operand)
+        case Function():
+            return has_quantity(side.argument)
+        case Binary():
+            return has_quantity(side.left) or has_quantity(side.right)
+    return False
+
+
+def first_unit(side: Side) -> str | None:
+    """The first unit written in a side."""
+    match side:
+        case Number() | Scaled():
+            return side.unit
+        case Negate():
+            return first_unit(side.operand)
+        case Function():
+            return first_unit(side.argument)
+        case Binary():
+            return first_unit(side.left) or first_unit(side.right)
+    return None

@@ -1,0 +1,149 @@
+"""All equations of one instant in one choice of modes: motion along a tree, conditions, pushes, loads."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import sympy as sp
+
+from planar_cli.equation.conditions import (
+    ACCELERATION,
+    VELOCITY,
+    Condition,
+    coordinate_conditions,
+    joint_conditions,
+    stated,
+)
+from planar_cli.equation.evaluate import Evaluator
+from planar_cli.equation.motion import Motion, Tree, TreeBuilder
+from planar_cli.equation.quantities import Quantities
+from planar_cli.equation.reactions import Reactions
+from planar_cli.equation.scene import Scene
+from planar_cli.problem.expression import AtRest, Equilibrium, Relation, Statement
+from planar_cli.problem.facts import Law, Mode, Push, Wrench
+
+
+@dataclass(frozen=True, slots=True)
+class Statements:
+    """What the file states for one instant.
+
+    `relations`: equations, True when they hold all the time. `rest`: bodies at rest (None among them: everything).
+    `equilibrium`: accelerations vanish too. `inequalities`: choose among roots.
+    """
+
+    relations: tuple[tuple[Relation, bool], ...]
+    rest: tuple[str | None, ...]
+    equilibrium: tuple[str | None, ...]
+    inequalities: tuple[Relation, ...]
+
+    @staticmethod
+    def of(always: tuple[Statement, ...], now: tuple[Statement, ...]) -> Statements:
+        relations = [(s, True) for s in always if isinstance(s, Relation) and s.operator == "="]
+        relations += [(s, False) for s in now if isinstance(s, Relation) and s.operator == "="]
+        everything = (*always, *now)
+        still = tuple(s.body for s in everything if isinstance(s, AtRest | Equilibrium))
+        balanced = tuple(s.body for s in everything if isinstance(s, Equilibrium))
+        unequal = tuple(s for s in everything if isinstance(s, Relation) and s.operator != "=")
+        return Statements(tuple(relations), still, balanced, unequal)
+
+
+@dataclass(slots=True)
+class System:
+    """One choice of modes. `still`: velocity unknowns that are zero. `unknown_loads`: constants that are sought."""
+
+    scene: Scene
+    modes: dict[str, Mode]
+    statements: Statements
+    builder: TreeBuilder
+    tree: Tree
+    pushes: tuple[Push, ...]
+    laws: tuple[Law, ...]
+    symbols: dict[str, sp.Symbol]
+    first: Motion
+    evaluator: Evaluator
+    aliases: dict[str, str]
+    motion: Motion | None = None
+    reactions: Reactions | None = None
+    wrenches: tuple[Wrench, ...] = ()
+    titles: dict[sp.Symbol, str] = field(default_factory=dict)
+
+    def velocity_conditions(self) -> list[Condition]:
+        """Everything that velocities must satisfy (rest is applied afterwards)."""
+        quantities = self._quantities(self.first, None)
+        return self._conditions(quantities, VELOCITY)
+
+    def settle(self, known: dict[sp.Symbol, sp.Expr], wrenches: tuple[Wrench, ...]) -> None:
+        """Velocities are settled: `known` are put in; loads now state what they do."""
+        self.motion = Motion(self.tree, self.scene.center, known)
+        self.wrenches = wrenches
+        self.reactions = self._reactions()
+
+    def _reactions(self) -> Reactions:
+        followers = {law.push: law for law in self.laws}
+        pairs: list[tuple[Push, sp.Expr]] = []
+        for push in self.pushes:
+            law = followers.get(push.name)
+            if law is None:
+                pairs.append((push, self.symbols[push.name]))
+            else:
+                pairs.append((push, law.factor * (self.symbols[law.of] if law.of else sp.S.One)))
+        return Reactions(tuple(pairs), self.wrenches, self.aliases)
+
+    def acceleration_conditions(self) -> list[Condition]:
+        """Everything that accelerations must satisfy beside the principles of kinetics."""
+        return self._conditions(self.quantities(), ACCELERATION)
+
+    def stated_accelerations(self, motion: Motion) -> list[Condition]:
+        """What the file itself states of accelerations and forces, in some other motion's unknowns."""
+        return self._file_conditions(self._quantities(motion, self.reactions), ACCELERATION)
+
+    def quantities(self) -> Quantities:
+        assert self.motion is not None
+        return self._quantities(self.motion, self.reactions)
+
+    def _quantities(self, motion: Motion, reactions: Reactions | None) -> Quantities:
+        quantities: list[Quantities] = []
+        evaluator = Evaluator(self.scene.ledger, self.scene.evaluator.motions, lambda q: quantities[0].scalar(q))
+        quantities.append(Quantities(self.scene, motion, reactions, evaluator))
+        return quantities[0]
+
+    def _conditions(self, quantities: Quantities, level: int) -> list[Condition]:
+        motion = quantities.motion
+        rows = [row for mode in self.modes.values() for row in mode.facts.rows]
+        return [*joint_conditions(self.tree, rows, motion, level), *self._file_conditions(quantities, level)]
+
+    def _file_conditions(self, quantities: Quantities, level: int) -> list[Condition]:
+        """The relations of the file, points that follow formulas, and bodies at rest."""
+        names = {s.name for s in self.scene.ledger.coordinates}
+        found = stated(list(self.statements.relations), quantities, quantities.evaluator, names, level)
+        found += coordinate_conditions(quantities, set(self.scene.ledger.coordinates), level)
+        return found + self._rest(quantities.motion, level)
+
+    def _rest(self, motion: Motion, level: int) -> list[Condition]:
+        found = []
+        for name in self.statements.rest if level == VELOCITY else self.statements.equilibrium:
+            if name is None:
+                continue
+            twists = motion.velocities if level == VELOCITY else motion.accelerations
+            center = self.scene.center(name)
+            linear = motion.velocity(center, name) if level == VELOCITY else motion.acceleration(center, name)
+            text = f"{name} at rest" if level == VELOCITY else f"{name} in equilibrium"
+            found.append(Condition("given", text, linear, body=name))
+            if self.scene.rigid(name):
+                found.append(Condition("given", text, twists[name].angular, body=name))
+        return found
+
+
+def make_system(
+    scene: Scene, builder: TreeBuilder, statements: Statements, modes: dict[str, Mode], symbols: dict[str, sp.Symbol], aliases: dict[str, str]
+) -> System:
+    """The equations for one choice of modes; `symbols` keeps the symbol of each push across choices."""
+    facts = [mode.facts for mode in modes.values()]
+    tree = builder.build(j for f in facts for j in f.joinings)
+    pushes = tuple(p for f in facts for p in f.pushes)
+    for push in pushes:
+        if push.name not in symbols:
+            symbols[push.name] = scene.ledger.fresh(push.name, push.unit)
+    laws = tuple(law for f in facts for law in f.laws)
+    first = Motion(tree, scene.center, {})
+    return System(scene, modes, statements, builder, tree, pushes, laws, symbols, first, scene.evaluator, aliases, titles=builder.titles)

@@ -1,0 +1,62 @@
+"""Where something stands in a file, what is wrong with it, and the exceptions that carry it to the user.
+
+    PlanarError                 anything that a user can mend; never shown as a traceback
+    ├── FileProblem             a bad file: one or several located diagnostics          exit status 2
+    ├── NoSolution              the problem has no solution, or several                 exit status 1
+    └── Undecided               within the limits it could not be decided               exit status 3
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True, order=True)
+class Mark:
+    """A place in a file: line and column count from 1."""
+
+    file: str
+    line: int
+    column: int
+
+    def shifted(self, columns: int) -> Mark:
+        """The place `columns` further right on the same line."""
+        return Mark(self.file, self.line, self.column + columns)
+
+
+NOWHERE = Mark("", 0, 0)
+
+
+@dataclass(frozen=True, slots=True)
+class Diagnostic:
+    """One thing that is wrong: `code` (PL101 …), a sentence, the place, and a hint that says what to write."""
+
+    mark: Mark
+    code: str
+    message: str
+    hint: str = ""
+
+
+class PlanarError(Exception):
+    """Something that the user can mend."""
+
+
+class FileProblem(PlanarError):
+    """A problem file that cannot be used; carries every diagnostic found, sorted by place."""
+
+    def __init__(self, diagnostics: Iterable[Diagnostic]) -> None:
+        self.diagnostics = tuple(sorted(diagnostics, key=lambda d: (d.mark, d.code, d.message)))
+        super().__init__("; ".join(d.message for d in self.diagnostics))
+
+
+class NoSolution(PlanarError):
+    """The scene contradicts itself, leaves something open, or has no consistent case; located diagnostics say which."""
+
+    def __init__(self, diagnostics: Iterable[Diagnostic]) -> None:
+        self.diagnostics = tuple(diagnostics)
+        super().__init__("; ".join(d.message for d in self.diagnostics))
+
+
+class Undecided(PlanarError):
+    """Not decided within the limits; the message says what was tried."""

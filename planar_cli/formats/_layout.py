@@ -1,0 +1,162 @@
+"""Rows of styled text and how lines are wrapped into them; shared by formats of fixed-width text.
+
+A line may break at a space of its words; inside a formula only if it has to, before an operator if possible.
+"""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+from planar_cli.report.blocks import Inline, Line, Math, Name, Relation, Text, Value
+from planar_cli.report.names import plain_name, printable
+from planar_cli.report.numbers import quantity
+
+# Spaces inside formulas while lines are being filled. `printable` lets neither through from a file.
+FIRM = "\N{NO-BREAK SPACE}"
+BEFORE_OPERATOR = "\ue000"
+_INNER_SPACES = str.maketrans({FIRM: " ", BEFORE_OPERATOR: " "})
+
+
+@dataclass(frozen=True, slots=True)
+class Span:
+    """Text in one style: a `TextStyle`, or "title", "heading", "label", "math", "answer"."""
+
+    text: str
+    style: str = "plain"
+
+
+Row = tuple[Span, ...]
+
+
+def cells(text: str) -> int:
+    """How many columns of a terminal a text takes."""
+    return sum(0 if unicodedata.combining(c) else 2 if unicodedata.east_asian_width(c) in "WF" else 1 for c in text)
+
+
+def row_cells(row: Iterable[Span]) -> int:
+    return sum(cells(s.text) for s in row)
+
+
+def words(text: str) -> str:
+    """Text of a file made harmless: white space is a space, steering characters are replaced."""
+    return printable(re.sub(r"\s", " ", text))
+
+
+def spans(line: Line) -> list[Span]:
+    """A line as styled text; spaces inside formulas are marked as firm."""
+    return [span for part in line for span in _spans(part)]
+
+
+def side_spans(side: Inline | Line) -> list[Span]:
+    """One side of an equation as styled text."""
+    return spans(side if isinstance(side, tuple) else (side,))
+
+
+def _spans(part: Inline) -> list[Span]:
+    match part:
+        case Text(text, style):
+            return [Span(words(text), style)]
+        case Name(name):
+            return [Span(plain_name(words(name)).replace(" ", FIRM), "math")]
+        case Value(number, unit, figures):
+            return [Span(quantity(number, unit, figures).replace(" ", FIRM), "math")]
+        case Relation(left, relation, right):
+            return [*_spans(left), Span(f"{FIRM}{words(relation)}{FIRM}", "math"), *_spans(right)]
+        case Math(expr, values):
+            from planar_cli.report.notation import plain  # SymPy is loaded only where there is a formula
+
+            return [Span(_firm(plain(expr, values)), "math")]
+
+
+def _firm(formula: str) -> str:
+    """The spaces of a formula made firm; those before + - = / outside brackets give way first."""
+    depth, text = 0, ""
+    for place, character in enumerate(formula):
+        depth += (character == "(") - (character == ")")
+        breaks = character == " " and not depth and re.match(r"[-+=/] ", formula[place + 1 : place + 3])
+        text += BEFORE_OPERATOR if breaks else FIRM if character == " " else character
+    return text
+
+
+def settled(row: Iterable[Span]) -> Row:
+    """A finished row: inner spaces are spaces again."""
+    return tuple(Span(s.text.translate(_INNER_SPACES), s.style) for s in row if s.text)
+
+
+def indent(columns: int) -> list[Span]:
+    return [Span(" " * columns)] if columns > 0 else []
+
+
+@dataclass(frozen=True, slots=True)
+class _Chunk:
+    """What must stay together, and how many spaces stand before it."""
+
+    gap: int
+    spans: tuple[Span, ...]
+
+
+def fill(head: Sequence[Span], content: Sequence[Span], hang: int, width: int) -> list[Row]:
+    """Rows that begin with `head` and go on at column `hang`, none wider than `width` where that can be avoided."""
+    rows: list[list[Span]] = [list(head)]
+    used = row_cells(head)
+    start = used
+    room = max(width - hang, 8)
+    for chunk in _fitting(_chunks(content, " "), room):
+        size = row_cells(chunk.spans)
+        gap = chunk.gap if used > start else 0
+        if used > start and used + gap + size > width:
+            rows.append(indent(hang))
+            used = start = hang
+            gap = 0
+        rows[-1] += [*indent(gap), *chunk.spans]
+        used += gap + size
+    return [settled(r) for r in rows]
+
+
+def _chunks(content: Iterable[Span], space: str) -> list[_Chunk]:
+    """Content cut at one kind of space."""
+    chunks: list[_Chunk] = []
+    current: list[Span] = []
+    gap = 0
+    for span in content:
+        for piece in re.findall(f"{space}+|[^{space}]+", span.text):
+            if piece[0] != space:
+                current.append(Span(piece, span.style))
+                continue
+            if current:
+                chunks.append(_Chunk(gap, tuple(current)))
+                current, gap = [], 0
+            gap += len(piece)
+    return [*chunks, _Chunk(gap, tuple(current))] if current else chunks
+
+
+def _fitting(chunks: list[_Chunk], room: int) -> list[_Chunk]:
+    """Chunks that are wider than the room, cut before operators, else at firm spaces, else anywhere."""
+    for space in (BEFORE_OPERATOR, FIRM):
+        chunks = [part for c in chunks for part in (_cut(c, space) if row_cells(c.spans) > room else [c])]
+    return [part for c in chunks for part in _sliced(c, room)]
+
+
+def _cut(chunk: _Chunk, space: str) -> list[_Chunk]:
+    parts = _chunks(chunk.spans, space)
+    return [_Chunk(chunk.gap + p.gap if i == 0 else p.gap, p.spans) for i, p in enumerate(parts)]
+
+
+def _sliced(chunk: _Chunk, room: int) -> list[_Chunk]:
+    """A chunk without any space, in slices of the room."""
+    if row_cells(chunk.spans) <= room:
+        return [chunk]
+    slices: list[list[Span]] = [[]]
+    used = 0
+    for span in chunk.spans:
+        for character in span.text:
+            size = cells(character)
+            if used + size > room:
+                slices.append([])
+                used = 0
+            slices[-1].append(Span(character, span.style))
+            used += size
+    return [_Chunk(chunk.gap if i == 0 else 0, tuple(s)) for i, s in enumerate(slices)]

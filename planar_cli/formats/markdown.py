@@ -1,0 +1,180 @@
+"""A document as Markdown with LaTeX formulas between dollar signs, as GitHub, Pandoc and notebooks read it.
+
+Words of a file are escaped, so that a name cannot become a link, an image, HTML or a formula. Inside `$…$` GitHub takes
+a backslash before punctuation for an escape of its own; the formulas avoid `\\,` `\\{` and the like.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import ClassVar, final
+
+from planar_cli.formats.base import Format, runs
+from planar_cli.report import latex
+from planar_cli.report.blocks import (
+    Answer,
+    Bullet,
+    Check,
+    Document,
+    Equation,
+    Forces,
+    Heading,
+    Inline,
+    Line,
+    Math,
+    Name,
+    Note,
+    Paragraph,
+    Relation,
+    Result,
+    Table,
+    Text,
+    Title,
+    Value,
+)
+from planar_cli.report.names import latex_name, printable
+from planar_cli.report.numbers import significant
+from planar_cli.units import pretty_unit
+
+_PUNCTUATION = re.compile(r"([\\`*_{}\[\]<>#|~$^&!])")
+# What would begin a list, a numbered list or a quotation at the start of a paragraph.
+_OPENING = re.compile(r"^(\s*\d*)([-+.)])(?=\s|$)")
+
+
+@final
+@dataclass(frozen=True, slots=True)
+class Markdown(Format[str]):
+    """Markdown with formulas in LaTeX. Each piece is a paragraph."""
+
+    kind: ClassVar[str] = "markdown"
+    suffix: ClassVar[str] = ".md"
+
+    def render(self, document: Document) -> str:
+        return "\n\n".join(piece for run in runs(document) for piece in self.pieces(run)) + "\n"
+
+    def titles(self, run: Sequence[Title]) -> list[str]:
+        return [f"# {escaped(t.text)}" for t in run]
+
+    def headings(self, run: Sequence[Heading]) -> list[str]:
+        pieces = []
+        for heading in run:
+            pieces.append("## " + escaped(". ".join(t for t in (_label(heading.label), heading.text) if t)))
+            aside = escaped(heading.aside) if isinstance(heading.aside, str) else _inline(heading.aside)
+            pieces += [f"({aside})"] if aside else []
+        return pieces
+
+    def paragraphs(self, run: Sequence[Paragraph]) -> list[str]:
+        return [_paragraph(p.line) for p in run]
+
+    def bullets(self, run: Sequence[Bullet]) -> list[str]:
+        return ["\n".join(f"- {_inline(b.line)}" for b in run)]
+
+    def equations(self, run: Sequence[Equation]) -> list[str]:
+        return [piece for e in run for piece in self._equation(e)]
+
+    def _equation(self, equation: Equation) -> list[str]:
+        relation = latex.relation(equation.relation)
+        left, *others = [_display(s) for s in equation.sides]
+        formula = left + "".join(f" {relation if i == 0 else '='} {side}" for i, side in enumerate(others))
+        tag = rf" \tag{{{equation.number}}}" if equation.number is not None else ""
+        words = [_paragraph(equation.lead)] if equation.lead else []
+        note = [f"({_inline(equation.note)})"] if equation.note else []
+        return [*words, f"$$\n{formula}{tag}\n$$", *note]
+
+    def results(self, run: Sequence[Result]) -> list[str]:
+        return [f"⇒ {_inline(r.line)}" for r in run]
+
+    def forces(self, run: Sequence[Forces]) -> list[str]:
+        return [f"**{escaped(f.body)}:** " + " $=$ ".join(_inline(x) for x in (f.left, f.right) if x) for f in run]
+
+    def tables(self, run: Sequence[Table]) -> list[str]:
+        return ["\n".join([_row(t.header), "|" + " --- |" * len(t.header), *(_row(r) for r in t.rows)]) for t in run]
+
+    def answers(self, run: Sequence[Answer]) -> list[str]:
+        return ["## Answer", "\n".join(f"- {_answer(a)}" for a in run)]
+
+    def checks(self, run: Sequence[Check]) -> list[str]:
+        return ["**Check:** " + " · ".join(_inline(c.line) for c in run)]
+
+    def notes(self, run: Sequence[Note]) -> list[str]:
+        label = f"**{escaped(run[0].kind)}:**"
+        if len(run) == 1:
+            return [f"{label} {_inline(run[0].line)}"]
+        return [label, "\n".join(f"- {_inline(n.line)}" for n in run)]
+
+
+def escaped(text: str) -> str:
+    """Words without any meaning for Markdown or HTML."""
+    return _PUNCTUATION.sub(r"\\\1", printable(re.sub(r"\s", " ", text)))
+
+
+def _label(label: str) -> str:
+    return label.capitalize() if label.isupper() else label
+
+
+def _paragraph(line: Line) -> str:
+    return _OPENING.sub(r"\1\\\2", _inline(line))
+
+
+def _inline(line: Line) -> str:
+    return _joined([_part(p) for p in line])
+
+
+def _joined(parts: list[str]) -> str:
+    """Parts side by side; two neighbouring formulas are kept apart, since `$$` would open a display."""
+    text = ""
+    for part in parts:
+        text += " " + part if text.endswith("$") and part.startswith("$") else part
+    return text.strip()
+
+
+def _part(part: Inline) -> str:
+    if not isinstance(part, Text):
+        return f"${_formula(part)}$"
+    text = escaped(part.text)
+    mark = {"strong": "**", "muted": "*"}.get(part.style, "")
+    return f"{mark}{text}{mark}" if text.strip() == text else text
+
+
+def _display(side: Inline | Line) -> str:
+    parts = side if isinstance(side, tuple) else (side,)
+    return "".join(_formula(p) for p in parts)
+
+
+def _formula(part: Inline) -> str:
+    """A part inside a formula."""
+    match part:
+        case Text(text):
+            return latex.words(text)
+        case Name(name):
+            return latex_name(name)
+        case Value(number, unit, figures):
+            return _quantity(significant(number, figures), unit)
+        case Relation(left, relation, right):
+            return f"{_formula(left)} {latex.relation(relation)} {_formula(right)}"
+        case Math(expr, values):
+            from planar_cli.report import notation  # SymPy is loaded only where there is a formula
+
+            return notation.latex(expr, values)
+
+
+def _quantity(number: str, unit: str) -> str:
+    shown = pretty_unit(unit) if unit not in ("", "1") else ""
+    gap = "" if shown.startswith("°") else "~"
+    return latex.numeral(number) + (rf"{gap}\mathrm{{{latex.numeral(shown)}}}" if shown else "")
+
+
+def _row(cells: Sequence[Line]) -> str:
+    return "| " + " | ".join(_inline(c) for c in cells) + " |"
+
+
+def _answer(answer: Answer) -> str:
+    name, first = latex_name(answer.name), answer.line[:1]
+    if answer.relation == ":":
+        return f"${name}$: {_inline(answer.line)}"
+    if first and not isinstance(first[0], Text):
+        relation = f"${name} {latex.relation(answer.relation)} {_formula(first[0])}$"
+        return _joined([relation, *(_part(p) for p in answer.line[1:])])
+    return f"${name}$ {escaped(answer.relation)} {_inline(answer.line)}"

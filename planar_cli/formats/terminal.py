@@ -1,0 +1,295 @@
+"""A document as text of fixed width for a terminal or a pipe; colours only where they are wanted."""
+
+from __future__ import annotations
+
+import os
+import shutil
+from collections.abc import Sequence
+from dataclasses import dataclass
+from io import StringIO
+from typing import ClassVar, TextIO, final
+
+from planar_cli.formats._layout import FIRM, Row, Span, fill, indent, row_cells, settled, side_spans, spans, words
+from planar_cli.formats.base import Format, runs
+from planar_cli.report.blocks import (
+    Answer,
+    Block,
+    Bullet,
+    Check,
+    Document,
+    Equation,
+    Forces,
+    Heading,
+    Line,
+    Note,
+    Paragraph,
+    Result,
+    Table,
+    Text,
+    Title,
+)
+from planar_cli.report.names import plain_name
+
+PIPE_WIDTH = 110
+SMALLEST_WIDTH = 20
+_LARGEST_WIDTH = 120
+_BODY = 2
+_NUMBER = 4
+_NOTE_COLUMN = 56
+_GAP = 3
+_LABEL = 6
+_KINETIC = "   =   "
+# Left sides are aligned at their relation signs unless that tears a short one too far from its lead.
+_LARGEST_SPREAD = 12
+_COLOURS = {
+    "title": "bold",
+    "heading": "bold cyan",
+    "label": "bold",
+    "answer": "bold green",
+    "strong": "bold",
+    "muted": "dim",
+}
+
+
+@final
+@dataclass(frozen=True, slots=True)
+class Terminal(Format[Row]):
+    """Plain text with aligned equations, wrapped to the width of the terminal."""
+
+    kind: ClassVar[str] = "text"
+    suffix: ClassVar[str] = ".txt"
+
+    width: int = PIPE_WIDTH
+    colour: bool = False
+
+    @classmethod
+    def on(cls, stream: TextIO) -> Terminal:
+        """Fitted to a stream: its width and colours if it is a terminal, else plain and `PIPE_WIDTH` wide."""
+        if not stream.isatty():
+            return cls(colour=bool(os.environ.get("FORCE_COLOR")))
+        columns = min(shutil.get_terminal_size().columns, _LARGEST_WIDTH)
+        colour = not os.environ.get("NO_COLOR") and os.environ.get("TERM") != "dumb"
+        return cls(max(columns, SMALLEST_WIDTH), colour)
+
+    def render(self, document: Document) -> str:
+        rows: list[Row] = []
+        before: Block | None = None
+        for run in runs(document):
+            if before is not None and _is_set_off(before, run[0]):
+                rows.append(())
+            rows += self.pieces(run)
+            before = run[-1]
+        return _coloured(rows) if self.colour else _joined(rows)
+
+    def titles(self, run: Sequence[Title]) -> list[Row]:
+        return [r for t in run for r in fill((), [Span(words(t.text), "title")], _BODY, self.width)]
+
+    def headings(self, run: Sequence[Heading]) -> list[Row]:
+        rows: list[Row] = []
+        for heading in run:
+            rows += [()] if rows else []
+            text = "  ".join(words(t) for t in (heading.label, heading.text) if t)
+            head = fill((), [Span(text, "heading")], _BODY, self.width)
+            aside = (Text(heading.aside),) if isinstance(heading.aside, str) else heading.aside
+            rows += self._with_aside(head, [s for s in spans(aside) if s.text], _BODY)
+        return rows
+
+    def paragraphs(self, run: Sequence[Paragraph]) -> list[Row]:
+        return [r for p in run for r in fill(indent(_BODY), spans(p.line), _BODY, self.width)]
+
+    def bullets(self, run: Sequence[Bullet]) -> list[Row]:
+        return [r for b in run for r in self._marked("•", b.line, _BODY)]
+
+    def results(self, run: Sequence[Result]) -> list[Row]:
+        return [r for b in run for r in self._marked("⇒", b.line, _NUMBER)]
+
+    def _marked(self, mark: str, line: Line, column: int) -> list[Row]:
+        head = [*indent(column), Span(mark + " ")]
+        return fill(head, spans(line), row_cells(head), self.width)
+
+    def equations(self, run: Sequence[Equation]) -> list[Row]:
+        columns = _Columns.of(run, self.width)
+        return [row for equation in run for row in self._equation(equation, columns)]
+
+    def _equation(self, equation: Equation, columns: _Columns) -> list[Row]:
+        head = columns.head(equation)
+        left, *others = [side_spans(s) for s in equation.sides]
+        head += indent(columns.left - row_cells(left)) if others else []
+        sign = row_cells(head) + row_cells(left) + 1
+        hang = sign if others and sign <= self.width // 2 else min(columns.start + _BODY, self.width // 2)
+        if row_cells(head) > self.width // 2:
+            rows = [settled(head)]
+            head = indent(hang)
+        else:
+            rows = []
+        content = list(left)
+        for place, side in enumerate(others):
+            content += [Span(" "), Span((words(equation.relation) if place == 0 else "=") + FIRM, "math"), *side]
+        rows += fill(head, content, hang, self.width)
+        return self._with_aside(rows, spans(equation.note), columns.start + _BODY)
+
+    def _with_aside(self, rows: list[Row], aside: list[Span], hang: int) -> list[Row]:
+        """An aside at the right of the last row, or below where there is no room."""
+        if not aside:
+            return rows
+        size, used = row_cells(aside), row_cells(rows[-1])
+        column = max(min(_NOTE_COLUMN, self.width - size), used + _GAP)
+        shown = [Span(s.text, "muted" if s.style == "plain" else s.style) for s in aside]
+        if column + size <= self.width:
+            return [*rows[:-1], (*rows[-1], *indent(column - used), *settled(shown))]
+        return [*rows, *fill(indent(hang), shown, hang, self.width)]
+
+    def forces(self, run: Sequence[Forces]) -> list[Row]:
+        names = [words(f.body) + ":" for f in run]
+        column = _BODY + max(row_cells([Span(n)]) for n in names) + 2
+        column = column if column <= self.width // 2 else _NUMBER
+        rows: list[Row] = []
+        for name, block in zip(names, run, strict=True):
+            head = [*indent(_BODY), Span(name, "strong")]
+            rest = column - row_cells(head)
+            rows += self._diagram([*head, *indent(max(rest, 1))], block, column)
+        return rows
+
+    def _diagram(self, head: list[Span], block: Forces, column: int) -> list[Row]:
+        rows = fill(head, spans(block.left), column, self.width)
+        if not block.right:
+            return rows
+        right = spans(block.right)
+        if row_cells(rows[-1]) + row_cells(right) + len(_KINETIC) <= self.width:
+            return [*rows[:-1], *fill([*rows[-1], Span(_KINETIC)], right, column, self.width)]
+        head = [*indent(column - 2 if column > _NUMBER else column), Span("= ")]
+        return [*rows, *fill(head, right, column, self.width)]
+
+    def tables(self, run: Sequence[Table]) -> list[Row]:
+        rows: list[Row] = []
+        for table in run:
+            rows += [()] if rows else []
+            rows += self._table(table)
+        return rows
+
+    def _table(self, table: Table) -> list[Row]:
+        grid = [[settled(spans(c)) for c in row] for row in (table.header, *table.rows)]
+        sizes = [max(row_cells(c) for c in column) for column in zip(*grid, strict=True)]
+        if _BODY + sum(sizes) + _GAP * (len(sizes) - 1) > self.width:
+            return self._stacked(table)
+        rule = [*indent(_BODY), Span("   ".join("─" * s for s in sizes), "muted")]
+        rows = [tuple(indent(_BODY)) + _padded(cells_of, sizes) for cells_of in grid]
+        return [rows[0], tuple(rule), *rows[1:]]
+
+    def _stacked(self, table: Table) -> list[Row]:
+        """A table that is too wide, one cell below the other."""
+        rows: list[Row] = []
+        for cells_of in table.rows:
+            rows += [()] if rows else []
+            for title, cell in zip(table.header, cells_of, strict=True):
+                content = [*spans(title), Span(": "), *spans(cell)]
+                rows += fill(indent(_BODY), content, _NUMBER, self.width)
+        return rows
+
+    def answers(self, run: Sequence[Answer]) -> list[Row]:
+        return self._labelled("Answer", [_answer(a) for a in run])
+
+    def checks(self, run: Sequence[Check]) -> list[Row]:
+        joined: list[Span] = []
+        for check in run:
+            joined += [Span(" · "), *spans(check.line)] if joined else spans(check.line)
+        return self._labelled("Check", [joined])
+
+    def notes(self, run: Sequence[Note]) -> list[Row]:
+        return self._labelled(words(run[0].kind), [spans(n.line) for n in run])
+
+    def _labelled(self, label: str, lines: list[list[Span]]) -> list[Row]:
+        head = [Span(label.ljust(_LABEL) + " " * _GAP, "label")]
+        hang = row_cells(head)
+        if hang > self.width // 2:
+            hang = _BODY
+            rows = [settled([Span(label, "label")])]
+        else:
+            rows = []
+        for line in lines:
+            rows += fill(indent(hang) if rows else head, line, hang, self.width)
+        return rows
+
+
+@dataclass(frozen=True, slots=True)
+class _Columns:
+    """Where a run of equations is aligned: column of the numbers and leads, widths of number, lead and left side."""
+
+    start: int
+    number: int
+    lead: int
+    left: int
+
+    @classmethod
+    def of(cls, run: Sequence[Equation], width: int) -> _Columns:
+        number = max((len(_number(e)) for e in run), default=0)
+        leads = [row_cells(spans(e.lead)) for e in run]
+        lefts = [row_cells(side_spans(e.sides[0])) for e in run if len(e.sides) > 1]
+        start = _NUMBER if number or not max(leads, default=0) else _BODY
+        lead = max(leads) if start + number + max(leads) < width // 2 else 0
+        spread = max(lefts, default=0) - min(lefts, default=0)
+        aligned = spread <= _LARGEST_SPREAD and start + number + lead + _GAP + max(lefts, default=0) < width // 2
+        return cls(start, number, lead, max(lefts, default=0) if aligned else 0)
+
+    def head(self, equation: Equation) -> list[Span]:
+        """Number and lead of an equation, padded."""
+        head = indent(self.start)
+        if self.number:
+            head += [Span(_number(equation).rjust(self.number) + "  ")]
+        lead = spans(equation.lead)
+        if self.lead or lead:
+            head += [*lead, *indent(max(self.lead - row_cells(lead), 0) + _GAP)]
+        return head
+
+
+def _answer(answer: Answer) -> list[Span]:
+    relation = ":" + FIRM if answer.relation == ":" else f"{FIRM}{words(answer.relation)}{FIRM}"
+    content = [Span(plain_name(words(answer.name)) + relation, "math"), *spans(answer.line)]
+    return [Span(s.text, "answer" if s.style == "math" else s.style) for s in content]
+
+
+def _number(equation: Equation) -> str:
+    return f"({equation.number})" if equation.number is not None else ""
+
+
+def _padded(cells_of: list[Row], sizes: list[int]) -> Row:
+    padded: list[Span] = []
+    for cell, size in zip(cells_of, sizes, strict=True):
+        padded += [*cell, *indent(size - row_cells(cell) + _GAP)]
+    return tuple(padded)
+
+
+def _group(block: Block) -> str:
+    """Blocks that stand together without a blank row between them."""
+    match block:
+        case Title() | Answer() | Table():
+            return type(block).__name__
+        case Check() | Note():
+            return "foot"
+    return "body"
+
+
+def _is_set_off(before: Block, block: Block) -> bool:
+    return isinstance(block, Heading) or _group(before) != _group(block)
+
+
+def _joined(rows: list[Row]) -> str:
+    return "".join("".join(s.text for s in row).rstrip() + "\n" for row in rows)
+
+
+def _coloured(rows: list[Row]) -> str:
+    """The rows with colours, by rich; texts are handed over as texts, never as markup."""
+    from rich.console import Console
+    from rich.text import Text as Styled
+
+    stream = StringIO()
+    console = Console(
+        file=stream, force_terminal=True, color_system="standard", markup=False, highlight=False, emoji=False
+    )
+    for row in rows:
+        styled = Styled()
+        for span in row:
+            styled.append(span.text, _COLOURS.get(span.style))
+        styled.rstrip()
+        console.print(styled, soft_wrap=True)
+    return stream.getvalue()

@@ -1,0 +1,95 @@
+"""The free parts of a rope: where it leaves each pulley and drum, and what its tension does there."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from planar_cli.problem.facts import Action, Anchor, Segment
+from planar_cli.problem.geometry import Vec
+from planar_cli.problem.keys import RopeStop
+from planar_cli.problem.setting import Setting
+
+if TYPE_CHECKING:
+    from planar_cli.joints.rope import Rope
+
+
+@dataclass(frozen=True, slots=True)
+class Stop:
+    """One stop: the body that it is on, its centre (or point), its radius, and on which side of the rope the centre is.
+
+    `side`: +1 when the centre lies to the left of the running rope. `rim`: the point where a wound rope leaves the drum.
+    """
+
+    body: str
+    center: Vec
+    radius: Any
+    side: int
+    rim: Vec | None
+
+
+def free_parts(rope: Rope, scene: Setting) -> tuple[tuple[Segment, ...], tuple[tuple[str, Any], ...], tuple[Action, ...]]:
+    """Segments between stops, spins of drums, and the actions of a unit of tension.
+
+    The rate of the rope's length is Σ direction · (v_end - v_start) over the segments, plus what drums give out; a pulley
+    on which the rope only turns adds nothing beyond the motion of its centre.
+    """
+    stops = [_stop(rope, scene, i) for i in range(len(rope.path))]
+    segments, actions = [], []
+    spins: list[tuple[str, Any]] = []
+    for start, end in zip(stops, stops[1:], strict=False):
+        direction, length = _tangent(rope, scene, start, end)
+        segments.append(Segment(Anchor(start.body, start.center), Anchor(end.body, end.center), direction, length))
+        for stop, pull in ((start, direction), (end, -direction)):
+            actions.append(Action(stop.body, stop.rim or stop.center, pull))
+            if stop.rim is not None:
+                spins.append((stop.body, -(stop.rim - stop.center).cross(pull)))
+    return tuple(segments), tuple(spins), tuple(actions)
+
+
+def _stop(rope: Rope, scene: Setting, index: int) -> Stop:
+    stop = rope.path[index]
+    if stop.way == "on":
+        body = stop.body or ""
+        return Stop(body, scene.center(body), 0, 0, scene.point(stop.name))
+    if stop.way == "point":
+        return Stop(scene.owner(stop.name), scene.point(stop.name), 0, 0, None)
+    if not 0 < index < len(rope.path) - 1:
+        raise scene.refuse(rope.mark, "PL525", f"{rope.name}: a rope can not end `{stop.way}` a pulley", "let it end at a point, or wound: `T on drum`")
+    body = scene.pulley(stop.name)
+    radius = scene.radius(body) if body else 0
+    center = scene.point(stop.name)
+    if rope.along is not None or radius == 0:
+        return Stop(body or scene.owner(stop.name), center, 0, 0, None)
+    before, after = (_place(scene, rope.path[i]) for i in (index - 1, index + 1))
+    ahead = scene.sign(after.x - before.x)
+    if ahead == 0:
+        raise scene.refuse(rope.mark, "PL526", f"{rope.name}: the stops beside {stop.name} lie one above the other", "`over` and `under` need a left and a right part, or write `along:`")
+    return Stop(body or scene.owner(stop.name), center, radius, -ahead if stop.way == "over" else ahead, None)
+
+
+def _place(scene: Setting, stop: RopeStop) -> Vec:
+    return scene.point(stop.name)
+
+
+def _tangent(rope: Rope, scene: Setting, start: Stop, end: Stop) -> tuple[Vec, Any]:
+    """Direction of the straight part from one stop to the next, and its length (None: the direction stays)."""
+    if rope.along is not None:
+        direction = scene.unit(rope.along)
+        reach = (end.rim or end.center) - (start.rim or start.center)
+        return (direction if scene.sign(reach.dot(direction)) >= 0 else -direction), None
+    for stop, other, way in ((start, end, 1), (end, start, -1)):
+        if stop.rim is not None:
+            arm = stop.rim - stop.center
+            along = arm.turned() / scene.length(arm)
+            towards = scene.sign(((other.rim or other.center) - stop.rim).dot(along)) * way
+            direction = along * towards
+            return direction, (end.center - start.center).dot(direction)
+    reach = end.center - start.center
+    offset = end.side * end.radius - start.side * start.radius
+    if offset == 0:
+        distance = scene.length(reach)
+        return reach / distance, distance
+    length = scene.root(reach.dot(reach) - offset**2)
+    direction = (reach * length - reach.turned() * offset) / reach.dot(reach)
+    return direction, length

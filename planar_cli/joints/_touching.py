@@ -1,0 +1,221 @@
+"""The modes of a contact: smooth or rough; at a corner, a round rim, or a whole face that may tip."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+from planar_cli.problem.facts import Action, Anchor, Facts, Joining, Law, Mode, Outline, Path, Pull, Push, Rolling, Row, Test
+from planar_cli.problem.geometry import Vec
+from planar_cli.problem.setting import Setting
+
+if TYPE_CHECKING:
+    from planar_cli.joints.contact import Contact
+
+
+class Touching:
+    """One contact: who slides on whom, the normal that pushes the mover away, and all modes that may be."""
+
+    def __init__(self, contact: Contact, scene: Setting, static: Any, kinetic: Any, limit: Any) -> None:
+        self.contact, self.scene, self.static, self.kinetic, self.limit = contact, scene, static, kinetic, limit
+        self.name, self.place = contact.name, scene.point(contact.at)
+        self.mover, self.base = self._roles()
+        tangent = self.base.tangent or Vec(1, 0)
+        left = tangent.turned()
+        self.outward = self._outward(left)
+        self.normal = left * self.outward
+        self.tangent = -self.normal.turned()
+        self.words = f"{self.mover.body} at {contact.at}"
+
+    @property
+    def smooth(self) -> bool:
+        return self.limit is None and (self.static is None or self.scene.is_zero(self.static))
+
+    @property
+    def face(self) -> bool:
+        return self.mover.kind == "straight"
+
+    def _roles(self) -> tuple[Outline, Outline]:
+        """Mover and base: a corner or rim slides on the other outline; of two rims, the moving body on the fixed one."""
+        scene, contact = self.scene, self.contact
+        a, b = (scene.outline(p, self.place, contact.mark) for p in contact.between)
+        if a.body == "ground" or (b.kind == "corner" and a.kind != "corner") or (a.kind == "straight" and b.kind == "arc"):
+            a, b = b, a
+        if a.kind == "corner" and b.kind != "corner" and scene.contacts(*contact.between) == 1:
+            a = self._flush_edge(a, b)
+        if a.kind == "straight" and b.kind == "straight":
+            if not scene.is_zero(a.tangent.cross(b.tangent)) or scene.contacts(*contact.between) > 1:  # type: ignore[union-attr]
+                a = replace(a, kind="corner", tangent=None)
+        if a.kind == b.kind == "corner":
+            raise scene.refuse(contact.mark, "PL527", f"{self.name}: two corners touch, the direction of the contact is open", "contact needs a rim, an edge or a surface on one side")
+        if a.body == "ground":
+            a, b = b, a
+        return a, b
+
+    def _flush_edge(self, corner: Outline, base: Outline) -> Outline:
+        """The edge that lies flush on the base when the contact is named at its corner."""
+        for edge in self.scene.edges(corner.body, self.place):
+            if base.kind == "straight" and self.scene.is_zero(edge.tangent.cross(base.tangent)):  # type: ignore[union-attr]
+                return edge
+        return corner
+
+    def _outward(self, left: Vec) -> int:
+        """+1 when the mover is on the left of the base's tangent: by its mass centre, else by its partner's, else upward."""
+        scene = self.scene
+        for towards in (scene.center(self.mover.body) - self.place, self._away_from_base(), Vec(0, 1), scene.middle() - self.place):
+            side = scene.sign(towards.dot(left))
+            if side:
+                return side
+        return 1
+
+    def _away_from_base(self) -> Vec:
+        if self.base.body == "ground":
+            return Vec(0, 0)
+        return self.place - self.scene.center(self.base.body)
+
+    # --- the relative motion -----------------------------------------------------------------------------------------
+
+    def _sliding_joining(self) -> Joining:
+        """The mover's corner, centre or face slides along the outline of the base (or a curve parallel to it)."""
+        point, place, curvature = self.place, self.contact.at, self._base_curvature()
+        if self.mover.kind == "arc" and self.mover.center is not None:
+            point, place = self.mover.center, self.mover.center_name
+            height = (point - self.place).dot(self.normal)
+            curvature = curvature / (1 - curvature * height)
+        return Joining(self.name, self.mover.body, self.base.body, point, place, Path(self.tangent, curvature), turns=not self.face, drift=None)
+
+    def _base_curvature(self) -> Any:
+        """The base's curvature along our tangent (which may run the other way)."""
+        return self.base.curvature * self._same(self.base)
+
+    def _same(self, outline: Outline) -> int:
+        return self.scene.sign(outline.tangent.dot(self.tangent)) if outline.tangent is not None else 1
+
+    def _sticking_joining(self) -> Joining:
+        drift = self.base.drift
+        joining = Joining(self.name, self.mover.body, self.base.body, self.place, self.contact.at, turns=not self.face, drift=drift)
+        if self.mover.kind == "arc":
+            rolling = Rolling(self.tangent, self.mover.curvature * self._same(self.mover), self._base_curvature())
+            joining = replace(joining, rolling=rolling)
+        return joining
+
+    def _sliding(self, point: Vec) -> Row:
+        drift = self.base.drift
+        pulls = (Pull(Anchor(self.mover.body, point), self.tangent), Pull(Anchor(self.base.body, point), -self.tangent))
+        rate = drift.dot(self.tangent) if drift is not None else 0
+        return Row(self.name, f"{self.words} does not slip", pulls, rate=rate)
+
+    # --- pushes ------------------------------------------------------------------------------------------------------
+
+    def _pushes(self, point: Vec, with_couple: bool) -> tuple[Push, ...]:
+        found = [self._push("N", "normal", point, self.normal)]
+        if not self.smooth:
+            found.append(self._push("F", "friction", point, self.tangent))
+        if with_couple and self.scene.rigid(self.mover.body):
+            actions = (Action(self.mover.body, point, None, 1), Action(self.base.body, point, None, -1))
+            found.append(Push(f"M_{self.name}", "couple", self.name, self.contact.at, actions, "N*m"))
+        return tuple(found)
+
+    def _push(self, stem: str, kind: str, point: Vec, direction: Vec) -> Push:
+        actions = (Action(self.mover.body, point, direction), Action(self.base.body, point, -direction))
+        return Push(f"{stem}_{self.name}", kind, self.name, self.contact.at, actions)
+
+    def _law(self, direction: int) -> tuple[Law, ...]:
+        if self.smooth:
+            return ()
+        if self.limit is not None:
+            return (Law(f"F_{self.name}", -direction * self.limit, None),)
+        return (Law(f"F_{self.name}", -direction * self.kinetic, f"N_{self.name}"),)
+
+    # --- tests -------------------------------------------------------------------------------------------------------
+
+    def _pressed(self) -> Test:
+        return Test(self.name, f"N_{self.name} presses", ((f"N_{self.name}", 1),))
+
+    def _within(self) -> tuple[Test, ...]:
+        """|F| ≤ mu_s N, or ≤ the fixed limit."""
+        words = f"friction at {self.contact.at} within its limit"
+        if self.limit is not None:
+            return tuple(Test(self.name, words, ((f"F_{self.name}", s),), self.limit) for s in (-1, 1))
+        return tuple(Test(self.name, words, ((f"N_{self.name}", self.static), (f"F_{self.name}", s))) for s in (-1, 1))
+
+    def _inside(self) -> tuple[Test, ...]:
+        """The resultant stays within the face: x N = M with -behind ≤ x ≤ ahead (t × n = 1)."""
+        extent = self._extent()
+        if not self.face or extent is None or not self.scene.rigid(self.mover.body):
+            return ()
+        n, m = f"N_{self.name}", f"M_{self.name}"
+        words = f"the normal force at {self.contact.at} acts inside the face"
+        return (Test(self.name, words, ((n, extent[1]), (m, -1))), Test(self.name, words, ((n, extent[0]), (m, 1))))
+
+    def _extent(self) -> tuple[Any, Any] | None:
+        """Distances from the point to the ends of the common face, behind and ahead along our tangent."""
+        found: list[tuple[Any, Any]] = []
+        for outline in (self.mover, self.base):
+            if outline.extent is not None:
+                behind, ahead = outline.extent
+                found.append((behind, ahead) if self._same(outline) > 0 else (ahead, behind))
+        if not found:
+            return None
+        if len(found) == 1:
+            return found[0]
+        shorter = [one if self.scene.sign(other - one) >= 0 else other for one, other in zip(*found, strict=True)]
+        return shorter[0], shorter[1]
+
+    # --- modes -------------------------------------------------------------------------------------------------------
+
+    def modes(self) -> tuple[Mode, ...]:
+        found: list[Mode] = []
+        if not self.smooth:
+            found.append(self._stick())
+        found.extend(self._slips())
+        if self.face:
+            found.extend(self._tips())
+        found.append(self._apart())
+        return tuple(found)
+
+    def _stick(self) -> Mode:
+        joining = self._sticking_joining()
+        words = f"{self.words} rolls without slipping" if joining.rolling else f"{self.words} does not slip"
+        facts = Facts((joining,), pushes=self._pushes(self.place, self.face))
+        return Mode("stick", words, facts, (self._pressed(), *self._within(), *self._inside()), self._sliding(self.place))
+
+    def _slips(self) -> list[Mode]:
+        joining, sliding = self._sliding_joining(), self._sliding(self.place)
+        pushes = self._pushes(self.place, self.face)
+        if self.smooth:
+            facts = Facts((joining,), pushes=pushes)
+            return [Mode("slip", f"{self.words} stays in contact", facts, (self._pressed(), *self._inside()))]
+        found = []
+        for direction in (1, -1):
+            moves = Test(self.name, f"{self.words} slips as assumed", row=sliding, sense=direction, strict=True)
+            facts = Facts((joining,), (), pushes, self._law(direction))
+            found.append(Mode("slip", f"{self.words} slips", facts, (self._pressed(), moves, *self._inside()), sliding, direction))
+        return found
+
+    def _tips(self) -> list[Mode]:
+        """The face lifts, all but its corner ahead or behind."""
+        extent = self._extent()
+        if extent is None or not self.scene.rigid(self.mover.body):
+            return []
+        found = []
+        for end, distance in ((1, extent[1]), (-1, -extent[0])):
+            corner = self.place + self.tangent * distance
+            lifts = Row(self.name, f"{self.words} tips", spins=((self.mover.body, -end), (self.base.body, end)))
+            opens = Test(self.name, f"{self.words} tips as assumed", row=lifts, strict=True)
+            pushes, sliding = self._pushes(corner, False), self._sliding(corner)
+            if not self.smooth:
+                joining = Joining(self.name, self.mover.body, self.base.body, corner, self.contact.at, drift=self.base.drift)
+                tests = (self._pressed(), *self._within(), opens)
+                found.append(Mode("tip", f"{self.words} tips about its edge", Facts((joining,), pushes=pushes), tests, sliding))
+            joining = Joining(self.name, self.mover.body, self.base.body, corner, self.contact.at, Path(self.tangent, 0))
+            for direction in (1, -1) if not self.smooth else (0,):
+                moves = Test(self.name, f"{self.words} slips as assumed", row=sliding, sense=direction, strict=True)
+                tests = (self._pressed(), opens, *((moves,) if direction else ()))
+                facts = Facts((joining,), (), pushes, self._law(direction) if direction else ())
+                found.append(Mode("tip", f"{self.words} tips and slips", facts, tests, sliding if direction else None, direction))
+        return found
+
+    def _apart(self) -> Mode:
+        parts = Test(self.name, f"{self.words} does not press into its partner", joining=self._sliding_joining())
+        return Mode("apart", f"{self.words} lifts off", Facts(), (parts,))

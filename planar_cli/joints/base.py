@@ -1,0 +1,50 @@
+"""The contract of the shelf of joints.
+
+A joint is what keeps bodies from moving freely past each other. A member is one file with one final class:
+
+    @dataclass(frozen=True, slots=True, kw_only=True)
+    class Pin(Joint):
+        '''manual page: Meaning, YAML, Equations, Signs, Valid when, Reference'''
+
+        kind: ClassVar[str] = "pin"
+        at: str = key(PointKey(), "the common point")
+
+- `kind` is the word in the file; the fields declared with `key(...)` are its YAML keys and its part of the JSON Schema.
+- `choices` names the groups of keys of which exactly one is written.
+- `name` is the joint's own `name:`; else that of its point; else that of its first body. Reading a file settles it.
+- `during` is the span of states in which the joint acts; None: always.
+- `mark` is the place of the entry in the file.
+
+A member states facts only and does not import SymPy at module level, so that reading a file stays quick.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from dataclasses import dataclass
+from typing import ClassVar
+
+from planar_cli.errors import Mark
+from planar_cli.problem.facts import Mode
+from planar_cli.problem.keys import Choice
+from planar_cli.problem.setting import Setting
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Joint(ABC):
+    """What every joint has beside its own keys; the module's docstring is the contract."""
+
+    kind: ClassVar[str]
+    choices: ClassVar[tuple[Choice, ...]] = ()
+
+    name: str
+    during: tuple[str, str] | None
+    mark: Mark
+
+    def attachments(self) -> tuple[tuple[str, str], ...]:
+        """Pairs (point, body or surface): the points that belong to a body because this joint names them together."""
+        return ()
+
+    @abstractmethod
+    def modes(self, scene: Setting) -> tuple[Mode, ...]:
+        """The ways in which the joint may act, the natural assumption first; each with the facts that it states."""

@@ -1,0 +1,64 @@
+"""The belt between two disks."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from planar_cli.joints.base import Joint
+from planar_cli.problem.setting import Setting
+from planar_cli.problem.facts import Action, Anchor, Facts, Mode, Pull, Push, Row
+from planar_cli.problem.keys import FlagKey, PartnersKey, key
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Belt(Joint):
+    """An endless belt or chain runs round two disks without slipping.
+
+    Meaning
+        The rims of the two disks have the same speed. `crossed: true`: the belt crosses itself between the disks, so
+        that they turn in opposite senses.
+
+    YAML
+        title: Belt drive
+        points: {A: [0, 0], B: [0.5 m, 0]}
+        bodies:
+          small: {disk: A, radius: 0.1 m}
+          large: {disk: B, radius: 0.3 m}
+        joints:
+          - pin: {at: A, between: [ground, small]}
+          - pin: {at: B, between: [ground, large]}
+          - belt: {between: [small, large]}
+        motion: [omega(small) = 60 rpm]
+        find: {omega: omega(large) in rpm}
+
+    Equations
+        R1 ω1 = R2 ω2, or R1 ω1 = -R2 ω2 when crossed. One reaction: the difference of the tensions of its two parts.
+
+    Signs
+        `tension(j)` is that difference; > 0 turns the second disk of `between` counterclockwise.
+
+    Valid when
+        The belt is taut, light and does not slip.
+
+    Reference
+        An Introduction to Planar Dynamics, 1.3.2, 2.2.2.
+    """
+
+    kind: ClassVar[str] = "belt"
+
+    between: tuple[str, ...] = key(PartnersKey(), "the two disks")
+    crossed: bool = key(FlagKey(), "true: the belt crosses itself and reverses the sense", default=False)
+
+    def modes(self, scene: Setting) -> tuple[Mode, ...]:
+        a, b = self.between
+        r_a, r_b = scene.radius(a), scene.radius(b) * (-1 if self.crossed else 1)
+        center_a, center_b = scene.center(a), scene.center(b)
+        span = scene.length(center_b - center_a)
+        across = (center_b - center_a).turned() / span**2
+        arm = across * (r_b - r_a)
+        pulls = (Pull(Anchor(b, center_b), arm), Pull(Anchor(a, center_a), -arm))
+        row = Row(self.name, f"the belt runs on {a} and {b} without slip", pulls, ((a, r_a), (b, -r_b)))
+        actions = (Action(a, center_a, -arm, r_a), Action(b, center_b, arm, -r_b))
+        push = Push(f"T_{self.name}", "tension", self.name, self.name, actions)
+        return (Mode("", "", Facts(rows=(row,), pushes=(push,))),)

@@ -1,0 +1,79 @@
+"""Contact that may stick, slip or part."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from planar_cli.joints.base import Joint
+from planar_cli.joints._touching import Touching
+from planar_cli.problem.setting import Setting
+from planar_cli.problem.facts import Mode
+from planar_cli.problem.expression import Side
+from planar_cli.problem.keys import Choice, PartnersKey, PointKey, SideKey, key
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Contact(Joint):
+    """Two bodies touch at a point and press on each other; they may stick, slip or part.
+
+    Meaning
+        A body stands, leans or slides on another, or on a surface, at the point `at`. Say what friction there is:
+        `mu` (static and kinetic; 0 is smooth), or `mu_s` and `mu_k`, or `friction`, a fixed limit of the force.
+        Which case holds is found, and asked by `mode(j)`: stick, slip, apart, or tip for a block.
+
+    YAML
+        title: Does the ladder slip?
+        plane: vertical
+        points: {A: [0, 0], B: {from: A, distance: 4 m, angle: 60 deg}}
+        surfaces: {floor: {through: A, angle: 0 deg}, wall: {through: B, angle: 90 deg}}
+        bodies: {ladder: {rod: [A, B], mass: 20 kg}}
+        joints:
+          - contact: {between: [ladder, floor], at: A, mu: 0.35}
+          - contact: {between: [ladder, wall], at: B, mu: 0}
+        instant: [at rest]
+        find: {mode: mode(A), N: N(A), F: friction(A).x}
+
+    Equations
+        stick  the touching points have the same velocity;        |F| <= mu_s N, N >= 0
+        slip   the same velocity across the surface;               |F| = mu_k N, against the slipping
+        apart  no force;                                          the distance does not shrink
+
+    Signs
+        `N(j)` > 0 presses. `friction(j)` is a vector, the force on the body whose partner is the ground, else on the
+        body named, `friction(j/b)`; ask `.x` or `.along(30 deg)`.
+
+    Valid when
+        Dry friction; nothing is known of a pressure spread over an area, only of its resultant.
+
+    Reference
+        An Introduction to Planar Dynamics, 3.1.2, 4.3, 4.9.
+    """
+
+    kind: ClassVar[str] = "contact"
+    choices: ClassVar[tuple[Choice, ...]] = (
+        Choice(
+            (("mu",), ("mu_s", "mu_k"), ("friction",)),
+            "`mu: 0` when it is smooth, `mu: 0.3`, or `mu_s: 0.3, mu_k: 0.2`, or `friction: 25 N`, a fixed limit",
+        ),
+    )
+
+    between: tuple[str, ...] = key(PartnersKey(), "the two bodies, or a body and a surface")
+    at: str = key(PointKey(), "the point where they touch")
+    mu: Side | None = key(SideKey("1"), "coefficient of friction, static and kinetic; 0 is smooth", default=None)
+    mu_s: Side | None = key(SideKey("1"), "coefficient of static friction", default=None)
+    mu_k: Side | None = key(SideKey("1"), "coefficient of kinetic friction", default=None)
+    friction: Side | None = key(SideKey("N"), "the largest friction force, whatever the normal force", default=None)
+
+    def attachments(self) -> tuple[tuple[str, str], ...]:
+        return tuple((self.at, body) for body in self.between)
+
+    def modes(self, scene: Setting) -> tuple[Mode, ...]:
+        static, kinetic = self.mu_s or self.mu, self.mu_k or self.mu
+        return Touching(
+            self,
+            scene,
+            None if static is None else scene.value(static),
+            None if kinetic is None else scene.value(kinetic),
+            None if self.friction is None else scene.value(self.friction),
+        ).modes()

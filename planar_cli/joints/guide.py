@@ -1,0 +1,120 @@
+"""The guide: slot, collar, slider, track."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from planar_cli.joints.base import Joint
+from planar_cli.problem.geometry import Vec
+from planar_cli.problem.setting import Setting
+from planar_cli.problem.facts import Action, Anchor, Facts, Joining, Law, Mode, Path, Pull, Push, Row, Test
+from planar_cli.problem.expression import Side
+from planar_cli.problem.keys import BodyKey, Choice, DirectionKey, PointKey, SideKey, key
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Guide(Joint):
+    """A point, or a whole body, slides along a line or curve.
+
+    Meaning
+        With `point` only that point is held on the track (a pin in a slot); its body may turn. With `body` the body
+        slides and cannot turn against its track (a piston, a collar on a rod). `along` is the track: an angle for a
+        fixed straight line, the name of a surface, or the name of the body in which the slot is cut. Both sides of
+        the track hold. Without a coefficient it is smooth.
+
+    YAML
+        title: Slider and crank
+        plane: vertical
+        points: {O: [0, 0], A: [0, 0.1 m], B: {from: A, distance: 0.3 m, angle: -20 deg}}
+        bodies:
+          OA: {rod: [O, A], mass: 1 kg}
+          AB: {rod: [A, B], mass: 2 kg}
+        joints:
+          - pin: {at: O, between: [ground, OA]}
+          - pin: {at: A, between: [OA, AB]}
+          - guide: {point: B, along: 0 deg}
+        motion: [omega(OA) = 10 rad/s]
+        find: {v: v(B).x, N: N(B)}
+
+    Equations
+        The place of the point across the track is constant; in a slot of body b this is r(P/b).across(b) = constant.
+        With `body` also θ of the body = θ of the track + constant. One normal reaction, and a moment with `body`;
+        friction as at a contact.
+
+    Signs
+        `N(j)` is the component of the force on the sliding body along the track's left normal (track direction turned
+        90 deg counterclockwise); it may have either sign. `friction(j)` is the friction force on the sliding body.
+
+    Valid when
+        There is no play in the track.
+
+    Reference
+        An Introduction to Planar Dynamics, 1.4.3 (slotted arm), 2.4 (motion relative to a rotating body), 4.3.
+    """
+
+    kind: ClassVar[str] = "guide"
+    choices: ClassVar[tuple[Choice, ...]] = (
+        Choice((("point",), ("body",)), "`point: B` when its body may turn, `body: b` when it cannot"),
+        Choice(((), ("mu",), ("mu_s", "mu_k")), "`mu`, or `mu_s` and `mu_k`; neither when it is smooth"),
+    )
+
+    point: str | None = key(PointKey(), "the point that slides; its body may turn", default=None)
+    body: str | None = key(BodyKey(), "the body that slides and cannot turn", default=None)
+    along: Side | str = key(DirectionKey(), "the track: an angle, a surface, or the body that has the slot")
+    mu: Side | None = key(SideKey("1"), "coefficient of friction, static and kinetic", default=None)
+    mu_s: Side | None = key(SideKey("1"), "coefficient of static friction", default=None)
+    mu_k: Side | None = key(SideKey("1"), "coefficient of kinetic friction", default=None)
+
+    def modes(self, scene: Setting) -> tuple[Mode, ...]:
+        joining, normal = self._joining(scene)
+        tangent = joining.path.tangent if joining.path else normal
+        n = self._push(f"N_{self.name}", "normal", joining, normal)
+        pushes = [n]
+        if not joining.turns and scene.rigid(joining.mover):
+            actions = (Action(joining.mover, joining.point, None, 1), Action(joining.base, joining.point, None, -1))
+            pushes.append(Push(f"M_{self.name}", "couple", self.name, joining.place, actions, "N*m"))
+        static, kinetic = self.mu_s or self.mu, self.mu_k or self.mu
+        if static is None or kinetic is None or scene.is_zero(scene.value(static)):
+            return (Mode("slip", "", Facts((joining,), pushes=tuple(pushes))),)
+        pushes.append(self._push(f"F_{self.name}", "friction", joining, tangent))
+        return self._rough(scene, joining, tuple(pushes), scene.value(static), scene.value(kinetic))
+
+    def _joining(self, scene: Setting) -> tuple[Joining, Vec]:
+        along = self.along if isinstance(self.along, str) else getattr(self.along, "name", None)
+        base = scene.carrier(along) if along is not None and scene.names_carrier(along) else "ground"
+        if self.body is not None:
+            mover, point, place = self.body, scene.center(self.body), scene.center_name(self.body)
+        else:
+            place = self.point or ""
+            mover, point = scene.owner(place, base), scene.point(place)
+            if mover == "ground":
+                raise scene.refuse(self.mark, "PL524", f"{place} belongs to no body that could slide", "name it among the body's points")
+        tangent, curvature = scene.track(self.along, point, self.mark)
+        return Joining(self.name, mover, base, point, place, Path(tangent, curvature), turns=self.body is None), tangent.turned()
+
+    def _push(self, name: str, kind: str, joining: Joining, direction: Vec) -> Push:
+        actions = (Action(joining.mover, joining.point, direction), Action(joining.base, joining.point, -direction))
+        return Push(name, kind, self.name, joining.place, actions)
+
+    def _rough(self, scene: Setting, joining: Joining, pushes: tuple[Push, ...], static: object, kinetic: object) -> tuple[Mode, ...]:
+        """A two-sided guide presses on one side or the other: each mode has a sign of N."""
+        normal, friction = f"N_{self.name}", f"F_{self.name}"
+        path = joining.path
+        tangent = path.tangent if path else Vec(1, 0)
+        pulls = (Pull(Anchor(joining.mover, joining.point), tangent), Pull(Anchor(joining.base, joining.point), -tangent))
+        sliding = Row(self.name, f"{joining.place} does not slide", pulls)
+        modes = []
+        for side in (1, -1):
+            pressed = Test(self.name, "the side of the guide that is pressed", ((normal, side),))
+            limits = tuple(Test(self.name, "friction within its limit", ((normal, side * static), (friction, s))) for s in (1, -1))  # type: ignore[operator]
+            held = Facts((joining,), (sliding,), pushes)
+            modes.append(Mode("stick", f"{joining.place} does not slide in its guide", held, (pressed, *limits), sliding))
+        for direction in (1, -1):
+            for side in (1, -1):
+                pressed = Test(self.name, "the side of the guide that is pressed", ((normal, side),))
+                moves = Test(self.name, "it slides as assumed", row=sliding, sense=direction, strict=True)
+                law = Law(friction, -direction * side * kinetic, normal)  # type: ignore[operator]
+                facts = Facts((joining,), (), pushes, (law,))
+                modes.append(Mode("slip", f"{joining.place} slides in its guide", facts, (pressed, moves), sliding, direction))
+        return tuple(modes)

@@ -1,0 +1,60 @@
+"""The link: a light rigid rod between two points."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from planar_cli.joints.base import Joint
+from planar_cli.problem.setting import Setting
+from planar_cli.problem.facts import Action, Anchor, Facts, Mode, Push, Row, Segment
+from planar_cli.problem.expression import Side
+from planar_cli.problem.keys import PointPairKey, SideKey, key
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Link(Joint):
+    """A light rigid rod keeps two points at a constant distance.
+
+    Meaning
+        A massless two-force member, pinned at both points. The points belong to bodies, or are fixed. It pulls or
+        pushes. `length` may be given where a place is open; else it is the distance as drawn.
+
+    YAML
+        title: Beam carried by two parallel links
+        plane: vertical
+        points: {A: [0, 1 m], B: [1 m, 1 m], C: {from: A, distance: 1 m, angle: -60 deg}, D: {from: B, distance: 1 m, angle: -60 deg}}
+        bodies: {beam: {rod: [C, D], mass: 10 kg}}
+        joints:
+          - link: {between: [A, C], name: AC}
+          - link: {between: [B, D], name: BD}
+        instant: [at rest]
+        find: {a: a(beam), T: tension(AC)}
+
+    Equations
+        |r_B - r_A| = l; so v(B/A) stands across the link. One reaction along it.
+
+    Signs
+        `tension(j)` > 0 pulls, < 0 pushes.
+
+    Valid when
+        Its mass is small against the others.
+
+    Reference
+        An Introduction to Planar Dynamics, 2.3.1, 4.3.
+    """
+
+    kind: ClassVar[str] = "link"
+
+    between: tuple[str, str] = key(PointPairKey(), "the two points it joins")
+    length: Side | None = key(SideKey("m"), "its length, where the drawing leaves it open", default=None)
+
+    def modes(self, scene: Setting) -> tuple[Mode, ...]:
+        a, b = self.between
+        start, end = Anchor(scene.owner(a), scene.point(a)), Anchor(scene.owner(b), scene.point(b))
+        reach = end.point - start.point
+        length = scene.value(self.length) if self.length is not None else scene.length(reach)
+        direction = reach / length
+        row = Row(self.name, f"the link {a}{b} keeps its length", segments=(Segment(start, end, direction, length),))
+        actions = (Action(start.body, start.point, direction), Action(end.body, end.point, -direction))
+        return (Mode("", "", Facts(rows=(row,), pushes=(Push(f"S_{self.name}", "tension", self.name, f"{a}{b}", actions),))),)

@@ -1,0 +1,74 @@
+"""Rolling without slipping."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from planar_cli.joints.base import Joint
+from planar_cli.problem.setting import Setting
+from planar_cli.problem.facts import Action, Facts, Joining, Mode, Push, Rolling as NoSlip
+from planar_cli.problem.keys import PartnersKey, PointKey, key
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Rolling(Joint):
+    """Two bodies roll on each other without slipping.
+
+    Meaning
+        The wheel touches the other body or surface at `at` and does not slip: a wheel on the floor, a gear on a rack,
+        two gears, a wheel inside a ring. The force that this takes is asked by `N` and `friction`; if the wheel might
+        slip, write `contact` with a coefficient.
+
+    YAML
+        title: Cylinder rolls down an incline
+        plane: vertical
+        points: {C: [0, 0], G: {from: C, distance: 0.2 m, angle: 60 deg}}
+        surfaces: {incline: {through: C, angle: -30 deg}}
+        bodies: {cylinder: {disk: G, radius: 0.2 m, mass: 18 kg}}
+        joints:
+          - rolling: {between: [cylinder, incline], at: C}
+        instant: [at rest]
+        find: {alpha: alpha(cylinder), a: a(G).along(-30 deg)}
+
+    Equations
+        The two points that touch have the same velocity: on a fixed line v_G = ω R along it, and a_G along = α R
+        (with the sign of the rotation). Two reactions, normal and friction.
+
+    Signs
+        `N(j)` > 0 presses. `friction(j)` is a vector, the force on the body whose partner is the ground, else on the
+        body named, `friction(j/b)`.
+
+    Valid when
+        |friction| <= mu_s N, which the file does not say; then `contact` tells.
+
+    Reference
+        An Introduction to Planar Dynamics, Example 1-3, 1-9, 2.3.1, 2.3.2, 4.3.
+    """
+
+    kind: ClassVar[str] = "rolling"
+
+    between: tuple[str, ...] = key(PartnersKey(), "the wheel and what it rolls on")
+    at: str = key(PointKey(), "the point where they touch")
+
+    def attachments(self) -> tuple[tuple[str, str], ...]:
+        return tuple((self.at, body) for body in self.between)
+
+    def modes(self, scene: Setting) -> tuple[Mode, ...]:
+        place = scene.point(self.at)
+        a, b = (scene.outline(p, place, self.mark) for p in self.between)
+        if a.body == "ground" or (a.kind != "arc" and b.kind == "arc"):
+            a, b = b, a
+        if a.tangent is None or b.tangent is None:
+            raise scene.refuse(self.mark, "PL523", f"{self.name}: a corner can not roll", "rolling needs a round rim on a rim, rack or surface")
+        same = scene.sign(a.tangent.dot(b.tangent))
+        tangent = b.tangent
+        joining = Joining(self.name, a.body, b.body, place, self.at, rolling=NoSlip(tangent, same * a.curvature, b.curvature), drift=b.drift)
+        normal = tangent.turned()
+        if scene.sign((scene.center(a.body) - place).dot(normal)) < 0:
+            normal = -normal
+        pushes = []
+        for stem, kind, direction in (("N", "normal", normal), ("F", "friction", tangent)):
+            actions = (Action(a.body, place, direction), Action(b.body, place, -direction))
+            pushes.append(Push(f"{stem}_{self.name}", kind, self.name, self.at, actions))
+        return (Mode("", "", Facts((joining,), pushes=tuple(pushes))),)

@@ -1,0 +1,80 @@
+"""The rope, over and under pulleys and on drums."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from planar_cli.joints.base import Joint
+from planar_cli.joints._rope_path import free_parts
+from planar_cli.problem.setting import Setting
+from planar_cli.problem.facts import Action, Anchor, Facts, Mode, Push, Row, Segment, Test
+from planar_cli.problem.expression import Side
+from planar_cli.problem.keys import RopePathKey, RopeStop, SideKey, key
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Rope(Joint):
+    """A light inextensible rope runs from stop to stop.
+
+              over D                    A fixed                    T on drum
+              .--.                      |      |
+             ( D  )                     |      |                  .---.
+             |'--'|                     |      |                 (  G  )T   the rope is wound on the drum,
+             |    |                     | .--. |                  '---'|    and leaves it at its rim point T
+             |    |                     |( E  )|                       |
+             A    B                       '--'                         B
+      path: [A, over D, B]        path: [A, under E, B]        path: [T on drum, B]
+
+    Meaning
+        `path` lists the stops in order. A name alone is a point: at the ends where the rope is fastened, in the middle
+        a small pulley of no size. `over D` and `under E` pass above or below the disk D, E (the body or its centre).
+        `T on drum`: wound on the body `drum`, leaving it at the rim point T; it stands at an end. `along: 90 deg`: all
+        parts run parallel to that direction, and the sizes of pulleys are left out. One rope has one tension; over a
+        heavy pulley that turns with it write two ropes, each wound on the pulley.
+
+    YAML
+        title: Two blocks and a light pulley
+        plane: vertical
+        points: {A: [0, 0], B: [0.4 m, 0], D: [0.2 m, 1 m]}
+        bodies:
+          A_block: {particle: A, mass: 3 kg}
+          B_block: {particle: B, mass: 2 kg}
+        joints:
+          - rope: {path: [A, D, B], along: 90 deg, name: rope}
+        instant: [at rest]
+        find: {a: a(A).y, T: tension(rope)}
+
+    Equations
+        The sum of the lengths of all parts (free, on pulleys, wound) is constant. One reaction, the tension, the same in
+        all parts.
+
+    Signs
+        `tension(j)` > 0 pulls; a rope cannot push: `mode(j)` is taut or slack.
+
+    Valid when
+        The rope is light and inextensible, and pulleys it only passes over are light and turn freely.
+
+    Reference
+        An Introduction to Planar Dynamics, 1.6, 3.5.4, Example 1-9.
+    """
+
+    kind: ClassVar[str] = "rope"
+
+    path: tuple[RopeStop, ...] = key(RopePathKey(), "its stops in order: A, over D, under E, T on drum")
+    along: Side | None = key(SideKey("deg", angle=True), "the direction of all its parts; pulley sizes left out", default=None)
+
+    def attachments(self) -> tuple[tuple[str, str], ...]:
+        return tuple((stop.name, stop.body) for stop in self.path if stop.way == "on" and stop.body is not None)
+
+    def modes(self, scene: Setting) -> tuple[Mode, ...]:
+        segments, spins, actions = free_parts(self, scene)
+        row = Row(self.name, f"the rope {self.name} keeps its length", spins=spins, segments=segments)
+        push = Push(f"T_{self.name}", "tension", self.name, self.name, actions)
+        taut = Facts(rows=(row,), pushes=(push,))
+        pulls = Test(self.name, "the tension pulls", ((push.name, 1),))
+        shortens = Test(self.name, "the ends do not move apart", row=row, sense=-1)
+        return (
+            Mode("taut", f"the rope {self.name} is taut", taut, (pulls,), row),
+            Mode("slack", f"the rope {self.name} is slack", Facts(), (shortens,)),
+        )

@@ -1,0 +1,51 @@
+"""The contract of the shelf of loads.
+
+A load is what acts on bodies beside the reactions of their joints: a force, a couple, an impulse, a stream. A member is
+one file with one final class:
+
+    @dataclass(frozen=True, slots=True, kw_only=True)
+    class Torque(Load):
+        '''manual page: Meaning, YAML, Equations, Signs, Valid when, Reference'''
+
+        kind: ClassVar[str] = "torque"
+        body: str = key(BodyKey(), "the body it turns")
+
+- `kind` is the word in the file; the fields declared with `key(...)` are its YAML keys and its part of the JSON Schema.
+- `choices` names the groups of keys of which exactly one is written.
+- `name` is the load's own `name:`; else that of its point; else that of its first body. Reading a file settles it.
+- `during` is the span of states in which the load acts; None: always.
+- `mark` is the place of the entry in the file.
+
+A member states facts only and does not import SymPy at module level, so that reading a file stays quick.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from dataclasses import dataclass
+from typing import ClassVar
+
+from planar_cli.errors import Mark
+from planar_cli.problem.facts import Wrench
+from planar_cli.problem.keys import Choice
+from planar_cli.problem.setting import MovingSetting
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Load(ABC):
+    """What every load has beside its own keys; the module's docstring is the contract."""
+
+    kind: ClassVar[str]
+    choices: ClassVar[tuple[Choice, ...]] = ()
+
+    name: str
+    during: tuple[str, str] | None
+    mark: Mark
+
+    def attachments(self) -> tuple[tuple[str, str], ...]:
+        """Pairs (point, body): the points that belong to a body because this load names them together."""
+        return ()
+
+    @abstractmethod
+    def wrenches(self, scene: MovingSetting) -> tuple[Wrench, ...]:
+        """What the load does to each body, once positions and velocities are known."""

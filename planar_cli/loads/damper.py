@@ -1,0 +1,61 @@
+"""The viscous damper."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from planar_cli.loads.base import Load
+from planar_cli.problem.setting import MovingSetting
+from planar_cli.problem.facts import Wrench
+from planar_cli.problem.expression import Side
+from planar_cli.problem.keys import PointPairKey, SideKey, key
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Damper(Load):
+    """A viscous damper between two points.
+
+    Meaning
+        A light dashpot joins two points and resists the change of their distance in proportion to its rate.
+
+    YAML
+        title: Block braked by a damper
+        plane: horizontal
+        points: {O: [0, 0], P: [0.5 m, 0]}
+        bodies: {block: {particle: P, mass: 2 kg}}
+        joints:
+          - guide: {point: P, along: 0 deg}
+        loads:
+          - damper: {between: [O, P], coefficient: 20 N*s/m}
+        instant: [v(P).x = 3 m/s]
+        find: {a: a(block).x}
+
+    Equations
+        F = c dl/dt along the line of its ends; power -c (dl/dt)².
+
+    Signs
+        Growing longer it pulls. `tension(j)` > 0 pulls.
+
+    Valid when
+        The damper is light and linear.
+
+    Reference
+        An Introduction to Planar Dynamics, 3.1.2.
+    """
+
+    kind: ClassVar[str] = "damper"
+
+    between: tuple[str, str] = key(PointPairKey(), "the two points it joins")
+    coefficient: Side = key(SideKey("N*s/m"), "force per speed")
+
+    def wrenches(self, scene: MovingSetting) -> tuple[Wrench, ...]:
+        start, end = (scene.point(p) for p in self.between)
+        along = (end - start) / scene.length(end - start)
+        bodies = tuple(scene.owner(p) for p in self.between)
+        rate = (scene.velocity(end, bodies[1]) - scene.velocity(start, bodies[0])).dot(along)
+        if scene.is_zero(rate):
+            return ()
+        tension = scene.value(self.coefficient) * rate
+        ends = ((bodies[0], start, along), (bodies[1], end, -along))
+        return tuple(Wrench(self.name, "damper", b, at, d * tension, 0, tension) for b, at, d in ends if b != "ground")

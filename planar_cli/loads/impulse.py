@@ -1,0 +1,66 @@
+"""An impulse: a blow."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from planar_cli.loads.base import Load
+from planar_cli.problem.setting import MovingSetting
+from planar_cli.problem.facts import Wrench
+from planar_cli.problem.expression import Side
+from planar_cli.problem.keys import BodyKey, Choice, PointKey, SideKey, key
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Impulse(Load):
+    """A blow: an impulse so short that nothing moves meanwhile.
+
+    Meaning
+        `body` gets the impulse `magnitude` at its point `at` in the direction `angle`, or the angular impulse
+        `moment`, between the states of `during`; the second of them is `just after` the first. A particle needs no
+        `at`. A force that acts for some time is a `force` with `during`.
+
+    YAML
+        title: Rod struck while hanging
+        plane: vertical
+        points: {A: [0, 0], B: [0, -2 m], S: [0, -1.5 m]}
+        bodies: {rod: {rod: [A, B], mass: 12 kg}}
+        joints:
+          - pin: {at: A, between: [ground, rod]}
+        loads:
+          - impulse: {body: rod, at: S, magnitude: 1000 N * 0.03 s, angle: 0 deg, during: 1->2}
+        states:
+          1: [at rest]
+          2: [just after 1]
+        find: {omega: omega(rod) @ 2, kick: impulse(A).x @ 1->2}
+
+    Equations
+        m v_G2 - m v_G1 = J;  I_G (ω2 - ω1) = (S - G) × J, with the impulses of the joints.
+
+    Signs
+        Along `angle`; `moment` positive counterclockwise.
+
+    Valid when
+        Finite forces (weight, springs) do nothing in so short a time.
+
+    Reference
+        An Introduction to Planar Dynamics, 3.4.1, 3.4.2, 4.6, Example 4-13.
+    """
+
+    kind: ClassVar[str] = "impulse"
+    choices: ClassVar[tuple[Choice, ...]] = (
+        Choice(
+            (("magnitude", "angle"), ("at", "magnitude", "angle"), ("moment",)),
+            "`at: S, magnitude: 30 N*s, angle: 0 deg`, or `moment: 3 N*m*s`",
+        ),
+    )
+
+    body: str = key(BodyKey(), "the body that is struck")
+    at: str | None = key(PointKey(), "the point that is struck; a particle needs none", default=None)
+    magnitude: Side | None = key(SideKey("N*s"), "the impulse", default=None)
+    angle: Side | None = key(SideKey("deg", angle=True), "its direction from +x, counterclockwise", default=None)
+    moment: Side | None = key(SideKey("N*m*s"), "an angular impulse, counterclockwise positive", default=None)
+
+    def wrenches(self, scene: MovingSetting) -> tuple[Wrench, ...]:
+        raise scene.refuse(self.mark, "PL590", "an impulse joins two states", "this can not be asked at one instant")

@@ -1,0 +1,76 @@
+"""The spring."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from planar_cli.loads.base import Load
+from planar_cli.problem.setting import MovingSetting
+from planar_cli.problem.facts import Wrench
+from planar_cli.problem.expression import Side, Statement
+from planar_cli.problem.keys import Choice, PointPairKey, SideKey, StatementsKey, WordKey, key
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Spring(Load):
+    """A linear spring between two points.
+
+    Meaning
+        A light spring joins two points, of bodies or fixed. Its natural length is `natural_length`, or the distance
+        of its ends where the relations of `relaxed_at` hold. `acts: push` or `acts: pull` where it is not fastened and
+        acts one way only.
+
+    YAML
+        title: Block on a spring
+        plane: horizontal
+        points: {O: [0, 0], P: [0.5 m, 0]}
+        bodies: {block: {particle: P, mass: 2 kg}}
+        joints:
+          - guide: {point: P, along: 0 deg}
+        loads:
+          - spring: {between: [O, P], stiffness: 200 N/m, natural_length: 0.3 m}
+        instant: [at rest]
+        find: {a: a(block).x}
+
+    Equations
+        F = k (l - l0) along the line of its ends; potential energy k (l - l0)²/2.
+
+    Signs
+        Stretched it pulls. `tension(j)` > 0 pulls.
+
+    Valid when
+        The spring is light and linear.
+
+    Reference
+        An Introduction to Planar Dynamics, 3.5.3.
+    """
+
+    kind: ClassVar[str] = "spring"
+    choices: ClassVar[tuple[Choice, ...]] = (
+        Choice(
+            (("natural_length",), ("relaxed_at",)),
+            "`natural_length: 0.3 m`, or `relaxed_at: [theta = 0]`, where it is relaxed",
+        ),
+    )
+
+    between: tuple[str, str] = key(PointPairKey(), "the two points it joins")
+    stiffness: Side = key(SideKey("N/m"), "its stiffness")
+    natural_length: Side | None = key(SideKey("m"), "its length when relaxed", default=None)
+    relaxed_at: tuple[Statement, ...] | None = key(StatementsKey(), "relations of the place where it is relaxed", default=None)
+    acts: str | None = key(WordKey(("push", "pull")), "where it only pushes or only pulls", default=None)
+
+    def wrenches(self, scene: MovingSetting) -> tuple[Wrench, ...]:
+        start, end = (scene.point(p) for p in self.between)
+        length = scene.length(end - start)
+        relaxed = scene.value(self.natural_length) if self.natural_length is not None else scene.with_relations(self.relaxed_at or (), length)
+        stretch = length - relaxed
+        side = scene.sign(stretch)
+        if side == 0 or (self.acts == "push" and side > 0) or (self.acts == "pull" and side < 0):
+            return ()
+        if scene.is_zero(length):
+            raise scene.refuse(self.mark, "PL541", f"the ends of {self.name} coincide: the spring has no direction")
+        tension = scene.value(self.stiffness) * stretch
+        along = (end - start) / length
+        ends = ((self.between[0], start, along), (self.between[1], end, -along))
+        return tuple(Wrench(self.name, "spring", scene.owner(p), at, d * tension, 0, tension) for p, at, d in ends if scene.owner(p) != "ground")

@@ -1,0 +1,92 @@
+"""The manual: pages of kinds, of the language and of error codes, read from the docstrings of what implements them."""
+
+from __future__ import annotations
+
+import ast
+import inspect
+from difflib import get_close_matches
+from functools import cache
+from pathlib import Path
+
+from planar_cli.errors import PlanarError
+
+PAGES = Path(__file__).parent / "problem" / "pages"
+SHELVES = ("joints", "loads")
+# The order in which a newcomer reads.
+ORDER = ("language", "sections", "names_units", "points_surfaces", "bodies", "joints", "loads", "quantities")
+AFTER = ("statements_motion_instant", "states_finds", "cases", "answers", "examples", "pitfalls")
+
+
+@cache
+def pages() -> dict[str, str]:
+    """The pages of the language, each topic with its text; the module `points_surfaces` serves both words."""
+    ordered = sorted(PAGES.glob("[a-z]*.py"), key=_place)
+    return {topic: _docstring(path) for path in ordered for topic in path.stem.split("_")}
+
+
+def _place(path: Path) -> int:
+    order = (*ORDER, *AFTER)
+    return order.index(path.stem) if path.stem in order else len(order)
+
+
+def _docstring(path: Path) -> str:
+    return ast.get_docstring(ast.parse(path.read_text(encoding="utf-8"))) or ""
+
+
+@cache
+def kinds(shelf: str) -> dict[str, str]:
+    """The kinds of a shelf, each with the first line of its manual page."""
+    from planar_cli.registry import members
+
+    return {kind: inspect.cleandoc(member.__doc__ or "").partition("\n")[0] for kind, member in members(shelf).items()}
+
+
+def topics() -> str:
+    """All that can be explained."""
+    lines = ["planar explain TOPIC prints one of these pages.", "", "The problem file, in the order of reading:"]
+    seen: dict[str, list[str]] = {}
+    for topic, page in pages().items():
+        seen.setdefault(page, []).append(topic)
+    lines += [f"  {', '.join(names):<22}{page.partition(chr(10))[0]}" for page, names in seen.items()]
+    for shelf in SHELVES:
+        lines += ["", f"Kinds of {shelf}:", *(f"  {kind:<22}{line}" for kind, line in kinds(shelf).items())]
+    return "\n".join([*lines, "", "Codes of messages: PL101, PL102, … as printed with each error."])
+
+
+def explanation(topic: str) -> str:
+    """The page of a topic. Raises PlanarError, with the nearest topic, for an unknown one."""
+    code = topic.upper()
+    word = topic.lower()
+    if code in _codes():
+        return f"{code}\n\n{_codes()[code]}"
+    for shelf in SHELVES:
+        if word in kinds(shelf):
+            return kind_page(shelf, word)
+    if word in pages():
+        return pages()[word]
+    known = [*pages(), *(kind for shelf in SHELVES for kind in kinds(shelf)), *_codes()]
+    near = get_close_matches(topic, known, n=1, cutoff=0.5) or get_close_matches(code, known, n=1, cutoff=0.5)
+    hint = f"did you mean '{near[0]}'?" if near else "`planar explain` lists the topics"
+    raise PlanarError(f"there is no page '{topic}'; {hint}")
+
+
+def _codes() -> dict[str, str]:
+    from planar_cli.problem.codes import CODES
+    from planar_cli.problem.codes_structure import CODES_STRUCTURE
+
+    return {**CODES, **CODES_STRUCTURE}
+
+
+def kind_page(shelf: str, kind: str) -> str:
+    """The manual page of a kind: its docstring, and its keys as they are declared."""
+    from planar_cli.problem.keys import keys_of
+    from planar_cli.registry import members
+
+    member = members(shelf)[kind]
+    keys = [f"    {spec.name:<16}{'' if spec.required else '(optional) '}{spec.doc}" for spec in keys_of(member)]
+    common = [
+        f"    {'name':<16}(optional) what to call it; else it is called by its point, else by its first body",
+        f"    {'during':<16}(optional) `1->2`: acts only between these states",
+    ]
+    said = inspect.cleandoc(member.__doc__ or "")
+    return f"{kind}: {said}" + ("\n\nKeys\n" + "\n".join(keys + common) if keys else "")

@@ -1,0 +1,75 @@
+"""Checks of `answers`: each names a find, and says the kind of thing that is asked."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from planar_cli.errors import Diagnostic
+from planar_cli.problem.check_dimensions import Kinds
+from planar_cli.problem.check_formulas import formula_names
+from planar_cli.problem.check_vectors import is_vector
+from planar_cli.problem.dimensions import CURVE, MODE, TRUTH, Kind, check_found, check_side
+from planar_cli.problem.expression import Side, Word
+from planar_cli.problem.formulas import Formula
+from planar_cli.problem.reading import did_you_mean
+from planar_cli.problem.scene import Answer, Find, Problem
+from planar_cli.problem.scope import Scope
+
+
+def check_answers(problem: Problem) -> Iterator[Diagnostic]:
+    """All that is wrong with the answers of a whole file."""
+    finds: dict[str, tuple[Find, Scope]] = {}
+    for scope in (Scope(problem, ()), *(Scope(c.problem, problem.cases[:i]) for i, c in enumerate(problem.cases))):
+        for find in scope.problem.find:
+            if find.name in finds:
+                line = finds[find.name][0].mark.line
+                message = f"the find '{find.name}' is asked for a second time; the first is in line {line}"
+                yield Diagnostic(find.mark, "PL404", message, "finds of all cases stand side by side; give it another name")
+            finds[find.name] = (find, scope)
+    for answer in problem.answers:
+        if answer.name in finds:
+            yield from _answer(answer, *finds[answer.name])
+        else:
+            hint = did_you_mean(answer.name, finds, "finds are ") or "the file asks nothing"
+            yield Diagnostic(answer.mark, "PL460", f"there is no find '{answer.name}' that this could answer", hint)
+
+
+def _answer(answer: Answer, find: Find, scope: Scope) -> Iterator[Diagnostic]:
+    kinds = Kinds(scope)
+    kind = check_found(find.found, kinds.of, [])
+    what = find.found.what
+    vector = isinstance(what, Side) and is_vector(what, scope, [])
+    message, hint = _misfit(answer, kind, vector)
+    if message:
+        yield Diagnostic(answer.mark, "PL461", f"the find {answer.name} asks {message}", hint)
+        return
+    values = answer.value if isinstance(answer.value, tuple) else (answer.value,)
+    report: list[Diagnostic] = []
+    for value in values:
+        if isinstance(value, Side):
+            yield from formula_names(Formula(value, f"the answer {answer.name}", answer.mark, time=True), scope)
+            if not isinstance(value, Word):
+                check_side(value, kind.dimension, kinds.of, report, kind.angle)
+    if isinstance(answer.tolerance, Side):
+        check_side(answer.tolerance, None, kinds.of, report)
+    yield from report
+
+
+def _misfit(answer: Answer, kind: Kind, vector: bool) -> tuple[str, str]:
+    """What the find asks for, in words, and what to write, where the answer is of another kind; else two empty texts."""
+    value = answer.value
+    if value == "":
+        return "", ""
+    if kind == TRUTH:
+        return ("", "") if isinstance(value, bool) else ("whether something is so", "answer `true` or `false`")
+    if kind == MODE:
+        return ("", "") if isinstance(value, Word) else ("for a mode", "answer `stick`, `slip`, `apart`, `tip`, `taut` or `slack`")
+    if kind == CURVE:
+        return ("", "") if isinstance(value, str) else ("for a curve", "answer an equation in x and y: `y = x^2/(4 m)`")
+    if vector:
+        return ("", "") if isinstance(value, tuple) else ("for a vector", "answer `[x, y]`, or ask one part: `.x`, `.mag`")
+    if isinstance(value, tuple):
+        return "for a number", "a pair answers a vector; leave the part out of the find, or answer one number"
+    if isinstance(value, bool):
+        return "for a number", "true and false answer a relation, such as `mode(C) = stick`"
+    return "", ""

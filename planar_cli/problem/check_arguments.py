@@ -1,0 +1,183 @@
+"""What each quantity takes in its bracket: points, bodies, joints, loads, states; and with a span or at an instant."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from planar_cli.errors import Diagnostic
+from planar_cli.joints.base import Joint
+from planar_cli.problem.check_names import missing_state
+from planar_cli.problem.expression import Quantity
+from planar_cli.problem.reading import did_you_mean, listed
+from planar_cli.problem.scene import GROUND
+from planar_cli.problem.scope import Member, Scope
+
+SPANNED = frozenset("work impulse heat path_length mean count".split())
+STATED = frozenset("reached period frequency stable".split())
+TIMELESS = frozenset("path hodograph".split()) | STATED
+
+
+@dataclass(frozen=True, slots=True)
+class Takes:
+    """`first`, `second`: what may stand there, of point, body, all, ground, and kinds of joints and loads (`joint`,
+    `load` for every kind). No `second`: only one thing. `both`: the second must be there."""
+
+    first: str
+    second: str = ""
+    both: bool = False
+
+
+POINT_WORDS = dict.fromkeys("x y r v a".split(), Takes("point body all", "point body ground"))
+BODY_WORDS = dict.fromkeys("theta omega alpha".split(), Takes("body", "body ground"))
+TAKES: dict[str, Takes] = {
+    **POINT_WORDS,
+    **BODY_WORDS,
+    "coriolis": Takes("point body", "body", both=True),
+    "rho": Takes("point body", "point body"),
+    "IC": Takes("body", "body"),
+    "path": Takes("point body", "point body"),
+    "hodograph": Takes("point body"),
+    "N": Takes("contact rolling guide flat impact", "body"),
+    "friction": Takes("contact rolling guide flat impact pin", "body"),
+    "reaction": Takes("joint load", "body"),
+    "moment": Takes("joint load", "body"),
+    "tension": Takes("rope link belt spring damper", "body"),
+    "force": Takes("load", "body"),
+    "mode": Takes("contact rolling guide flat rope", "body"),
+    "mass": Takes("body all"),
+    "I": Takes("body all", "point body"),
+    "KE": Takes("body all"),
+    "PE": Takes("body all load"),
+    "momentum": Takes("body all"),
+    "H": Takes("body all", "point body", both=True),
+    "power": Takes("load joint body all", "body"),
+    "work": Takes("load joint body all", "body"),
+    "impulse": Takes("load joint body all", "point body"),
+    "heat": Takes("joint all"),
+    "path_length": Takes("point body", "point body"),
+}
+
+
+def arguments(quantity: Quantity, scope: Scope) -> Iterator[Diagnostic]:
+    """What is wrong with the bracket and the instant of one quantity."""
+    yield from _instant(quantity)
+    if quantity.word in STATED:
+        for name in quantity.things:
+            yield from missing_state(name, scope, quantity.mark)
+        return
+    takes = TAKES.get(quantity.word)
+    if takes is None or not quantity.things:
+        return
+    yield from _thing(quantity, 0, takes.first, scope)
+    if len(quantity.things) > 1:
+        yield from _second(quantity, takes, scope)
+    elif takes.both:
+        example = {"coriolis": "coriolis(P/b)", "H": "H(b/P)"}[quantity.word]
+        message = f"{quantity.word}({quantity.things[0]}) leaves open about or against what"
+        yield Diagnostic(quantity.mark, "PL421", message, f"write `{example}`")
+
+
+def _second(quantity: Quantity, takes: Takes, scope: Scope) -> Iterator[Diagnostic]:
+    if not takes.second:
+        hint = f"write `{quantity.word}({quantity.things[0]})`"
+        yield Diagnostic(quantity.mark, "PL421", f"{quantity.word}(…) takes one thing, not two", hint)
+        return
+    yield from _thing(quantity, 1, takes.second, scope)
+
+
+def _instant(quantity: Quantity) -> Iterator[Diagnostic]:
+    """A span where one is due, an instant where one is due."""
+    word, at = quantity.word, quantity.at
+    if word in SPANNED and not isinstance(at, tuple):
+        yield Diagnostic(quantity.mark, "PL422", f"{word}(…) is taken over a span of states", f"write `{word}(…) @ 1->2`")
+    if word not in SPANNED and isinstance(at, tuple):
+        hint = f"write `{word}(…) @ {at[1]}`, or `mean({word}(…)) @ {at[0]}->{at[1]}`"
+        yield Diagnostic(quantity.mark, "PL422", f"{word}(…) is taken at one state, not over a span", hint)
+    if word in STATED and isinstance(at, str):
+        yield Diagnostic(quantity.mark, "PL422", f"{word}(…) names its state in the bracket", f"write `{word}({at})`")
+
+
+def _thing(quantity: Quantity, index: int, allowed: str, scope: Scope) -> Iterator[Diagnostic]:
+    name = quantity.things[index]
+    kinds = allowed.split()
+    if not name or _is_plain_thing(name, kinds, scope):
+        return
+    members = [m for m in scope.members.get(name, ()) if _fits(m, kinds)]
+    if members:
+        yield from _ambiguous(quantity, members, scope)
+        return
+    yield Diagnostic(quantity.mark, "PL420", _no_fit(quantity, name, kinds), _hint(quantity, name, kinds, scope))
+
+
+def _is_plain_thing(name: str, kinds: list[str], scope: Scope) -> bool:
+    return (
+        ("point" in kinds and name in scope.points)
+        or ("body" in kinds and name in scope.bodies)
+        or ("all" in kinds and name == "all")
+        or ("ground" in kinds and name == GROUND)
+    )
+
+
+def _fits(member: Member, kinds: list[str]) -> bool:
+    shelf = "joint" if isinstance(member, Joint) else "load"
+    return shelf in kinds or member.kind in kinds
+
+
+def _ambiguous(quantity: Quantity, members: list[Member], scope: Scope) -> Iterator[Diagnostic]:
+    """Several joints of one name must be told apart by the body; forces between moving bodies name theirs."""
+    joints = members
+    if len(quantity.things) > 1:
+        joints = [m for m in members if quantity.things[1] in scope.partners(m) or not scope.partners(m)] or members
+    elif len(members) > 1:
+        joints = [m for m in members if GROUND in scope.partners(m)] or members
+    name = quantity.things[0]
+    if len(joints) > 1:
+        lines = listed(f"line {m.mark.line} ({m.kind})" for m in joints)
+        message = f"{quantity.word}({name}) may mean those of {lines}"
+        yield Diagnostic(quantity.mark, "PL423", message.replace(" or ", " and "), "give each a `name:` and use it")
+        return
+    yield from _on_whom(quantity, joints[0], scope)
+
+
+def _on_whom(quantity: Quantity, joint: Member, scope: Scope) -> Iterator[Diagnostic]:
+    """Between two moving bodies a vector must say on which it acts."""
+    partners = scope.partners(joint)
+    if len(quantity.things) > 1 or not isinstance(joint, Joint):
+        return
+    if quantity.word in ("reaction", "friction", "moment", "impulse") and len(partners) > 1 and GROUND not in partners:
+        name = quantity.things[0]
+        message = f"{quantity.word}({name}) leaves open on which body: {listed(partners)}"
+        yield Diagnostic(quantity.mark, "PL424", message, f"write `{quantity.word}({name}/{partners[0]})` for that on {partners[0]}")
+
+
+def _no_fit(quantity: Quantity, name: str, kinds: list[str]) -> str:
+    wanted = listed("the whole system `all`" if kind == "all" else f"a {kind}" for kind in kinds if kind != "ground")
+    return f"in {quantity.word}(…) stands {wanted}; there is none called '{name}'"
+
+
+def _hint(quantity: Quantity, name: str, kinds: list[str], scope: Scope) -> str:
+    if "body" in kinds and "point" not in kinds and name in scope.points:
+        return f"'{name}' is a point; name its body"
+    if name in scope.members:
+        member = scope.members[name][0]
+        return f"'{name}' is a {member.kind}; {_alternative(member, name)}"
+    known: set[str] = set()
+    if "point" in kinds:
+        known |= set(scope.points)
+    if "body" in kinds:
+        known |= set(scope.bodies)
+    known |= {n for n, members in scope.members.items() if any(_fits(m, kinds) for m in members)}
+    return did_you_mean(name, sorted(known), "there are ") or "the file has none"
+
+
+def _alternative(member: Member, name: str) -> str:
+    match member.kind:
+        case "pin" | "weld":
+            return f"its force is `reaction({name})`"
+        case "rope" | "link" | "belt" | "spring" | "damper":
+            return f"its force is `tension({name})`"
+        case "contact" | "rolling" | "guide" | "flat" | "impact":
+            return f"its forces are `N({name})` and `friction({name})`"
+        case _:
+            return f"its force is `force({name})`"

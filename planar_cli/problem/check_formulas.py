@@ -1,0 +1,131 @@
+"""Checks of what formulas name: numbers, time, states, and the arguments of quantities."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from planar_cli.errors import Diagnostic, Mark
+from planar_cli.problem.check_arguments import arguments
+from planar_cli.problem.check_names import missing_state
+from planar_cli.problem.expression import (
+    AtRest,
+    Equilibrium,
+    Function,
+    Grouped,
+    JustAfter,
+    Name,
+    PointPair,
+    Quantity,
+)
+from planar_cli.problem.formulas import Formula, formulas
+from planar_cli.problem.reading import did_you_mean
+from planar_cli.problem.scene import GROUND
+from planar_cli.problem.scope import Scope
+from planar_cli.problem.walk import Tree, children
+from planar_cli.problem.words import CONSTANTS, QUANTITIES
+
+SUBSCRIPTED = re.compile(r"([A-Za-z]+)_([A-Za-z0-9]\w*)")
+
+
+def formulas_name_known_things(scope: Scope) -> Iterator[Diagnostic]:
+    """Every name, state and argument in a formula stands for something, and stands where it may."""
+    for formula in formulas(scope.problem):
+        yield from formula_names(formula, scope)
+
+
+def formula_names(formula: Formula, scope: Scope) -> Iterator[Diagnostic]:
+    """The same for one formula."""
+    yield from _tree(formula.tree, formula, scope, False)
+
+
+def _tree(tree: Tree, formula: Formula, scope: Scope, direction: bool) -> Iterator[Diagnostic]:
+    match tree:
+        case Name():
+            yield from _name(tree, formula, scope, direction)
+        case Quantity():
+            yield from _quantity(tree, formula, scope)
+        case PointPair():
+            for point in (tree.to, tree.origin):
+                if point not in scope.point_like:
+                    yield _no_thing(point, "point", sorted(scope.points), tree.mark)
+        case JustAfter():
+            yield from missing_state(tree.state, scope, tree.mark)
+        case AtRest(body=str(body)) | Equilibrium(body=str(body)):
+            if body not in scope.point_like and body != "all":
+                yield _no_thing(body, "body", sorted(scope.point_like), tree.mark)
+        case Function(at=str(at)) | Grouped(at=str(at)):
+            yield from missing_state(at, scope, tree.mark)
+        case _:
+            pass
+    if isinstance(tree, Quantity):
+        below: list[tuple[Tree, bool]] = [] if tree.argument is None else [(tree.argument, False)]
+        below += [(part.direction, True) for part in tree.parts if part.direction is not None]
+    else:
+        below = [(child, False) for child in children(tree)]
+    for child, is_direction in below:
+        yield from _tree(child, formula, scope, is_direction)
+
+
+def _no_thing(name: str, what: str, known: list[str], mark: Mark) -> Diagnostic:
+    return Diagnostic(mark, "PL403", f"there is no {what} '{name}'", did_you_mean(name, known, "there are "))
+
+
+def _name(name: Name, formula: Formula, scope: Scope, direction: bool) -> Iterator[Diagnostic]:
+    if not name.name:
+        return
+    if name.at is not None:
+        yield from missing_state(name.at, scope, name.mark)
+    if name.name in CONSTANTS:
+        if name.name == "t" and not formula.time:
+            hint = "`t` may stand in `motion`, `states`, `find`, in magnitudes of loads and in masses"
+            yield Diagnostic(name.mark, "PL411", f"{formula.what} cannot depend on the time t", hint)
+        return
+    known = {*scope.numbers, *formula.locals, "g"}
+    if name.name in known or (direction and (name.name in scope.bodies or name.name == GROUND)):
+        return
+    if "." in name.name:
+        yield from _case_find(name, scope)
+        return
+    yield Diagnostic(name.mark, "PL410", f"there is no name '{name.name}' in this file", _name_hint(name.name, known, scope, direction))
+
+
+def _case_find(name: Name, scope: Scope) -> Iterator[Diagnostic]:
+    if name.name in scope.case_finds:
+        return
+    case, find = name.name.split(".", 1)
+    if case in scope.point_like:
+        hint = f"a part belongs to a quantity: `r({case}).{find}`"
+    else:
+        hint = did_you_mean(name.name, scope.case_finds, "known are ") or "`case.find` names a find of an earlier case"
+    yield Diagnostic(name.mark, "PL412", f"there is no find '{find}' of an earlier case '{case}'", hint)
+
+
+def _name_hint(name: str, known: set[str], scope: Scope, direction: bool) -> str:
+    """What is most likely meant: `v_A` for v(A), a point for its place, a misspelt name."""
+    match = SUBSCRIPTED.fullmatch(name)
+    things = {*scope.point_like, *scope.members}
+    if match and match[1] in QUANTITIES and match[2] in things:
+        return f"a quantity is written with a bracket: `{match[1]}({match[2]})`"
+    if name in scope.surfaces and direction:
+        return "a direction is an angle, a body, or two points such as `B/A`"
+    if name in scope.bodies:
+        return f"'{name}' is a body; a quantity of it is written `omega({name})`"
+    if name in scope.points:
+        return f"'{name}' is a point; its place is `r({name})`, `x({name})`, `y({name})`"
+    if name in scope.states:
+        return f"'{name}' is a state; write `… @ {name}`"
+    if name in {find.name for find in scope.problem.find}:
+        return "a find is no name for formulas; write what it asks for, or use `case.find` in a later case"
+    return did_you_mean(name, sorted(known)) if did_you_mean(name, sorted(known)).startswith("did") else (
+        "give it in `given` (value), `symbols` or `unknowns` (unit)"
+    )
+
+
+def _quantity(quantity: Quantity, formula: Formula, scope: Scope) -> Iterator[Diagnostic]:
+    if not formula.quantities:
+        hint = "quantities may stand in `motion`, `instant`, `states`, `find` and in magnitudes of loads"
+        yield Diagnostic(quantity.mark, "PL413", f"{formula.what} cannot use {quantity.word}(…)", hint)
+    for state in (quantity.at,) if isinstance(quantity.at, str) else quantity.at or ():
+        yield from missing_state(state, scope, quantity.mark)
+    yield from arguments(quantity, scope)

@@ -1,0 +1,185 @@
+"""Checks of what is physically possible: plane, masses, friction, restitution, partners."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+
+from planar_cli.errors import Diagnostic
+from planar_cli.problem.expression import Binary, Name, Negate, Number, Quantity, Side
+from planar_cli.problem.formulas import formulas
+from planar_cli.problem.scene import GROUND, At, Body, Composite, Particle, Polar, Round, Towards, TwoFacts
+from planar_cli.problem.scope import Scope
+from planar_cli.problem.walk import Tree, walk
+
+POSITIVE = ("the mass", "the weight", "the radius", "the moment of inertia", "the width", "the height", "the length", "stiffness")
+
+
+def plane_is_given(scope: Scope) -> Iterator[Diagnostic]:
+    """`plane` is required once a body has mass."""
+    if scope.problem.plane is not None:
+        return
+    heavy = next((body for body in scope.problem.bodies if has_mass(body)), None)
+    if heavy is not None:
+        message = f"the body {heavy.name} has mass, and the file does not say in which plane all this happens"
+        yield Diagnostic(heavy.mark, "PL450", message, "write `plane: vertical` (weight acts, -y) or `plane: horizontal`")
+
+
+def has_mass(body: Body) -> bool:
+    """Is anything said of the mass?"""
+    if isinstance(body.shape, Composite):
+        return any(piece.mass is not None or piece.weight is not None for piece in body.shape.pieces)
+    return body.mass is not None or body.weight is not None or body.any_mass
+
+
+def particles_move(scope: Scope) -> Iterator[Diagnostic]:
+    """A particle without mass must be driven by something."""
+    for body in scope.problem.bodies:
+        if isinstance(body.shape, Particle) and not has_mass(body) and not _is_driven(body, scope):
+            hint = f"write `mass: 2 kg` (`mass: any` where it cancels), or drive it: `motion: [v({body.name}).x = 2 m/s]`"
+            yield Diagnostic(body.mark, "PL451", f"the particle {body.name} has no mass and nothing drives it", hint)
+
+
+def _is_driven(body: Body, scope: Scope) -> bool:
+    p = scope.problem
+    names = {body.name}
+    if isinstance(body.shape, Particle) and isinstance(body.shape.place, str):
+        names.add(body.shape.place)
+    if any(names & scope.mentioned(joint) for joint in p.joints):
+        return True
+    laws = [law.statement for law in p.motion]
+    trees: list[Tree] = [*laws, *(p.instant or ())]
+    if any(_mentions(tree, names) for tree in trees):
+        return True
+    accelerations = (node for state in p.states for s in state.relations for node in walk(s))
+    if any(isinstance(q, Quantity) and q.word in ("a", "ddot") and names & set(q.things) for q in accelerations):
+        return True
+    return _moves_with_coordinate(names, scope)
+
+
+def _mentions(tree: Tree, names: set[str]) -> bool:
+    return any(isinstance(node, Quantity) and names & set(node.things) for node in walk(tree))
+
+
+def _moves_with_coordinate(names: set[str], scope: Scope) -> bool:
+    """Is the place of one of these points written with a coordinate, or with a point that is?"""
+    coordinates = {c.name for c in scope.problem.coordinates}
+    places = {point.name: point.place for point in scope.problem.points}
+    waiting, seen = list(names), set(names)
+    for body in scope.problem.bodies:
+        if body.name in names and isinstance(body.shape, Particle) and isinstance(body.shape.place, At):
+            places[body.name] = body.shape.place
+    while waiting:
+        place = places.get(waiting.pop())
+        if place is None:
+            continue
+        sides, points = _parts(place)
+        if any(isinstance(n, Name) and n.name in coordinates for side in sides for n in walk(side)):
+            return True
+        waiting += [p for p in points if p not in seen]
+        seen.update(points)
+    return False
+
+
+def _parts(place: object) -> tuple[list[Side], list[str]]:
+    match place:
+        case At():
+            return [place.x, place.y], []
+        case Polar():
+            return [place.distance, place.angle], [place.origin]
+        case Towards():
+            return [place.distance], [place.origin, place.towards]
+        case TwoFacts():
+            sides = [s for s in (place.x, place.y, place.line[1] if place.line else None) if s is not None]
+            points = [name for name, _ in place.distances] + ([place.line[0]] if place.line else [])
+            return [*sides, *(d for _, d in place.distances)], points
+        case _:
+            return [], [n for n in (getattr(place, "a", ""), getattr(place, "b", "")) if n]
+
+
+def coefficients(scope: Scope) -> Iterator[Diagnostic]:
+    """Coefficients of friction are not negative, mu_k <= mu_s, and 0 <= restitution <= 1."""
+    for joint in scope.problem.joints:
+        for key in ("mu", "mu_s", "mu_k"):
+            side = getattr(joint, key, None)
+            value = constant(side, scope)
+            if side is not None and value is not None and value < 0:
+                yield Diagnostic(side.mark, "PL452", f"{key} is negative", "a coefficient of friction is 0 (smooth) or more")
+        static, kinetic = getattr(joint, "mu_s", None), getattr(joint, "mu_k", None)
+        high, low = constant(kinetic, scope), constant(static, scope)
+        if kinetic is not None and high is not None and low is not None and high > low:
+            yield Diagnostic(kinetic.mark, "PL452", "mu_k is larger than mu_s", "are the two exchanged?")
+        bounce = getattr(joint, "restitution", None)
+        value = constant(bounce, scope)
+        if bounce is not None and value is not None and not 0 <= value <= 1:
+            hint = "0: they stay together; 1: no energy is lost"
+            yield Diagnostic(bounce.mark, "PL453", "the coefficient of restitution is between 0 and 1", hint)
+
+
+def constant(side: Side | None, scope: Scope, depth: int = 0) -> Fraction | None:
+    """The value of a formula of pure numbers and given names, where that is plain; else None."""
+    match side:
+        case Number(unit=None | "1"):
+            return side.value * side.sense
+        case Name() if side.at is None and side.name in scope.numbers and depth < 20:
+            return constant(scope.numbers[side.name].value, scope, depth + 1)
+        case Negate():
+            inner = constant(side.operand, scope, depth)
+            return None if inner is None else -inner
+        case Binary():
+            return _combined(side.operator, constant(side.left, scope, depth), constant(side.right, scope, depth))
+        case _:
+            return None
+
+
+def _combined(operator: str, left: Fraction | None, right: Fraction | None) -> Fraction | None:
+    if left is None or right is None:
+        return None
+    match operator:
+        case "+":
+            return left + right
+        case "-":
+            return left - right
+        case "*":
+            return left * right
+        case "/" if right:
+            return left / right
+        case _:
+            return None
+
+
+def sizes_are_positive(scope: Scope) -> Iterator[Diagnostic]:
+    """A size, mass or stiffness written as a number is more than zero; only a part (a hole) may have minus mass."""
+    for formula in formulas(scope.problem):
+        if not formula.what.startswith(POSITIVE) or " of a part " in formula.what:
+            continue
+        tree = formula.tree
+        if isinstance(tree, Name) and tree.name in scope.numbers:
+            tree = scope.numbers[tree.name].value or tree
+        negative = isinstance(tree, Negate) and isinstance(tree.operand, Number)
+        if negative or (isinstance(tree, Number) and tree.value * tree.sense <= 0):
+            hint = "leave the mass out for a body without mass" if "mass" in formula.what else ""
+            yield Diagnostic(formula.mark, "PL454", f"{formula.what} is not more than zero", hint)
+
+
+def partners_fit(scope: Scope) -> Iterator[Diagnostic]:
+    """A joint is between two different things that can move against each other, of the shapes it needs."""
+    for joint in scope.problem.joints:
+        between: tuple[str, ...] = getattr(joint, "between", ())
+        what = f"the {joint.kind}"
+        twice = next((name for index, name in enumerate(between) if name and name in between[:index]), None)
+        if twice is not None:
+            yield Diagnostic(joint.mark, "PL455", f"{what} is between '{twice}' and itself", "name two different partners")
+        elif joint.kind != "link" and len(between) > 1 and {scope.carrier(name) for name in between} == {GROUND}:
+            yield Diagnostic(joint.mark, "PL455", f"{what} joins only fixed things", "name the body that moves")
+        if joint.kind == "belt":
+            yield from _belt(between, scope)
+        if joint.kind == "flat" and scope.problem.plane == "vertical":
+            yield Diagnostic(joint.mark, "PL456", "a flat contact needs `plane: horizontal`", "in a vertical plane write `contact`")
+
+
+def _belt(between: tuple[str, ...], scope: Scope) -> Iterator[Diagnostic]:
+    for name in between:
+        body = scope.bodies.get(name)
+        if body is not None and not isinstance(body.shape, Round | Composite):
+            yield Diagnostic(body.mark, "PL455", f"a belt runs round disks; {name} is none", "give it `disk: G, radius: …`")

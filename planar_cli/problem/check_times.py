@@ -1,0 +1,140 @@
+"""Checks of instants: `instant` or `states`, never both; statements and times where they may stand; no circles."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from planar_cli.errors import Diagnostic, Mark
+from planar_cli.problem.check_names import points_of_place
+from planar_cli.problem.expression import Extreme, Grouped, JustAfter, Name, Quantity, Relation, Word
+from planar_cli.problem.formulas import formulas
+from planar_cli.problem.reading import listed
+from planar_cli.problem.scope import Scope, members_of
+from planar_cli.problem.walk import Tree, children, walk
+
+
+def instant_or_states(scope: Scope) -> Iterator[Diagnostic]:
+    """`instant` never stands beside `states`."""
+    p = scope.problem
+    if p.instant is not None and p.states:
+        mark = p.instant[0].mark if p.instant else p.states[0].mark
+        hint = "one instant: `instant`; several: `states`, of which the first may be this one"
+        yield Diagnostic(mark, "PL430", "a file has either `instant` or `states`", hint)
+
+
+def statements_in_place(scope: Scope) -> Iterator[Diagnostic]:
+    """`just after` belongs to states, `is largest` to instants; mode words to a relation with `mode(j)`."""
+    p = scope.problem
+    for law in p.motion:
+        if isinstance(law.statement, Extreme | JustAfter):
+            yield Diagnostic(law.statement.mark, "PL431", f"'{law.statement.text}' does not hold all the time", "write it in a state")
+    for statement in p.instant or ():
+        if isinstance(statement, JustAfter):
+            yield Diagnostic(statement.mark, "PL431", f"'{statement.text}' stands in `states`", "write `states: {1: […], 2: [just after 1]}`")
+    for statement in p.assume:
+        if not isinstance(statement, Relation):
+            yield Diagnostic(statement.mark, "PL431", f"'{statement.text}' is no relation between names", "write `assume: [a < g]`")
+    for formula in formulas(p):
+        yield from _words(formula.tree)
+
+
+def _words(tree: Tree) -> Iterator[Diagnostic]:
+    """A mode word that does not stand opposite `mode(j)`."""
+    if isinstance(tree, Relation):
+        sides = (tree.left, tree.right)
+        for side, other in (sides, sides[::-1]):
+            if isinstance(side, Word) and isinstance(other, Quantity) and other.word == "mode":
+                yield from _words(other)
+                return
+    if isinstance(tree, Word):
+        yield Diagnostic(tree.mark, "PL432", f"'{tree.word}' stands only after `mode(j) =`", f"write `mode(C) = {tree.word}`")
+    for child in children(tree):
+        yield from _words(child)
+
+
+def blows_have_spans(scope: Scope) -> Iterator[Diagnostic]:
+    """Impacts and impulses say between which states they happen; the second is `just after` the first."""
+    p = scope.problem
+    after = {s.name: r.state for s in p.states for r in s.relations if isinstance(r, JustAfter)}
+    for member in members_of(p):
+        if member.kind not in ("impact", "impulse"):
+            continue
+        if member.during is None:
+            yield Diagnostic(member.mark, "PL433", f"the {member.kind} does not say when it happens", "write `during: 1->2`")
+        elif set(member.during) <= set(scope.states) and after.get(member.during[1]) != member.during[0]:
+            start, end = member.during
+            message = f"the {member.kind} takes no time, but state {end} is not just after state {start}"
+            yield Diagnostic(member.mark, "PL433", message, f"write `{end}: [just after {start}]`")
+
+
+def spans_in_order(scope: Scope) -> Iterator[Diagnostic]:
+    """A span runs from a state to a later one."""
+    spans: list[tuple[tuple[str, str], Mark]] = [(law.during, law.statement.mark) for law in scope.problem.motion if law.during]
+    spans += [(m.during, m.mark) for m in members_of(scope.problem) if m.during]
+    for formula in formulas(scope.problem):
+        quantities = (node for node in walk(formula.tree) if isinstance(node, Quantity))
+        spans += [(q.at, q.mark) for q in quantities if isinstance(q.at, tuple)]
+    for (start, end), mark in spans:
+        known = start in scope.states and end in scope.states
+        if known and start == end:
+            yield Diagnostic(mark, "PL434", f"the span {start}->{end} has no length", "write two different states")
+
+
+def finds_say_when(scope: Scope) -> Iterator[Diagnostic]:
+    """In a file with states a find of the time says at which."""
+    if not scope.states:
+        return
+    for find in scope.problem.find:
+        for name in _open_times(find.found.what):
+            states = listed(f"`t @ {state}`" for state in scope.states)
+            yield Diagnostic(name.mark, "PL435", f"the find {find.name} asks for the time, but not of which state", f"write {states}")
+
+
+def _open_times(tree: Tree) -> Iterator[Name]:
+    if isinstance(tree, Grouped) or (isinstance(tree, Quantity) and tree.at is not None):
+        return
+    if isinstance(tree, Name) and tree.name == "t" and tree.at is None:
+        yield tree
+    for child in children(tree):
+        yield from _open_times(child)
+
+
+def no_circles(scope: Scope) -> Iterator[Diagnostic]:
+    """No given value and no point is defined by itself, however far round."""
+    values = {s.name: (s.mark, _names(s.value)) for s in scope.problem.given if s.value is not None}
+    yield from _circles(values, "the value of", "PL436")
+    points = {p.name: (p.mark, points_of_place(p.place)) for p in scope.problem.points}
+    yield from _circles(points, "the point", "PL436")
+
+
+def _names(tree: Tree) -> tuple[str, ...]:
+    return tuple(node.name for node in walk(tree) if isinstance(node, Name))
+
+
+def _circles(graph: Mapping[str, tuple[Mark, tuple[str, ...]]], what: str, code: str) -> Iterator[Diagnostic]:
+    """One diagnostic for each circle of references."""
+    done: set[str] = set()
+    for start in graph:
+        trail: list[str] = []
+        circle = _find_circle(start, graph, trail, done)
+        if circle:
+            around = " -> ".join((*circle, circle[0]))
+            yield Diagnostic(graph[circle[0]][0], code, f"{what} {circle[0]} is defined by itself: {around}", "define one of them anew")
+
+
+def _find_circle(
+    name: str, graph: Mapping[str, tuple[Mark, tuple[str, ...]]], trail: list[str], done: set[str]
+) -> list[str]:
+    if name in trail:
+        return trail[trail.index(name) :]
+    if name in done or name not in graph:
+        return []
+    trail.append(name)
+    for other in graph[name][1]:
+        circle = _find_circle(other, graph, trail, done)
+        if circle:
+            done.update(circle)
+            return circle
+    trail.pop()
+    done.add(name)
+    return []

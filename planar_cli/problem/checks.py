@@ -1,0 +1,70 @@
+"""The checks of a problem that has been read: one visible tuple of functions, scope to diagnostics."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+
+from planar_cli.errors import Diagnostic
+from planar_cli.problem.check_answers import check_answers
+from planar_cli.problem.check_dimensions import dimensions_agree
+from planar_cli.problem.check_formulas import formulas_name_known_things
+from planar_cli.problem.check_names import distinct_names, members_found, points_found, reserved_names
+from planar_cli.problem.check_physics import (
+    coefficients,
+    particles_move,
+    partners_fit,
+    plane_is_given,
+    sizes_are_positive,
+)
+from planar_cli.problem.check_times import (
+    blows_have_spans,
+    finds_say_when,
+    instant_or_states,
+    no_circles,
+    spans_in_order,
+    statements_in_place,
+)
+from planar_cli.problem.check_vectors import vectors_are_vectors
+from planar_cli.problem.scene import Problem
+from planar_cli.problem.scope import Scope
+
+Check = Callable[[Scope], Iterator[Diagnostic]]
+
+CHECKS: tuple[Check, ...] = (
+    reserved_names,
+    distinct_names,
+    points_found,
+    members_found,
+    formulas_name_known_things,
+    plane_is_given,
+    particles_move,
+    coefficients,
+    sizes_are_positive,
+    partners_fit,
+    instant_or_states,
+    statements_in_place,
+    blows_have_spans,
+    spans_in_order,
+    finds_say_when,
+    no_circles,
+    dimensions_agree,
+    vectors_are_vectors,
+)
+
+
+def check(problem: Problem) -> list[Diagnostic]:
+    """All that is wrong with a problem and its cases, each once."""
+    found = {d: None for scope in scopes(problem) for run in CHECKS for d in run(scope)}
+    found.update(dict.fromkeys(check_answers(problem)))
+    return list(found)
+
+
+def scopes(problem: Problem) -> Iterator[Scope]:
+    """The file as it stands, then each case with the cases before it.
+
+    A file that asks nothing itself may be incomplete: then only its cases are looked at.
+    """
+    if problem.find or not problem.cases:
+        yield Scope(problem, ())
+    for index, case in enumerate(problem.cases):
+        yield Scope(case.problem, problem.cases[:index])

@@ -1,0 +1,212 @@
+"""What joints and loads may state about a scene: the closed vocabulary from which principles make equations.
+
+A joint says which relative motion it forbids (`Joining`, `Row`), through which unknown pushes it forbids it (`Push`), and
+in which modes it may be (`Mode`: stick or slip, taut or slack, touching or apart), each with the tests that its
+assumption must pass. A load says what it does (`Wrench`). Numbers here are exact expressions in SI units; vectors are in
+the fixed frame, x right, y up, rotation positive counterclockwise.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from planar_cli.problem.geometry import Vec
+
+
+@dataclass(frozen=True, slots=True)
+class Anchor:
+    """The material point of `body` that is now at `point`."""
+
+    body: str
+    point: Vec
+
+
+@dataclass(frozen=True, slots=True)
+class Path:
+    """The curve, fixed in the base body, along which a point slides.
+
+    `tangent`: unit vector. `curvature` [1/m]: positive when the curve bends to the left of the tangent.
+    """
+
+    tangent: Vec
+    curvature: Any
+
+
+@dataclass(frozen=True, slots=True)
+class Rolling:
+    """Two outlines that touch without slip: their signed curvatures [1/m] along the same `tangent`."""
+
+    tangent: Vec
+    mover: Any
+    base: Any
+
+
+@dataclass(frozen=True, slots=True)
+class Joining:
+    """How `mover` is carried by `base` at one point.
+
+    The mover's material point at `point` has the velocity of the base's point there, plus a slide along `path` (None: no
+    slide), plus `drift` (a vector: the speed of a running belt's surface). `turns`: may the mover turn relative to the base?
+    `place`: the point's name in print. `rolling`: contact without slip between outlines, whose points of contact differ in
+    their normal acceleration.
+    """
+
+    joint: str
+    mover: str
+    base: str
+    point: Vec
+    place: str
+    path: Path | None = None
+    turns: bool = True
+    rolling: Rolling | None = None
+    drift: Vec | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Pull:
+    """direction · (velocity of the anchor): one part of a scalar relation."""
+
+    anchor: Anchor
+    direction: Vec
+
+
+@dataclass(frozen=True, slots=True)
+class Segment:
+    """A straight free part of a rope or a link, from one anchor to the other.
+
+    `length` None: it keeps its direction. `radii`: where it leaves pulleys, the anchors are their centres.
+    """
+
+    start: Anchor
+    end: Anchor
+    direction: Vec
+    length: Any | None
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """A scalar relation between velocities, Σ pulls + Σ factor · ω(body) = rate, and its derivative.
+
+    The derivative has the same coefficients on the accelerations, and for every segment of finite length the term
+    (relative velocity across it)² / length. `title` is what the relation says, in words.
+    """
+
+    joint: str
+    title: str
+    pulls: tuple[Pull, ...] = ()
+    spins: tuple[tuple[str, Any], ...] = ()
+    rate: Any = 0
+    segments: tuple[Segment, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Action:
+    """What a unit of a push does to one body: a force at a point (force None: none), and a couple."""
+
+    body: str
+    point: Vec
+    force: Vec | None
+    couple: Any = 0
+
+
+@dataclass(frozen=True, slots=True)
+class Push:
+    """An unknown scalar reaction: its name, its unit ("N" or "N*m"), and what it does to each body.
+
+    `kind`: normal, friction, component, tension, couple. `place`: the point or joint it is named after.
+    """
+
+    name: str
+    kind: str
+    joint: str
+    place: str
+    actions: tuple[Action, ...]
+    unit: str = "N"
+
+
+@dataclass(frozen=True, slots=True)
+class Law:
+    """A push that follows another one: `push` = factor · `of` (kinetic friction), or = factor when `of` is None."""
+
+    push: str
+    factor: Any
+    of: str | None
+
+
+@dataclass(frozen=True, slots=True)
+class Wrench:
+    """A load on one body: a force at a point and a couple; `name` of the load, `kind` weight, force, spring, …"""
+
+    name: str
+    kind: str
+    body: str
+    point: Vec
+    force: Vec | None
+    couple: Any = 0
+    magnitude: Any = 0
+
+
+@dataclass(frozen=True, slots=True)
+class Test:
+    """A condition that an assumption must pass: Σ coefficient · push + constant ≥ 0, or > 0 when strict.
+
+    Instead of pushes it may measure an acceleration: sense · (that of the row), or sense · (that across the path of the
+    joining, along k × tangent).
+    """
+
+    joint: str
+    words: str
+    pushes: tuple[tuple[str, Any], ...] = ()
+    constant: Any = 0
+    row: Row | None = None
+    joining: Joining | None = None
+    sense: int = 1
+    strict: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Facts:
+    """All that a joint states in one of its modes."""
+
+    joinings: tuple[Joining, ...] = ()
+    rows: tuple[Row, ...] = ()
+    pushes: tuple[Push, ...] = ()
+    laws: tuple[Law, ...] = ()
+    wrenches: tuple[Wrench, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Mode:
+    """One way in which a joint may act.
+
+    `name`: stick, slip, apart, tip, taut, slack, or "" where there is only one. `sliding`: the row that measures the speed
+    of slip; `direction`: 0 when it must be zero, ±1 the sign that it has or is about to take. `words`: the assumption as a
+    sentence.
+    """
+
+    name: str
+    words: str
+    facts: Facts
+    tests: tuple[Test, ...] = ()
+    sliding: Row | None = None
+    direction: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class Outline:
+    """The shape of a body or surface at a point of contact.
+
+    `kind`: corner, straight or arc (also a curve, by its circle of curvature). `tangent`: unit vector (None at a corner).
+    `curvature`: signed along the tangent. `center`: of the arc, None otherwise. `body`: who carries it. `drift`: the belt's
+    surface velocity or None. `extent`: for a straight edge the distances of its ends from the point, behind and ahead.
+    """
+
+    kind: str
+    body: str
+    tangent: Vec | None = None
+    curvature: Any = 0
+    center: Vec | None = None
+    center_name: str = ""
+    drift: Vec | None = None
+    extent: tuple[Any, Any] | None = None

@@ -1,0 +1,171 @@
+"""What may stand at a key of a joint or load: the vocabulary from which files are read and the JSON Schema is made.
+
+A member of a shelf is a frozen dataclass; each field is one YAML key, declared with `key(...)`:
+
+    at: str = key(PointKey(), "the common point")
+    friction_torque: Side | None = key(SideKey("N*m"), "of a rough axle", default=None)
+
+`structure.py` reads each value by its key type; `schema.py` writes each key type's part of the JSON Schema.
+"""
+
+from __future__ import annotations
+
+from dataclasses import MISSING, dataclass, field, fields
+from typing import Any
+
+from planar_cli.errors import Mark
+from planar_cli.problem.expression import Side
+
+
+@dataclass(frozen=True, slots=True)
+class PointKey:
+    """The name of a point, as str."""
+
+
+@dataclass(frozen=True, slots=True)
+class PointPairKey:
+    """Two names of points, as (str, str)."""
+
+
+@dataclass(frozen=True, slots=True)
+class BodyKey:
+    """The name of a body, or `ground` where `ground` is set, as str."""
+
+    ground: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class PartnersKey:
+    """`between`: names of bodies, surfaces or `ground`, as tuple[str, ...]; at least two, at most `most` (0: no limit)."""
+
+    most: int = 2
+
+
+@dataclass(frozen=True, slots=True)
+class SideKey:
+    """One line of mathematics of the given unit's dimension, as Side. `angle`: an angle (a bare number is refused)."""
+
+    unit: str
+    angle: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class DirectionKey:
+    """An angle, or the name of a surface or body, as Side | str."""
+
+
+@dataclass(frozen=True, slots=True)
+class FlagKey:
+    """true or false, as bool."""
+
+
+@dataclass(frozen=True, slots=True)
+class WordKey:
+    """One of some words, as str."""
+
+    words: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class StatementsKey:
+    """A list of relations, as tuple[Statement, ...]."""
+
+
+@dataclass(frozen=True, slots=True)
+class RopePathKey:
+    """`[A, over D, under E, T on drum]`, as tuple[RopeStop, ...]."""
+
+
+@dataclass(frozen=True, slots=True)
+class RopeStop:
+    """One stop of a rope: `way` is "point" (end, or small pulley in the middle), "over", "under", or "on" (wound, leaving
+    the drum `body` at the point `name`); for over and under, `name` is the pulley (a body or its centre point)."""
+
+    way: str
+    name: str
+    body: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class MagnitudeKey:
+    """One line of mathematics, or a table of instants and values, as Side | Table; `unit` as in SideKey."""
+
+    unit: str
+
+
+@dataclass(frozen=True, slots=True)
+class Table:
+    """`{table: [[0 s, 0 N], [2 s, 50 N]]}`: pairs of an instant and the value then; straight lines between them."""
+
+    rows: tuple[tuple[Side, Side], ...]
+    mark: Mark
+
+
+@dataclass(frozen=True, slots=True)
+class FlowKey:
+    """`{at: A, speed: 20 m/s, angle: 0 deg}`, as Flow: where and how a stream enters or leaves a body."""
+
+
+@dataclass(frozen=True, slots=True)
+class Flow:
+    """A stream at the point `at`: `speed` relative to the body, `angle` of its velocity, fixed in space."""
+
+    at: str
+    speed: Side
+    angle: Side
+    mark: Mark
+
+
+KeyType = (
+    PointKey
+    | PointPairKey
+    | BodyKey
+    | PartnersKey
+    | SideKey
+    | DirectionKey
+    | FlagKey
+    | WordKey
+    | StatementsKey
+    | RopePathKey
+    | MagnitudeKey
+    | FlowKey
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Choice:
+    """Of several groups of keys exactly one is written, whole; the empty group where none need be.
+
+    Choice((("mu",), ("mu_s", "mu_k"))) takes `mu`, or `mu_s` with `mu_k`. `hint` says what to write.
+    """
+
+    groups: tuple[tuple[str, ...], ...]
+    hint: str
+
+    def names(self) -> frozenset[str]:
+        """All keys that the choice is about."""
+        return frozenset(name for group in self.groups for name in group)
+
+
+@dataclass(frozen=True, slots=True)
+class KeySpec:
+    """One key of a member: its name in the file, its type, what it means, and whether it must be there."""
+
+    name: str
+    type: KeyType
+    doc: str
+    required: bool
+
+
+def key(key_type: KeyType, doc: str, *, default: Any = MISSING, name: str | None = None) -> Any:
+    """A dataclass field that is a YAML key; `name` where the key is no Python name."""
+    return field(default=default, metadata={"key": key_type, "doc": doc, "name": name})
+
+
+def keys_of(member: type) -> tuple[KeySpec, ...]:
+    """The YAML keys of a member's class, in the order of its fields."""
+    return tuple(
+        KeySpec(f.metadata["name"] or f.name, f.metadata["key"], f.metadata["doc"], f.default is MISSING)
+        for f in fields(member)
+        if "key" in f.metadata
+    )

@@ -1,0 +1,15 @@
+"""Answers: what a key says.
+
+`answers` gives, by find name (of the file or its cases), what the solution must be:
+
+    answers:
+      alpha: 6.186 rad/s^2 cw                   a number with its unit; cw is minus
+      v: [3 m/s, -4 m/s]                        a vector
+      T: m*g*(1 + 2*h/l)                        a formula, in files with symbols
+      stays: true                               a relation: true or false
+      state: slip                               a mode
+      curve: x^2 + y^2 = (15 m)^2               a curve
+      F: {value: 39.18 N, tolerance: 0.02}      with a tolerance of its own
+
+`tolerance: 0.01` at the top of the file is that of all answers. Answers never say yes, no, on or off.
+"""

@@ -1,0 +1,82 @@
+"""Examples: whole problem files.
+
+An unknown in a case, and a later question about it:
+
+    title: Spool pulled along a rough floor
+    plane: vertical
+    given: {m: 50 kg, k_G: 0.2 m, R: 0.45 m, r: 0.3 m, P: 100 N}
+    points: {C: [0, 0], G: [0, R], T: [0, R + r]}
+    surfaces: {floor: {through: C, angle: 0 deg}}
+    bodies: {spool: {disk: G, radius: R, hub: r, mass: m, radius_of_gyration: k_G}}
+    joints:
+      - rolling: {between: [spool, floor], at: C}
+    loads:
+      - force: {body: spool, wound_at: T, magnitude: P, angle: 0 deg}
+    instant: [at rest]
+    find: {alpha: alpha(spool), friction: friction(C).x}
+    cases:
+      no_friction:
+        unknowns: {k_G: m}
+        instant: [friction(C).x = 0]
+        find: {k_critical: k_G}
+    answers: {alpha: 6.186 rad/s^2 cw, friction: 39.18 N, k_critical: 0.3674 m}
+
+A blow, and the swing after it:
+
+    title: Rod struck while hanging
+    plane: vertical
+    points: {A: [0, 0], B: [0, -2 m], S: [0, -1.5 m]}
+    bodies: {rod: {rod: [A, B], mass: 12 kg}}
+    joints:
+      - pin: {at: A, between: [ground, rod]}
+    loads:
+      - impulse: {body: rod, at: S, magnitude: 1000 N * 0.03 s, angle: 0 deg, during: 1->2}
+    states:
+      1: [at rest]
+      2: [just after 1]
+      3: [omega(rod) = 0]
+    find: {omega_1: omega(rod) @ 2, kick: impulse(A).x @ 1->2, phi_max: theta(rod) @ 3 - theta(rod) @ 1 in deg}
+
+Does it slip, and when would it:
+
+    title: Ladder that may slip
+    plane: vertical
+    given: {m: 20 kg, l: 4 m, mu: 0.35}
+    coordinates: {beta: deg}
+    points: {A: [0, 0], B: {from: A, distance: l, angle: beta}}
+    surfaces: {floor: {through: A, angle: 0 deg}, wall: {through: B, angle: 90 deg}}
+    bodies: {ladder: {rod: [A, B], mass: m}}
+    joints:
+      - contact: {between: [ladder, floor], at: A, mu: mu}
+      - contact: {between: [ladder, wall], at: B, mu: 0}
+    cases:
+      leaning:
+        instant: [beta = 60 deg, at rest]
+        find: {stays: mode(A) = stick, foot: friction(A).x}
+      flattest:
+        instant: [at rest, mode(A) = stick, beta is smallest]
+        find: {beta_min: beta in deg}
+    answers: {stays: true, beta_min: 55.01 deg}
+
+Motion of a projectile, without a mass:
+
+    title: Projectile onto a falling slope
+    plane: vertical
+    bodies: {P: {particle: [0, 0], mass: any}}
+    states:
+      launch: [t = 0, v(P).mag = 10 m/s, v(P).angle = 45 deg]
+      B: [y(P) = -3/4*x(P)]
+    find: {d: r(P).mag @ B, t_B: t @ B, v_B: v(P) @ B in km/h}
+
+Kinematics, no masses at all:
+
+    title: Slider and crank
+    points: {O: [0, 0], A: {from: O, distance: 0.1 m, angle: 60 deg}, B: {y: 0, distances: {A: 0.3 m}, side: right}}
+    bodies: {crank: {rod: [O, A]}, rod: {rod: [A, B]}}
+    joints:
+      - pin: {at: O, between: [ground, crank]}
+      - pin: {at: A, between: [crank, rod]}
+      - guide: {point: B, along: 0 deg}
+    motion: [omega(crank) = 20 rad/s cw]
+    find: {v_B: v(B).x, a_B: a(B).x, omega_rod: omega(rod)}
+"""

@@ -1,0 +1,26 @@
+"""Loads: what acts on bodies.
+
+Weight acts by itself when `plane: vertical`; it is never written. `loads` is a list of entries, each one kind with its keys.
+Any entry may have `name:` and `during: 1->2`.
+
+    loads:
+      - force: {body: b, at: A, magnitude: 50 N, angle: 30 deg}    a particle needs no `at`; `wound_at: T` instead of `at`
+                                                                   for a cord that unwinds from the rim point T.
+                                                                   The direction: angle; or towards: P; or angle with
+                                                                   relative_to: b (turns with b)
+      - torque: {body: b, moment: 40 N*m}                          or between: [a, b]: on b, reversed on a
+      - spring: {between: [A, B], stiffness: 200 N/m, natural_length: 0.3 m}
+                                                                   or relaxed_at: [theta = 0]; acts: push or pull
+      - damper: {between: [A, B], coefficient: 20 N*s/m}
+      - drag: {body: b, magnitude: c*v(b).mag^2}                   always against the velocity
+      - impulse: {body: b, at: S, magnitude: 30 N*s, angle: 0 deg, during: 1->2}      or moment: 3 N*m*s
+      - stream: {body: b, rate: 4 kg/s, enters: {at: A, speed: 15 m/s, angle: 0 deg}, leaves: {at: B, speed: 15 m/s,
+                 angle: 90 deg}}                                   angles fixed in space, speeds relative to the body
+
+Magnitudes of force, torque and drag may use `t`, quantities, and tables of instants and values:
+
+    magnitude: 10 N/s * t
+    magnitude: {table: [[0 s, 0 N], [2 s, 50 N]]}
+
+A mass may vary too: `mass: M - q*t`. `planar explain force` (torque, spring, …) prints the page of each.
+"""

@@ -1,0 +1,30 @@
+"""Points and surfaces.
+
+Points are given as drawn: at the instant, or at the first state (with `coordinates`: always).
+
+    points:
+      A: [0, 0.2 m]                                     coordinates x, y
+      B: {from: A, distance: l, angle: 30 deg}
+      C: {from: A, towards: B, distance: l}
+      D: {midpoint: [A, B]}
+      E: {x: 0.3 m, distances: {A: l}}                  two facts out of:
+                                                          x: 1 m
+                                                          y: 2 m
+                                                          line: [A, 30 deg]         on the line through A
+                                                          distances: {A: l, B: d}   from points (one or two facts)
+      F: {distances: {A: l, B: d}, side: above}         where two places fit, `side` says which:
+                                                          left, right, above, below (the other one)
+
+A point of no body is fixed, unless it is written with a coordinate. A point that is named with a body in a joint or load
+belongs to that body. Sizes of points use names, not quantities and not the time.
+
+Surfaces
+
+    surfaces:
+      floor: {through: P, angle: 0 deg}                 a straight line
+      drum: {center: O, radius: R}                      a circle; bodies are inside or outside as drawn
+      bowl: {y: c*x^2}                                  a curve, x is its variable
+      spiral: {r: b*theta}                              a curve in polar coordinates, theta is its variable
+      top: {through: Q, angle: 0 deg, body: cart}       fixed to a moving body
+      conveyor: {through: C, angle: 0 deg, speed: u}    a belt whose surface runs along its angle with the speed u
+"""

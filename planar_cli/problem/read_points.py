@@ -1,0 +1,176 @@
+"""The sections `points` and `surfaces` of a file."""
+
+from __future__ import annotations
+
+from planar_cli.problem import reading
+from planar_cli.problem.expression import Side
+from planar_cli.problem.fields import Fields
+from planar_cli.problem.nodes import Node, Scalar, Sequence
+from planar_cli.problem.reading import Report
+from planar_cli.problem.scene import (
+    At,
+    Circle,
+    Curve,
+    Line,
+    Midpoint,
+    Place,
+    Point,
+    Polar,
+    Surface,
+    Towards,
+    TwoFacts,
+)
+
+POINT_KEYS = ("from", "distance", "angle", "towards", "midpoint", "x", "y", "line", "distances", "side")
+SURFACE_KEYS = ("through", "angle", "center", "radius", "y", "r", "body", "speed")
+SIDES = ("left", "right", "above", "below")
+POINT_EXAMPLE = "A: [0, 0.2 m]"
+POINT_FORMS = (
+    "`[x, y]`, `{from: A, distance: l, angle: 30 deg}`, `{from: A, towards: B, distance: l}`, `{midpoint: [A, B]}`, "
+    "or two facts of x, y, line: [A, 30 deg], distances: {A: l, B: d}"
+)
+SURFACE_FORMS = (
+    "a line `{through: P, angle: 0 deg}`, a circle `{center: O, radius: R}`, a curve `{y: c*x^2}` or `{r: b*theta}`"
+)
+
+
+def read_points(node: Node, report: Report) -> tuple[Point, ...]:
+    """All points, in the order of the file."""
+    read: list[Point] = []
+    for key, value in reading.pairs(node, "points", report, f"points: {{{POINT_EXAMPLE}}}"):
+        name = reading.name(key, "a name of a point", report)
+        place = _place(value, f"the point {key.text}", report)
+        if name and place is not None:
+            read.append(Point(name, place, key.mark))
+    return tuple(read)
+
+
+def coordinates(node: Sequence, report: Report) -> At | None:
+    """`[x, y]`; a bare 0 needs no unit."""
+    if len(node.items) == 2:
+        return At(reading.side(node.items[0], "x", report), reading.side(node.items[1], "y", report))
+    report.add(node.mark, "PL320", f"coordinates are two numbers, here are {len(node.items)}", "write `[0, 0.2 m]`")
+    return None
+
+
+def _place(node: Node, what: str, report: Report) -> Place | None:
+    if isinstance(node, Sequence):
+        return coordinates(node, report)
+    if isinstance(node, Scalar):
+        report.add(node.mark, "PL320", f"{what} has no place that can be read: '{node.text}'", POINT_FORMS)
+        return TwoFacts(None, None, None, (), None)
+    fields = Fields(node, POINT_KEYS, what, report)
+    if "midpoint" in fields:
+        return _midpoint(fields)
+    if "from" in fields:
+        return _from(fields)
+    return _two_facts(fields)
+
+
+def _alone(fields: Fields, keys: set[str]) -> None:
+    """Report keys that do not go together with `keys`."""
+    for extra in sorted(fields.present() - keys):
+        together = ", ".join(sorted(keys))
+        fields.report.add(
+            fields.place(extra), "PL321", f"'{extra}' does not go with {together} in {fields.what}", POINT_FORMS
+        )
+
+
+def _midpoint(fields: Fields) -> Midpoint:
+    _alone(fields, {"midpoint"})
+    a, b = pair_of_names(fields.node("midpoint"), "midpoint: [A, B]", fields.report)
+    return Midpoint(a, b)
+
+
+def pair_of_names(node: Node | None, example: str, report: Report) -> tuple[str, str]:
+    """Two names of points; "" for one that cannot be read."""
+    if node is None:
+        return "", ""
+    if not isinstance(node, Sequence) or len(node.items) != 2:
+        report.add(node.mark, "PL322", "here stand the names of two points", f"write `{example}`")
+        return "", ""
+    return reading.name(node.items[0], "a point", report), reading.name(node.items[1], "a point", report)
+
+
+def _from(fields: Fields) -> Polar | Towards:
+    origin = fields.need_name("from", "a point")
+    distance = fields.need_side("distance")
+    if "towards" in fields:
+        _alone(fields, {"from", "distance", "towards"})
+        return Towards(origin, fields.need_name("towards", "a point"), distance)
+    _alone(fields, {"from", "distance", "angle"})
+    return Polar(origin, distance, fields.need_side("angle", "or `towards:` another point"))
+
+
+def _two_facts(fields: Fields) -> TwoFacts:
+    line = _line(fields)
+    distances = _distances(fields)
+    facts = len(distances) + sum(key in fields for key in ("x", "y", "line"))
+    stray = fields.present() & {"distance", "angle", "towards"}
+    if stray:
+        fields.report.add(fields.place(min(stray)), "PL321", f"{fields.what} needs the key 'from'", POINT_FORMS)
+    elif facts != 2 and fields.readable:
+        fields.report.add(
+            fields.mark, "PL323", f"{fields.what} is fixed by two facts, here are {facts}", POINT_FORMS
+        )
+    return TwoFacts(fields.side("x"), fields.side("y"), line, distances, _side_word(fields))
+
+
+def _side_word(fields: Fields) -> str | None:
+    node = fields.node("side")
+    if node is None:
+        return None
+    word = reading.text(node, "side", fields.report)
+    if word and word not in SIDES:
+        fields.report.add(node.mark, "PL324", f"'{word}' is no side", reading.did_you_mean(word, SIDES, "write "))
+    return word if word in SIDES else None
+
+
+def _line(fields: Fields) -> tuple[str, Side] | None:
+    node = fields.node("line")
+    if node is None:
+        return None
+    if not isinstance(node, Sequence) or len(node.items) != 2:
+        fields.report.add(node.mark, "PL322", "a line is a point and an angle", "write `line: [A, 30 deg]`")
+        return None
+    return reading.name(node.items[0], "a point", fields.report), reading.side(node.items[1], "angle", fields.report)
+
+
+def _distances(fields: Fields) -> tuple[tuple[str, Side], ...]:
+    node = fields.node("distances")
+    if node is None:
+        return ()
+    return tuple(
+        (reading.name(key, "a point", fields.report), reading.side(value, "distance", fields.report))
+        for key, value in reading.pairs(node, "distances", fields.report, "distances: {A: l, B: d}")
+    )
+
+
+def read_surfaces(node: Node, report: Report) -> tuple[Surface, ...]:
+    """All surfaces, in the order of the file."""
+    read: list[Surface] = []
+    for key, value in reading.pairs(node, "surfaces", report, "surfaces: {floor: {through: P, angle: 0 deg}}"):
+        name = reading.name(key, "a name of a surface", report)
+        fields = Fields(value, SURFACE_KEYS, f"the surface {key.text}", report)
+        shape = _surface_shape(fields)
+        if name and shape is not None:
+            body = fields.name("body", "a body")
+            read.append(Surface(name, shape, body, fields.side("speed"), key.mark))
+    return tuple(read)
+
+
+def _surface_shape(fields: Fields) -> Line | Circle | Curve | None:
+    kinds = [key for key in ("through", "center", "y", "r") if key in fields]
+    if len(kinds) != 1:
+        if fields.readable:
+            fields.report.add(fields.mark, "PL325", f"{fields.what} has one shape, here are {len(kinds)}", SURFACE_FORMS)
+        return None
+    kind = kinds[0]
+    own = {"through": {"through", "angle"}, "center": {"center", "radius"}, "y": {"y"}, "r": {"r"}}[kind]
+    for extra in sorted(fields.present() - own - {"body", "speed"}):
+        fields.report.add(fields.place(extra), "PL325", f"'{extra}' does not go with '{kind}'", SURFACE_FORMS)
+    if kind == "through":
+        return Line(fields.need_name("through", "a point"), fields.need_side("angle"))
+    if kind == "center":
+        return Circle(fields.need_name("center", "a point"), fields.need_side("radius"))
+    return Curve(kind, fields.need_side(kind))

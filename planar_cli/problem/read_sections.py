@@ -1,0 +1,209 @@
+"""The plain sections of a file: words, names with values or units, lists of relations, states, finds, answers."""
+
+from __future__ import annotations
+
+import re
+
+from planar_cli.problem import reading
+from planar_cli.problem.expression import Law, Number, Relation, Scaled, Side, Statement
+from planar_cli.problem.fields import Fields
+from planar_cli.problem.nodes import Mapping, Node, Scalar, Sequence
+from planar_cli.problem.scene import Answer, Find, State, Symbol
+from planar_cli.problem.walk import walk
+from planar_cli.units import UnitError, parse_unit
+
+PLANES = ("vertical", "horizontal")
+METHODS = ("newton", "dalembert", "energy", "momentum")
+ANSWER_KEYS = ("value", "tolerance")
+RANGE_KEYS = ("from", "to", "step")
+FIGURE_KEYS = ("hide",)
+ATOM = re.compile(r"[A-Za-z]+")
+US_ATOMS = frozenset("in ft yd mi lb slug lbf kip psi hp mph".split())
+NEUTRAL_ATOMS = frozenset("s ms min h deg rad rev rpm Hz kHz".split())
+
+
+def words(whole: Fields, key: str) -> str:
+    """The words at `title`, `text`, `source` or `note`; "" where there are none."""
+    node = whole.node(key)
+    return "" if node is None else reading.text(node, key, whole.report)
+
+
+def one_of(whole: Fields, key: str, allowed: tuple[str, ...]) -> str | None:
+    """One of some words, or None."""
+    node = whole.node(key)
+    if node is None:
+        return None
+    word = reading.text(node, key, whole.report)
+    if word in allowed:
+        return word
+    hint = reading.did_you_mean(word, allowed, "write ")
+    whole.report.add(node.mark, "PL317", f"'{word}' does not stand at '{key}'", hint)
+    return None
+
+
+def given(whole: Fields) -> tuple[Symbol, ...]:
+    """`given`: names with values."""
+    node = whole.node("given")
+    if node is None:
+        return ()
+    return tuple(
+        Symbol(key.text, reading.side(value, f"the value of {key.text}", whole.report), None, key.mark)
+        for key, value in reading.pairs(node, "given", whole.report, "given: {m: 50 kg}")
+        if _is_name(key, whole)
+    )
+
+
+def _is_name(key: Scalar, whole: Fields) -> bool:
+    return bool(reading.name(key, "a name", whole.report))
+
+
+def with_units(whole: Fields, section: str) -> tuple[Symbol, ...]:
+    """`symbols`, `unknowns`, `coordinates`: names with units, `1` for a pure number."""
+    node = whole.node(section)
+    if node is None:
+        return ()
+    example = {"symbols": "symbols: {L: m}", "unknowns": "unknowns: {F: N}"}.get(section, "coordinates: {theta: deg}")
+    return tuple(
+        Symbol(key.text, None, _unit(key, value, section, whole), key.mark)
+        for key, value in reading.pairs(node, section, whole.report, example)
+        if _is_name(key, whole)
+    )
+
+
+def _unit(key: Scalar, node: Node, section: str, whole: Fields) -> str:
+    """The unit of a name; `1` stands in where it cannot be read."""
+    word = reading.text(node, f"the unit of {key.text}", whole.report)
+    if not word:
+        return ""
+    try:
+        return parse_unit(word).text
+    except UnitError as error:
+        hint = error.hint
+        if re.match(r"-?[0-9.]+\s*\S", word) and word != "1":
+            hint = f"'{section}' has units only; a name with a value goes under `given`"
+        whole.report.add(node.mark, "PL340", f"'{word}' is no unit for {key.text}: {error.message}", hint)
+        return ""
+
+
+def statements(whole: Fields, key: str) -> tuple[Statement, ...] | None:
+    """A list of relations, or None where the key is not there."""
+    node = whole.node(key)
+    return None if node is None else reading.statements(node, key, whole.report)
+
+
+def motion(whole: Fields) -> tuple[Law, ...]:
+    """The list `motion`."""
+    node = whole.node("motion")
+    return () if node is None else reading.laws(node, whole.report)
+
+
+def states(whole: Fields) -> tuple[State, ...]:
+    """`states`: names with lists of relations."""
+    node = whole.node("states")
+    if node is None:
+        return ()
+    read: list[State] = []
+    for key, value in reading.pairs(node, "states", whole.report, "states: {1: [at rest], 2: [theta = 0]}"):
+        name = reading.state(key, whole.report)
+        relations = reading.statements(value, f"the state {key.text}", whole.report)
+        if name:
+            read.append(State(name, relations, key.mark))
+    return tuple(read)
+
+
+def finds(whole: Fields) -> tuple[Find, ...]:
+    """`find`: names with what is asked."""
+    node = whole.node("find")
+    if node is None:
+        return ()
+    read: list[Find] = []
+    if isinstance(node, Sequence):
+        _refuse_list(node, whole)
+        return ()
+    for key, value in reading.pairs(node, "find", whole.report, "find: {v: v(B).mag}"):
+        if not _is_name(key, whole):
+            continue
+        what = reading.found(value, whole.report)
+        if what is not None:
+            read.append(Find(key.text, what, key.mark))
+    return tuple(read)
+
+
+def _refuse_list(node: Sequence, whole: Fields) -> None:
+    first = node.items[0] if node.items else None
+    said = first.text if isinstance(first, Scalar) else "v(B).mag"
+    whole.report.add(node.mark, "PL301", "find holds names with what is asked, not a list", f"write `find: {{answer: {said}}}`")
+
+
+def answers(whole: Fields) -> tuple[Answer, ...]:
+    """`answers`: what a key says of each find."""
+    node = whole.node("answers")
+    if node is None:
+        return ()
+    return tuple(
+        _answer(key, value, whole)
+        for key, value in reading.pairs(node, "answers", whole.report, "answers: {alpha: 6.186 rad/s^2 cw}")
+        if _is_name(key, whole)
+    )
+
+
+def _answer(key: Scalar, node: Node, whole: Fields) -> Answer:
+    if not isinstance(node, Mapping):
+        return Answer(key.text, _answer_value(key, node, whole), None, key.mark)
+    fields = Fields(node, ANSWER_KEYS, f"the answer {key.text}", whole.report)
+    value = fields.need("value", "write `{value: 6.19 rad/s^2, tolerance: 0.02}`")
+    read = "" if value is None else _answer_value(key, value, whole)
+    return Answer(key.text, read, fields.side("tolerance"), key.mark)
+
+
+def _answer_value(key: Scalar, node: Node, whole: Fields) -> Side | tuple[Side, Side] | bool | str:
+    """A pair is a vector; true or false a verdict; what else cannot be read as mathematics is an error."""
+    if isinstance(node, Sequence):
+        if len(node.items) == 2:
+            x, y = (reading.side(item, f"the answer {key.text}", whole.report) for item in node.items)
+            return x, y
+        whole.report.add(node.mark, "PL341", f"a vector has two parts, here are {len(node.items)}", "write `[3 m, 4 m]`")
+        return ""
+    if isinstance(node, Scalar) and node.text in ("true", "false"):
+        return node.text == "true"
+    if isinstance(node, Scalar) and node.text.lower() in ("yes", "no", "on", "off"):
+        said = "true" if node.text.lower() in ("yes", "on") else "false"
+        whole.report.add(node.mark, "PL342", f"'{node.text}' is no answer", f"write `{said}`")
+        return ""
+    if isinstance(node, Scalar) and "=" in node.text:
+        # The equation of a curve; its x and y are those of the plane, not names of the file.
+        equation = reading.statement(node, whole.report)
+        return equation.text if isinstance(equation, Relation) else ""
+    return reading.side(node, f"the answer {key.text}", whole.report)
+
+
+def check_extras(whole: Fields) -> None:
+    """The form of `variants` and `figure`, which the solution itself does not need."""
+    node = whole.node("variants")
+    for key, value in [] if node is None else reading.pairs(node, "variants", whole.report, "variants: {l: [3 m, 4 m]}"):
+        _check_variant(key, value, whole)
+    node = whole.node("figure")
+    if node is not None:
+        hide = Fields(node, FIGURE_KEYS, "figure", whole.report).node("hide")
+        for item in [] if hide is None else reading.items(hide, "hide", whole.report, "figure: {hide: [W]}"):
+            reading.name(item, "a name", whole.report)
+
+
+def _check_variant(key: Scalar, node: Node, whole: Fields) -> None:
+    if isinstance(node, Sequence):
+        for item in node.items:
+            reading.side(item, f"a value of {key.text}", whole.report)
+        return
+    fields = Fields(node, RANGE_KEYS, f"the variant {key.text}", whole.report)
+    for part in RANGE_KEYS:
+        fields.need_side(part, "write `{from: 1 kg, to: 5 kg, step: 0.5 kg}`")
+
+
+def is_us(symbols: tuple[Symbol, ...]) -> bool:
+    """Are all dimensional numbers of `given` in US customary units? Times and angles count neither way."""
+    atoms = {atom for s in symbols if s.value is not None for unit in _units_in(s.value) for atom in ATOM.findall(unit)}
+    return bool(atoms & US_ATOMS) and atoms <= US_ATOMS | NEUTRAL_ATOMS
+
+
+def _units_in(side: Side) -> list[str]:
+    return [node.unit for node in walk(side) if isinstance(node, Number | Scaled) and node.unit]

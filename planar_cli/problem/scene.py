@@ -1,0 +1,275 @@
+"""What a problem file says, as frozen values: the result of reading, the input of everything else.
+
+Formulas stay syntax trees (`expression.py`); nothing is evaluated here and SymPy is not needed.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from planar_cli.errors import Mark
+from planar_cli.problem.expression import Found, Law, Side, Statement
+
+if TYPE_CHECKING:
+    from planar_cli.joints.base import Joint
+    from planar_cli.loads.base import Load
+
+GROUND = "ground"
+
+
+@dataclass(frozen=True, slots=True)
+class Symbol:
+    """A name of `given` (value set), `symbols`, `unknowns` or `coordinates` (unit set)."""
+
+    name: str
+    value: Side | None
+    unit: str | None
+    mark: Mark
+
+
+@dataclass(frozen=True, slots=True)
+class At:
+    """A point by coordinates."""
+
+    x: Side
+    y: Side
+
+
+@dataclass(frozen=True, slots=True)
+class Polar:
+    """A point at `distance` from `origin` in the direction `angle`."""
+
+    origin: str
+    distance: Side
+    angle: Side
+
+
+@dataclass(frozen=True, slots=True)
+class Towards:
+    """A point at `distance` from `origin` in the direction of `towards`."""
+
+    origin: str
+    towards: str
+    distance: Side
+
+
+@dataclass(frozen=True, slots=True)
+class Midpoint:
+    """The point half-way between two."""
+
+    a: str
+    b: str
+
+
+@dataclass(frozen=True, slots=True)
+class TwoFacts:
+    """A point by two of: x, y, a line (through a point, at an angle), distances from points.
+
+    Where two places fit, `side` chooses: left, right, above or below the other place.
+    """
+
+    x: Side | None
+    y: Side | None
+    line: tuple[str, Side] | None
+    distances: tuple[tuple[str, Side], ...]
+    side: str | None
+
+
+Place = At | Polar | Towards | Midpoint | TwoFacts
+
+
+@dataclass(frozen=True, slots=True)
+class Point:
+    name: str
+    place: Place
+    mark: Mark
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    through: str
+    angle: Side
+
+
+@dataclass(frozen=True, slots=True)
+class Circle:
+    center: str
+    radius: Side
+
+
+@dataclass(frozen=True, slots=True)
+class Curve:
+    """`y: c*x^2` (variable x) or `r: b*theta` (variable theta): `kind` is "y" or "r"."""
+
+    kind: str
+    formula: Side
+
+
+@dataclass(frozen=True, slots=True)
+class Surface:
+    """`body`: the body that carries it (None: the ground); `speed`: of a belt running along its angle."""
+
+    name: str
+    shape: Line | Circle | Curve
+    body: str | None
+    speed: Side | None
+    mark: Mark
+
+
+@dataclass(frozen=True, slots=True)
+class Particle:
+    """`place`: a point's name, coordinates, or None (`free`: from the relations)."""
+
+    place: str | At | None
+
+
+@dataclass(frozen=True, slots=True)
+class Rod:
+    """Uniform slender rod: from `start` to `end`, or from `start` in the direction `angle`; `length` if a place is open."""
+
+    start: str
+    end: str | None
+    angle: Side | None
+    length: Side | None
+
+
+@dataclass(frozen=True, slots=True)
+class Round:
+    """`kind`: disk, ring or sphere. `hub`: the radius of a second, concentric step."""
+
+    kind: str
+    center: str
+    radius: Side
+    hub: Side | None
+
+
+@dataclass(frozen=True, slots=True)
+class Sector:
+    """Circular sector with its apex at `apex`; `span` is the opening angle, `angle` the direction of its axis."""
+
+    apex: str
+    radius: Side
+    span: Side
+    angle: Side | None
+
+
+@dataclass(frozen=True, slots=True)
+class Plate:
+    """Rectangle about its centre; `angle` is the direction of its width."""
+
+    center: str
+    width: Side
+    height: Side
+    angle: Side | None
+
+
+@dataclass(frozen=True, slots=True)
+class Outline:
+    """Any other shape: some of its points and, if known, its mass centre."""
+
+    center: str | None
+
+
+@dataclass(frozen=True, slots=True)
+class Piece:
+    """A part of a composite; a hole has minus mass. `inertia`, `gyration`: about the part's own mass centre."""
+
+    shape: Shape
+    mass: Side | None
+    inertia: Side | None
+    mark: Mark
+    weight: Side | None = None
+    gyration: Side | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Composite:
+    pieces: tuple[Piece, ...]
+
+
+Shape = Particle | Rod | Round | Sector | Plate | Outline | Composite
+
+
+@dataclass(frozen=True, slots=True)
+class Body:
+    """`mass`, `weight`: one of them or neither (massless); `any_mass`: `mass: any`, must cancel.
+
+    `inertia`, `gyration` replace the uniform value; about the mass centre, or about the point `about`.
+    `points`: further named points that belong to the body.
+    """
+
+    name: str
+    shape: Shape
+    mass: Side | None
+    weight: Side | None
+    any_mass: bool
+    inertia: Side | None
+    gyration: Side | None
+    about: str | None
+    points: tuple[str, ...]
+    mark: Mark
+
+
+@dataclass(frozen=True, slots=True)
+class State:
+    name: str
+    relations: tuple[Statement, ...]
+    mark: Mark
+
+
+@dataclass(frozen=True, slots=True)
+class Find:
+    name: str
+    found: Found
+    mark: Mark
+
+
+@dataclass(frozen=True, slots=True)
+class Answer:
+    """What a key says of one find: a side with unit, a pair of sides, a truth value, or words."""
+
+    name: str
+    value: Side | tuple[Side, Side] | bool | str
+    tolerance: Side | None
+    mark: Mark
+
+
+@dataclass(frozen=True, slots=True)
+class Case:
+    """The file with the changes of one case; `problem.find` holds that case's finds only."""
+
+    name: str
+    problem: Problem
+    mark: Mark
+
+
+@dataclass(frozen=True, slots=True)
+class Problem:
+    """A whole problem file. `plane`: vertical, horizontal, or None. `us`: all of `given` is in US customary units."""
+
+    file: str
+    title: str
+    text: str
+    source: str
+    note: str
+    plane: str | None
+    given: tuple[Symbol, ...]
+    symbols: tuple[Symbol, ...]
+    unknowns: tuple[Symbol, ...]
+    coordinates: tuple[Symbol, ...]
+    assume: tuple[Statement, ...]
+    points: tuple[Point, ...]
+    surfaces: tuple[Surface, ...]
+    bodies: tuple[Body, ...]
+    joints: tuple[Joint, ...]
+    loads: tuple[Load, ...]
+    motion: tuple[Law, ...]
+    instant: tuple[Statement, ...] | None
+    states: tuple[State, ...]
+    find: tuple[Find, ...]
+    cases: tuple[Case, ...]
+    answers: tuple[Answer, ...]
+    tolerance: Side | None
+    method: str | None
+    us: bool

@@ -1,0 +1,181 @@
+"""The JSON Schema (draft-07) of problem files, made from the same declarations by which files are read.
+
+It helps editors: it knows keys, kinds and forms. What lines of mathematics say is left to `planar validate`.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any
+
+from planar_cli.problem.keys import (
+    BodyKey,
+    Choice,
+    DirectionKey,
+    FlagKey,
+    FlowKey,
+    KeySpec,
+    KeyType,
+    MagnitudeKey,
+    PartnersKey,
+    PointKey,
+    PointPairKey,
+    RopePathKey,
+    SideKey,
+    StatementsKey,
+    WordKey,
+    keys_of,
+)
+from planar_cli.problem.read_points import SIDES
+from planar_cli.problem.read_sections import METHODS, PLANES
+from planar_cli.problem.schema_bodies import BODY
+from planar_cli.problem.schema_parts import NAME, SIDE, TEXT, group, listing, named, record, ref
+from planar_cli.registry import members
+
+Schema = dict[str, Any]
+
+STATEMENT: Schema = {"type": "string", "description": "one relation: `v(P).mag = 2 m/s`, `at rest`, `X is largest`"}
+SPAN: Schema = {"type": "string", "pattern": r"^\s*\w+\s*->\s*\w+\s*$", "description": "acts only between these states"}
+TITLES = {
+    "title": "what the problem is called",
+    "text": "what the student reads",
+    "source": "where the problem comes from",
+    "note": "how the answers were found",
+}
+
+
+@cache
+def schema() -> Schema:
+    """The whole schema."""
+    cases = record({**_sections(), "find": ref("finds")}, [])
+    return {
+        "$schema": "http://json-schema.org/draft-07/schema#",
+        "title": "planar problem file",
+        **record({**_sections(), **_own(), "cases": named(cases, "name: any keys above")}, []),
+        "definitions": {
+            "name": NAME,
+            "side": SIDE,
+            "statement": STATEMENT,
+            "statements": listing(ref("statement"), 0),
+            "finds": named(TEXT, "name: quantity, expression or relation, with `in unit` if wanted"),
+            "point": _point(),
+            "surface": _surface(),
+            "body": BODY,
+            "joint": _member("joints"),
+            "load": _member("loads"),
+        },
+    }
+
+
+def _sections() -> Schema:
+    """The sections that a file and its cases have in common."""
+    values = named(ref("side"), "name: value")
+    units = named({"type": ["string", "number"]}, "name: unit; `1` for a pure number")
+    return {
+        **{key: {"type": "string", "description": words} for key, words in TITLES.items()},
+        "plane": {"enum": list(PLANES), "description": "vertical: weight acts, -y"},
+        "given": values,
+        "symbols": {**units, "description": "known, kept as letters: name: unit"},
+        "unknowns": {**units, "description": "to be solved for: name: unit"},
+        "coordinates": {**units, "description": "positions that vary: name: unit"},
+        "assume": {**ref("statements"), "description": "relations between names that hold by choice"},
+        "points": named(ref("point"), "name: place, as drawn"),
+        "surfaces": named(ref("surface"), "name: line, circle or curve"),
+        "bodies": named(ref("body"), "name: shape and mass"),
+        "joints": listing(ref("joint"), 0),
+        "loads": listing(ref("load"), 0),
+        "motion": listing(ref("statement"), 0),
+        "instant": ref("statements"),
+        "states": {"type": "object", "additionalProperties": ref("statements")},
+    }
+
+
+def _own() -> Schema:
+    """The sections that only a file has."""
+    value = {"anyOf": [ref("side"), {"type": "boolean"}, listing(ref("side"), 2, 2)]}
+    variant = {"anyOf": [listing(ref("side"), 1), record(dict.fromkeys(("from", "to", "step"), ref("side")), ["from", "to", "step"])]}
+    answer = {"anyOf": [value, record({"value": value, "tolerance": ref("side")}, ["value"])]}
+    return {
+        "find": ref("finds"),
+        "answers": named(answer, "what a key says, by find name"),
+        "tolerance": ref("side"),
+        "method": {"enum": list(METHODS)},
+        "variants": named(variant, "ranges or lists of given values"),
+        "figure": record({"hide": listing(ref("name"), 0)}, []),
+    }
+
+
+def _point() -> Schema:
+    name, side = ref("name"), ref("side")
+    facts = {
+        "x": side,
+        "y": side,
+        "line": {"type": "array", "items": [name, side], "minItems": 2, "maxItems": 2},
+        "distances": named(side, "point: distance"),
+        "side": {"enum": list(SIDES)},
+    }
+    return {
+        "anyOf": [
+            listing(side, 2, 2),
+            record({"from": name, "distance": side, "angle": side}, ["from", "distance", "angle"]),
+            record({"from": name, "towards": name, "distance": side}, ["from", "towards", "distance"]),
+            record({"midpoint": listing(name, 2, 2)}, ["midpoint"]),
+            record(facts, []),
+        ]
+    }
+
+
+def _surface() -> Schema:
+    name, side = ref("name"), ref("side")
+    extra = {"body": name, "speed": side}
+    return {
+        "anyOf": [
+            record({"through": name, "angle": side, **extra}, ["through", "angle"]),
+            record({"center": name, "radius": side, **extra}, ["center", "radius"]),
+            record({"y": side, **extra}, ["y"]),
+            record({"r": side, **extra}, ["r"]),
+        ]
+    }
+
+
+def _member(shelf: str) -> Schema:
+    """One entry of `joints` or `loads`: an object with one key, its kind."""
+    kinds = {kind: _kind(member) for kind, member in members(shelf).items() if kind != "weight"}
+    return {"type": "object", "properties": kinds, "additionalProperties": False, "minProperties": 1, "maxProperties": 1}
+
+
+def _kind(member: type) -> Schema:
+    specs = keys_of(member)
+    choices: tuple[Choice, ...] = vars(member).get("choices", ())
+    keys = {spec.name: {**_key(spec.type, spec), "description": spec.doc} for spec in specs}
+    keys |= {"name": ref("name"), "during": SPAN}
+    made = record(keys, [spec.name for spec in specs if spec.required])
+    made["description"] = (member.__doc__ or "").partition("\n")[0]
+    if choices:
+        made["allOf"] = [{"oneOf": [group(g, choice.names()) for g in choice.groups]} for choice in choices]
+    return made
+
+
+def _key(key_type: KeyType, spec: KeySpec) -> Schema:
+    match key_type:
+        case PointKey() | BodyKey():
+            return {**NAME}
+        case PointPairKey():
+            return listing(ref("name"), 2, 2)
+        case PartnersKey(most=most):
+            return listing(ref("name"), 2, most)
+        case SideKey() | DirectionKey():
+            return {**SIDE}
+        case MagnitudeKey():
+            table = record({"table": listing(listing(ref("side"), 2, 2), 1)}, ["table"])
+            return {"anyOf": [ref("side"), table]}
+        case FlagKey():
+            return {"type": "boolean"}
+        case WordKey(words=words):
+            return {"enum": list(words)}
+        case StatementsKey():
+            return listing(ref("statement"), 1)
+        case RopePathKey():
+            return listing({"type": "string", "pattern": r"^\s*((over|under)\s+)?\w+(\s+on\s+\w+)?\s*$"}, 2)
+        case FlowKey():
+            return record({"at": ref("name"), "speed": ref("side"), "angle": ref("side")}, ["at", "speed", "angle"])

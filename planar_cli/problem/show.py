@@ -1,0 +1,49 @@
+"""A diagnostic as text: place, code, message, the line of the file with a caret, and the hint."""
+
+from __future__ import annotations
+
+from planar_cli.errors import Diagnostic
+
+WIDTH = 110
+MAX_TEXT = 600
+
+
+def show_diagnostic(diagnostic: Diagnostic, source_text: str) -> str:
+    """`file:line:column: CODE message`, the source line, a caret under the column, and `hint: …` if there is one.
+
+    Nothing that comes from a file is printed raw: control and other invisible characters become escapes.
+    """
+    mark = diagnostic.mark
+    place = f"{visible(mark.file)}:{mark.line}:{mark.column}: " if mark.line > 0 else ""
+    lines = [f"{place}{diagnostic.code} {visible(diagnostic.message)}"]
+    source = source_text.removeprefix("\ufeff").splitlines()
+    if 0 < mark.line <= len(source):
+        lines.extend(_excerpt(source[mark.line - 1], mark.column))
+    if diagnostic.hint:
+        lines.append(f"hint: {visible(diagnostic.hint)}")
+    return "\n".join(lines)
+
+
+def visible(text: str) -> str:
+    """The text with every character that does not print as itself written as an escape, cut if it is very long."""
+    cut = text if len(text) <= MAX_TEXT else text[:MAX_TEXT] + "…"
+    return "".join(map(_visible_character, cut))
+
+
+def _visible_character(character: str) -> str:
+    if character.isprintable():
+        return character
+    code = ord(character)
+    return f"\\x{code:02x}" if code < 0x100 else f"\\u{code:04x}" if code < 0x10000 else f"\\U{code:08x}"
+
+
+def _excerpt(line: str, column: int) -> list[str]:
+    """The line and the caret line, cut to the neighbourhood of the column."""
+    line = line.replace("\t", " ")
+    position = min(max(column - 1, 0), len(line))
+    begin = max(0, position - WIDTH + 30) if len(line) > WIDTH else 0
+    before, after = visible(line[begin:position]), visible(line[position : begin + WIDTH])
+    head = "…" if begin else ""
+    tail = "…" if begin + WIDTH < len(line) else ""
+    indent = " " * (len(head) + len(before))
+    return [f"  {head}{before}{after}{tail}", f"  {indent}^"]

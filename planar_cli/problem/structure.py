@@ -1,0 +1,164 @@
+"""Nodes to a typed `Problem`: every section read, every case merged, everything wrong gathered.
+
+    path -> nodes -> read sections (read_points, read_bodies, read_members, read_cases) -> Problem -> checks
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from planar_cli.errors import Diagnostic
+from planar_cli.joints.base import Joint
+from planar_cli.loads.base import Load
+from planar_cli.problem import read_sections as sections
+from planar_cli.problem import reading
+from planar_cli.problem.checks import check
+from planar_cli.problem.fields import Fields
+from planar_cli.problem.nodes import Mapping, Node, read_file, read_text
+from planar_cli.problem.read_bodies import read_bodies
+from planar_cli.problem.read_cases import OWN, merged
+from planar_cli.problem.read_members import read_joints, read_loads
+from planar_cli.problem.read_points import read_points, read_surfaces
+from planar_cli.problem.read_values import Names
+from planar_cli.problem.reading import Report
+from planar_cli.problem.scene import Body, Case, Point, Problem, Surface
+
+Scene = tuple[tuple[Point, ...], tuple[Surface, ...], tuple[Body, ...], tuple[Joint, ...], tuple[Load, ...]]
+
+WORDS = ("title", "text", "source", "note")
+KEYS = (
+    *WORDS,
+    *("plane", "given", "symbols", "unknowns", "assume", "coordinates", "points", "surfaces", "bodies", "joints", "loads"),
+    *("motion", "instant", "states", "find", "cases", "answers", "tolerance", "method", "variants", "figure"),
+)
+CASE_KEYS = tuple(key for key in KEYS if key not in OWN or key == "find")
+SCENE_KEYS = ("points", "surfaces", "bodies", "joints", "loads")
+SLIPS = {
+    "forces": "write `loads: [- force: …]`",
+    "constraints": "write them in `joints`, `motion` or `instant`",
+    "gravity": "write `plane: vertical`; weight then acts by itself",
+    "g": "write `given: {g: 1.62 m/s^2}`; without it g is 9.81 m/s^2",
+    "initial": "write `instant: [at rest]`, or the first of the `states`",
+    "conditions": "write `instant: [at rest]`, or `states`",
+    "parameters": "write `given` for numbers, `symbols` for letters",
+    "constants": "write `given` for numbers, `symbols` for letters",
+    "variables": "write `unknowns`, or `coordinates` for positions that vary",
+    "solve": "write `find: {name: quantity}`",
+    "solution": "write `answers: {name: value}`",
+    "description": "write `text: >-` and indented lines",
+    "name": "write `title: …`",
+    "units": "units follow each number; a find may end with `in km/h`",
+}
+
+
+def load(path: str) -> tuple[Problem | None, list[Diagnostic], str]:
+    """Read a problem file (`-`: standard input).
+
+    Returns the problem (None where there is none to speak of), all that is wrong in the order of the file, and the text
+    of the file for messages. The problem is fit for use only when nothing is wrong.
+    """
+    source, node, wrong = read_file(path)
+    return (*_problem(path, node, wrong), source)
+
+
+def load_text(text: str, file: str = "<text>") -> tuple[Problem | None, list[Diagnostic]]:
+    """As `load`, from a text already at hand."""
+    node, wrong = read_text(text, file)
+    return _problem(file, node, wrong)
+
+
+def _problem(file: str, node: Node | None, wrong: list[Diagnostic]) -> tuple[Problem | None, list[Diagnostic]]:
+    report = Report()
+    for diagnostic in wrong:
+        report.take(diagnostic)
+    if node is None:
+        return None, report.sorted()
+    problem = read_problem(file, node, report)
+    for diagnostic in check(problem):
+        report.take(diagnostic)
+    found = report.sorted()
+    return (None if found else problem), found
+
+
+def read_problem(file: str, node: Node, report: Report) -> Problem:
+    """The whole file, with its cases."""
+    if not isinstance(node, Mapping):
+        report.add(node.mark, "PL301", f"a problem file holds names with values, not {reading.shape_of(node)}", "begin with `title: …`")
+        node = Mapping((), node.mark)
+    whole = Fields(node, KEYS, "a problem file", report, SLIPS)
+    base = _read(file, whole)
+    cases = tuple(_cases(file, node, whole))
+    sections.check_extras(whole)
+    return replace(base, cases=cases, answers=sections.answers(whole))
+
+
+def _cases(file: str, base: Mapping, whole: Fields) -> list[Case]:
+    node = whole.node("cases")
+    if node is None:
+        return []
+    known = Mapping(tuple(pair for pair in base.pairs if pair[0].text in KEYS), base.mark)
+    read: list[Case] = []
+    for key, value in reading.pairs(node, "cases", whole.report, "cases: {smooth: {given: {mu: 0}, find: {…}}}"):
+        name = reading.name(key, "a name of a case", whole.report)
+        what = f"the case {key.text}"
+        if not isinstance(value, Mapping):
+            reading.pairs(value, what, whole.report, "find: {…}")
+            continue
+        Fields(value, CASE_KEYS, what, whole.report, SLIPS)
+        allowed = Mapping(tuple(pair for pair in value.pairs if pair[0].text in CASE_KEYS), value.mark)
+        problem = _read(file, Fields(merged(known, allowed), KEYS, what, whole.report))
+        if name:
+            read.append(Case(name, problem, key.mark))
+    return read
+
+
+def _read(file: str, whole: Fields) -> Problem:
+    """One file, or one case of it, without its cases and answers."""
+    given = sections.given(whole)
+    symbols, unknowns, coordinates = (sections.with_units(whole, key) for key in ("symbols", "unknowns", "coordinates"))
+    numbers = frozenset(s.name for s in (*given, *symbols, *unknowns, *coordinates))
+    points, surfaces, bodies, joints, loads = _scene(whole, numbers)
+    title, text, source, note = (sections.words(whole, key) for key in WORDS)
+    return Problem(
+        file=file,
+        title=title,
+        text=text,
+        source=source,
+        note=note,
+        plane=sections.one_of(whole, "plane", sections.PLANES),
+        given=given,
+        symbols=symbols,
+        unknowns=unknowns,
+        coordinates=coordinates,
+        assume=sections.statements(whole, "assume") or (),
+        points=points,
+        surfaces=surfaces,
+        bodies=bodies,
+        joints=joints,
+        loads=loads,
+        motion=sections.motion(whole),
+        instant=sections.statements(whole, "instant"),
+        states=sections.states(whole),
+        find=sections.finds(whole),
+        cases=(),
+        answers=(),
+        tolerance=whole.side("tolerance"),
+        method=sections.one_of(whole, "method", sections.METHODS),
+        us=sections.is_us(given),
+    )
+
+
+def _scene(whole: Fields, numbers: frozenset[str]) -> Scene:
+    """Points, surfaces, bodies, joints and loads."""
+    points, surfaces, bodies, joints, loads = (whole.node(key) for key in SCENE_KEYS)
+    report = whole.report
+    read_surface = () if surfaces is None else read_surfaces(surfaces, report)
+    read_body = () if bodies is None else read_bodies(bodies, report, numbers)
+    names = Names(frozenset(b.name for b in read_body), frozenset(s.name for s in read_surface))
+    return (
+        () if points is None else read_points(points, report),
+        read_surface,
+        read_body,
+        () if joints is None else read_joints(joints, names, report),
+        () if loads is None else read_loads(loads, names, report),
+    )

@@ -1,0 +1,349 @@
+"""SymPy expression in, printable formula out: a small tree that both notations write.
+
+SymPy keeps sums and products in an order of its own; here they get a reader's order. An expression that was built
+unevaluated keeps the order of its author.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from decimal import Decimal
+from typing import Any
+
+import sympy
+from sympy.core.function import AppliedUndef
+
+from planar_cli.report.numbers import significant
+from planar_cli.report.ordering import factor_key, term_key
+
+Values = Mapping[sympy.Symbol, str]
+
+
+@dataclass(frozen=True, slots=True)
+class Numeral:
+    """A number as text, perhaps with a minus sign or a degree sign; `given`: it stands for a symbol."""
+
+    text: str
+    given: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Variable:
+    """A name of the file."""
+
+    name: str
+
+
+@dataclass(frozen=True, slots=True)
+class Sum:
+    """Terms; True: the term is subtracted."""
+
+    terms: tuple[tuple[bool, Formula], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Negative:
+    inside: Formula
+
+
+@dataclass(frozen=True, slots=True)
+class Product:
+    factors: tuple[Formula, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Quotient:
+    above: Formula
+    below: Formula
+
+
+@dataclass(frozen=True, slots=True)
+class Power:
+    base: Formula
+    exponent: Formula
+
+
+@dataclass(frozen=True, slots=True)
+class Root:
+    inside: Formula
+
+
+@dataclass(frozen=True, slots=True)
+class Bars:
+    """An absolute value."""
+
+    inside: Formula
+
+
+@dataclass(frozen=True, slots=True)
+class Call:
+    """A function of arguments, raised to a power (1: not raised); `bare` if it needs no brackets: cos θ."""
+
+    function: str
+    arguments: tuple[Formula, ...]
+    exponent: int
+    bare: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Compared:
+    """An equation or inequality."""
+
+    left: Formula
+    relation: str
+    right: Formula
+
+
+Formula = Numeral | Variable | Sum | Negative | Product | Quotient | Power | Root | Bars | Call | Compared
+
+_ONE = Numeral("1")
+_NAMES_OF_NUMBERS = {sympy.pi: "π", sympy.E: "e", sympy.oo: "∞", sympy.I: "i"}
+_RELATIONS = {"==": "=", "!=": "≠", "<": "<", "<=": "≤", ">": ">", ">=": "≥"}
+_ANGULAR = frozenset({"sin", "cos", "tan", "cot", "sec", "csc"})
+_FUNCTIONS = {
+    "asin": "arcsin",
+    "acos": "arccos",
+    "atan": "arctan",
+    "atan2": "atan2",
+    "log": "ln",
+    "Max": "max",
+    "Min": "min",
+}
+# Coefficients such as 2/5 (a sphere) and 5/12 (a plate) are read as fractions, 0.45 as a decimal number.
+_FRACTION_DENOMINATORS = frozenset({2, 3, 4, 5, 6, 7, 8, 9, 12})
+_LONG = 7
+_FIGURES_OF_LONG = 6
+
+
+def read(expr: Any, values: Values | None = None) -> Formula:
+    """The formula of an expression; `values` are texts to stand for symbols."""
+    return _Reader(values or {}).read(sympy.sympify(expr))
+
+
+class _Reader:
+    """Reads one expression; `values` stand for symbols."""
+
+    def __init__(self, values: Values) -> None:
+        self.values = values
+
+    def read(self, expr: Any) -> Formula:
+        if expr.is_Symbol:
+            text = self.values.get(expr)
+            return Variable(expr.name) if text is None else Numeral(text, given=True)
+        if expr in _NAMES_OF_NUMBERS:
+            return Numeral(_NAMES_OF_NUMBERS[expr])
+        if expr.is_Number:
+            return number(expr)
+        if expr.is_Add:
+            return self._sum(expr)
+        if expr.is_Mul:
+            return self._product(factors_of(expr))
+        if expr.is_Pow:
+            return self._product([expr]) if _is_below(expr) or _is_root(expr) else self._power(expr)
+        if expr.is_Relational:
+            return Compared(self.read(expr.lhs), _RELATIONS[expr.rel_op], self.read(expr.rhs))
+        return self._function(expr, 1)
+
+    def _sum(self, expr: Any) -> Formula:
+        terms = list(expr.args)
+        if is_canonical(expr):
+            terms.sort(key=lambda t: (is_negative(t), term_key(t)))
+        read = [self.read(t) for t in terms]
+        return Sum(tuple((True, r.inside) if isinstance(r, Negative) else (False, r) for r in read))
+
+    def _product(self, factors: list[Any], together: bool = False) -> Formula:
+        split = _Split(factors)
+        above = [self._power(f) for f in split.above]
+        below = [self._power(f) for f in split.below]
+        if split.root_above and (split.root_below or not _all_numbers(split.root_above)):
+            inside = self._product(split.root_above + [1 / f for f in split.root_below], together=True)
+            above.insert(_place_of_root(above), Root(inside))
+        else:
+            above[:0] = [Root(self._product(split.root_above))] if split.root_above else []
+            below += [Root(self._product(split.root_below))] if split.root_below else []
+        whole = _with_coefficient(abs(split.coefficient), above, below, together)
+        return Negative(whole) if split.coefficient < 0 else whole
+
+    def _power(self, expr: Any) -> Formula:
+        if not expr.is_Pow:
+            return self.read(expr)
+        base, exponent = expr.args
+        if base.func.__name__ in _ANGULAR and exponent.is_Integer and exponent > 1:
+            return self._function(base, int(exponent))
+        return Power(self.read(base), self.read(exponent))
+
+    def _function(self, expr: Any, exponent: int) -> Formula:
+        if isinstance(expr, sympy.Abs):
+            return Bars(self.read(expr.args[0]))
+        name = expr.func.__name__
+        if isinstance(expr, AppliedUndef):
+            return Variable(name)
+        if isinstance(expr, sympy.Tuple):
+            return Call("", tuple(self.read(a) for a in expr.args), 1, False)
+        if name in _ANGULAR:
+            argument = self._angle(expr.args[0])
+            return Call(name, (argument,), exponent, _needs_no_brackets(argument))
+        return Call(
+            _FUNCTIONS.get(name, name), tuple(self.read(a) for a in expr.args if not _is_deep(a)), exponent, False
+        )
+
+    def _angle(self, expr: Any) -> Formula:
+        """An argument of a trigonometric function, with multiples of π in degrees."""
+        if expr.is_number and expr.has(sympy.pi):
+            return _degrees(expr)
+        if not expr.is_Add:
+            return self.read(expr)
+        terms = sorted(expr.args, key=lambda t: (is_negative(t), bool(t.is_number), term_key(t)))
+        read = [self._angle(t) for t in terms]
+        return Sum(tuple((True, r.inside) if isinstance(r, Negative) else (False, r) for r in read))
+
+
+class _Split:
+    """The factors of a product, sorted into coefficient, numerator, denominator and what stands under a root."""
+
+    def __init__(self, factors: list[Any]) -> None:
+        self.coefficient: Any = sympy.Integer(1)
+        self.above: list[Any] = []
+        self.below: list[Any] = []
+        self.root_above: list[Any] = []
+        self.root_below: list[Any] = []
+        for factor in factors:
+            self._take(factor)
+        self._absorb()
+
+    def _take(self, factor: Any) -> None:
+        if factor.is_Rational or factor.is_Float:
+            self.coefficient *= factor
+        elif _is_root(factor):
+            (self.root_below if _is_below(factor) else self.root_above).extend(factors_of(factor.base))
+        elif _is_below(factor):
+            self.below.append(1 / factor if factor.exp == -1 else sympy.Pow(factor.base, -factor.exp, evaluate=False))
+        else:
+            self.above.append(factor)
+
+    def _absorb(self) -> None:
+        """A fraction before a root goes under it where that is shorter: √(6 g L)/3 is √(2 g L/3)."""
+        q = self.coefficient
+        inside = sympy.prod(f for f in self.root_above if f.is_Integer)
+        letters = [f for f in self.root_above if not f.is_Integer]
+        if not letters or self.above or self.below or not q.is_Rational or q.q == 1 or inside == 1:
+            return
+        moved = q * q * inside
+        if moved.p < inside:
+            self.coefficient = sympy.sign(q)
+            self.root_above = [moved, *letters]
+
+
+def number(expr: Any) -> Formula:
+    """A rational or floating-point number."""
+    if expr.is_Rational:
+        shown = _rational(abs(expr), coefficient=False)
+    else:
+        shown = Numeral(significant(Decimal(str(abs(expr))), _FIGURES_OF_LONG))
+    return Negative(shown) if expr.is_negative else shown
+
+
+def factors_of(expr: Any) -> list[Any]:
+    """The factors of a product in reading order; nested products are opened, their author's order kept."""
+    if not expr.is_Mul:
+        return [expr]
+    if is_canonical(expr):
+        return sorted(expr.args, key=factor_key)
+    return [f for arg in expr.args for f in factors_of(arg)]
+
+
+def is_canonical(expr: Any) -> bool:
+    """True if SymPy itself would arrange the arguments so: then the order says nothing of the author."""
+    rebuilt = expr.func(*expr.args)
+    return bool(rebuilt.func is expr.func and rebuilt.args == expr.args)
+
+
+def is_negative(expr: Any) -> bool:
+    """True if a term prints with a minus sign."""
+    if expr.is_Mul:
+        return sum(is_negative(f) for f in expr.args if f.is_Number or f.is_Mul) % 2 == 1
+    return bool(expr.is_Number and expr.is_negative)
+
+
+def _rational(value: Any, coefficient: bool) -> Formula:
+    """A positive rational: whole, fraction or decimal, whatever is shortest to read."""
+    if value.q == 1:
+        return Numeral(_digits(value))
+    fraction = value.q in _FRACTION_DENOMINATORS and value.p < 100
+    if fraction and (coefficient or value.q % 5):
+        return Quotient(Numeral(str(value.p)), Numeral(str(value.q)))
+    return Numeral(_digits(value))
+
+
+def _digits(value: Any) -> str:
+    decimal = Decimal(int(value.p)) / Decimal(int(value.q))
+    if value.q == 1 and len(str(value.p)) <= _LONG:
+        return str(value.p)
+    return significant(decimal, _FIGURES_OF_LONG)
+
+
+def _with_coefficient(q: Any, above: list[Formula], below: list[Formula], together: bool) -> Formula:
+    """Coefficient, numerator and denominator as one formula: 5 g/6, 1/2 m v², 3 g/(2 L); `together`: one fraction."""
+    if not above and not below:
+        return number(q)
+    coefficient = _rational(q, coefficient=True) if q.is_Rational else number(q)
+    if not isinstance(coefficient, Quotient):
+        above = above if coefficient == _ONE else [coefficient, *above]
+        return Quotient(_times(above), _times(below)) if below else _times(above)
+    numbers = [f for f in above if _is_numeric(f)]
+    letters = [f for f in above if not _is_numeric(f)]
+    if coefficient.above != _ONE:
+        numbers.insert(0, coefficient.above)
+    if together or below or not letters or (len(letters) == 1 and not isinstance(letters[0], Call)):
+        return Quotient(_times([*numbers, *letters]), _times([coefficient.below, *below]))
+    return _times([Quotient(_times(numbers), coefficient.below), *letters])
+
+
+def _is_numeric(node: Formula) -> bool:
+    """True for numbers of the formula itself, which join its coefficient."""
+    inside = node.inside if isinstance(node, Root) else node
+    return isinstance(inside, Numeral) and not inside.given
+
+
+def _times(factors: list[Formula]) -> Formula:
+    if not factors:
+        return _ONE
+    return factors[0] if len(factors) == 1 else Product(tuple(factors))
+
+
+def _place_of_root(above: list[Formula]) -> int:
+    """A root stands after the letters, before functions without brackets."""
+    return next((i for i, f in enumerate(above) if isinstance(f, Call) and f.bare), len(above))
+
+
+def _degrees(expr: Any) -> Formula:
+    degrees = sympy.simplify(expr * 180 / sympy.pi)
+    shown = Numeral(significant(Decimal(str(sympy.N(abs(degrees), 20))), 5) + "°")
+    return Negative(shown) if degrees.is_negative else shown
+
+
+def _needs_no_brackets(argument: Formula) -> bool:
+    match argument:
+        case Variable():
+            return True
+        case Numeral(text):
+            return not text.startswith("-") and (text.endswith("°") or text == "π")
+    return False
+
+
+def _is_below(expr: Any) -> bool:
+    return bool(expr.is_Pow and expr.exp.is_Rational and expr.exp.is_negative)
+
+
+def _is_root(expr: Any) -> bool:
+    return bool(expr.is_Pow and abs(expr.exp) == sympy.Rational(1, 2))
+
+
+def _all_numbers(factors: list[Any]) -> bool:
+    return all(f.is_Number for f in factors)
+
+
+def _is_deep(argument: Any) -> bool:
+    """Arguments that are no formulas (pairs of a piecewise function) are left out."""
+    return not isinstance(argument, sympy.Expr)

@@ -1,0 +1,161 @@
+"""How a name of a file reads in mathematics: `omega_AB` as ω_AB, `v_D_AB` as v_D/AB; plain text and LaTeX.
+
+A name is a stem and pieces behind underscores. Two pieces in capitals mean "relative to"; a component or an instant
+clings to the piece before it; other pieces are set off with a comma.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from functools import lru_cache
+
+GREEK = {
+    "alpha": "α",
+    "beta": "β",
+    "gamma": "γ",
+    "delta": "δ",
+    "epsilon": "ε",
+    "zeta": "ζ",
+    "eta": "η",
+    "theta": "θ",
+    "kappa": "κ",
+    "lambda": "λ",
+    "mu": "μ",
+    "nu": "ν",
+    "xi": "ξ",
+    "pi": "π",
+    "rho": "ρ",
+    "sigma": "σ",
+    "tau": "τ",
+    "phi": "φ",
+    "chi": "χ",
+    "psi": "ψ",
+    "omega": "ω",
+    "Gamma": "Γ",
+    "Delta": "Δ",
+    "Theta": "Θ",
+    "Lambda": "Λ",
+    "Xi": "Ξ",
+    "Pi": "Π",
+    "Sigma": "Σ",
+    "Phi": "Φ",
+    "Psi": "Ψ",
+    "Omega": "Ω",
+}
+_LATEX_OF = {letter: "\\" + word for word, letter in GREEK.items()}
+_COMPONENTS = frozenset({"x", "y", "t", "n", "r", "theta"})
+_DOTS = {"dot": ("\N{COMBINING DOT ABOVE}", r"\dot"), "ddot": ("\N{COMBINING DIAERESIS}", r"\ddot")}
+_SPECIAL = {
+    "\\": r"\backslash ",
+    "{": r"\lbrace ",
+    "[": r"\lbrack ",
+    "]": r"\rbrack ",
+    "}": r"\rbrace ",
+    "~": r"\sim ",
+    "^": r"\wedge ",
+    "#": r"\#",
+    "$": r"\$",
+    "%": r"\%",
+    "&": r"\&",
+    "_": r"\_",
+    "<": r"\lt ",
+    ">": r"\gt ",
+    "`": r"\prime ",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class _Parts:
+    """A name taken apart; `subscript` holds Unicode text, `dot` is "", "dot" or "ddot"."""
+
+    prefix: str
+    stem: str
+    subscript: str
+    dot: str
+    prime: bool
+
+
+def printable(text: str) -> str:
+    """The text without characters that steer a terminal or turn the reading direction."""
+    return "".join(c if c.isprintable() else "\N{REPLACEMENT CHARACTER}" for c in text)
+
+
+def plain_name(name: str) -> str:
+    """A name in Unicode plain text."""
+    parts = _parts(name)
+    mark = _DOTS[parts.dot][0] if parts.dot else ""
+    subscript = f"_{parts.subscript}" if parts.subscript else ""
+    return f"{parts.prefix}{parts.stem}{mark}{subscript}{'′' if parts.prime else ''}"
+
+
+def latex_name(name: str) -> str:
+    """A name in LaTeX mathematics."""
+    parts = _parts(name)
+    stem, digits = _trailing_digits(parts.stem)
+    body = _letters(stem)
+    if parts.dot:
+        body = f"{_DOTS[parts.dot][1]}{{{body}}}"
+    subscript = ",".join(p for p in (digits, parts.subscript) if p)
+    prime = "'" if parts.prime else ""
+    tail = f"_{{{_letters(subscript)}}}" if subscript else ""
+    return f"{_letters(parts.prefix)} {body}{tail}{prime}" if parts.prefix else f"{body}{tail}{prime}"
+
+
+def stem(name: str) -> str:
+    """The quantity of a name without subscripts and digits: `omega` of `omega_AB`, `m` of `m1`."""
+    return _trailing_digits(name.split("_", 1)[0])[0]
+
+
+@lru_cache(maxsize=4096)
+def _parts(name: str) -> _Parts:
+    first, *pieces = printable(name).split("_")
+    prefix = ""
+    if first.startswith("Σ") and len(first) > 1:
+        prefix, first = "Σ", first[1:]
+    elif first == "Delta" and pieces:
+        prefix, first = "Δ", pieces.pop(0)
+    dot = next((p for p in pieces if p in _DOTS), "")
+    prime = "prime" in pieces
+    kept = [p for p in pieces if p and p != "prime" and p not in _DOTS]
+    return _Parts(prefix, _greek(first), _subscript(kept), dot, prime)
+
+
+def _subscript(pieces: list[str]) -> str:
+    """The pieces behind the underscores as one subscript."""
+    text = ""
+    for before, piece in zip(["", *pieces], pieces, strict=False):
+        if text:
+            text += _joint(before, piece)
+        text += _greek(piece)
+    return text
+
+
+def _joint(before: str, piece: str) -> str:
+    if (piece in _COMPONENTS or piece.isdigit()) and len(before) <= 2 and not before.isdigit():
+        return ""
+    return "/" if before[:1].isupper() and piece[:1].isupper() else ","
+
+
+def _greek(word: str) -> str:
+    letters, digits = _trailing_digits(word)
+    return GREEK[letters] + digits if letters in GREEK else word
+
+
+def _trailing_digits(word: str) -> tuple[str, str]:
+    """`theta1` as theta and 1; a word of digits only stays whole."""
+    match = re.fullmatch(r"(.*?\D)(\d+)", word)
+    return (match[1], match[2]) if match else (word, "")
+
+
+def _letters(text: str) -> str:
+    """Text for LaTeX: Greek letters by command, words upright, single letters and capitals in italics."""
+    return "".join(_run(r) for r in re.findall(r"[a-z]{2,}|[A-Z]?[a-z]{3,}|.", text)).rstrip()
+
+
+def _run(run: str) -> str:
+    if len(run) > 1:
+        return rf"\mathrm{{{run}}}"
+    if run in _LATEX_OF:
+        return _LATEX_OF[run] + " "
+    return _SPECIAL.get(run, run)

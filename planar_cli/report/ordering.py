@@ -1,0 +1,62 @@
+"""The order in which a reader expects the factors of a product and the terms of a sum.
+
+m g sin θ, R ω², m (R² + k_G²) α, 1/2 m v², v_0 t cos θ: coefficients, masses and stiffnesses, forces, accelerations and
+speeds, lengths, rotations, time, then functions.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from sympy import Function
+
+from planar_cli.report.names import stem
+
+_GROUPS = (
+    ("mu", "e", "eta", "zeta"),
+    ("m", "M", "rho"),
+    ("I", "J", "k", "c"),
+    ("P", "F", "N", "T", "Q", "W", "G", "S", "H", "V"),
+    ("g",),
+    ("a", "v", "u"),
+    ("L", "l", "R", "r", "d", "D", "h", "H", "b", "s", "x", "y", "w"),
+    ("alpha", "omega", "Omega"),
+    ("t", "tau"),
+)
+_RANKS = {name: rank for rank, names in reversed(list(enumerate(_GROUPS))) for name in names}
+_OTHER_LETTERS = 6
+_TIME = len(_GROUPS) - 1
+_FUNCTIONS = len(_GROUPS)
+_NUMBERS = -1
+
+Key = tuple[float, bool, str, str, float]
+
+
+def factor_key(factor: Any) -> Key:
+    """Sorts the factors of a product."""
+    base, exponent = factor.as_base_exp() if factor.is_Pow else (factor, 1)
+    power = -float(exponent) if getattr(exponent, "is_number", True) else 0.0
+    if base.is_Number or base.is_NumberSymbol:
+        return (_NUMBERS, False, "", str(base), power)
+    if base.is_Symbol:
+        name = base.name
+        return (_rank(name), "_" in name, name.casefold(), name, power)
+    if base.is_Add or base.is_Mul:
+        # A bracket stands behind the letters of its own kind: (m_1 + m_2) g, P (R + r), m (R² + k_G²) α.
+        ranks = [_FUNCTIONS if base.atoms(Function) else -1, *(_rank(s.name) for s in base.free_symbols)]
+        return (max(ranks) + 0.5, False, "", str(base), power)
+    return (_FUNCTIONS, False, base.func.__name__[::-1], str(base), power)
+
+
+def term_key(term: Any) -> tuple[float, list[Key]]:
+    """Sorts the terms of a sum: by powers of time, then as their factors sort."""
+    factors = term.args if term.is_Mul else (term,)
+    keys = sorted(factor_key(f) for f in factors if not f.is_Rational)
+    return (-sum(k[-1] for k in keys if k[0] == _TIME), keys)
+
+
+def _rank(name: str) -> float:
+    first = stem(name)
+    if first == "k" and name[2:3].isupper():
+        return _RANKS["R"]  # k_G is a radius of gyration, k and k_1 are stiffnesses
+    return _RANKS.get(first, _OTHER_LETTERS)

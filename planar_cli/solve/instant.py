@@ -1,0 +1,155 @@
+"""One instant from its file to the choice of modes that holds: geometry, velocities, every mode tried in numbers."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.equation.exact import Valuation
+from planar_cli.equation.motion import Motion, TreeBuilder
+from planar_cli.equation.scene import Scene
+from planar_cli.equation.setup import Setup
+from planar_cli.equation.system import Statements, System, make_system
+from planar_cli.joints.base import Joint
+from planar_cli.problem.facts import Mode, Push, Test
+from planar_cli.solve.study import Outcome, Velocities, accelerate, solve_velocities
+
+MOST_MODES = 400
+
+
+@dataclass(frozen=True, slots=True)
+class Trial:
+    """One choice of modes: its system, its velocities and outcomes for each valuation, and what speaks against it.
+
+    `objection`: why it is rejected ("" when it holds).
+    """
+
+    choice: tuple[int, ...]
+    system: System
+    velocities: tuple[Velocities, ...]
+    outcomes: tuple[Outcome, ...]
+    objection: str
+    tests: tuple[tuple[Test, Any], ...] = ()
+
+
+class Instant:
+    """The scene of one instant and its modes."""
+
+    def __init__(self, setup: Setup) -> None:
+        self.setup, self.scene, self.statements = setup, setup.scene, setup.statements
+        self.joints = distinct(self.scene.problem.joints)
+        self.modes: list[tuple[Joint, tuple[Mode, ...]]] = [(j, j.modes(self.scene)) for j in self.joints]
+        self.scene._valuations = None
+        names = [b.name for b in self.scene.problem.bodies]
+        self.builder = TreeBuilder(self.scene.ledger, self.scene.rigid, self.scene.center_name, names)
+        self.symbols: dict[str, sp.Symbol] = {}
+        self.free = Motion(self.builder.build((), hang=False), self.scene.center, {})
+        self.drivers: tuple[Push, ...] = ()
+
+    @property
+    def at_rest(self) -> bool:
+        return None in self.statements.rest
+
+    def system(self, choice: tuple[int, ...]) -> System:
+        """The equations of one choice of modes."""
+        modes = {j.name: found[i] for (j, found), i in zip(self.modes, choice, strict=True)}
+        return make_system(self.scene, self.builder, self.statements, modes, self.symbols, alias_of(self.scene.problem.joints, self.joints))
+
+    def choices(self) -> Iterator[tuple[int, ...]]:
+        """All choices, the natural assumptions first: by how many joints depart from their first mode."""
+        counts = [len(found) for _, found in self.modes]
+        every = itertools.product(*(range(n) for n in counts))
+        return iter(sorted(itertools.islice(every, MOST_MODES * 10), key=lambda c: (sum(i > 0 for i in c), sum(c))))
+
+    def try_choice(self, choice: tuple[int, ...], valuations: tuple[Valuation, ...]) -> Trial:
+        """Solve one choice in numbers and test its assumptions."""
+        system = self.system(choice)
+        velocities = tuple(solve_velocities(system, v, self.at_rest) for v in valuations)
+        if any(v.conflict for v in velocities):
+            return Trial(choice, system, velocities, (), "velocities")
+        outcomes = tuple(accelerate(system, vel, v, self.free, self.drivers) for vel, v in zip(velocities, valuations, strict=True))
+        for outcome in outcomes:
+            moving = self._moves_otherwise(system, outcome)
+            if moving:
+                return Trial(choice, system, velocities, outcomes, moving)
+            if outcome.solved.conflict is not None:
+                return Trial(choice, system, velocities, outcomes, "contradiction")
+            failed = self._relevant(system, outcome)
+            if failed:
+                return Trial(choice, system, velocities, outcomes, failed[0][0].words, failed)
+        return Trial(choice, system, velocities, outcomes, "")
+
+    def _moves_otherwise(self, system: System, outcome: Outcome) -> str:
+        """A joint assumed to stick slides already, or slides the other way."""
+        for mode in system.modes.values():
+            if mode.sliding is None:
+                continue
+            speed = outcome.assembly.row_speed(mode.sliding)
+            if abs(speed) < 10**-25:
+                continue
+            if mode.direction == 0 or speed * mode.direction < 0:
+                return "it slides already" if mode.direction == 0 else "it slides the other way"
+        return ""
+
+    def _relevant(self, system: System, outcome: Outcome) -> tuple[tuple[Test, Any], ...]:
+        """Failed tests; that a slip begins is no question where it is under way."""
+        found = []
+        for test, value in outcome.failed:
+            mode = system.modes[test.joint]
+            if test.row is not None and mode.sliding is test.row and abs(outcome.assembly.row_speed(test.row)) > 10**-25:
+                continue
+            found.append((test, value))
+        return tuple(found)
+
+
+def distinct(joints: tuple[Joint, ...]) -> tuple[Joint, ...]:
+    """Joints that share a name (both called by their point) are told apart by a number."""
+    seen: dict[str, int] = {}
+    found = []
+    for joint in joints:
+        seen[joint.name] = seen.get(joint.name, 0) + 1
+        found.append(joint if seen[joint.name] == 1 else replace(joint, name=f"{joint.name}_{seen[joint.name]}"))
+    return tuple(found)
+
+
+def alias_of(joints: tuple[Joint, ...], named: tuple[Joint, ...]) -> dict[str, str]:
+    """Our own name of each joint to the file's."""
+    return {ours.name: theirs.name for ours, theirs in zip(named, joints, strict=True)}
+
+
+def search_modes(instant: Instant, valuations: tuple[Valuation, ...]) -> tuple[list[Trial], list[Trial]]:
+    """All choices that hold, told apart by their motion, and those that do not, in natural order."""
+    held: list[Trial] = []
+    rejected: list[Trial] = []
+    for count, choice in enumerate(instant.choices()):
+        if count >= MOST_MODES:
+            break
+        trial = instant.try_choice(choice, valuations)
+        if trial.objection:
+            rejected.append(trial)
+        elif not any(same_motion(trial, other) for other in held):
+            held.append(trial)
+    return held, rejected
+
+
+def same_motion(a: Trial, b: Trial) -> bool:
+    """Do two choices give the same accelerations?"""
+    one, other = a.outcomes[0], b.outcomes[0]
+    for key, column in one.assembly.columns.items():
+        if isinstance(key, tuple):
+            x, y = one.solved.values[column], other.solved.values[other.assembly.columns[key]]
+            if abs(x - y) > 10**-25 * max(abs(x), abs(y), 1):
+                return False
+    return True
+
+
+def make_instant(problem: Any, always: tuple[Any, ...], now: tuple[Any, ...], earlier: dict[str, Any], open_form: bool) -> Instant:
+    """The instant of a problem with what holds always and what holds now."""
+    return Instant(Setup(problem, Statements.of(always, now), earlier, open_form))
+
+
+__all__ = ["Instant", "Scene", "Trial", "make_instant", "search_modes"]

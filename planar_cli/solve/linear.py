@@ -1,0 +1,122 @@
+"""Linear systems in sixty-digit numbers: rank, solution, what stays free, and which rows contradict each other.
+
+Rows are lists of Decimal, the constant last: Σ row[j] x_j + row[-1] = 0. Every row is scaled to size one before the
+elimination, so that "zero" means: cancelled to forty digits.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from decimal import Decimal
+
+from planar_cli.equation.exact import CERTAIN, ONE, ZERO
+
+Row = list[Decimal]
+
+
+@dataclass(frozen=True, slots=True)
+class Solved:
+    """What a system says.
+
+    `values`: a solution, with zero for what is free. `null`: one vector per free unknown, by its column. `conflict`:
+    multipliers of the given rows whose combination reads 0 = non-zero (None: no contradiction), with that remainder.
+    """
+
+    values: list[Decimal]
+    null: dict[int, list[Decimal]]
+    conflict: tuple[list[Decimal], Decimal] | None
+    rank: int
+
+    def unique(self, column: int) -> bool:
+        """Is this unknown determined?"""
+        return all(not vector[column] for vector in self.null.values())
+
+
+def scaled(row: Row) -> Row:
+    """The row divided by its largest coefficient (its constant when it has none)."""
+    size = max((abs(c) for c in row[:-1]), default=ZERO) or abs(row[-1])
+    return [c / size for c in row] if size else list(row)
+
+
+def eliminate(rows: list[Row], width: int) -> tuple[list[tuple[int, Row]], list[Row]]:
+    """Gauss-Jordan elimination with the largest pivot of each row. Returns (column, row) pairs and the rows left over.
+
+    `width`: the number of leading columns that may be pivots; entries beyond are carried along.
+    """
+    pivots: list[tuple[int, Row]] = []
+    left: list[Row] = []
+    for row in rows:
+        work = list(row)
+        for column, pivot in pivots:
+            factor = work[column]
+            if factor:
+                work = [clean(a - factor * b, a) for a, b in zip(work, pivot, strict=True)]
+                work[column] = ZERO
+        best = max(range(width), key=lambda j: abs(work[j]), default=-1)
+        if best < 0 or not work[best]:
+            left.append(work)
+            continue
+        lead = work[best]
+        work = [a / lead for a in work]
+        work[best] = ONE
+        pivots = [(c, _without(p, best, work)) for c, p in pivots]
+        pivots.append((best, work))
+    return pivots, left
+
+
+def _without(row: Row, column: int, pivot: Row) -> Row:
+    factor = row[column]
+    if not factor:
+        return row
+    found = [clean(a - factor * b, a) for a, b in zip(row, pivot, strict=True)]
+    found[column] = ZERO
+    return found
+
+
+def clean(value: Decimal, before: Decimal) -> Decimal:
+    """Zero where everything but the last digits has cancelled."""
+    return ZERO if value and abs(value) <= CERTAIN * max(abs(before), CERTAIN) or abs(value) <= CERTAIN else value
+
+
+def solve(rows: list[Row], width: int) -> Solved:
+    """Solve for `width` unknowns."""
+    pivots, left = eliminate([scaled(r) for r in rows], width)
+    conflict = _conflict(rows, width) if any(r[-1] for r in left) else None
+    values = [ZERO] * width
+    for column, row in pivots:
+        values[column] = -row[-1]
+    pivot_columns = {c for c, _ in pivots}
+    null: dict[int, list[Decimal]] = {}
+    for free in range(width):
+        if free in pivot_columns:
+            continue
+        vector = [ZERO] * width
+        vector[free] = ONE
+        for column, row in pivots:
+            vector[column] = -row[free]
+        null[free] = vector
+    return Solved(values, null, conflict, len(pivots))
+
+
+def _conflict(rows: list[Row], width: int) -> tuple[list[Decimal], Decimal] | None:
+    """The first contradiction, as a combination of the rows as given (scaled)."""
+    count = len(rows)
+    marked = [[*scaled(r)[:-1], *(ONE if i == j else ZERO for j in range(count)), scaled(r)[-1]] for i, r in enumerate(rows)]
+    _, left = eliminate(marked, width)
+    for row in left:
+        if row[-1]:
+            return row[width:-1], row[-1]
+    return None
+
+
+def determines(rows: list[Row], width: int, targets: list[int]) -> bool:
+    """Do the rows fix all the target columns?"""
+    pivots, _ = eliminate(rows, width)
+    found = {column: row for column, row in pivots}
+    pivot_columns = set(found)
+    free = [j for j in range(width) if j not in pivot_columns]
+    return all(t in found and not any(found[t][j] for j in free) for t in targets)
+
+
+def rank(rows: list[Row], width: int) -> int:
+    return len(eliminate(rows, width)[0])

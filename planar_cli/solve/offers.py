@@ -1,0 +1,370 @@
+"""All candidates of one instant: every connected group of bodies, every loop and relation, with the multipliers that free
+an equation of unknown pushes.
+
+Killed are only lines that a teacher draws: reactions, edges of friction cones, m a of known direction; never a couple of
+inertia. Two killed lines give a moment centre, or a direction when they are parallel; both are one operation, the cross
+product of two wrenches.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from decimal import Decimal
+
+import sympy as sp
+
+from planar_cli.equation.conditions import Condition
+from planar_cli.equation.exact import CERTAIN, ONE, ZERO, Valuation
+from planar_cli.equation.form import Form, linear_form
+from planar_cli.equation.system import System
+from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scene import GROUND
+from planar_cli.solve import candidates as c
+from planar_cli.solve.candidates import Candidate, Choice, combine, cross3, priced
+from planar_cli.solve.linear import Row
+
+MOST_GROUPS = 72
+Three = tuple[Decimal, Decimal, Decimal]
+
+
+@dataclass(slots=True)
+class Numbers:
+    """Expressions to rows of numbers: linear ones by their coefficients, others by their slopes at a generic place.
+
+    `unknowns`: the columns. `linear`: those of them in which everything is linear; the rest are moved by a tiny step to
+    find their slopes. `value`: the valuation, in which every unknown has a generic number as well.
+    """
+
+    unknowns: tuple[sp.Symbol, ...]
+    linear: frozenset[sp.Symbol]
+    value: Valuation
+    moved: dict[sp.Symbol, Valuation] = field(default_factory=dict)
+
+    STEP = Decimal(10) ** -22
+
+    def form(self, expr: sp.Expr) -> Form:
+        return linear_form(expr, self.linear)
+
+    def row(self, expr: sp.Expr) -> Row:
+        """Coefficients of the unknowns and the constant, as numbers."""
+        form = self.form(expr)
+        row = [self._coefficient(form.terms.get(x)) for x in self.unknowns]
+        constant = self._clean(form.constant)
+        if len(self.linear) < len(self.unknowns):
+            for j, x in enumerate(self.unknowns):
+                if x not in self.linear:
+                    row[j] = self._slope(expr, x)
+        return [*row, constant]
+
+    def _coefficient(self, expr: sp.Expr | None) -> Decimal:
+        return ZERO if expr is None else self._clean(expr)
+
+    def _clean(self, expr: sp.Expr) -> Decimal:
+        value = self.value(expr)
+        if value and abs(value) < Decimal("1e-20") and self.value.is_zero(expr):
+            return ZERO
+        return value
+
+    def _slope(self, expr: sp.Expr, x: sp.Symbol) -> Decimal:
+        if x not in expr.free_symbols and not self._through_definitions(expr, x):
+            return ZERO
+        if x not in self.moved:
+            self.moved[x] = self.value.extended({x: self.value(x) + self.STEP})
+        slope = (self.moved[x](expr) - self.value(expr)) / self.STEP
+        return ZERO if abs(slope) < Decimal("1e-15") * max(abs(self.value(expr)), ONE) else slope
+
+    def _through_definitions(self, expr: sp.Expr, x: sp.Symbol) -> bool:
+        return any(s in self.value.definitions for s in expr.free_symbols)
+
+
+@dataclass(frozen=True, slots=True)
+class Group:
+    """A connected group of bodies: its three rows (Σ F_x, Σ F_y, Σ M about the origin, less inertia), and which columns
+    are lines of force that may be killed: their wrenches (f_x, f_y, m)."""
+
+    bodies: tuple[str, ...]
+    rows: tuple[Row, Row, Row]
+    lines: dict[int, Three]
+    turning: bool
+
+
+class Offers:
+    """Makes all candidates of a system. `kinetics` False: only relations of motion."""
+
+    def __init__(self, system: System, numbers: Numbers, conditions: list[Condition], kinetics: bool) -> None:
+        self.system, self.numbers, self.conditions, self.kinetics = system, numbers, conditions, kinetics
+        self.scene = system.scene
+        self.index = {x: j for j, x in enumerate(numbers.unknowns)}
+
+    def all(self) -> list[Candidate]:
+        found: list[Candidate] = []
+        for condition in self.conditions:
+            found += self.of_condition(condition)
+        if self.kinetics:
+            for group in self.groups():
+                found += self.of_group(group)
+        return found
+
+    # --- relations of motion -----------------------------------------------------------------------------------------
+
+    def of_condition(self, condition: Condition) -> list[Candidate]:
+        """A scalar relation as it is; a vector one along the axes, and across each unknown's direction."""
+        residual = condition.residual
+        if not isinstance(residual, Vec):
+            return c.cheapest([priced((), condition, None, self.numbers.row(residual), c.AXIS)])
+        if condition.normal is not None:
+            choice = Choice(False, condition.normal, f"across the path of {condition.place}")
+            return c.cheapest([priced((), condition, choice, self.numbers.row(residual.dot(condition.normal)), c.AXIS)])
+        x, y = self.numbers.row(residual.x), self.numbers.row(residual.y)
+        found = [
+            priced((), condition, Choice(False, Vec(sp.S.One, sp.S.Zero), "along x"), x, c.AXIS),
+            priced((), condition, Choice(False, Vec(sp.S.Zero, sp.S.One), "along y"), y, c.AXIS),
+        ]
+        form_x, form_y = self.numbers.form(residual.x), self.numbers.form(residual.y)
+        for j, symbol in enumerate(self.numbers.unknowns):
+            if not (x[j] and y[j]):
+                continue
+            across = Vec(-form_y.terms.get(symbol, sp.S.Zero), form_x.terms.get(symbol, sp.S.Zero))
+            row = combine((x, y), (-y[j], x[j]))
+            row[j] = ZERO
+            found.append(priced((), condition, self._direction(across, symbol, condition), row, c.ACROSS))
+        return c.cheapest(found)
+
+    def _direction(self, across: Vec, symbol: sp.Symbol, condition: Condition) -> Choice:
+        """A projection that drops one unknown, scaled to a unit vector where its length is simple."""
+        words = f"so that {symbol.name} drops out"
+        length = self.scene.length(across)
+        if sp.count_ops(length) <= 4:
+            across = Vec(*(sp.cancel(p) if p.free_symbols else p for p in (across.x / length, across.y / length)))
+        return Choice(False, across, words, (symbol,))
+
+    # --- groups of bodies --------------------------------------------------------------------------------------------
+
+    def groups(self) -> list[Group]:
+        """Connected groups, the smallest first; all of them where they are few."""
+        neighbours = self._neighbours()
+        bodies = [b for b in self.scene.bodies]
+        found: list[frozenset[str]] = [frozenset([b]) for b in bodies]
+        seen, layer = set(found), list(found)
+        while layer and len(found) < MOST_GROUPS:
+            grown = []
+            for group in layer:
+                for body in sorted(set().union(*(neighbours[b] for b in group)) - group):
+                    larger = group | {body}
+                    if larger not in seen:
+                        seen.add(larger)
+                        grown.append(larger)
+            found += grown[: MOST_GROUPS - len(found)]
+            layer = grown[:MOST_GROUPS]
+        whole = frozenset(bodies)
+        if whole not in seen:
+            found.append(whole)
+        single = {b: self.body_rows(b) for b in bodies}
+        return [self._group(tuple(b for b in bodies if b in g), single) for g in found]
+
+    def _neighbours(self) -> dict[str, set[str]]:
+        found: dict[str, set[str]] = {b: set() for b in self.scene.bodies}
+        for push in self.system.pushes:
+            bodies = {a.body for a in push.actions if a.body != GROUND}
+            for b in bodies:
+                found[b] |= bodies - {b}
+        for wrench in self.system.wrenches:
+            others = {w.body for w in self.system.wrenches if w.name == wrench.name and w.kind in ("spring", "damper", "torque")}
+            found[wrench.body] |= (others & set(found)) - {wrench.body}
+        return found
+
+    def body_rows(self, body: str) -> tuple[Row, Row, Row]:
+        """Σ F_x - m a_x, Σ F_y - m a_y, Σ M_O - (r_G × m a_G + I α) of one body, about the origin."""
+        x, y, m = body_residuals(self.system, body)
+        return self.numbers.row(x), self.numbers.row(y), self.numbers.row(m)
+
+    def _group(self, bodies: tuple[str, ...], single: dict[str, tuple[Row, Row, Row]]) -> Group:
+        ones = [ONE] * len(bodies)
+        rows = tuple(combine([single[b][i] for b in bodies], ones) for i in range(3))
+        lines: dict[int, Three] = {}
+        for j in self._killable(bodies):
+            wrench = (rows[0][j], rows[1][j], rows[2][j])
+            if wrench[0] or wrench[1]:
+                lines[j] = wrench
+        turning = any(self.scene.rigid(b) for b in bodies)
+        return Group(bodies, rows, lines, turning)  # type: ignore[arg-type]
+
+    def _killable(self, bodies: tuple[str, ...]) -> list[int]:
+        """Columns that are drawn as one line: reactions, and m a of bodies that slide without turning."""
+        found = []
+        couples = {self.system.symbols[p.name] for p in self.system.pushes if p.unit == "N*m"}
+        for push in self.system.pushes:
+            symbol = self.system.symbols[push.name]
+            if symbol in self.index and symbol not in couples:
+                found.append(self.index[symbol])
+        for edge in self.system.tree.edges:
+            slides = edge.slide_rate is not None and edge.joining is not None and edge.spin_rate is None
+            if slides and edge.slide_rate in self.index and self._only_translation(edge.slide_rate, bodies):
+                found.append(self.index[edge.slide_rate])
+        return found
+
+    def _only_translation(self, symbol: sp.Symbol, bodies: tuple[str, ...]) -> bool:
+        """Does the unknown move just one body of the group?"""
+        assert self.system.motion is not None
+        moved = 0
+        for body in bodies:
+            a = self.system.motion.acceleration(self.scene.center(body), body)
+            moved += symbol in a.x.free_symbols or symbol in a.y.free_symbols
+        return moved <= 1
+
+    def of_group(self, group: Group) -> list[Candidate]:
+        """Axes, named points, directions across a line, intersections of two lines."""
+        found = [self._force(group, Vec(sp.S.One, sp.S.Zero), "x", c.AXIS), self._force(group, Vec(sp.S.Zero, sp.S.One), "y", c.AXIS)]
+        for direction, words in self._named_directions(group):
+            found.append(self._force(group, direction, words, c.NAMED_SLANT))
+        if not group.turning:
+            return c.cheapest(found)
+        points = self._named_points(group)
+        for name, place in points.items():
+            found.append(self._moment(group, place, name, c.NAMED_POINT))
+        lines = list(group.lines.items())
+        for i, (j, a) in enumerate(lines):
+            found.append(self._across(group, j, a))
+            for k, b in lines[i + 1 :]:
+                found.append(self._crossing(group, (j, a), (k, b), points))
+        return c.cheapest(found)
+
+    def _force(self, group: Group, direction: Vec, words: str, form: float) -> Candidate | None:
+        value = self.numbers.value
+        row = combine(group.rows[:2], (value(direction.x), value(direction.y)))
+        return priced(group.bodies, None, Choice(False, direction, words), row, form)
+
+    def _moment(self, group: Group, place: Vec, name: str, form: float, through: tuple[sp.Symbol, ...] = ()) -> Candidate | None:
+        value = self.numbers.value
+        row = combine(group.rows, (value(place.y), -value(place.x), ONE))
+        return priced(group.bodies, None, Choice(True, place, name, through), row, form)
+
+    def _named_directions(self, group: Group) -> list[tuple[Vec, str]]:
+        """Along and across the paths and contacts of the group's bodies."""
+        found: list[tuple[Vec, str]] = []
+        for push in self.system.pushes:
+            for action in push.actions:
+                if action.body in group.bodies and action.force is not None and push.kind in ("normal", "friction", "tension"):
+                    x, y = self.numbers.value(action.force.x), self.numbers.value(action.force.y)
+                    if abs(x) > CERTAIN and abs(y) > CERTAIN:
+                        words = {"normal": "along the normal", "friction": "along the contact", "tension": "along the rope"}[push.kind]
+                        found.append((action.force, f"{words} at {push.place}"))
+                        if push.kind == "tension":
+                            found.append((action.force.turned(), f"across the rope at {push.place}"))
+        return found[:12]
+
+    def _named_points(self, group: Group) -> dict[str, Vec]:
+        found: dict[str, Vec] = {}
+        for name, owners in self.scene.owners.items():
+            if set(owners) & set(group.bodies):
+                found[name] = self.scene.point(name)
+        for body in group.bodies:
+            if self.scene.rigid(body):
+                found.setdefault(self.scene.bodies[body].center_name or f"G_{body}", self.scene.center(body))
+        for push in self.system.pushes:
+            for action in push.actions:
+                if action.body in group.bodies and push.place in self.scene.points:
+                    found.setdefault(push.place, self.scene.point(push.place))
+        return found
+
+    def _across(self, group: Group, j: int, line: Three) -> Candidate | None:
+        """The force direction across one line."""
+        if not (line[0] and line[1]):
+            return None
+        row = combine(group.rows[:2], (-line[1], line[0]))
+        row[j] = ZERO
+        symbol = self.numbers.unknowns[j]
+        return priced(group.bodies, None, Choice(False, self._line_of(group, symbol)[1].turned(), f"across {symbol.name}", (symbol,)), row, c.ACROSS)
+
+    def _crossing(self, group: Group, first: tuple[int, Three], second: tuple[int, Three], points: dict[str, Vec]) -> Candidate | None:
+        """Moments about the intersection of two lines, or the force direction across two parallel ones."""
+        (j, a), (k, b) = first, second
+        multiplier = cross3(a, b)
+        size = max(abs(p) for p in multiplier)
+        if not size or not multiplier[2]:
+            return None
+        x, y = -multiplier[1] / multiplier[2], multiplier[0] / multiplier[2]
+        name = next((n for n, p in points.items() if self._at(p, x, y)), None)
+        if name is not None:
+            return None
+        row = combine(group.rows, (y, -x, ONE))
+        row[j] = row[k] = ZERO
+        symbols = (self.numbers.unknowns[j], self.numbers.unknowns[k])
+        form = c.CONSTRUCTED if max(abs(x), abs(y)) < 8 * self._scale() else c.FAR
+        return priced(group.bodies, None, Choice(True, Vec(None, None), "", symbols), row, form)
+
+    def _at(self, place: Vec, x: Decimal, y: Decimal) -> bool:
+        tiny = Decimal("1e-30") * max(self._scale(), Decimal("1e-20"))
+        return abs(self.numbers.value(place.x) - x) <= tiny and abs(self.numbers.value(place.y) - y) <= tiny
+
+    def _scale(self) -> Decimal:
+        places = [self.numbers.value(p) for v in self.scene.points.values() for p in (v.x, v.y)]
+        return max((abs(p) for p in places), default=ONE) or ONE
+
+    def _line_of(self, group: Group, symbol: sp.Symbol) -> tuple[Vec, Vec]:
+        """A point on the line of an unknown on this group, and its direction, as expressions."""
+        return line_of(self.system, self.numbers, group.bodies, symbol)
+
+
+def line_of(system: System, numbers: Numbers, bodies: tuple[str, ...], symbol: sp.Symbol) -> tuple[Vec, Vec]:
+    """Point and direction of the resultant of one unknown on a group: from its wrench about the origin."""
+    fx = fy = m = sp.S.Zero
+    simple: tuple[Vec, Vec] | None = None
+    count = 0
+    for push, expr in system.reactions.pushes if system.reactions else ():
+        factor = numbers.form(expr).terms.get(symbol)
+        if factor is None:
+            continue
+        for action in push.actions:
+            if action.body in bodies and action.force is not None:
+                force = action.force * factor
+                fx, fy, m = fx + force.x, fy + force.y, m + action.point.cross(force) + factor * action.couple
+                simple, count = (action.point, action.force), count + 1
+    if count == 0:
+        return _inertia_line(system, bodies, symbol, numbers)
+    if count == 1 and simple is not None:
+        return simple
+    square = fx**2 + fy**2
+    return Vec(-fy * m / square, fx * m / square), Vec(fx, fy)
+
+
+def _inertia_line(system: System, bodies: tuple[str, ...], symbol: sp.Symbol, numbers: Numbers) -> tuple[Vec, Vec]:
+    assert system.motion is not None
+    for body in bodies:
+        center = system.scene.center(body)
+        a = system.motion.acceleration(center, body)
+        direction = Vec(*(numbers.form(e).terms.get(symbol, sp.S.Zero) for e in (a.x, a.y)))
+        if direction.x != 0 or direction.y != 0:
+            return center, direction
+    raise LookupError(symbol.name)
+
+
+def body_residuals(system: System, body: str) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
+    """Force and moment residuals of one body about the origin: Σ F - m a, Σ M - (r × m a + I α)."""
+    assert system.motion is not None and system.reactions is not None
+    model = system.scene.bodies[body]
+    x: list[sp.Expr] = []
+    y: list[sp.Expr] = []
+    moment: list[sp.Expr] = []
+
+    def act(point: Vec, force: Vec | None, couple: sp.Expr, factor: sp.Expr) -> None:
+        if force is not None:
+            x.append(factor * force.x)
+            y.append(factor * force.y)
+            moment.append(factor * point.cross(force))
+        if couple != 0:
+            moment.append(factor * couple)
+
+    for push, expr in system.reactions.pushes:
+        for action in push.actions:
+            if action.body == body:
+                act(action.point, action.force, action.couple, expr)
+    for wrench in system.wrenches:
+        if wrench.body == body:
+            act(wrench.point, wrench.force, wrench.couple, sp.S.One)
+    if model.mass != 0:
+        a = system.motion.acceleration(model.center, body)
+        act(model.center, a, sp.S.Zero, -model.mass)
+    if model.inertia != 0:
+        moment.append(-model.inertia * system.motion.accelerations[body].angular)
+    return sp.Add(*x), sp.Add(*y), sp.Add(*moment)

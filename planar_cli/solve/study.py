@@ -1,0 +1,254 @@
+"""One choice of modes in numbers: its velocities, its accelerations and pushes, and whether its assumptions hold."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from decimal import Decimal
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.equation.conditions import Condition
+from planar_cli.equation.exact import CERTAIN, ONE, ZERO, Valuation
+from planar_cli.equation.form import Form, Nonlinear, linear_form
+from planar_cli.equation.motion import Motion
+from planar_cli.equation.moving import all_wrenches
+from planar_cli.equation.system import System
+from planar_cli.problem.facts import Push, Test, Wrench
+from planar_cli.problem.geometry import Vec
+from planar_cli.solve.assembly import Assembly, Twist
+from planar_cli.solve.linear import Row, Solved, solve
+
+
+@dataclass(slots=True)
+class Velocities:
+    """Velocity unknowns in numbers. `free`: those that no condition fixes; `nonlinear`: conditions left for later."""
+
+    values: dict[sp.Symbol, Decimal]
+    free: tuple[sp.Symbol, ...]
+    conflict: tuple[list[tuple[Condition, Decimal]], Decimal] | None
+    nonlinear: tuple[Condition, ...]
+    loose: dict[sp.Symbol, tuple[sp.Symbol, ...]] = field(default_factory=dict)
+
+
+def solve_velocities(system: System, value: Valuation, at_rest: bool) -> Velocities:
+    """All velocity conditions at once; what stays free is zero at rest."""
+    ledger = system.scene.ledger
+    rates = [r for r, _ in system.scene.evaluator.motions.values() if isinstance(r, sp.Symbol)]
+    conditions = system.velocity_conditions()
+    unknowns = [*system.tree.velocity_unknowns(), *rates]
+    sought = [s for s in ledger.sought if any(s in e.free_symbols for c in conditions for e in c.rows())]
+    columns = unknowns + [s for s in sought if _linear_everywhere(s, conditions, set(unknowns))]
+    rows: list[Row] = []
+    sources: list[Condition] = []
+    nonlinear: list[Condition] = []
+    inside = set(columns)
+    for condition in conditions:
+        for expr in condition.rows():
+            try:
+                rows.append(number_row(linear_form(expr, inside), columns, value))
+                sources.append(condition)
+            except Nonlinear:
+                nonlinear.append(condition)
+    solved = solve(rows, len(columns))
+    conflict = None
+    if solved.conflict is not None:
+        factors, rest = solved.conflict
+        conflict = ([(c, f) for c, f in zip(sources, factors, strict=True) if f], rest)
+    values = dict(zip(columns, solved.values, strict=True))
+    free = () if at_rest and not nonlinear else tuple(columns[j] for j in solved.null)
+    loose = {columns[j]: tuple(x for x, v in zip(columns, vector, strict=True) if v) for j, vector in solved.null.items()} if free else {}
+    if free:
+        for j in range(len(columns)):
+            if not solved.unique(j):
+                del values[columns[j]]
+    return Velocities(values, free, conflict, tuple(nonlinear), loose)
+
+
+def _linear_everywhere(symbol: sp.Symbol, conditions: list[Condition], unknowns: set[sp.Symbol]) -> bool:
+    for condition in conditions:
+        for expr in condition.rows():
+            if symbol in expr.free_symbols:
+                try:
+                    linear_form(expr, unknowns | {symbol})
+                except Nonlinear:
+                    return False
+    return True
+
+
+def number_row(form: Form, columns: list[sp.Symbol], value: Valuation) -> Row:
+    """A linear form as numbers, exact zeros where terms cancel."""
+    return [*(certain(form.terms.get(x, sp.S.Zero), value) for x in columns), certain(form.constant, value)]
+
+
+def certain(expr: sp.Expr, value: Valuation) -> Decimal:
+    """The value, or an exact zero where the expression vanishes."""
+    if expr == 0:
+        return ZERO
+    found = value(expr)
+    return ZERO if found and abs(found) < Decimal("1e-15") and value.is_zero(expr) else found
+
+
+@dataclass(slots=True)
+class Outcome:
+    """Numbers of one choice of modes for one valuation.
+
+    `solved` over the columns of `assembly`; `failed`: the tests that do not hold, with their values; `open_tests`: tests
+    whose value is free, but which can hold together.
+    """
+
+    assembly: Assembly
+    solved: Solved
+    failed: tuple[tuple[Test, Decimal | None], ...]
+    value: Valuation
+
+    def push(self, name: str) -> Decimal | None:
+        """The value of a push; None when it is not unique, zero when it is absent."""
+        column = self.assembly.columns.get(name)
+        if column is None:
+            return ZERO
+        return self.solved.values[column] if self.solved.unique(column) else None
+
+
+def accelerate(system: System, velocities: Velocities, value: Valuation, free: Motion, drivers: tuple[Push, ...]) -> Outcome:
+    """Accelerations and pushes of a system whose velocities are settled.
+
+    `free`: a motion in which no body hangs on another; the file's own relations are read in it. `drivers`: unknown pushes
+    that keep a prescribed motion going.
+    """
+    scene = system.scene
+    numbers = value.extended(velocities.values)
+    zero = {s: sp.S.Zero for s, v in velocities.values.items() if not v}
+    system.settle(zero, ())
+    assert system.motion is not None
+    wrenches = all_wrenches(scene, system.motion, numbers)
+    system.settle(zero, wrenches)
+    twists: dict[str, Twist] = {}
+    centers: dict[str, Vec] = {}
+    for name, body in scene.bodies.items():
+        v = system.motion.velocity(body.center, name)
+        centers[name] = Vec(numbers(body.center.x), numbers(body.center.y))
+        twists[name] = (Vec(certain(v.x, numbers), certain(v.y, numbers)), certain(system.motion.velocities[name].angular, numbers))
+    assembly = Assembly(numbers, centers, scene.rigid, twists)
+    for mode in system.modes.values():
+        for joining in mode.facts.joinings:
+            assembly.joining(joining)
+        for row in mode.facts.rows:
+            assembly.rows.append(assembly.row(row))
+            assembly.sources.append(row.title)
+    add_loads(assembly, system, wrenches, drivers)
+    add_given(assembly, system, free)
+    for law in system.laws:
+        line = {assembly.column(law.push): ONE}
+        factor = -numbers(law.factor)
+        line[assembly.column(law.of) if law.of else -1] = factor
+        assembly.rows.append(line)
+        assembly.sources.append(f"friction law of {law.push}")
+    solved = solve(assembly.dense(), len(assembly.columns))
+    return Outcome(assembly, solved, failing(system, assembly, solved), numbers)
+
+
+def add_loads(assembly: Assembly, system: System, wrenches: tuple[Wrench, ...], drivers: tuple[Push, ...]) -> None:
+    """Kinetics of all bodies; sought magnitudes of loads are columns of their own."""
+    scene = system.scene
+    sought = set(scene.ledger.sought)
+    known: list[Wrench] = []
+    unknown: list[tuple[str, Wrench]] = []
+    for w in wrenches:
+        force = w.force or Vec(sp.S.Zero, sp.S.Zero)
+        forms = [linear_form(sp.sympify(e), sought) for e in (force.x, force.y, w.couple)]
+        known.append(Wrench(w.name, w.kind, w.body, w.point, Vec(forms[0].constant, forms[1].constant), forms[2].constant))
+        for s in {s for f in forms for s in f.terms}:
+            parts = [f.terms.get(s, sp.S.Zero) for f in forms]
+            unknown.append((s.name, Wrench(w.name, w.kind, w.body, w.point, Vec(parts[0], parts[1]), parts[2])))
+    masses = {name: (b.mass, b.inertia) for name, b in scene.bodies.items()}
+    assembly.kinetics(masses, (*system.pushes, *drivers), tuple(known), tuple(unknown))
+
+
+def add_given(assembly: Assembly, system: System, free: Motion) -> None:
+    """The file's own acceleration relations, over body accelerations, pushes, sought constants and rates of coordinates."""
+    conditions = system.stated_accelerations(free)
+    if not conditions:
+        return
+    keys: dict[sp.Symbol, Any] = {symbol: name for name, symbol in system.symbols.items()}
+    moving: dict[sp.Symbol, Decimal] = {}
+    for edge in free.tree.edges:
+        velocity, omega = assembly.twists[edge.body]
+        for part, rate, speed, value in (
+            ("x", edge.slide_rate, edge.slide, velocity.x),
+            ("y", edge.rise_rate, edge.rise, velocity.y),
+            ("turn", edge.spin_rate, edge.spin, omega),
+        ):
+            if rate is not None and speed is not None:
+                keys[rate], moving[speed] = (edge.body, part), value
+    for symbol in (*system.scene.ledger.sought, *(a for _, a in system.scene.evaluator.motions.values() if isinstance(a, sp.Symbol))):
+        keys[symbol] = symbol.name
+    present = {p.name for p in system.pushes}
+    value = assembly.value.extended(moving)
+    for condition in conditions:
+        for expr in condition.rows():
+            form = linear_form(expr, keys)
+            row: dict[int, Decimal] = {-1: certain(form.constant, value)}
+            for symbol, coefficient in form.terms.items():
+                if keys[symbol] not in system.symbols or keys[symbol] in present:
+                    row[assembly.column(keys[symbol])] = certain(coefficient, value)
+            assembly.rows.append(row)
+            assembly.sources.append(condition.text)
+
+
+def failing(system: System, assembly: Assembly, solved: Solved) -> tuple[tuple[Test, Decimal | None], ...]:
+    """The tests that fail. Tests that depend on what is not unique may hold for some distribution: that is decided exactly."""
+    affine: list[tuple[Test, Decimal, dict[int, Decimal]]] = []
+    for mode in system.modes.values():
+        for test in mode.tests:
+            affine.append((test, *_measure(test, assembly, solved)))
+    failed: list[tuple[Test, Decimal | None]] = []
+    open_tests = [(t, v, n) for t, v, n in affine if n]
+    for test, value, null in affine:
+        if not null and not _holds(value, test.strict):
+            failed.append((test, value))
+    if open_tests and not feasible([(v, n, t.strict) for t, v, n in affine if n or True]):
+        failed += [(t, None) for t, _, _ in open_tests]
+    return tuple(failed)
+
+
+def _holds(value: Decimal, strict: bool) -> bool:
+    return value > CERTAIN * 10**8 if strict else value >= -CERTAIN * 10**8
+
+
+def _measure(test: Test, assembly: Assembly, solved: Solved) -> tuple[Decimal, dict[int, Decimal]]:
+    """The value of a test and its slopes along what is free."""
+    line: dict[int, Decimal] = {-1: certain(sp.sympify(test.constant), assembly.value)}
+    for name, factor in test.pushes:
+        column = assembly.columns.get(name)
+        if column is not None:
+            line[column] = line.get(column, ZERO) + assembly.value(factor)
+    if test.row is not None:
+        line = {j: test.sense * c for j, c in assembly.row(test.row).items()}
+    if test.joining is not None and test.joining.path is not None:
+        normal = assembly.number(test.joining.path.tangent.turned())
+        line = {j: test.sense * c for j, c in assembly.across(test.joining, normal).items()}
+    size = max((abs(c * (solved.values[j] if j >= 0 else ONE)) for j, c in line.items()), default=ZERO) or ONE
+    value = sum((c * solved.values[j] for j, c in line.items() if j >= 0), line.get(-1, ZERO))
+    slopes = {free: sum((c * vector[j] for j, c in line.items() if j >= 0), ZERO) for free, vector in solved.null.items()}
+    return value / size, {k: s / size for k, s in slopes.items() if abs(s) > CERTAIN * size}
+
+
+def feasible(tests: list[tuple[Decimal, dict[int, Decimal], bool]]) -> bool:
+    """Can all of value + Σ slope · free ≥ 0 (or > 0) hold at once? Fourier-Motzkin elimination, exact to all digits."""
+    variables = sorted({k for _, slopes, _ in tests for k in slopes})
+    current = tests
+    for variable in variables:
+        lower = [t for t in current if t[1].get(variable, ZERO) > 0]
+        upper = [t for t in current if t[1].get(variable, ZERO) < 0]
+        rest = [t for t in current if not t[1].get(variable)]
+        for low in lower:
+            for up in upper:
+                a, b = low[1][variable], -up[1][variable]
+                slopes = {k: b * low[1].get(k, ZERO) + a * up[1].get(k, ZERO) for k in {*low[1], *up[1]} if k != variable}
+                value = b * low[0] + a * up[0]
+                rest.append((value, {k: s for k, s in slopes.items() if abs(s) > CERTAIN}, low[2] or up[2]))
+        current = rest
+        if len(current) > 4000:
+            return True
+    return all(_holds(value, strict) for value, _, strict in current)

@@ -1,0 +1,381 @@
+"""The formats of a document: the spool of the design page as golden texts, narrow terminals, hostile names."""
+
+from __future__ import annotations
+
+import io
+import json
+import re
+import subprocess
+import sys
+from decimal import Decimal
+from fractions import Fraction
+
+import pytest
+from sympy import Abs, Add, Eq, Mul, Symbol, sqrt, symbols
+
+from planar_cli import registry
+from planar_cli.formats.json import dumps
+from planar_cli.formats.markdown import Markdown
+from planar_cli.formats.terminal import Terminal
+from planar_cli.report.blocks import (
+    Answer,
+    Bullet,
+    Check,
+    Document,
+    Equation,
+    Forces,
+    Heading,
+    Math,
+    Name,
+    Note,
+    Paragraph,
+    Relation,
+    Result,
+    Table,
+    Text,
+    Title,
+    Value,
+    line,
+)
+
+
+def value(number: str, unit: str = "") -> Value:
+    return Value(Decimal(number), unit)
+
+
+def spool() -> Document:
+    P, R, r, m, k, a, alpha, inertia, F = symbols("P R r m k_G a_G alpha I_G F")
+    values = {P: "100", R: "0.45", r: "0.3", m: "50", k: "0.2"}
+    closed = -P * (R + r) / (m * (R**2 + k**2))
+    moment = Add(Mul(-1, m, a, R, evaluate=False), inertia * alpha, evaluate=False)
+    return Document(
+        "Spool pulled along a rough floor",
+        (
+            Note(
+                "Effects",
+                line("weight · normal force and friction at C (rolling, no slip) · rotational inertia of the spool"),
+            ),
+            Note("Effects", line("not in this scene: drag, springs, Coriolis, impact")),
+            Heading("STEP 1", "Kinematic analysis"),
+            Paragraph(line("The spool rolls without slipping on the floor at C:")),
+            Equation(
+                (Math(a), Math(-R * alpha)), 1, note=line("rolling, ", Name("alpha"), " positive counterclockwise")
+            ),
+            Heading("STEP 2", "Kinetic analysis", "free-body diagram = kinetic diagram"),
+            Forces(
+                "Spool",
+                line("P → at T,  ", Math(m * Symbol("g")), " ↓ at G,  N ↑ at C,  F → at C (assumed)"),
+                line(Math(m * a), " → at G,  ", Math(inertia * alpha), " ↺"),
+            ),
+            Paragraph(line("Moments about C, where N and F meet, so that neither enters:")),
+            Equation((Math(-P * (R + r)), Math(moment)), 2, line("↺ ", Name("ΣM_C"), ":")),
+            Equation((Math(Add(P, F, evaluate=False)), Math(m * a)), 3, line("→ ", Name("ΣF_x"), ":")),
+            Heading(
+                "STEP 3",
+                "Solving the equations",
+                line("3 equations, 3 unknowns: ", Math(alpha), ", ", Math(a), ", ", Math(F)),
+            ),
+            Equation(
+                (Math(alpha), Math(closed), Math(closed, values), value("-6.18556701", "rad/s^2")),
+                lead=line("(1) in (2):"),
+            ),
+            Equation((Math(F), Math(m * R * Abs(alpha) - P), value("39.17525773", "N")), lead=line("(1) in (3):")),
+            Answer("alpha", line(value("6.18556701", "rad/s^2"), " clockwise")),
+            Answer("F", line(value("39.17525773", "N"), " to the right (as assumed)")),
+            Check(line("residuals 0 in 4 equations")),
+            Check(line("multibody solution agrees to 15 digits")),
+            Check(line(Relation(Name("N"), "=", value("490.5", "N")), " > 0")),
+            Note(
+                "Discussion",
+                line("The friction changes sign at ", Math(Eq(k, sqrt(R * r))), " = ", value("0.36742346", "m"), "."),
+            ),
+        ),
+    )
+
+
+TERMINAL = """\
+Spool pulled along a rough floor
+
+Effects   weight · normal force and friction at C (rolling, no slip) · rotational inertia of the spool
+          not in this scene: drag, springs, Coriolis, impact
+
+STEP 1  Kinematic analysis
+  The spool rolls without slipping on the floor at C:
+    (1)  a_G = -R α                                     rolling, α positive counterclockwise
+
+STEP 2  Kinetic analysis                                free-body diagram = kinetic diagram
+  Spool:  P → at T,  m g ↓ at G,  N ↑ at C,  F → at C (assumed)   =   m a_G → at G,  I_G α ↺
+  Moments about C, where N and F meet, so that neither enters:
+    (2)  ↺ ΣM_C:   -P (R + r) = -m a_G R + I_G α
+    (3)  → ΣF_x:        P + F = m a_G
+
+STEP 3  Solving the equations                           3 equations, 3 unknowns: α, a_G, F
+  (1) in (2):   α = -P (R + r) / (m (R² + k_G²)) = -100 (0.45 + 0.3) / (50 (0.45² + 0.2²)) = -6.186 rad/s²
+  (1) in (3):   F = m R |α| - P = 39.18 N
+
+Answer   α = 6.186 rad/s² clockwise
+         F = 39.18 N to the right (as assumed)
+
+Check    residuals 0 in 4 equations · multibody solution agrees to 15 digits · N = 490.5 N > 0
+Discussion   The friction changes sign at k_G = √(R r) = 0.3674 m.
+"""
+
+NARROW = """\
+STEP 3  Solving the equations
+  3 equations, 3 unknowns: α, a_G, F
+  (1) in (2):   α = -P (R + r)
+                  / (m (R² + k_G²))
+                  = -100 (0.45 + 0.3)
+                  / (50 (0.45² + 0.2²))
+                  = -6.186 rad/s²
+  (1) in (3):   F = m R |α| - P
+                  = 39.18 N
+
+Answer   α = 6.186 rad/s² clockwise
+         F = 39.18 N to the right (as
+         assumed)
+
+Check    residuals 0 in 4 equations ·
+         multibody solution agrees to 15
+         digits · N = 490.5 N > 0
+Discussion   The friction changes sign
+             at k_G = √(R r) = 0.3674 m.
+"""
+
+SUBSTITUTED = r"-\frac{100 (0.45 + 0.3)}{50 (0.45^{2} + 0.2^{2})}"
+MARKDOWN = r"""# Spool pulled along a rough floor
+
+**Effects:**
+
+- weight · normal force and friction at C (rolling, no slip) · rotational inertia of the spool
+- not in this scene: drag, springs, Coriolis, impact
+
+## Step 1. Kinematic analysis
+
+The spool rolls without slipping on the floor at C:
+
+$$
+a_{G} = -R \alpha \tag{1}
+$$
+
+(rolling, $\alpha$ positive counterclockwise)
+
+## Step 2. Kinetic analysis
+
+(free-body diagram = kinetic diagram)
+
+**Spool:** P → at T,  $m g$ ↓ at G,  N ↑ at C,  F → at C (assumed) $=$ $m a_{G}$ → at G,  $I_{G} \alpha$ ↺
+
+Moments about C, where N and F meet, so that neither enters:
+
+↺ $\Sigma M_{C}$:
+
+$$
+-P (R + r) = -m a_{G} R + I_{G} \alpha \tag{2}
+$$
+
+→ $\Sigma F_{x}$:
+
+$$
+P + F = m a_{G} \tag{3}
+$$
+
+## Step 3. Solving the equations
+
+(3 equations, 3 unknowns: $\alpha$, $a_{G}$, $F$)
+
+(1) in (2):
+
+$$
+\alpha = -\frac{P (R + r)}{m (R^{2} + k_{G}^{2})} = @ = -6.186~\mathrm{rad/s^{2}}
+$$
+
+(1) in (3):
+
+$$
+F = m R \lvert \alpha \rvert - P = 39.18~\mathrm{N}
+$$
+
+## Answer
+
+- $\alpha = 6.186~\mathrm{rad/s^{2}}$ clockwise
+- $F = 39.18~\mathrm{N}$ to the right (as assumed)
+
+**Check:** residuals 0 in 4 equations · multibody solution agrees to 15 digits · $N = 490.5~\mathrm{N}$ \> 0
+
+**Discussion:** The friction changes sign at $k_{G} = \sqrt{R r}$ = $0.3674~\mathrm{m}$.
+""".replace("@", SUBSTITUTED)
+
+
+def test_the_spool_in_a_terminal() -> None:
+    assert Terminal().render(spool()) == TERMINAL
+
+
+def test_the_spool_in_a_narrow_terminal() -> None:
+    text = Terminal(40).render(spool())
+    assert text[text.index("STEP 3") :] == NARROW
+
+
+def test_the_spool_in_markdown() -> None:
+    assert Markdown().render(spool()) == MARKDOWN
+
+
+@pytest.mark.parametrize("width", [20, 30, 40, 60, 80, 100, 120])
+def test_no_row_is_wider_than_the_terminal(width: int) -> None:
+    assert max(len(row) for row in Terminal(width).render(spool()).splitlines()) <= width
+
+
+def test_colours_do_not_change_the_words() -> None:
+    coloured = Terminal(colour=True).render(spool())
+    assert "\x1b[" in coloured
+    assert re.sub(r"\x1b\[[0-9;]*m", "", coloured) == TERMINAL
+
+
+def test_a_pipe_gets_plain_text(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv("FORCE_COLOR", raising=False)
+    assert Terminal.on(io.StringIO()) == Terminal()
+
+
+class Screen(io.StringIO):
+    def isatty(self) -> bool:
+        return True
+
+
+def test_no_color_is_obeyed(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("TERM", "xterm")
+    monkeypatch.setenv("COLUMNS", "72")
+    monkeypatch.delenv("NO_COLOR", raising=False)
+    assert Terminal.on(Screen()) == Terminal(72, colour=True)
+    monkeypatch.setenv("NO_COLOR", "1")
+    assert Terminal.on(Screen()) == Terminal(72, colour=False)
+
+
+ROWS = Document(
+    "Rows",
+    (
+        Title("Second title"),
+        Bullet(line("first")),
+        Bullet(line("second, with ", Math(Symbol("omega_AB") ** 2))),
+        Result(line(Relation(Name("a_C"), "≈", value("2.5", "m/s^2")))),
+        Forces("Rod AB", line("W ↓ at G")),
+        Table(
+            (line("method"), line("equations")), ((line("work"), line("1")), (line(Math(Abs(Symbol("x")))), line("12")))
+        ),
+        Answer("taut", line("yes"), relation=":"),
+        Equation((Math(Symbol("x")), line(value("1", "N"), Text(" or more"))), relation="≥"),
+        Equation((Math(Symbol("y")),)),
+    ),
+)
+
+
+def test_the_other_blocks_in_a_terminal() -> None:
+    assert Terminal(60).render(ROWS) == (
+        "Rows\nSecond title\n\n"
+        "  • first\n  • second, with ω_AB²\n    ⇒ a_C ≈ 2.5 m/s²\n  Rod AB:  W ↓ at G\n\n"
+        "  method   equations\n  ──────   ─────────\n  work     1\n  |x|      12\n\n"
+        "Answer   taut: yes\n\n"
+        "    x ≥ 1 N or more\n    y\n"
+    )
+
+
+def test_the_other_blocks_in_markdown() -> None:
+    text = Markdown().render(ROWS)
+    assert "- first\n- second, with $\\omega_{AB}^{2}$" in text
+    assert "⇒ $a_{C} \\approx 2.5~\\mathrm{m/s^{2}}$" in text
+    assert "| method | equations |\n| --- | --- |\n| work | 1 |\n| $\\lvert x \\rvert$ | 12 |" in text
+    assert "- $\\mathrm{taut}$: yes" in text
+    assert "x \\ge 1~\\mathrm{N}\\text{ or more}" in text
+
+
+def test_a_wide_table_is_stacked() -> None:
+    assert "  method: work\n  equations: 1\n" in Terminal(19).render(ROWS)
+
+
+HOSTILE = [
+    "\x1b[31mred\x1b[0m",
+    "\x9b2J",
+    "\u202eabc",
+    "[link=http://x]x[/link]",
+    "[/]",
+    "a\nb\r# c",
+    "<script>",
+    "$x$ `y`",
+    "![i](u)",
+]
+
+
+@pytest.mark.parametrize("name", HOSTILE)
+@pytest.mark.parametrize("colour", [False, True])
+def test_hostile_words_are_harmless(name: str, colour: bool) -> None:
+    document = Document(
+        name,
+        (
+            Paragraph(line(name, Name(name), Math(Symbol(name)))),
+            Note(name, line(name)),
+            Forces(name, line(name)),
+            Answer(name, line()),
+        ),
+    )
+    text = Terminal(colour=colour).render(document)
+    for steering in ("\x1b[31m", "\x9b", "\u202e", "\r", "\x1b]8"):
+        assert steering not in text
+    assert "[/]" in text if name == "[/]" else True
+    markdown = Markdown().render(document)
+    assert all(c.isprintable() or c == "\n" for c in markdown)
+    assert "<script>" not in markdown
+    assert "![i](u)" not in markdown
+    assert "\n# c" not in markdown
+
+
+def test_a_paragraph_cannot_become_a_list() -> None:
+    assert (
+        Markdown().render(Document("t", (Paragraph(line("- 5 N")), Paragraph(line("1. item")))))
+        == "# t\n\n\\- 5 N\n\n1\\. item\n"
+    )
+
+
+def test_the_shelf_holds_the_formats() -> None:
+    found = registry.members("formats")
+    assert found["text"] is Terminal
+    assert found["markdown"] is Markdown
+
+
+def test_json_is_exact_and_deterministic() -> None:
+    text = dumps(
+        {
+            "b": Decimal("-6.18556701030927835"),
+            "a": [Fraction(1, 4), Fraction(4, 2), True, None, Decimal("-0")],
+            "name": "α\u202e\x1b",
+        }
+    )
+    assert text == (
+        '{\n  "schema_version": 1,\n  "b": -6.185567010309279,\n  "a": [\n'
+        "    0.25,\n    2,\n    true,\n    null,\n    0.0\n  ],\n"
+        '  "name": "α\\u202e\\u001b"\n}\n'
+    )
+    assert json.loads(text)["name"] == "α\u202e\x1b"
+
+
+@pytest.mark.parametrize("number", [Decimal("NaN"), Decimal("1E+999"), Fraction(10**400), float("inf")])
+def test_json_refuses_numbers_that_are_not_finite(number: Decimal | Fraction | float) -> None:
+    if isinstance(number, Fraction):
+        assert json.loads(dumps({"x": number}))["x"] == 10**400
+        return
+    with pytest.raises(ValueError, match="finite"):
+        dumps({"x": number})
+
+
+@pytest.mark.parametrize("value_", [object(), {1: 2}, {"x"}])
+def test_json_refuses_what_it_does_not_know(value_: object) -> None:
+    with pytest.raises(TypeError):
+        dumps({"x": value_})
+
+
+def test_blocks_and_plain_text_load_neither_sympy_nor_rich() -> None:
+    code = (
+        "import sys; from planar_cli.report.blocks import *; from planar_cli.formats.terminal import Terminal;"
+        "from planar_cli.formats.markdown import Markdown; from decimal import Decimal;"
+        "d = Document('t', (Paragraph(line('x', Value(Decimal(1), 'N'), Name('m'))),));"
+        "Terminal().render(d); Markdown().render(d); sys.exit(any(m in sys.modules for m in ('sympy', 'rich')))"
+    )
+    assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
