@@ -23,13 +23,14 @@ def use_colour() -> bool:
 
 
 def show_all(diagnostics: Iterable[Diagnostic], sources: Mapping[str, str] | None = None) -> None:
-    """Print diagnostics to standard error; `sources` has the texts of files already read (standard input among them)."""
+    """Print diagnostics to standard error; `sources` has the texts of files already read, standard input among them."""
     texts = dict(sources or {})
     for diagnostic in diagnostics:
         file = diagnostic.mark.file
         if file not in texts:
             texts[file] = _source(file)
-        click.echo(_coloured(show_diagnostic(diagnostic, texts[file]), diagnostic.code), err=True)
+        shown = _coloured(show_diagnostic(diagnostic, texts[file]), diagnostic.code)
+        click.echo(shown, err=True, color=use_colour())
 
 
 def _source(file: str) -> str:

@@ -6,6 +6,7 @@ A condition is a residual that vanishes: a vector one may be projected on any di
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -88,14 +89,14 @@ def _quantity_order(q: Quantity, coordinates: set[str]) -> int:
     return max(level, natural)
 
 
-def joint_conditions(tree: Tree, rows: list[Row], motion: Motion, level: int) -> list[Condition]:
+def joint_conditions(tree: Tree, rows: list[Row], motion: Motion, level: int, rigid: Callable[[str], bool]) -> list[Condition]:
     """What the joints demand that the tree has not already built in."""
     found: list[Condition] = []
     for joining in tree.closures:
         residual = motion.closure_velocity(joining) if level == VELOCITY else motion.closure_acceleration(joining)
         normal = joining.path.tangent.turned() if joining.path is not None else None
         found.append(Condition("closure", joining.joint, residual, normal, joining.place, joining.mover, joining.base))
-        if not joining.turns:
+        if not joining.turns and rigid(joining.mover) and rigid(joining.base):
             twists = motion.velocities if level == VELOCITY else motion.accelerations
             turning = twists[joining.mover].angular - twists[joining.base].angular
             found.append(Condition("row", f"{joining.mover} can not turn", turning))

@@ -6,6 +6,7 @@ The only maker of symbols. Every symbol carries the unit in which it is shown; i
 from __future__ import annotations
 
 import random
+from collections import ChainMap
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from decimal import Decimal
@@ -102,7 +103,7 @@ class Ledger:
         found: list[Valuation] = []
         rng = random.Random(20)
         for _ in range(tries):
-            candidate = Valuation({s: self._draw(s, rng) for s in free}, {**self.values, **self.definitions})
+            candidate = Valuation({s: self._draw(s, rng) for s in free}, ChainMap(self.values, self.definitions))
             if _holds(holds, candidate):
                 found.append(candidate)
             if len(found) == (DRAWS if free else 1) or not free:

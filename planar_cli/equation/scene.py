@@ -19,6 +19,7 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import (
     GROUND,
     Curve,
+    Line,
     Particle,
     Plate,
     Point,
@@ -254,7 +255,7 @@ class Scene:
     def track(self, along: Side | str, point: Vec, mark: Mark) -> tuple[Vec, sp.Expr]:
         """Tangent and signed curvature of a track at a point: an angle, a body's line, or a surface."""
         name = along if isinstance(along, str) else along.name if isinstance(along, Name) else ""
-        if name in self.surfaces:
+        if name in self.surfaces and not isinstance(self.surfaces[name].shape, Line):
             found = self.outline(name, point, mark)
             return found.tangent or Vec(sp.S.One, sp.S.Zero), found.curvature
         return self.direction(along), sp.S.Zero

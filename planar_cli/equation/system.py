@@ -70,7 +70,14 @@ class System:
     def velocity_conditions(self) -> list[Condition]:
         """Everything that velocities must satisfy (rest is applied afterwards)."""
         quantities = self._quantities(self.first, None)
-        return self._conditions(quantities, VELOCITY)
+        return [*self._conditions(quantities, VELOCITY), *self._touching()]
+
+    def _touching(self) -> list[Condition]:
+        """What is about to part, tip or slacken still has no velocity apart."""
+        touching = [mode.touching for mode in self.modes.values()]
+        closures = tuple(j for t in touching for j in t.joinings)
+        rows = [row for t in touching for row in t.rows]
+        return joint_conditions(Tree((), closures), rows, self.first, VELOCITY, self.scene.rigid)
 
     def settle(self, known: dict[sp.Symbol, sp.Expr], wrenches: tuple[Wrench, ...]) -> None:
         """Velocities are settled: `known` are put in; loads now state what they do."""
@@ -110,7 +117,7 @@ class System:
     def _conditions(self, quantities: Quantities, level: int) -> list[Condition]:
         motion = quantities.motion
         rows = [row for mode in self.modes.values() for row in mode.facts.rows]
-        return [*joint_conditions(self.tree, rows, motion, level), *self._file_conditions(quantities, level)]
+        return [*joint_conditions(self.tree, rows, motion, level, self.scene.rigid), *self._file_conditions(quantities, level)]
 
     def _file_conditions(self, quantities: Quantities, level: int) -> list[Condition]:
         """The relations of the file, points that follow formulas, and bodies at rest."""

@@ -34,7 +34,7 @@ def free_parts(rope: Rope, scene: Setting) -> tuple[tuple[Segment, ...], tuple[t
     The rate of the rope's length is Σ direction · (v_end - v_start) over the segments, plus what drums give out; a pulley
     on which the rope only turns adds nothing beyond the motion of its centre.
     """
-    stops = [_stop(rope, scene, i) for i in range(len(rope.path))]
+    stops = stops_of(rope, scene)
     segments, actions = [], []
     spins: list[tuple[str, Any]] = []
     for start, end in zip(stops, stops[1:], strict=False):
@@ -45,6 +45,11 @@ def free_parts(rope: Rope, scene: Setting) -> tuple[tuple[Segment, ...], tuple[t
             if stop.rim is not None:
                 spins.append((stop.body, -(stop.rim - stop.center).cross(pull)))
     return tuple(segments), tuple(spins), tuple(actions)
+
+
+def stops_of(rope: Rope, scene: Setting) -> list[Stop]:
+    """What the path says: each stop with its body, centre, radius and side."""
+    return [_stop(rope, scene, i) for i in range(len(rope.path))]
 
 
 def _stop(rope: Rope, scene: Setting, index: int) -> Stop:

@@ -199,6 +199,7 @@ class Touching:
         if extent is None or not self.scene.rigid(self.mover.body):
             return []
         found = []
+        touching = Facts((self._sliding_joining(),))
         for end, distance in ((1, extent[1]), (-1, -extent[0])):
             corner = self.place + self.tangent * distance
             lifts = Row(self.name, f"{self.words} tips", spins=((self.mover.body, -end), (self.base.body, end)))
@@ -207,15 +208,15 @@ class Touching:
             if not self.smooth:
                 joining = Joining(self.name, self.mover.body, self.base.body, corner, self.contact.at, drift=self.base.drift)
                 tests = (self._pressed(), *self._within(), opens)
-                found.append(Mode("tip", f"{self.words} tips about its edge", Facts((joining,), pushes=pushes), tests, sliding))
+                found.append(Mode("tip", f"{self.words} tips about its edge", Facts((joining,), pushes=pushes), tests, sliding, touching=touching))
             joining = Joining(self.name, self.mover.body, self.base.body, corner, self.contact.at, Path(self.tangent, 0))
             for direction in (1, -1) if not self.smooth else (0,):
                 moves = Test(self.name, f"{self.words} slips as assumed", row=sliding, sense=direction, strict=True)
                 tests = (self._pressed(), opens, *((moves,) if direction else ()))
                 facts = Facts((joining,), (), pushes, self._law(direction) if direction else ())
-                found.append(Mode("tip", f"{self.words} tips and slips", facts, tests, sliding if direction else None, direction))
+                found.append(Mode("tip", f"{self.words} tips and slips", facts, tests, sliding if direction else None, direction, touching))
         return found
 
     def _apart(self) -> Mode:
         parts = Test(self.name, f"{self.words} does not press into its partner", joining=self._sliding_joining())
-        return Mode("apart", f"{self.words} lifts off", Facts(), (parts,))
+        return Mode("apart", f"{self.words} lifts off", Facts(), (parts,), touching=Facts((self._sliding_joining(),)))

@@ -27,6 +27,7 @@ from typing import ClassVar
 from planar_cli.errors import Mark
 from planar_cli.problem.facts import Mode
 from planar_cli.problem.keys import Choice
+from planar_cli.problem.residuals import Residual
 from planar_cli.problem.setting import Setting
 
 
@@ -48,3 +49,10 @@ class Joint(ABC):
     @abstractmethod
     def modes(self, scene: Setting) -> tuple[Mode, ...]:
         """The ways in which the joint may act, the natural assumption first; each with the facts that it states."""
+
+    @abstractmethod
+    def residuals(self, scene: Setting, mode: Mode) -> tuple[Residual, ...]:
+        """The same joint once more, in one of its modes, as places that it keeps; written from geometry alone.
+
+        The independent check differentiates these itself, so nothing in them may come from the facts of `modes`.
+        """

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import Any, ClassVar
 
 from planar_cli.joints.base import Joint
+from planar_cli.problem.residuals import Poses, Residual
 from planar_cli.problem.setting import Setting
 from planar_cli.problem.facts import Action, Anchor, Facts, Mode, Pull, Push, Row
 from planar_cli.problem.keys import FlagKey, PartnersKey, key
@@ -62,3 +63,19 @@ class Belt(Joint):
         actions = (Action(a, center_a, -arm, r_a), Action(b, center_b, arm, -r_b))
         push = Push(f"T_{self.name}", "tension", self.name, self.name, actions)
         return (Mode("", "", Facts(rows=(row,), pushes=(push,))),)
+
+    def residuals(self, scene: Setting, mode: Mode) -> tuple[Residual, ...]:
+        """One straight part takes up on one rim what it gives out on the other: R_a (θ_a - ψ) = ± R_b (θ_b - ψ).
+
+        ψ is the direction of the line of centres, against which the tangent points keep their places.
+        """
+        a, b = self.between
+        center_a, center_b, radius_a, radius_b = scene.center(a), scene.center(b), scene.radius(a), scene.radius(b)
+
+        def creep(poses: Poses) -> Any:
+            psi = poses.turned(poses.point(b, center_b) - poses.point(a, center_a))
+            on_a = (poses.angle(a) - psi) * poses.number(radius_a)
+            on_b = (poses.angle(b) - psi) * poses.number(radius_b)
+            return on_a + on_b if self.crossed else on_a - on_b
+
+        return (Residual(f"{self.name}: arcs on both rims", creep),)

@@ -5,10 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
-from planar_cli.joints.base import Joint
+from planar_cli.joints._outline_residuals import flush, stuck
 from planar_cli.joints._touching import Touching
+from planar_cli.joints.base import Joint
+from planar_cli.problem.residuals import Residual
 from planar_cli.problem.setting import Setting
-from planar_cli.problem.facts import Mode
+from planar_cli.problem.facts import Mode, Outline
 from planar_cli.problem.expression import Side
 from planar_cli.problem.keys import Choice, PartnersKey, PointKey, SideKey, key
 
@@ -77,3 +79,14 @@ class Contact(Joint):
             None if kinetic is None else scene.value(kinetic),
             None if self.friction is None else scene.value(self.friction),
         ).modes()
+
+    def residuals(self, scene: Setting, mode: Mode) -> tuple[Residual, ...]:
+        if mode.name == "apart":
+            return ()
+        pair = Touching(self, scene, None, None, None)
+        mover, place = pair.mover, pair.place
+        if mode.name == "tip":
+            # Which corner stays is a choice of the mode: it is where its forces act.
+            mover, place = Outline("corner", mover.body), mode.facts.pushes[0].actions[0].point
+        sticks = mode.name == "stick" or (mode.name == "tip" and mode.sliding is not None and mode.direction == 0)
+        return (stuck if sticks else flush)(self.name, mover, pair.base, place)

@@ -5,8 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
+from planar_cli.joints._outline_residuals import same_turn, together
 from planar_cli.joints.base import Joint
 from planar_cli.problem.geometry import Vec
+from planar_cli.problem.residuals import Residual
 from planar_cli.problem.setting import Setting
 from planar_cli.problem.facts import Action, Anchor, Facts, Joining, Mode, Pull, Push, Row, Test
 from planar_cli.problem.expression import Side
@@ -57,3 +59,12 @@ class Flat(Joint):
     def modes(self, scene: Setting) -> tuple[Mode, ...]:
         """PLACEHOLDER"""
         return (Mode("slip", "", Facts()),)
+
+    def residuals(self, scene: Setting, mode: Mode) -> tuple[Residual, ...]:
+        if mode.name != "stick":
+            return ()
+        body, base = (scene.carrier(p) for p in self.between)
+        found = (together(f"{self.name}: place", body, base, scene.center(body)),)
+        if not (scene.rigid(body) and scene.rigid(base)):
+            return found
+        return (*found, same_turn(f"{self.name}: angle", body, base))

@@ -5,10 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
+from planar_cli.joints._outline_residuals import center_of, same_turn, together, touching
 from planar_cli.joints.base import Joint
 from planar_cli.problem.geometry import Vec
+from planar_cli.problem.residuals import Residual
 from planar_cli.problem.setting import Setting
-from planar_cli.problem.facts import Action, Anchor, Facts, Joining, Law, Mode, Path, Pull, Push, Row, Test
+from planar_cli.problem.facts import Action, Anchor, Facts, Joining, Law, Mode, Outline, Path, Pull, Push, Row, Test
 from planar_cli.problem.expression import Side
 from planar_cli.problem.keys import BodyKey, Choice, DirectionKey, PointKey, SideKey, key
 
@@ -118,3 +120,24 @@ class Guide(Joint):
                 facts = Facts((joining,), (), pushes, (law,))
                 modes.append(Mode("slip", f"{joining.place} slides in its guide", facts, (pressed, moves), sliding, direction))
         return tuple(modes)
+
+    def residuals(self, scene: Setting, mode: Mode) -> tuple[Residual, ...]:
+        joining, _ = self._joining(scene)
+        mover, base, point = joining.mover, joining.base, joining.point
+        tangent, curvature = scene.track(self.along, point, self.mark)
+        straight = scene.is_zero(curvature)
+        track = Outline("straight" if straight else "arc", base, tangent, curvature)
+        found = touching(self.name, Outline("corner", mover), track, point)
+        if mode.name == "stick":
+            found = (together(f"{self.name}: place", mover, base, point),)
+        if self.body is None or not (scene.rigid(mover) and scene.rigid(base)):
+            return found
+        center = center_of(track, point)
+        if center is None or mode.name == "stick":
+            return (*found, same_turn(f"{self.name}: angle", mover, base))
+        # On a curved track the body turns with the tangent, which stands across the radius from the centre of curvature.
+        radius = Residual(
+            f"{self.name}: angle",
+            lambda poses: poses.angle(mover) - poses.turned(poses.point(mover, point) - poses.point(base, center)),
+        )
+        return (*found, radius)

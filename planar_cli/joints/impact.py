@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from planar_cli.joints.base import Joint
+from planar_cli.problem.residuals import Residual
 from planar_cli.problem.setting import Setting
 from planar_cli.problem.facts import Mode
 from planar_cli.problem.expression import Side
@@ -58,3 +59,7 @@ class Impact(Joint):
 
     def modes(self, scene: Setting) -> tuple[Mode, ...]:
         raise scene.refuse(self.mark, "PL590", "an impact joins two states", "at one instant there is no impact; use `states` and `during`")
+
+    def residuals(self, scene: Setting, mode: Mode) -> tuple[Residual, ...]:
+        """None: an impact keeps no places."""
+        return ()

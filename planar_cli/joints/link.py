@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import Any, ClassVar
 
+from planar_cli.joints._swing import swing
 from planar_cli.joints.base import Joint
+from planar_cli.problem.geometry import Vec
+from planar_cli.problem.residuals import Poses, Residual
 from planar_cli.problem.setting import Setting
-from planar_cli.problem.facts import Action, Anchor, Facts, Mode, Push, Row, Segment
+from planar_cli.problem.facts import Action, Anchor, Facts, Mode, Push
 from planar_cli.problem.expression import Side
 from planar_cli.problem.keys import PointPairKey, SideKey, key
 
@@ -23,7 +26,11 @@ class Link(Joint):
     YAML
         title: Beam carried by two parallel links
         plane: vertical
-        points: {A: [0, 1 m], B: [1 m, 1 m], C: {from: A, distance: 1 m, angle: -60 deg}, D: {from: B, distance: 1 m, angle: -60 deg}}
+        points:
+          A: [0, 1 m]
+          B: [1 m, 1 m]
+          C: {from: A, distance: 1 m, angle: -60 deg}
+          D: {from: B, distance: 1 m, angle: -60 deg}
         bodies: {beam: {rod: [C, D], mass: 10 kg}}
         joints:
           - link: {between: [A, C], name: AC}
@@ -55,6 +62,18 @@ class Link(Joint):
         reach = end.point - start.point
         length = scene.value(self.length) if self.length is not None else scene.length(reach)
         direction = reach / length
-        row = Row(self.name, f"the link {a}{b} keeps its length", segments=(Segment(start, end, direction, length),))
+        joining = swing(self.name, (a, start), (b, end), direction, 1 / length)
         actions = (Action(start.body, start.point, direction), Action(end.body, end.point, -direction))
-        return (Mode("", "", Facts(rows=(row,), pushes=(Push(f"S_{self.name}", "tension", self.name, f"{a}{b}", actions),))),)
+        push = Push(f"S_{self.name}", "tension", self.name, f"{a}{b}", actions)
+        return (Mode("", "", Facts((joining,), pushes=(push,))),)
+
+    def residuals(self, scene: Setting, mode: Mode) -> tuple[Residual, ...]:
+        (a, b), owners = self.between, [scene.owner(p) for p in self.between]
+        start, end = scene.point(a), scene.point(b)
+        length = None if self.length is None else scene.value(self.length)
+
+        def stretch(poses: Poses) -> Any:
+            distance = poses.length(poses.point(owners[1], end) - poses.point(owners[0], start))
+            return poses.change(distance) if length is None else distance - poses.number(length)
+
+        return (Residual(f"{self.name}: length", stretch),)

@@ -5,8 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
+from planar_cli.joints._outline_residuals import same_turn, together
 from planar_cli.joints.base import Joint
 from planar_cli.problem.geometry import Vec
+from planar_cli.problem.residuals import Residual
 from planar_cli.problem.setting import Setting
 from planar_cli.problem.facts import Action, Facts, Joining, Law, Mode, Push, Row, Test
 from planar_cli.problem.expression import Side
@@ -86,6 +88,14 @@ class Pin(Joint):
             Test(self.name, "friction torque within its limit", ((couple, -1),), limit),
         )
         return (Mode("stick", f"{mover} is held by the friction of its axle at {self.at}", held, tests, turning), *modes)
+
+    def residuals(self, scene: Setting, mode: Mode) -> tuple[Residual, ...]:
+        first, *others = (scene.carrier(b) for b in self.between)
+        place = scene.point(self.at)
+        found = tuple(together(f"{self.name}: place on {first} and {b}", first, b, place) for b in others)
+        if mode.name != "stick":
+            return found
+        return (*found, *(same_turn(f"{self.name}: angle of {first} and {b}", first, b) for b in others))
 
 
 def components(joint: str, place: str, mover: str, base: str, point: Vec, several: bool = False) -> tuple[Push, Push]:

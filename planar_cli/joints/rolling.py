@@ -5,7 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
+from planar_cli.joints._outline_residuals import stuck
 from planar_cli.joints.base import Joint
+from planar_cli.problem.residuals import Residual
 from planar_cli.problem.setting import Setting
 from planar_cli.problem.facts import Action, Facts, Joining, Mode, Push, Rolling as NoSlip
 from planar_cli.problem.keys import PartnersKey, PointKey, key
@@ -72,3 +74,8 @@ class Rolling(Joint):
             actions = (Action(a.body, place, direction), Action(b.body, place, -direction))
             pushes.append(Push(f"{stem}_{self.name}", kind, self.name, self.at, actions))
         return (Mode("", "", Facts((joining,), pushes=tuple(pushes))),)
+
+    def residuals(self, scene: Setting, mode: Mode) -> tuple[Residual, ...]:
+        place = scene.point(self.at)
+        a, b = (scene.outline(p, place, self.mark) for p in self.between)
+        return stuck(self.name, a, b, place)

@@ -5,8 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
+from planar_cli.joints._swing import swing
+from planar_cli.joints._rope_length import rope_length
+from planar_cli.joints._rope_path import free_parts, stops_of
 from planar_cli.joints.base import Joint
-from planar_cli.joints._rope_path import free_parts
+from planar_cli.problem.residuals import Residual
 from planar_cli.problem.setting import Setting
 from planar_cli.problem.facts import Action, Anchor, Facts, Mode, Push, Row, Segment, Test
 from planar_cli.problem.expression import Side
@@ -72,9 +75,20 @@ class Rope(Joint):
         row = Row(self.name, f"the rope {self.name} keeps its length", spins=spins, segments=segments)
         push = Push(f"T_{self.name}", "tension", self.name, self.name, actions)
         taut = Facts(rows=(row,), pushes=(push,))
+        if len(segments) == 1 and not spins:
+            tie = segments[0]
+            ends = ((self.path[0].name, tie.start), (self.path[1].name, tie.end))
+            curvature = 0 if tie.length is None else 1 / tie.length
+            taut = Facts((swing(self.name, *ends, tie.direction, curvature),), pushes=(push,))
         pulls = Test(self.name, "the tension pulls", ((push.name, 1),))
         shortens = Test(self.name, "the ends do not move apart", row=row, sense=-1)
         return (
             Mode("taut", f"the rope {self.name} is taut", taut, (pulls,), row),
-            Mode("slack", f"the rope {self.name} is slack", Facts(), (shortens,)),
+            Mode("slack", f"the rope {self.name} is slack", Facts(), (shortens,), touching=Facts(taut.joinings, taut.rows)),
         )
+
+    def residuals(self, scene: Setting, mode: Mode) -> tuple[Residual, ...]:
+        if mode.name == "slack":
+            return ()
+        along = None if self.along is None else scene.unit(self.along)
+        return (rope_length(f"{self.name}: length", stops_of(self, scene), along),)

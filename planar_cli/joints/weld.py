@@ -5,8 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
+from planar_cli.joints._outline_residuals import same_turn, together
 from planar_cli.joints.base import Joint
 from planar_cli.problem.geometry import Vec
+from planar_cli.problem.residuals import Residual
 from planar_cli.problem.setting import Setting
 from planar_cli.problem.facts import Action, Facts, Joining, Mode, Push
 from planar_cli.problem.keys import PartnersKey, PointKey, key
@@ -67,3 +69,10 @@ class Weld(Joint):
             pushes.append(Push(title, "component" if force is not None else "couple", self.name, self.at, actions, unit))
         joining = Joining(self.name, mover, base, point, self.at, turns=False)
         return (Mode("", "", Facts((joining,), pushes=tuple(pushes))),)
+
+    def residuals(self, scene: Setting, mode: Mode) -> tuple[Residual, ...]:
+        a, b = (scene.carrier(p) for p in self.between)
+        found = (together(f"{self.name}: place", a, b, scene.point(self.at)),)
+        if not (scene.rigid(a) and scene.rigid(b)):
+            return found
+        return (*found, same_turn(f"{self.name}: angle", a, b))

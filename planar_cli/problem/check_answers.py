@@ -24,7 +24,9 @@ def check_answers(problem: Problem) -> Iterator[Diagnostic]:
             if find.name in finds:
                 line = finds[find.name][0].mark.line
                 message = f"the find '{find.name}' is asked for a second time; the first is in line {line}"
-                yield Diagnostic(find.mark, "PL404", message, "finds of all cases stand side by side; give it another name")
+                yield Diagnostic(
+                    find.mark, "PL404", message, "finds of all cases stand side by side; give it another name"
+                )
             finds[find.name] = (find, scope)
     for answer in problem.answers:
         if answer.name in finds:
@@ -52,22 +54,29 @@ def _answer(answer: Answer, find: Find, scope: Scope) -> Iterator[Diagnostic]:
                 check_side(value, kind.dimension, kinds.of, report, kind.angle)
     if isinstance(answer.tolerance, Side):
         check_side(answer.tolerance, None, kinds.of, report)
-    yield from report
+    what_answer = f"the answer {answer.name}"
+    yield from (Diagnostic(d.mark, d.code, f"{what_answer}: {d.message}", d.hint) for d in report)
 
 
 def _misfit(answer: Answer, kind: Kind, vector: bool) -> tuple[str, str]:
-    """What the find asks for, in words, and what to write, where the answer is of another kind; else two empty texts."""
+    """What the find asks for and what to write, where the answer is of another kind; else two empty texts."""
     value = answer.value
     if value == "":
         return "", ""
     if kind == TRUTH:
         return ("", "") if isinstance(value, bool) else ("whether something is so", "answer `true` or `false`")
     if kind == MODE:
-        return ("", "") if isinstance(value, Word) else ("for a mode", "answer `stick`, `slip`, `apart`, `tip`, `taut` or `slack`")
+        return (
+            ("", "")
+            if isinstance(value, Word)
+            else ("for a mode", "answer `stick`, `slip`, `apart`, `tip`, `taut` or `slack`")
+        )
     if kind == CURVE:
         return ("", "") if isinstance(value, str) else ("for a curve", "answer an equation in x and y: `y = x^2/(4 m)`")
     if vector:
-        return ("", "") if isinstance(value, tuple) else ("for a vector", "answer `[x, y]`, or ask one part: `.x`, `.mag`")
+        return (
+            ("", "") if isinstance(value, tuple) else ("for a vector", "answer `[x, y]`, or ask one part: `.x`, `.mag`")
+        )
     if isinstance(value, tuple):
         return "for a number", "a pair answers a vector; leave the part out of the find, or answer one number"
     if isinstance(value, bool):

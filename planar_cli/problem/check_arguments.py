@@ -21,7 +21,8 @@ TIMELESS = frozenset("path hodograph".split()) | STATED
 @dataclass(frozen=True, slots=True)
 class Takes:
     """`first`, `second`: what may stand there, of point, body, all, ground, and kinds of joints and loads (`joint`,
-    `load` for every kind). No `second`: only one thing. `both`: the second must be there."""
+    `load` for every kind). No `second`: only one thing. `both`: the second must be there.
+    """
 
     first: str
     second: str = ""
@@ -90,7 +91,9 @@ def _instant(quantity: Quantity) -> Iterator[Diagnostic]:
     """A span where one is due, an instant where one is due."""
     word, at = quantity.word, quantity.at
     if word in SPANNED and not isinstance(at, tuple):
-        yield Diagnostic(quantity.mark, "PL422", f"{word}(…) is taken over a span of states", f"write `{word}(…) @ 1->2`")
+        yield Diagnostic(
+            quantity.mark, "PL422", f"{word}(…) is taken over a span of states", f"write `{word}(…) @ 1->2`"
+        )
     if word not in SPANNED and isinstance(at, tuple):
         hint = f"write `{word}(…) @ {at[1]}`, or `mean({word}(…)) @ {at[0]}->{at[1]}`"
         yield Diagnostic(quantity.mark, "PL422", f"{word}(…) is taken at one state, not over a span", hint)
@@ -148,12 +151,15 @@ def _on_whom(quantity: Quantity, joint: Member, scope: Scope) -> Iterator[Diagno
     if quantity.word in ("reaction", "friction", "moment", "impulse") and len(partners) > 1 and GROUND not in partners:
         name = quantity.things[0]
         message = f"{quantity.word}({name}) leaves open on which body: {listed(partners)}"
-        yield Diagnostic(quantity.mark, "PL424", message, f"write `{quantity.word}({name}/{partners[0]})` for that on {partners[0]}")
+        yield Diagnostic(
+            quantity.mark, "PL424", message, f"write `{quantity.word}({name}/{partners[0]})` for that on {partners[0]}"
+        )
 
 
 def _no_fit(quantity: Quantity, name: str, kinds: list[str]) -> str:
-    wanted = listed("the whole system `all`" if kind == "all" else f"a {kind}" for kind in kinds if kind != "ground")
-    return f"in {quantity.word}(…) stands {wanted}; there is none called '{name}'"
+    words = {"all": "the whole system `all`", "impact": "an impact"}
+    wanted = listed(words.get(kind, f"a {kind}") for kind in kinds if kind != "ground")
+    return f"{quantity.word}(…) takes {wanted}; '{name}' is none"
 
 
 def _hint(quantity: Quantity, name: str, kinds: list[str], scope: Scope) -> str:
@@ -161,14 +167,19 @@ def _hint(quantity: Quantity, name: str, kinds: list[str], scope: Scope) -> str:
         return f"'{name}' is a point; name its body"
     if name in scope.members:
         member = scope.members[name][0]
-        return f"'{name}' is a {member.kind}; {_alternative(member, name)}"
+        other = "it has no modes" if quantity.word == "mode" else _alternative(member, name)
+        return f"'{name}' is a {member.kind}; {other}"
+    return did_you_mean(name, sorted(_known(kinds, scope)), "there are ") or "the file has none"
+
+
+def _known(kinds: list[str], scope: Scope) -> set[str]:
+    """All names of things of these kinds."""
     known: set[str] = set()
     if "point" in kinds:
         known |= set(scope.points)
     if "body" in kinds:
         known |= set(scope.bodies)
-    known |= {n for n, members in scope.members.items() if any(_fits(m, kinds) for m in members)}
-    return did_you_mean(name, sorted(known), "there are ") or "the file has none"
+    return known | {n for n, members in scope.members.items() if any(_fits(m, kinds) for m in members)}
 
 
 def _alternative(member: Member, name: str) -> str:

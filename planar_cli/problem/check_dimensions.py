@@ -16,7 +16,7 @@ from planar_cli.problem.dimensions import (
     check_statement,
     dimension_of,
 )
-from planar_cli.problem.expression import Name, Quantity, Side
+from planar_cli.problem.expression import Name, Number, Quantity, Side
 from planar_cli.problem.formulas import Formula, formulas
 from planar_cli.problem.scope import Scope
 from planar_cli.units import UnitError, parse_unit
@@ -78,7 +78,9 @@ def about(quantity: Quantity, scope: Scope) -> str | None:
     first, second = quantity.things
     if second in scope.bodies and second not in scope.points:
         return None
-    on_body = any(second in scope.partners(m) for m in scope.members.get(first, ()) if m.kind not in ("force", "impulse"))
+    on_body = any(
+        second in scope.partners(m) for m in scope.members.get(first, ()) if m.kind not in ("force", "impulse")
+    )
     return None if second in scope.bodies and on_body else second
 
 
@@ -112,12 +114,23 @@ def _check(formula: Formula, kinds: Kinds, report: list[Diagnostic]) -> None:
         expected = parse_unit(formula.unit).dimension
         wrong: list[Diagnostic] = []
         check_side(formula.tree, expected, kinds.within(formula.locals), wrong, formula.angle)
-        report += [_with_place(d, formula) for d in wrong]
+        report += [_with_place(d, formula, kinds.scope) for d in wrong]
 
 
-def _with_place(diagnostic: Diagnostic, formula: Formula) -> Diagnostic:
+def _with_place(diagnostic: Diagnostic, formula: Formula, scope: Scope) -> Diagnostic:
     """The message says whose value it is, where the value as a whole has the wrong dimension."""
     if diagnostic.code not in ("PL224", "PL225"):
         return diagnostic
     message = f"{formula.what}: {diagnostic.message}"
-    return Diagnostic(diagnostic.mark, diagnostic.code, message, diagnostic.hint or f"write it in `{formula.unit}`")
+    return Diagnostic(diagnostic.mark, diagnostic.code, message, diagnostic.hint or _repair(formula, scope))
+
+
+def _repair(formula: Formula, scope: Scope) -> str:
+    """What to write, and where, when the value is that of a name."""
+    unit = "write a pure number" if formula.unit == "1" else f"write it in `{formula.unit}`"
+    symbol = scope.numbers.get(formula.tree.name) if isinstance(formula.tree, Name) else None
+    if symbol is None:
+        return unit
+    if isinstance(symbol.value, Number) and symbol.value.unit == "lb":
+        unit = "`lb` is a mass; the force is `lbf`"
+    return f"{symbol.name} stands in line {symbol.mark.line}: {unit}"

@@ -24,6 +24,7 @@ from planar_cli.problem.scene import GROUND
 from planar_cli.problem.scope import Scope
 from planar_cli.problem.walk import Tree, children
 from planar_cli.problem.words import CONSTANTS, QUANTITIES
+from planar_cli.units import ATOMS
 
 SUBSCRIPTED = re.compile(r"([A-Za-z]+)_([A-Za-z0-9]\w*)")
 
@@ -87,7 +88,12 @@ def _name(name: Name, formula: Formula, scope: Scope, direction: bool) -> Iterat
     if "." in name.name:
         yield from _case_find(name, scope)
         return
-    yield Diagnostic(name.mark, "PL410", f"there is no name '{name.name}' in this file", _name_hint(name.name, known, scope, direction))
+    yield Diagnostic(
+        name.mark,
+        "PL410",
+        f"there is no name '{name.name}' in this file",
+        _name_hint(name.name, known, scope, direction),
+    )
 
 
 def _case_find(name: Name, scope: Scope) -> Iterator[Diagnostic]:
@@ -107,6 +113,8 @@ def _name_hint(name: str, known: set[str], scope: Scope, direction: bool) -> str
     things = {*scope.point_like, *scope.members}
     if match and match[1] in QUANTITIES and match[2] in things:
         return f"a quantity is written with a bracket: `{match[1]}({match[2]})`"
+    if name in ATOMS:
+        return f"a value is a number with its unit: `5 {name}`"
     if name in scope.surfaces and direction:
         return "a direction is an angle, a body, or two points such as `B/A`"
     if name in scope.bodies:
@@ -117,9 +125,7 @@ def _name_hint(name: str, known: set[str], scope: Scope, direction: bool) -> str
         return f"'{name}' is a state; write `… @ {name}`"
     if name in {find.name for find in scope.problem.find}:
         return "a find is no name for formulas; write what it asks for, or use `case.find` in a later case"
-    return did_you_mean(name, sorted(known)) if did_you_mean(name, sorted(known)).startswith("did") else (
-        "give it in `given` (value), `symbols` or `unknowns` (unit)"
-    )
+    return did_you_mean(name, sorted(known)) or "give it in `given` (value), `symbols` or `unknowns` (unit)"
 
 
 def _quantity(quantity: Quantity, formula: Formula, scope: Scope) -> Iterator[Diagnostic]:

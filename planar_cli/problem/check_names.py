@@ -9,7 +9,6 @@ from planar_cli.problem.keys import (
     BodyKey,
     DirectionKey,
     PartnersKey,
-    PointKey,
     RopePathKey,
     keys_of,
 )
@@ -43,11 +42,18 @@ def reserved_names(scope: Scope) -> Iterator[Diagnostic]:
     """No name is a word of the language."""
     for name, what, mark in _all_names(scope):
         if is_reserved(name):
-            yield Diagnostic(mark, "PL401", f"'{name}' is a word of the language and cannot name {what}", _other_name(name))
+            yield Diagnostic(
+                mark, "PL401", f"'{name}' is a word of the language and cannot name {what}", _other_name(name)
+            )
     p = scope.problem
-    for name, what, mark in (*((s.name, "a state", s.mark) for s in p.states), *((f.name, "a find", f.mark) for f in p.find)):
+    for name, what, mark in (
+        *((s.name, "a state", s.mark) for s in p.states),
+        *((f.name, "a find", f.mark) for f in p.find),
+    ):
         if name.lower() in BOOLEANS:
-            yield Diagnostic(mark, "PL401", f"'{name}' cannot name {what}; other readers of YAML take it for true or false", "")
+            yield Diagnostic(
+                mark, "PL401", f"'{name}' cannot name {what}; other readers of YAML take it for true or false", ""
+            )
 
 
 def _other_name(name: str) -> str:
@@ -64,7 +70,12 @@ def distinct_names(scope: Scope) -> Iterator[Diagnostic]:
             continue
         before, place = seen[name]
         body = scope.bodies.get(name)
-        if body is not None and isinstance(body.shape, Particle) and body.shape.place == name and "a point" in (before, what):
+        if (
+            body is not None
+            and isinstance(body.shape, Particle)
+            and body.shape.place == name
+            and "a point" in (before, what)
+        ):
             continue
         message = f"'{name}' names {what} here and {before} in line {place.line}"
         yield Diagnostic(mark, "PL402", message, _repair(name, body, before, what))
@@ -145,7 +156,9 @@ def _missing(name: str | None, known: Iterable[str], what: str, mark: Mark) -> I
     """An error unless `name` is known, or was not readable."""
     names = list(known)
     if name and name not in names:
-        hint = did_you_mean(name, names, f"{'points' if what == 'point' else 'there'} are ") or f"there is no {what} yet"
+        hint = (
+            did_you_mean(name, names, f"{'points' if what == 'point' else 'there'} are ") or f"there is no {what} yet"
+        )
         yield Diagnostic(mark, "PL403", f"there is no {what} '{name}'", hint)
 
 
@@ -164,7 +177,12 @@ def missing_state(state: str, scope: Scope, mark: Mark) -> Iterator[Diagnostic]:
     if state in scope.states:
         return
     if not scope.states:
-        yield Diagnostic(mark, "PL405", f"there is no state '{state}': the file has no `states`", "write `states: {1: [at rest], 2: […]}`")
+        yield Diagnostic(
+            mark,
+            "PL405",
+            f"there is no state '{state}': the file has no `states`",
+            "write `states: {1: [at rest], 2: […]}`",
+        )
         return
     yield Diagnostic(mark, "PL405", f"there is no state '{state}'", did_you_mean(state, scope.states, "states are "))
 
@@ -193,7 +211,9 @@ def _missing_in_member(name: str, key_type: object, member: Member, scope: Scope
             known, kind = set(scope.points), "point"
     if not name or name in known:
         return
-    yield Diagnostic(member.mark, "PL403", f"there is no {kind} '{name}', named in {what}", _member_hint(name, kind, known, scope))
+    yield Diagnostic(
+        member.mark, "PL403", f"there is no {kind} '{name}', named in {what}", _member_hint(name, kind, known, scope)
+    )
 
 
 def _member_hint(name: str, kind: str, known: set[str], scope: Scope) -> str:

@@ -12,7 +12,16 @@ from planar_cli.problem.scene import GROUND, At, Body, Composite, Particle, Pola
 from planar_cli.problem.scope import Scope
 from planar_cli.problem.walk import Tree, walk
 
-POSITIVE = ("the mass", "the weight", "the radius", "the moment of inertia", "the width", "the height", "the length", "stiffness")
+POSITIVE = (
+    "the mass",
+    "the weight",
+    "the radius",
+    "the moment of inertia",
+    "the width",
+    "the height",
+    "the length",
+    "stiffness",
+)
 
 
 def plane_is_given(scope: Scope) -> Iterator[Diagnostic]:
@@ -22,7 +31,9 @@ def plane_is_given(scope: Scope) -> Iterator[Diagnostic]:
     heavy = next((body for body in scope.problem.bodies if has_mass(body)), None)
     if heavy is not None:
         message = f"the body {heavy.name} has mass, and the file does not say in which plane all this happens"
-        yield Diagnostic(heavy.mark, "PL450", message, "write `plane: vertical` (weight acts, -y) or `plane: horizontal`")
+        yield Diagnostic(
+            heavy.mark, "PL450", message, "write `plane: vertical` (weight acts, -y) or `plane: horizontal`"
+        )
 
 
 def has_mass(body: Body) -> bool:
@@ -36,7 +47,9 @@ def particles_move(scope: Scope) -> Iterator[Diagnostic]:
     """A particle without mass must be driven by something."""
     for body in scope.problem.bodies:
         if isinstance(body.shape, Particle) and not has_mass(body) and not _is_driven(body, scope):
-            hint = f"write `mass: 2 kg` (`mass: any` where it cancels), or drive it: `motion: [v({body.name}).x = 2 m/s]`"
+            hint = (
+                f"write `mass: 2 kg` (`mass: any` where it cancels), or drive it: `motion: [v({body.name}).x = 2 m/s]`"
+            )
             yield Diagnostic(body.mark, "PL451", f"the particle {body.name} has no mass and nothing drives it", hint)
 
 
@@ -104,7 +117,9 @@ def coefficients(scope: Scope) -> Iterator[Diagnostic]:
             side = getattr(joint, key, None)
             value = constant(side, scope)
             if side is not None and value is not None and value < 0:
-                yield Diagnostic(side.mark, "PL452", f"{key} is negative", "a coefficient of friction is 0 (smooth) or more")
+                yield Diagnostic(
+                    side.mark, "PL452", f"{key} is negative", "a coefficient of friction is 0 (smooth) or more"
+                )
         static, kinetic = getattr(joint, "mu_s", None), getattr(joint, "mu_k", None)
         high, low = constant(kinetic, scope), constant(static, scope)
         if kinetic is not None and high is not None and low is not None and high > low:
@@ -169,17 +184,23 @@ def partners_fit(scope: Scope) -> Iterator[Diagnostic]:
         what = f"the {joint.kind}"
         twice = next((name for index, name in enumerate(between) if name and name in between[:index]), None)
         if twice is not None:
-            yield Diagnostic(joint.mark, "PL455", f"{what} is between '{twice}' and itself", "name two different partners")
+            yield Diagnostic(
+                joint.mark, "PL455", f"{what} is between '{twice}' and itself", "name two different partners"
+            )
         elif joint.kind != "link" and len(between) > 1 and {scope.carrier(name) for name in between} == {GROUND}:
             yield Diagnostic(joint.mark, "PL455", f"{what} joins only fixed things", "name the body that moves")
         if joint.kind == "belt":
             yield from _belt(between, scope)
         if joint.kind == "flat" and scope.problem.plane == "vertical":
-            yield Diagnostic(joint.mark, "PL456", "a flat contact needs `plane: horizontal`", "in a vertical plane write `contact`")
+            yield Diagnostic(
+                joint.mark, "PL456", "a flat contact needs `plane: horizontal`", "in a vertical plane write `contact`"
+            )
 
 
 def _belt(between: tuple[str, ...], scope: Scope) -> Iterator[Diagnostic]:
     for name in between:
         body = scope.bodies.get(name)
         if body is not None and not isinstance(body.shape, Round | Composite):
-            yield Diagnostic(body.mark, "PL455", f"a belt runs round disks; {name} is none", "give it `disk: G, radius: …`")
+            yield Diagnostic(
+                body.mark, "PL455", f"a belt runs round disks; {name} is none", "give it `disk: G, radius: …`"
+            )

@@ -27,13 +27,22 @@ def statements_in_place(scope: Scope) -> Iterator[Diagnostic]:
     p = scope.problem
     for law in p.motion:
         if isinstance(law.statement, Extreme | JustAfter):
-            yield Diagnostic(law.statement.mark, "PL431", f"'{law.statement.text}' does not hold all the time", "write it in a state")
+            yield Diagnostic(
+                law.statement.mark, "PL431", f"'{law.statement.text}' does not hold all the time", "write it in a state"
+            )
     for statement in p.instant or ():
         if isinstance(statement, JustAfter):
-            yield Diagnostic(statement.mark, "PL431", f"'{statement.text}' stands in `states`", "write `states: {1: […], 2: [just after 1]}`")
+            yield Diagnostic(
+                statement.mark,
+                "PL431",
+                f"'{statement.text}' stands in `states`",
+                "write `states: {1: […], 2: [just after 1]}`",
+            )
     for statement in p.assume:
         if not isinstance(statement, Relation):
-            yield Diagnostic(statement.mark, "PL431", f"'{statement.text}' is no relation between names", "write `assume: [a < g]`")
+            yield Diagnostic(
+                statement.mark, "PL431", f"'{statement.text}' is no relation between names", "write `assume: [a < g]`"
+            )
     for formula in formulas(p):
         yield from _words(formula.tree)
 
@@ -47,7 +56,9 @@ def _words(tree: Tree) -> Iterator[Diagnostic]:
                 yield from _words(other)
                 return
     if isinstance(tree, Word):
-        yield Diagnostic(tree.mark, "PL432", f"'{tree.word}' stands only after `mode(j) =`", f"write `mode(C) = {tree.word}`")
+        yield Diagnostic(
+            tree.mark, "PL432", f"'{tree.word}' stands only after `mode(j) =`", f"write `mode(C) = {tree.word}`"
+        )
     for child in children(tree):
         yield from _words(child)
 
@@ -60,7 +71,9 @@ def blows_have_spans(scope: Scope) -> Iterator[Diagnostic]:
         if member.kind not in ("impact", "impulse"):
             continue
         if member.during is None:
-            yield Diagnostic(member.mark, "PL433", f"the {member.kind} does not say when it happens", "write `during: 1->2`")
+            yield Diagnostic(
+                member.mark, "PL433", f"the {member.kind} does not say when it happens", "write `during: 1->2`"
+            )
         elif set(member.during) <= set(scope.states) and after.get(member.during[1]) != member.during[0]:
             start, end = member.during
             message = f"the {member.kind} takes no time, but state {end} is not just after state {start}"
@@ -69,7 +82,9 @@ def blows_have_spans(scope: Scope) -> Iterator[Diagnostic]:
 
 def spans_in_order(scope: Scope) -> Iterator[Diagnostic]:
     """A span runs from a state to a later one."""
-    spans: list[tuple[tuple[str, str], Mark]] = [(law.during, law.statement.mark) for law in scope.problem.motion if law.during]
+    spans: list[tuple[tuple[str, str], Mark]] = [
+        (law.during, law.statement.mark) for law in scope.problem.motion if law.during
+    ]
     spans += [(m.during, m.mark) for m in members_of(scope.problem) if m.during]
     for formula in formulas(scope.problem):
         quantities = (node for node in walk(formula.tree) if isinstance(node, Quantity))
@@ -87,7 +102,9 @@ def finds_say_when(scope: Scope) -> Iterator[Diagnostic]:
     for find in scope.problem.find:
         for name in _open_times(find.found.what):
             states = listed(f"`t @ {state}`" for state in scope.states)
-            yield Diagnostic(name.mark, "PL435", f"the find {find.name} asks for the time, but not of which state", f"write {states}")
+            yield Diagnostic(
+                name.mark, "PL435", f"the find {find.name} asks for the time, but not of which state", f"write {states}"
+            )
 
 
 def _open_times(tree: Tree) -> Iterator[Name]:
@@ -119,7 +136,12 @@ def _circles(graph: Mapping[str, tuple[Mark, tuple[str, ...]]], what: str, code:
         circle = _find_circle(start, graph, trail, done)
         if circle:
             around = " -> ".join((*circle, circle[0]))
-            yield Diagnostic(graph[circle[0]][0], code, f"{what} {circle[0]} is defined by itself: {around}", "define one of them anew")
+            yield Diagnostic(
+                graph[circle[0]][0],
+                code,
+                f"{what} {circle[0]} is defined by itself: {around}",
+                "define one of them anew",
+            )
 
 
 def _find_circle(

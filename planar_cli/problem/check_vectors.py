@@ -60,7 +60,9 @@ def _is_zero(side: Side) -> bool:
 def _mixed(mark: Mark, side: Side, what: str) -> Diagnostic:
     name = f"{side.word}({'/'.join(side.things)})" if isinstance(side, Quantity) and side.things else "a vector"
     shown = name if name.endswith(")") else "v(P)"
-    return Diagnostic(mark, "PL426", f"{name} is a vector and {what}", f"ask `{shown}.x`, `{shown}.mag` or `{shown}.along(30 deg)`")
+    return Diagnostic(
+        mark, "PL426", f"{name} is a vector and {what}", f"ask `{shown}.x`, `{shown}.mag` or `{shown}.along(30 deg)`"
+    )
 
 
 def is_vector(side: Side, scope: Scope, wrong: list[Diagnostic]) -> bool:
@@ -95,8 +97,14 @@ def _quantity(quantity: Quantity, scope: Scope, wrong: list[Diagnostic]) -> bool
     vector = _is_vector_word(quantity, scope, wrong)
     for part in quantity.parts:
         if not vector:
-            said = f"{quantity.word}({'/'.join(quantity.things)})" if part is quantity.parts[0] else "a part of a vector"
-            hint = "leave the part out: positive is counterclockwise, a press or a pull" if part is quantity.parts[0] else ""
+            said = (
+                f"{quantity.word}({'/'.join(quantity.things)})" if part is quantity.parts[0] else "a part of a vector"
+            )
+            hint = (
+                "leave the part out: positive is counterclockwise, a press or a pull"
+                if part is quantity.parts[0]
+                else ""
+            )
             wrong.append(Diagnostic(part.mark, "PL425", f"{said} is a number and has no part .{part.kind}", hint))
             return False
         if part.kind in CURVE_PARTS and quantity.word not in ("v", "a", "coriolis"):

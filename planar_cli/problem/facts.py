@@ -182,7 +182,8 @@ class Mode:
 
     `name`: stick, slip, apart, tip, taut, slack, or "" where there is only one. `sliding`: the row that measures the speed
     of slip; `direction`: 0 when it must be zero, ±1 the sign that it has or is about to take. `words`: the assumption as a
-    sentence.
+    sentence. `touching`: what still holds of the velocities at this instant where a contact is about to part, a face to
+    tip, a rope to slacken.
     """
 
     name: str
@@ -191,6 +192,7 @@ class Mode:
     tests: tuple[Test, ...] = ()
     sliding: Row | None = None
     direction: int = 0
+    touching: Facts = Facts()
 
 
 @dataclass(frozen=True, slots=True)

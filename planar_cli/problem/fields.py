@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping as Dict
+from collections.abc import Iterable
+from collections.abc import Mapping as Dict
 
 from planar_cli.errors import Mark
 from planar_cli.problem import reading
@@ -14,11 +15,18 @@ from planar_cli.problem.reading import Report
 class Fields:
     """The keys of one mapping. Unknown keys are reported when it is made, missing ones when they are asked for.
 
-    `what` names the entry in messages ("the joint pin"). `slips` maps keys that newcomers try to a hint of their own.
+    `what` names the entry in messages ("the pin"). `slips` maps keys that newcomers try to a hint of their own.
+    `example` is shown where there are no keys at all.
     """
 
     def __init__(
-        self, node: Node, allowed: Iterable[str], what: str, report: Report, slips: Dict[str, str] | None = None
+        self,
+        node: Node,
+        allowed: Iterable[str],
+        what: str,
+        report: Report,
+        slips: Dict[str, str] | None = None,
+        example: str = "",
     ) -> None:
         self.mark: Mark = node.mark
         self.what = what
@@ -28,7 +36,7 @@ class Fields:
         self._slips = slips or {}
         self._nodes: dict[str, Node] = {}
         self._marks: dict[str, Mark] = {}
-        for key, value in reading.pairs(node, what, report, f"{{{self.allowed[0] if self.allowed else 'name'}: …}}"):
+        for key, value in reading.pairs(node, what, report, example or f"{{{self.allowed[0]}: …}}"):
             self._accept(key.text, key.mark, value)
 
     def _accept(self, key: str, mark: Mark, value: Node) -> None:
@@ -41,7 +49,6 @@ class Fields:
 
     def __contains__(self, key: str) -> bool:
         return key in self._nodes
-
 
     def present(self) -> frozenset[str]:
         """The keys that are there."""

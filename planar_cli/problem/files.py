@@ -9,6 +9,7 @@ from planar_cli.errors import PlanarError
 
 SUFFIXES = (".yaml", ".yml")
 
+
 def problem_files(names: Iterable[str]) -> Iterator[str]:
     """The names as given, each folder replaced by the problem files below it, sorted; links are not followed.
 

@@ -36,7 +36,7 @@ class BodyKey:
 
 @dataclass(frozen=True, slots=True)
 class PartnersKey:
-    """`between`: names of bodies, surfaces or `ground`, as tuple[str, ...]; at least two, at most `most` (0: no limit)."""
+    """`between`: names of bodies, surfaces or `ground`, as tuple[str, ...]; two up to `most` (0: no limit)."""
 
     most: int = 2
 
@@ -78,8 +78,11 @@ class RopePathKey:
 
 @dataclass(frozen=True, slots=True)
 class RopeStop:
-    """One stop of a rope: `way` is "point" (end, or small pulley in the middle), "over", "under", or "on" (wound, leaving
-    the drum `body` at the point `name`); for over and under, `name` is the pulley (a body or its centre point)."""
+    """One stop of a rope.
+
+    `way` is "point" (end, or small pulley in the middle), "over", "under", or "on" (wound, leaving the drum `body` at
+    the point `name`); for over and under, `name` is the pulley (a body or its centre point).
+    """
 
     way: str
     name: str

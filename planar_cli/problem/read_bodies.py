@@ -13,7 +13,6 @@ from planar_cli.problem.nodes import Mapping, Node, Scalar, Sequence
 from planar_cli.problem.read_points import coordinates
 from planar_cli.problem.reading import NAME, Report
 from planar_cli.problem.scene import (
-    At,
     Body,
     Composite,
     Outline,
@@ -77,7 +76,7 @@ def read_bodies(node: Node, report: Report, numbers: frozenset[str]) -> tuple[Bo
     read: list[Body] = []
     for key, value in reading.pairs(node, "bodies", report, "bodies: {AB: {rod: [A, B], mass: 2 kg}}"):
         name = reading.name(key, "a name of a body", report)
-        fields = Fields(value, BODY_KEYS, f"the body {key.text}", report, SLIPS)
+        fields = Fields(value, BODY_KEYS, f"the body {key.text}", report, SLIPS, "{rod: [A, B], mass: 2 kg}")
         shape = _settled(_shape(fields), numbers, key.mark)
         if name:
             read.append(_body(name, shape, fields, key))
@@ -89,11 +88,16 @@ def _body(name: str, shape: Shape, fields: Fields, key: Scalar) -> Body:
     mass = None if any_mass else fields.side("mass")
     weight = fields.side("weight")
     if "mass" in fields and weight is not None:
-        fields.report.add(fields.place("weight"), "PL332", f"{fields.what} has both mass and weight", "give one of them")
+        fields.report.add(
+            fields.place("weight"), "PL332", f"{fields.what} has both mass and weight", "give one of them"
+        )
     inertia, gyration = fields.side("inertia"), fields.side("radius_of_gyration")
     if inertia is not None and gyration is not None:
         fields.report.add(
-            fields.place("radius_of_gyration"), "PL332", f"{fields.what} has both inertia and radius_of_gyration", "give one"
+            fields.place("radius_of_gyration"),
+            "PL332",
+            f"{fields.what} has both inertia and radius_of_gyration",
+            "give one",
         )
     about = fields.name("about", "a point")
     if about is not None and inertia is None and gyration is None:
@@ -122,7 +126,9 @@ def _names(fields: Fields, key: str) -> tuple[str, ...]:
     node = fields.node(key)
     if node is None:
         return ()
-    return tuple(reading.name(n, "a point", fields.report) for n in reading.items(node, key, fields.report, "points: [A, B]"))
+    return tuple(
+        reading.name(n, "a point", fields.report) for n in reading.items(node, key, fields.report, "points: [A, B]")
+    )
 
 
 def _shape(fields: Fields) -> Shape:
@@ -166,7 +172,9 @@ def _rod(fields: Fields) -> Rod:
     node = fields.need("rod")
     length = fields.side("length")
     if not isinstance(node, Sequence) or len(node.items) != 2:
-        fields.report.add(fields.place("rod"), "PL322", "a rod is given by two points", "`rod: [A, B]` or `[A, 30 deg]`")
+        fields.report.add(
+            fields.place("rod"), "PL322", "a rod is given by two points", "`rod: [A, B]` or `[A, 30 deg]`"
+        )
         return Rod("", "", None, length)
     start = reading.name(node.items[0], "a point", fields.report)
     end = node.items[1]
@@ -181,13 +189,19 @@ def _round(kind: str, fields: Fields) -> Round:
 
 def _sector(fields: Fields) -> Sector:
     return Sector(
-        fields.need_name("sector", "a point"), fields.need_side("radius"), fields.need_side("span"), fields.side("angle")
+        fields.need_name("sector", "a point"),
+        fields.need_side("radius"),
+        fields.need_side("span"),
+        fields.side("angle"),
     )
 
 
 def _plate(fields: Fields) -> Plate:
     return Plate(
-        fields.need_name("plate", "a point"), fields.need_side("width"), fields.need_side("height"), fields.side("angle")
+        fields.need_name("plate", "a point"),
+        fields.need_side("width"),
+        fields.need_side("height"),
+        fields.side("angle"),
     )
 
 

@@ -120,7 +120,8 @@ class _Entry:
     def _fields(self, specs: tuple[KeySpec, ...]) -> Fields:
         allowed = (*(spec.name for spec in specs), *COMMON)
         slips = {key: hint for key, hint in SLIPS.items() if key not in allowed}
-        return Fields(self.value, allowed, f"the {self.kind.text}", self.report, slips)
+        example = f"{self.kind.text}: {{{', '.join(f'{spec.name}: …' for spec in specs if spec.required)}}}"
+        return Fields(self.value, allowed, f"the {self.kind.text}", self.report, slips, example)
 
     def _value(self, fields: Fields, spec: KeySpec) -> Any:
         node = fields.need(spec.name, spec.doc) if spec.required else fields.node(spec.name)
@@ -137,7 +138,7 @@ class _Entry:
                 said = " and ".join(sorted(written)) if written else "nothing"
                 place = fields.place(min(written)) if written else self.kind.mark
                 about = listed_groups(choice.groups)
-                message = f"the {self.kind.text} needs {about}; here is {said}"
+                message = f"the {self.kind.text} takes {about}; here is {said}"
                 self.report.add(place, "PL314", message, f"write {choice.hint}")
 
     def _name(self, fields: Fields, values: dict[str, Any]) -> str:
@@ -160,9 +161,9 @@ class _Entry:
 
 
 def listed_groups(groups: tuple[tuple[str, ...], ...]) -> str:
-    """`mu, or mu_s and mu_k`."""
-    said = [" and ".join(group) if group else "none of these" for group in groups]
-    return "either " + ", or ".join(said)
+    """`mu, or mu_s and mu_k, or none of these`."""
+    said = [" and ".join(group) for group in groups if group]
+    return ", or ".join([*said, "none of these"] if () in groups else said)
 
 
 def _field_of(member: type, spec: KeySpec) -> Field[Any]:

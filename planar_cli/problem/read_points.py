@@ -40,7 +40,7 @@ def read_points(node: Node, report: Report) -> tuple[Point, ...]:
     for key, value in reading.pairs(node, "points", report, f"points: {{{POINT_EXAMPLE}}}"):
         name = reading.name(key, "a name of a point", report)
         place = _place(value, f"the point {key.text}", report)
-        if name and place is not None:
+        if name:
             read.append(Point(name, place, key.mark))
     return tuple(read)
 
@@ -53,9 +53,10 @@ def coordinates(node: Sequence, report: Report) -> At | None:
     return None
 
 
-def _place(node: Node, what: str, report: Report) -> Place | None:
+def _place(node: Node, what: str, report: Report) -> Place:
+    """The place of a point; two facts that are none stand in for one that cannot be read."""
     if isinstance(node, Sequence):
-        return coordinates(node, report)
+        return coordinates(node, report) or TwoFacts(None, None, None, (), None)
     if isinstance(node, Scalar):
         report.add(node.mark, "PL320", f"{what} has no place that can be read: '{node.text}'", POINT_FORMS)
         return TwoFacts(None, None, None, (), None)
@@ -110,9 +111,7 @@ def _two_facts(fields: Fields) -> TwoFacts:
     if stray:
         fields.report.add(fields.place(min(stray)), "PL321", f"{fields.what} needs the key 'from'", POINT_FORMS)
     elif facts != 2 and fields.readable:
-        fields.report.add(
-            fields.mark, "PL323", f"{fields.what} is fixed by two facts, here are {facts}", POINT_FORMS
-        )
+        fields.report.add(fields.mark, "PL323", f"{fields.what} is fixed by two facts, here are {facts}", POINT_FORMS)
     return TwoFacts(fields.side("x"), fields.side("y"), line, distances, _side_word(fields))
 
 
@@ -153,18 +152,20 @@ def read_surfaces(node: Node, report: Report) -> tuple[Surface, ...]:
         name = reading.name(key, "a name of a surface", report)
         fields = Fields(value, SURFACE_KEYS, f"the surface {key.text}", report)
         shape = _surface_shape(fields)
-        if name and shape is not None:
+        if name:
             body = fields.name("body", "a body")
             read.append(Surface(name, shape, body, fields.side("speed"), key.mark))
     return tuple(read)
 
 
-def _surface_shape(fields: Fields) -> Line | Circle | Curve | None:
+def _surface_shape(fields: Fields) -> Line | Circle | Curve:
     kinds = [key for key in ("through", "center", "y", "r") if key in fields]
     if len(kinds) != 1:
         if fields.readable:
-            fields.report.add(fields.mark, "PL325", f"{fields.what} has one shape, here are {len(kinds)}", SURFACE_FORMS)
-        return None
+            fields.report.add(
+                fields.mark, "PL325", f"{fields.what} has one shape, here are {len(kinds)}", SURFACE_FORMS
+            )
+        return Line("", reading.unreadable(fields.mark))
     kind = kinds[0]
     own = {"through": {"through", "angle"}, "center": {"center", "radius"}, "y": {"y"}, "r": {"r"}}[kind]
     for extra in sorted(fields.present() - own - {"body", "speed"}):

@@ -132,7 +132,9 @@ def finds(whole: Fields) -> tuple[Find, ...]:
 def _refuse_list(node: Sequence, whole: Fields) -> None:
     first = node.items[0] if node.items else None
     said = first.text if isinstance(first, Scalar) else "v(B).mag"
-    whole.report.add(node.mark, "PL301", "find holds names with what is asked, not a list", f"write `find: {{answer: {said}}}`")
+    whole.report.add(
+        node.mark, "PL301", "find holds names with what is asked, not a list", f"write `find: {{answer: {said}}}`"
+    )
 
 
 def answers(whole: Fields) -> tuple[Answer, ...]:
@@ -162,7 +164,9 @@ def _answer_value(key: Scalar, node: Node, whole: Fields) -> Side | tuple[Side, 
         if len(node.items) == 2:
             x, y = (reading.side(item, f"the answer {key.text}", whole.report) for item in node.items)
             return x, y
-        whole.report.add(node.mark, "PL341", f"a vector has two parts, here are {len(node.items)}", "write `[3 m, 4 m]`")
+        whole.report.add(
+            node.mark, "PL341", f"a vector has two parts, here are {len(node.items)}", "write `[3 m, 4 m]`"
+        )
         return ""
     if isinstance(node, Scalar) and node.text in ("true", "false"):
         return node.text == "true"
@@ -180,7 +184,9 @@ def _answer_value(key: Scalar, node: Node, whole: Fields) -> Side | tuple[Side, 
 def check_extras(whole: Fields) -> None:
     """The form of `variants` and `figure`, which the solution itself does not need."""
     node = whole.node("variants")
-    for key, value in [] if node is None else reading.pairs(node, "variants", whole.report, "variants: {l: [3 m, 4 m]}"):
+    for key, value in (
+        [] if node is None else reading.pairs(node, "variants", whole.report, "variants: {l: [3 m, 4 m]}")
+    ):
         _check_variant(key, value, whole)
     node = whole.node("figure")
     if node is not None:

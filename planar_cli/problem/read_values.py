@@ -109,7 +109,9 @@ def _table(node: Mapping, spec: KeySpec, fields: Fields) -> Side | Table:
             instant, value = (reading.side(cell, "table", fields.report) for cell in row.items)
             rows.append((instant, value))
         else:
-            fields.report.add(row.mark, "PL316", "a row of a table is an instant and a value", f"write `{TABLE_EXAMPLE}`")
+            fields.report.add(
+                row.mark, "PL316", "a row of a table is an instant and a value", f"write `{TABLE_EXAMPLE}`"
+            )
     return Table(tuple(rows), node.mark)
 
 
@@ -131,7 +133,9 @@ def _word(node: Node, spec: KeySpec, fields: Fields, names: Names) -> str | None
     word = reading.text(node, spec.name, fields.report)
     if word in words:
         return word
-    fields.report.add(node.mark, "PL317", f"'{word}' does not stand at '{spec.name}'", reading.did_you_mean(word, words, "write "))
+    fields.report.add(
+        node.mark, "PL317", f"'{word}' does not stand at '{spec.name}'", reading.did_you_mean(word, words, "write ")
+    )
     return None
 
 
@@ -140,14 +144,14 @@ def _statements(node: Node, spec: KeySpec, fields: Fields, names: Names) -> tupl
 
 
 def _path(node: Node, spec: KeySpec, fields: Fields, names: Names) -> tuple[RopeStop, ...]:
-    stops = tuple(
-        _stop(item, fields) for item in reading.items(node, spec.name, fields.report, PATH_EXAMPLE)
-    )
+    stops = tuple(_stop(item, fields) for item in reading.items(node, spec.name, fields.report, PATH_EXAMPLE))
     if isinstance(node, Sequence) and len(stops) < 2:
         fields.report.add(node.mark, "PL318", "the path of a rope has two stops or more", f"write `{PATH_EXAMPLE}`")
     for item, stop in list(zip(node.items, stops, strict=True))[1:-1] if isinstance(node, Sequence) else ():
         if stop.way == "on":
-            fields.report.add(item.mark, "PL318", "a rope is wound on a drum at one of its ends", "begin or end with `T on drum`")
+            fields.report.add(
+                item.mark, "PL318", "a rope is wound on a drum at one of its ends", "begin or end with `T on drum`"
+            )
     return stops
 
 

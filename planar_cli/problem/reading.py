@@ -1,7 +1,7 @@
 """Reading nodes: the small functions with which every part of a file is taken apart.
 
-Everything that is wrong goes into a `Report`; reading goes on, with a stand-in (an empty name) where something could not be
-read, so that one run tells all that is wrong with a file. The stand-in is passed over by every later check.
+Everything that is wrong goes into a `Report`; reading goes on, with a stand-in (an empty name) where something could
+not be read, so that one run tells all that is wrong with a file. The stand-in is passed over by every later check.
 """
 
 from __future__ import annotations
@@ -51,21 +51,25 @@ def close_to(word: str, allowed: Iterable[str]) -> str:
     return choices[found[0]] if found else ""
 
 
-def listed(words: Iterable[str]) -> str:
+def listed(words: Iterable[str], joined: str = "or") -> str:
     """`a, b or c`."""
     all_words = list(words)
     if len(all_words) < 2:
         return "".join(all_words)
-    return ", ".join(all_words[:-1]) + " or " + all_words[-1]
+    return ", ".join(all_words[:-1]) + f" {joined} " + all_words[-1]
 
 
 def did_you_mean(word: str, allowed: Iterable[str], lead: str = "") -> str:
-    """A hint: the one meant, else all that are allowed."""
+    """A hint: the one meant, else all that are allowed after `lead` ("there are ", "write "); "" if there are none."""
     names = list(allowed)
     near = close_to(word, names)
     if near:
         return f"did you mean '{near}'?"
-    return f"{lead}{listed(names)}" if names else ""
+    if not names or not lead:
+        return ""
+    if len(names) == 1:
+        return f"write '{names[0]}'" if lead.startswith("write") else f"there is only '{names[0]}'"
+    return lead + listed(names, "or" if lead.startswith("write") else "and")
 
 
 def shape_of(node: Node) -> str:

@@ -93,7 +93,12 @@ def _sections() -> Schema:
 def _own() -> Schema:
     """The sections that only a file has."""
     value = {"anyOf": [ref("side"), {"type": "boolean"}, listing(ref("side"), 2, 2)]}
-    variant = {"anyOf": [listing(ref("side"), 1), record(dict.fromkeys(("from", "to", "step"), ref("side")), ["from", "to", "step"])]}
+    variant = {
+        "anyOf": [
+            listing(ref("side"), 1),
+            record(dict.fromkeys(("from", "to", "step"), ref("side")), ["from", "to", "step"]),
+        ]
+    }
     answer = {"anyOf": [value, record({"value": value, "tolerance": ref("side")}, ["value"])]}
     return {
         "find": ref("finds"),
@@ -141,7 +146,13 @@ def _surface() -> Schema:
 def _member(shelf: str) -> Schema:
     """One entry of `joints` or `loads`: an object with one key, its kind."""
     kinds = {kind: _kind(member) for kind, member in members(shelf).items() if kind != "weight"}
-    return {"type": "object", "properties": kinds, "additionalProperties": False, "minProperties": 1, "maxProperties": 1}
+    return {
+        "type": "object",
+        "properties": kinds,
+        "additionalProperties": False,
+        "minProperties": 1,
+        "maxProperties": 1,
+    }
 
 
 def _kind(member: type) -> Schema:

@@ -106,7 +106,11 @@ class Scope:
         """
         between = getattr(member, "between", None) or ()
         along = getattr(member, "along", None)
-        named = [n for n in (*between, getattr(member, "body", None)) if n in self.bodies or n in self.surfaces or n == GROUND]
+        named = [
+            n
+            for n in (*between, getattr(member, "body", None))
+            if n in self.bodies or n in self.surfaces or n == GROUND
+        ]
         if getattr(member, "kind", "") == "guide":
             named.append(along if isinstance(along, str) else GROUND)
         named += [stop.body for stop in self._stops(member) if stop.body]

@@ -1,6 +1,6 @@
 """Nodes to a typed `Problem`: every section read, every case merged, everything wrong gathered.
 
-    path -> nodes -> read sections (read_points, read_bodies, read_members, read_cases) -> Problem -> checks
+path -> nodes -> read sections (read_points, read_bodies, read_members, read_cases) -> Problem -> checks
 """
 
 from __future__ import annotations
@@ -28,13 +28,25 @@ Scene = tuple[tuple[Point, ...], tuple[Surface, ...], tuple[Body, ...], tuple[Jo
 WORDS = ("title", "text", "source", "note")
 KEYS = (
     *WORDS,
-    *("plane", "given", "symbols", "unknowns", "assume", "coordinates", "points", "surfaces", "bodies", "joints", "loads"),
+    *(
+        "plane",
+        "given",
+        "symbols",
+        "unknowns",
+        "assume",
+        "coordinates",
+        "points",
+        "surfaces",
+        "bodies",
+        "joints",
+        "loads",
+    ),
     *("motion", "instant", "states", "find", "cases", "answers", "tolerance", "method", "variants", "figure"),
 )
 CASE_KEYS = tuple(key for key in KEYS if key not in OWN or key == "find")
 SCENE_KEYS = ("points", "surfaces", "bodies", "joints", "loads")
 SLIPS = {
-    "forces": "write `loads: [- force: …]`",
+    "forces": "write `loads:` and below it `- force: {body: b, at: A, magnitude: 50 N, angle: 30 deg}`",
     "constraints": "write them in `joints`, `motion` or `instant`",
     "gravity": "write `plane: vertical`; weight then acts by itself",
     "g": "write `given: {g: 1.62 m/s^2}`; without it g is 9.81 m/s^2",
@@ -83,7 +95,12 @@ def _problem(file: str, node: Node | None, wrong: list[Diagnostic]) -> tuple[Pro
 def read_problem(file: str, node: Node, report: Report) -> Problem:
     """The whole file, with its cases."""
     if not isinstance(node, Mapping):
-        report.add(node.mark, "PL301", f"a problem file holds names with values, not {reading.shape_of(node)}", "begin with `title: …`")
+        report.add(
+            node.mark,
+            "PL301",
+            f"a problem file holds names with values, not {reading.shape_of(node)}",
+            "begin with `title: …`",
+        )
         node = Mapping((), node.mark)
     whole = Fields(node, KEYS, "a problem file", report, SLIPS)
     base = _read(file, whole)

@@ -26,13 +26,15 @@ PER_BODY, PER_UNKNOWN = 0.6, 0.15
 class Choice:
     """Which member of a family: a direction, or a moment centre (`moment`), in symbols and in words.
 
-    `through`: the unknowns whose lines of action meet in a constructed centre.
+    `name`: of the moment centre, or of the axis ("x", "y"); "" where it is constructed. `through`: the unknowns whose lines
+    of action meet in a constructed centre, or across whose line a direction is.
     """
 
     moment: bool
     vector: Vec
     words: str
     through: tuple[sp.Symbol, ...] = ()
+    name: str = ""
 
 
 @dataclass(frozen=True, slots=True)

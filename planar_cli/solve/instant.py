@@ -5,11 +5,13 @@ from __future__ import annotations
 import itertools
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from decimal import Decimal
 from typing import Any
 
 import sympy as sp
 
 from planar_cli.equation.exact import Valuation
+from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.motion import Motion, TreeBuilder
 from planar_cli.equation.scene import Scene
 from planar_cli.equation.setup import Setup
@@ -19,6 +21,7 @@ from planar_cli.problem.facts import Mode, Push, Test
 from planar_cli.solve.study import Outcome, Velocities, accelerate, solve_velocities
 
 MOST_MODES = 400
+TINY = Decimal("1e-25")
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,7 +50,8 @@ class Instant:
         names = [b.name for b in self.scene.problem.bodies]
         self.builder = TreeBuilder(self.scene.ledger, self.scene.rigid, self.scene.center_name, names)
         self.symbols: dict[str, sp.Symbol] = {}
-        self.free = Motion(self.builder.build((), hang=False), self.scene.center, {})
+        apart = TreeBuilder(Ledger(), self.scene.rigid, self.scene.center_name, names)
+        self.free = Motion(apart.build((), hang=False), self.scene.center, {})
         self.drivers: tuple[Push, ...] = ()
 
     @property
@@ -89,7 +93,7 @@ class Instant:
             if mode.sliding is None:
                 continue
             speed = outcome.assembly.row_speed(mode.sliding)
-            if abs(speed) < 10**-25:
+            if abs(speed) < TINY:
                 continue
             if mode.direction == 0 or speed * mode.direction < 0:
                 return "it slides already" if mode.direction == 0 else "it slides the other way"
@@ -100,7 +104,7 @@ class Instant:
         found = []
         for test, value in outcome.failed:
             mode = system.modes[test.joint]
-            if test.row is not None and mode.sliding is test.row and abs(outcome.assembly.row_speed(test.row)) > 10**-25:
+            if test.row is not None and mode.sliding is test.row and abs(outcome.assembly.row_speed(test.row)) > TINY:
                 continue
             found.append((test, value))
         return tuple(found)
@@ -142,7 +146,7 @@ def same_motion(a: Trial, b: Trial) -> bool:
     for key, column in one.assembly.columns.items():
         if isinstance(key, tuple):
             x, y = one.solved.values[column], other.solved.values[other.assembly.columns[key]]
-            if abs(x - y) > 10**-25 * max(abs(x), abs(y), 1):
+            if abs(x - y) > TINY * max(abs(x), abs(y), 1):
                 return False
     return True
 

@@ -117,8 +117,8 @@ class Offers:
             return c.cheapest([priced((), condition, choice, self.numbers.row(residual.dot(condition.normal)), c.AXIS)])
         x, y = self.numbers.row(residual.x), self.numbers.row(residual.y)
         found = [
-            priced((), condition, Choice(False, Vec(sp.S.One, sp.S.Zero), "along x"), x, c.AXIS),
-            priced((), condition, Choice(False, Vec(sp.S.Zero, sp.S.One), "along y"), y, c.AXIS),
+            priced((), condition, Choice(False, Vec(sp.S.One, sp.S.Zero), "along x", (), "x"), x, c.AXIS),
+            priced((), condition, Choice(False, Vec(sp.S.Zero, sp.S.One), "along y", (), "y"), y, c.AXIS),
         ]
         form_x, form_y = self.numbers.form(residual.x), self.numbers.form(residual.y)
         for j, symbol in enumerate(self.numbers.unknowns):
@@ -190,7 +190,7 @@ class Offers:
         return Group(bodies, rows, lines, turning)  # type: ignore[arg-type]
 
     def _killable(self, bodies: tuple[str, ...]) -> list[int]:
-        """Columns that are drawn as one line: reactions, and m a of bodies that slide without turning."""
+        """Columns that are drawn as one line: reactions, and the part of m a that has a known direction."""
         found = []
         couples = {self.system.symbols[p.name] for p in self.system.pushes if p.unit == "N*m"}
         for push in self.system.pushes:
@@ -198,7 +198,7 @@ class Offers:
             if symbol in self.index and symbol not in couples:
                 found.append(self.index[symbol])
         for edge in self.system.tree.edges:
-            slides = edge.slide_rate is not None and edge.joining is not None and edge.spin_rate is None
+            slides = edge.slide_rate is not None and edge.joining is not None
             if slides and edge.slide_rate in self.index and self._only_translation(edge.slide_rate, bodies):
                 found.append(self.index[edge.slide_rate])
         return found
@@ -232,12 +232,12 @@ class Offers:
     def _force(self, group: Group, direction: Vec, words: str, form: float) -> Candidate | None:
         value = self.numbers.value
         row = combine(group.rows[:2], (value(direction.x), value(direction.y)))
-        return priced(group.bodies, None, Choice(False, direction, words), row, form)
+        return priced(group.bodies, None, Choice(False, direction, words, (), words if words in "xy" else ""), row, form)
 
-    def _moment(self, group: Group, place: Vec, name: str, form: float, through: tuple[sp.Symbol, ...] = ()) -> Candidate | None:
+    def _moment(self, group: Group, place: Vec, name: str, form: float) -> Candidate | None:
         value = self.numbers.value
         row = combine(group.rows, (value(place.y), -value(place.x), ONE))
-        return priced(group.bodies, None, Choice(True, place, name, through), row, form)
+        return priced(group.bodies, None, Choice(True, place, "", (), name), row, form)
 
     def _named_directions(self, group: Group) -> list[tuple[Vec, str]]:
         """Along and across the paths and contacts of the group's bodies."""

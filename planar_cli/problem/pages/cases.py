@@ -13,7 +13,7 @@ put what differs into the cases.
         given: {m: 80 kg, k_G: no_friction.k_critical}
         find: {alpha_heavier: alpha(spool)}
 
-The file's own `find` is answered for the file as it stands, a case's for the file with its changes. A later case may use an
-earlier case's find as `case.find`. The finds of all cases stand side by side, so their names differ. A file that asks
-nothing itself may be incomplete; then its cases complete it.
+The file's own `find` is answered for the file as it stands, a case's for the file with its changes. A later case may
+use an earlier case's find as `case.find`. The finds of all cases stand side by side, so their names differ. A file
+that asks nothing itself may be incomplete; then its cases complete it.
 """

@@ -1,8 +1,8 @@
 """Joints: how bodies are held.
 
-`joints` is a list of entries, each one kind with its keys. `between: [a, b]` takes bodies, surfaces, `ground`. Any entry may
-have `name:` (else it is called by its point, else by its first body) and `during: 1->2` (acts only between these states; a
-joint that starts with moving parts starts with an impulse).
+`joints` is a list of entries, each one kind with its keys. `between: [a, b]` takes bodies, surfaces, `ground`. Any
+entry may have `name:` (else it is called by its point, else by its first body) and `during: 1->2` (acts only between
+these states; a joint that starts with moving parts starts with an impulse).
 
     joints:
       - pin: {at: A, between: [ground, AB]}                    two bodies or more; friction_torque: 2 N*m
@@ -17,8 +17,8 @@ joint that starts with moving parts starts with an impulse).
                                                                `friction: 25 N`, a fixed limit
       - flat: {between: [block, table], mu: 0.3}               a body lying on another in a horizontal plane
       - rope: {path: [A, over D, under E, T on drum]}          one rope, one tension. A point in the middle is a small
-                                                               pulley; `T on drum`: wound, leaving at T; `along: 90 deg`:
-                                                               all parts parallel, pulley sizes left out
+                                                               pulley; `T on drum`: wound, leaving at T; `along: 90 deg`
+                                                               (all parts parallel): pulley sizes are left out
       - impact: {between: [A, B], restitution: 0.8, during: 1->2}    normal: an angle, if the shapes leave it open;
                                                                restitution left out: unknown; mu
 

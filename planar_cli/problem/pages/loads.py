@@ -1,10 +1,10 @@
 """Loads: what acts on bodies.
 
-Weight acts by itself when `plane: vertical`; it is never written. `loads` is a list of entries, each one kind with its keys.
-Any entry may have `name:` and `during: 1->2`.
+Weight acts by itself when `plane: vertical`; it is never written. `loads` is a list of entries, each one kind with
+its keys. Any entry may have `name:` and `during: 1->2`.
 
     loads:
-      - force: {body: b, at: A, magnitude: 50 N, angle: 30 deg}    a particle needs no `at`; `wound_at: T` instead of `at`
+      - force: {body: b, at: A, magnitude: 50 N, angle: 30 deg}    a particle needs no `at`; `wound_at: T` instead
                                                                    for a cord that unwinds from the rim point T.
                                                                    The direction: angle; or towards: P; or angle with
                                                                    relative_to: b (turns with b)
@@ -13,9 +13,13 @@ Any entry may have `name:` and `during: 1->2`.
                                                                    or relaxed_at: [theta = 0]; acts: push or pull
       - damper: {between: [A, B], coefficient: 20 N*s/m}
       - drag: {body: b, magnitude: c*v(b).mag^2}                   always against the velocity
-      - impulse: {body: b, at: S, magnitude: 30 N*s, angle: 0 deg, during: 1->2}      or moment: 3 N*m*s
-      - stream: {body: b, rate: 4 kg/s, enters: {at: A, speed: 15 m/s, angle: 0 deg}, leaves: {at: B, speed: 15 m/s,
-                 angle: 90 deg}}                                   angles fixed in space, speeds relative to the body
+      - impulse: {body: b, at: S, magnitude: 30 N*s, angle: 0 deg, during: 1->2}
+                                                                   or moment: 3 N*m*s
+      - stream:                                                    angles fixed in space, speeds relative to the body
+          body: b
+          rate: 4 kg/s
+          enters: {at: A, speed: 15 m/s, angle: 0 deg}
+          leaves: {at: B, speed: 15 m/s, angle: 90 deg}
 
 Magnitudes of force, torque and drag may use `t`, quantities, and tables of instants and values:
 

@@ -1,15 +1,15 @@
 """Names, numbers, units and signs.
 
 Names
-  A name is a letter, then letters, digits, `_`. All names of a file differ: values, points, surfaces, bodies, and names
-  given to joints and loads. (A particle may share its own point's name; states and finds are apart.) Reserved are t, pi,
-  ground, all, infinity, on, off, yes, no, true, false, null, and the words of the grammar (at, in, is, stick, slip, …).
-  `r(`, `v(`, `N(` … with a bracket are quantities; `r`, `v`, `N` alone are your own names. `e` is yours too; Euler's
-  number is `exp(1)`.
+  A name is a letter, then letters, digits, `_`. All names of a file differ: values, points, surfaces, bodies, and
+  names given to joints and loads. (A particle may share its own point's name; states and finds are apart.) Reserved
+  are t, pi, ground, all, infinity, on, off, yes, no, true, false, null, and the words of the grammar (at, in, is,
+  stick, slip, …). `r(`, `v(`, `N(` … with a bracket are quantities; `r`, `v`, `N` alone are your own names. `e` is
+  yours too; Euler's number is `exp(1)`.
 
 Expressions
-  + - * / ^ and brackets. Multiplication is always written `*`. Functions: sin cos tan asin acos atan sqrt exp log abs, of
-  `30 deg` or of radians; log is the natural logarithm. `pi` and `infinity` are numbers, `t` is the time.
+  + - * / ^ and brackets. Multiplication is always written `*`. Functions: sin cos tan asin acos atan sqrt exp log
+  abs, of `30 deg` or of radians; log is the natural logarithm. `pi` and `infinity` are numbers, `t` is the time.
 
 Units
   A unit follows a number or `)` after a space and has no space inside:
@@ -17,10 +17,10 @@ Units
   Units are put together from
       m mm cm km   kg g mg tonne   s ms min h   rad deg rev rpm   Hz kHz   N mN kN MN   Pa kPa MPa GPa   J kJ MJ
       W kW MW   in ft yd mi   lb slug   lbf kip   psi   hp   mph   1
-  with `*`, `/` and `^`. After `/`, or with a `*` inside a longer expression, number and unit need brackets:
-  `x^2/(2 m)`, `(2 N*m) + M`. The tonne is `tonne`; `lb` is a mass and `lbf` a force. There is no `%` and no degree sign.
-  A number without a unit is a pure number; where a unit is due it is an error. Zero needs no unit.
-  `inch` is `in` directly after a number; `in ft/s` at the end of a find is the unit wanted.
+  with `*`, `/` and `^`. After `/`, or with a `*` inside a longer expression, number and unit need brackets: `x^2/(2
+  m)`, `(2 N*m) + M`. The tonne is `tonne`; `lb` is a mass and `lbf` a force. There is no `%` and no degree sign. A
+  number without a unit is a pure number; where a unit is due it is an error. Zero needs no unit. `inch` is `in`
+  directly after a number; `in ft/s` at the end of a find is the unit wanted.
 
 Signs
   x right, y up, angles and rotations counterclockwise from +x. `cw` after a unit is a minus, `ccw` a plus:

@@ -15,8 +15,8 @@ Points are given as drawn: at the instant, or at the first state (with `coordina
       F: {distances: {A: l, B: d}, side: above}         where two places fit, `side` says which:
                                                           left, right, above, below (the other one)
 
-A point of no body is fixed, unless it is written with a coordinate. A point that is named with a body in a joint or load
-belongs to that body. Sizes of points use names, not quantities and not the time.
+A point of no body is fixed, unless it is written with a coordinate. A point that is named with a body in a joint or
+load belongs to that body. Sizes of points use names, not quantities and not the time.
 
 Surfaces
 

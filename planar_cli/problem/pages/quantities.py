@@ -1,7 +1,7 @@
 """Quantities: what can be stated and asked.
 
-A quantity is a word with a bracket at once behind it. `b` is a body (its mass centre where a point is meant), `P` a point or
-body, `j` a joint, `f` a load, `all` the whole system. A stroke joins two things; no comma stands anywhere.
+A quantity is a word with a bracket at once behind it. `b` is a body (its mass centre where a point is meant), `P` a
+point or body, `j` a joint, `f` a load, `all` the whole system. A stroke joins two things; no comma stands anywhere.
 
   x(P) y(P) r(P) v(P) a(P)      place and motion; `v(B/A)` seen from a frame that moves with point A and does not turn;
                                 `v(P/b)` seen from body b. The distance from A to B is r(B/A).mag

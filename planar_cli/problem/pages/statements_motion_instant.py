@@ -1,17 +1,17 @@
 """Statements: motion, instant, and the grammar of one line.
 
-`motion` holds relations that are true all the time, so they may be differentiated: `omega(OB) = 2 rad/s` means that the
-rate is constant. With `during 1->2` behind it a relation holds in that span only. `instant` holds relations that are true
-at the one instant asked about: there `omega(OB) = 2 rad/s` says nothing about the acceleration. `assume` holds relations
-between names.
+`motion` holds relations that are true all the time, so they may be differentiated: `omega(OB) = 2 rad/s` means that
+the rate is constant. With `during 1->2` behind it a relation holds in that span only. `instant` holds relations that
+are true at the one instant asked about: there `omega(OB) = 2 rad/s` says nothing about the acceleration. `assume`
+holds relations between names.
 
     motion: [omega(OB) = 2 rad/s, a(P).x = 3 m/s^2 during 1->2]
     instant: [beta = 60 deg, at rest]
     assume: [a < g]
 
-`at rest` means: all that `motion` does not drive has no velocity. `B at rest` says it of one body. `equilibrium`: at rest,
-and without acceleration. Each statement is a whole string in a list, with exactly one of = < > <= >= in it; `0 < a < 3`
-is two statements.
+`at rest` means: all that `motion` does not drive has no velocity. `B at rest` says it of one body. `equilibrium`: at
+rest, and without acceleration. Each statement is a whole string in a list, with exactly one of = < > <= >= in it; `0
+< a < 3` is two statements.
 
     relation  = side ("=" | "<" | ">" | "<=" | ">=") side | side "is" ("largest" | "smallest")
               | [name] "at rest" | "equilibrium" | "just after" state
@@ -19,8 +19,9 @@ is two statements.
     found     = (side | relation) ["in" unit]                          in find
     side      = ["-"] term {("+" | "-") term}           term = power {("*" | "/") power}
     power     = atom ["^" (["-"] number | name | "(" side ")")]
-    atom      = number [" " unit ["cw" | "ccw"]] | "(" side ")" [" " unit] [at] | name ["." name] [at] | "t" [at] | "pi"
-              | "infinity" | function "(" side ")" [at] | quantity | "stick" | "slip" | "apart" | "tip" | "taut" | "slack"
+    atom      = number [" " unit ["cw" | "ccw"]] | "(" side ")" [" " unit] [at] | name ["." name] [at] | "t" [at]
+              | "pi" | "infinity" | function "(" side ")" [at] | quantity
+              | "stick" | "slip" | "apart" | "tip" | "taut" | "slack"
     quantity  = word "(" argument ")" {"." part} [at]   at   = "@" (state | span)      span = state "->" state
     argument  = thing ["/" thing] | side (in dot, ddot, mean) | relation (in count) | state (in reached, period …)
     part      = "x" | "y" | "mag" | "angle" | "t" | "n" | "r" | "theta" | ("along" | "across") "(" direction ")"

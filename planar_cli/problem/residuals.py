@@ -1,0 +1,59 @@
+"""What a joint says of places alone: residuals that vanish as long as the joint holds, written from geometry.
+
+The independent check of a solution assembles a scene from these and differentiates them itself; nothing here knows of
+velocities or accelerations. A residual is a function of the poses of the bodies near the drawn configuration.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, Protocol
+
+from planar_cli.problem.geometry import Vec
+
+
+class Poses(Protocol):
+    """The poses of all bodies a moment before or after the drawn one; its numbers know + - * / among themselves.
+
+    Arguments called `drawn` are exact expressions of the scene; results vary with the poses. `time` is counted from the
+    drawn instant [s].
+    """
+
+    @property
+    def time(self) -> Any: ...
+
+    def number(self, drawn: Any) -> Any:
+        """A constant."""
+
+    def vector(self, drawn: Vec) -> Vec:
+        """A constant vector."""
+
+    def point(self, body: str, drawn: Vec) -> Vec:
+        """Where the body's material point is that was drawn there."""
+
+    def direction(self, body: str, drawn: Vec) -> Vec:
+        """A direction that turns with the body."""
+
+    def angle(self, body: str) -> Any:
+        """The angle by which the body has turned, counterclockwise; 0 for the ground and for particles."""
+
+    def length(self, v: Vec) -> Any:
+        """|v|, which is not zero as drawn."""
+
+    def root(self, square: Any) -> Any:
+        """The square root of a number, or of what is positive as drawn."""
+
+    def turned(self, v: Vec) -> Any:
+        """The angle by which a direction has turned since it was drawn, counterclockwise."""
+
+    def change(self, number: Any) -> Any:
+        """A number less its value as drawn."""
+
+
+@dataclass(frozen=True, slots=True)
+class Residual:
+    """`of` gives a number that stays zero, or a Vec of which both parts do; `title` says what it keeps."""
+
+    title: str
+    of: Callable[[Poses], Any]

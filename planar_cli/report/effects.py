@@ -1,0 +1,69 @@
+"""The effects that a scene calls for, and those that it does not."""
+
+from __future__ import annotations
+
+from planar_cli.report.blocks import Note, line
+from planar_cli.solve.solution import InstantSolution
+
+
+def effect_notes(instant: InstantSolution) -> tuple[Note, ...]:
+    """Two lines: what acts in this scene, and what does not."""
+    present, absent = effects(instant)
+    notes = [Note("Effects", line(" · ".join(present)))] if present else []
+    if absent and present:
+        notes.append(Note("Effects", line("not in this scene: " + ", ".join(absent))))
+    return tuple(notes)
+
+
+def effects(instant: InstantSolution) -> tuple[list[str], list[str]]:
+    """Effects present and absent, in the words of the course."""
+    system, scene = instant.trial.system, instant.instant.scene
+    kinds = {w.kind for w in system.wrenches}
+    present: list[str] = []
+    has_mass = any(b.mass != 0 for b in scene.bodies.values())
+    if "weight" in kinds:
+        present.append("weight")
+    for kind, words in (("force", "applied force"), ("torque", "applied torque"), ("spring", "spring force"), ("damper", "damper force"), ("drag", "drag")):
+        if kind in kinds:
+            present.append(words)
+    if has_mass:
+        present += _contacts(instant)
+    turning = [n for n, b in scene.bodies.items() if b.rigid and b.inertia != 0]
+    if turning and has_mass:
+        present.append("rotational inertia of " + ", ".join(turning))
+    coriolis = _coriolis(instant)
+    if coriolis:
+        present.append("Coriolis acceleration")
+    absent = [w for k, w in (("drag", "drag"), ("spring", "springs"), ("damper", "dampers")) if k not in kinds]
+    absent += [] if coriolis else ["Coriolis"]
+    return present, [*absent, "impact"]
+
+
+def _contacts(instant: InstantSolution) -> list[str]:
+    system = instant.trial.system
+    found: dict[str, list[str]] = {}
+    for push in system.pushes:
+        words = {"normal": "normal force", "friction": "friction", "component": "pin force", "tension": "tension", "couple": "couple"}[push.kind]
+        place = system.aliases.get(push.joint, push.joint)
+        if words not in found.setdefault(place, []):
+            found[place].append(words)
+    lines = []
+    for place, words in found.items():
+        joint = next(m for j, m in system.modes.items() if system.aliases[j] == place)
+        rolling = any(j.rolling is not None for j in joint.facts.joinings)
+        lines.append(" and ".join(words) + f" at {place}" + (" (rolling, no slip)" if rolling else ""))
+    return lines
+
+
+def _coriolis(instant: InstantSolution) -> bool:
+    """Does any point slide along a turning body?"""
+    system, value = instant.trial.system, instant.value
+    motion = system.motion
+    if motion is None:
+        return False
+    for mode in system.modes.values():
+        for j in mode.facts.joinings:
+            if j.path is not None and motion.velocities[j.base].angular != 0 and motion.slide_speed(j) != 0:
+                if not value.is_zero(motion.slide_speed(j)):
+                    return True
+    return False

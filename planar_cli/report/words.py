@@ -1,0 +1,168 @@
+"""Numbers, symbols and directions of a solution in words: the small phrases that the narration is made of."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from decimal import Decimal
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.equation.ledger import Ledger, display
+from planar_cli.problem.expression import Quantity
+from planar_cli.report.blocks import Line, Math, Text, Value
+from planar_cli.report.numbers import rotation_words, significant, vector_arrow, vector_words
+from planar_cli.solve.solution import Found
+from planar_cli.units import Unit
+
+LONG = 7
+"""A rational with more digits than this is shown rounded."""
+
+
+def rounded(expr: sp.Expr, figures: int) -> sp.Expr:
+    """The expression with long rationals and roots of numbers rounded for print."""
+    if expr.is_Rational:
+        if len(str(expr.p)) + len(str(expr.q)) <= LONG or expr.is_Integer:
+            return expr if len(str(expr.p)) <= LONG + 4 else _short(expr, figures)
+        return _short(expr, figures)
+    if not expr.args:
+        return expr
+    args = [rounded(a, figures) for a in expr.args]
+    return expr.func(*args) if any(a is not b for a, b in zip(args, expr.args, strict=True)) else expr
+
+
+def _short(number: sp.Expr, figures: int) -> sp.Expr:
+    value = Decimal(int(number.p)) / Decimal(int(number.q))
+    return sp.Rational(significant(value, figures).translate(str.maketrans("−", "-")).replace("×10", "e").translate(_PLAIN))
+
+
+_PLAIN = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
+
+
+@dataclass(frozen=True, slots=True)
+class Phrases:
+    """Phrases for one ledger and valuation. `figures`: significant figures. `symbolic`: letters remain, so no numbers."""
+
+    ledger: Ledger
+    value: Valuation
+    figures: int
+    symbolic: bool
+
+    def math(self, expr: Any) -> Math:
+        """An expression in its names."""
+        return Math(rounded(sp.sympify(expr), self.figures))
+
+    def numbers(self, expr: sp.Expr) -> Math | None:
+        """The expression with numbers put in for its names; None where letters have none or nothing is to be put in."""
+        if self.symbolic:
+            return None
+        texts = {}
+        for symbol in expr.free_symbols:
+            try:
+                texts[symbol] = self._text(symbol)
+            except (Unvalued, ArithmeticError):
+                return None
+        return Math(rounded(expr, self.figures), texts) if texts else None
+
+    def _text(self, symbol: sp.Symbol) -> str:
+        unit = self.ledger.units.get(symbol)
+        value = self.value(symbol)
+        if unit is not None and unit.angle and unit.pi_power and unit.text == "deg":
+            return significant(display(value, unit), self.figures) + "°"
+        return significant(value, self.figures)
+
+    def shown(self, symbol: sp.Symbol, value: Decimal | None = None) -> Value:
+        """The value of a symbol in SI units."""
+        unit = self.ledger.units.get(symbol)
+        number = self.value(symbol) if value is None else value
+        if unit is None:
+            return Value(number, "1", self.figures)
+        if unit.angle and unit.text == "deg":
+            return Value(display(number, unit), "deg", self.figures)
+        return Value(number, si_text(unit), self.figures)
+
+    def arrow(self, x: Any, y: Any) -> str:
+        """The direction of a vector as an arrow."""
+        return vector_arrow(self._certain(x), self._certain(y))
+
+    def _certain(self, expr: Any) -> Decimal:
+        value = self.value(expr)
+        return Decimal(0) if value and self.value.is_zero(expr) else value
+
+
+def si_text(unit: Unit) -> str:
+    """The SI unit of the same dimension, as text."""
+    from planar_cli.units import default_unit
+
+    return default_unit(unit.dimension, unit.angle).text
+
+
+def answer_line(found: Found, phrases: Phrases) -> Line:
+    """The answer of a find: its value with unit and direction, its formula, or its word."""
+    if found.word:
+        return (Text(answer_word(found)),)
+    if found.values is None:
+        parts: list[Any] = []
+        for i, expr in enumerate(found.expressions or ()):
+            parts += [Text("[" if i == 0 and found.kind == "vector" else ", " if i else ""), Math(expr)]
+        return (*parts, Text("]")) if found.kind == "vector" else tuple(p for p in parts if p != Text(""))
+    numbers = [display(v, found.unit) for v in found.values]
+    unit = "J" if found.energy and found.unit.text == "N*m" else found.unit.text
+    if found.kind == "vector":
+        return _vector_line(numbers, unit, phrases.figures)
+    words = direction_words(found, numbers[0])
+    shown = abs(numbers[0]) if words else numbers[0]
+    return (Value(shown, unit, phrases.figures), Text(f" {words}" if words else ""))
+
+
+def _vector_line(numbers: list[Decimal], unit: str, figures: int) -> Line:
+    x, y = numbers
+    size = (x * x + y * y).sqrt()
+    words = vector_words(x, y)
+    parts = (Text("["), Value(x, "1", figures), Text(", "), Value(y, "1", figures), Text("] "), Value(Decimal(1), unit, 1))
+    head: Line = (*parts[:-1], Text(_unit_only(unit)))
+    return head if not words or x.is_infinite() else (*head, Text(", that is "), Value(size, unit, figures), Text(f" {words}"))
+
+
+def _unit_only(unit: str) -> str:
+    from planar_cli.units import pretty_unit
+
+    return pretty_unit(unit)
+
+
+def answer_word(found: Found) -> str:
+    """A truth value or a mode as it is said."""
+    return {"true": "yes", "false": "no", "stick": "stick (it does not slip)", "slip": "slip", "apart": "apart", "tip": "tip"}.get(found.word, found.word)
+
+
+def direction_words(found: Found, number: Decimal) -> str:
+    """ "clockwise", "to the right", "upward": for rotations and for x and y parts."""
+    what = found.find.found.what if found.find is not None else None
+    if not isinstance(what, Quantity) or not number or found.values is None:
+        return ""
+    if what.word in ("omega", "alpha", "moment", "H") and not what.parts:
+        return rotation_words(1 if number > 0 else -1)
+    if what.word in ("v", "a", "friction", "reaction", "force", "coriolis", "momentum") and len(what.parts) == 1:
+        axis = what.parts[0].kind
+        if axis == "x":
+            return "to the right" if number > 0 else "to the left"
+        if axis == "y":
+            return "upward" if number > 0 else "downward"
+    return ""
+
+
+def answer_text(found: Found, phrases: Phrases) -> str:
+    """The answer as plain text, for the JSON document."""
+    from planar_cli.report.notation import plain
+    from planar_cli.report.numbers import quantity
+
+    parts = []
+    for piece in answer_line(found, phrases):
+        if isinstance(piece, Text):
+            parts.append(piece.text)
+        elif isinstance(piece, Value):
+            parts.append(quantity(piece.number, piece.unit, piece.figures))
+        elif isinstance(piece, Math):
+            parts.append(plain(piece.expr))
+    return "".join(parts).strip()

@@ -1,0 +1,140 @@
+"""The plan carried out: every block solved, line by line, in symbols and in sixty-digit numbers at once.
+
+The lines of the elimination are the lines of the solution. Each result is a formula in names (knowns, earlier results) and a
+number; closed formulas are put together from them at the end, where they are asked for.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from decimal import Decimal
+
+import sympy as sp
+
+from planar_cli.equation.exact import Valuation
+from planar_cli.equation.form import linear_form
+from planar_cli.solve.plan import Block
+from planar_cli.solve.write import Written, tidy
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """One line of step 3: `symbol` = `formula` = `value`, from equations of these numbers.
+
+    `letters`: unknowns that the formula still carries.
+    """
+
+    symbol: sp.Symbol
+    formula: sp.Expr
+    value: Decimal | None
+    equations: tuple[int, ...]
+    letters: tuple[sp.Symbol, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class SolvedBlock:
+    """One block with its lines."""
+
+    equations: tuple[Written, ...]
+    unknowns: tuple[sp.Symbol, ...]
+    letters: tuple[sp.Symbol, ...]
+    lines: tuple[Line, ...]
+
+
+class Algebra:
+    """Solves blocks one after the other. `value`: numbers of everything known, extended as results come in."""
+
+    def __init__(self, value: Valuation, explicit: dict[sp.Symbol, sp.Expr], symbolic: bool) -> None:
+        self.value, self.explicit, self.symbolic = value, explicit, symbolic
+        self.formulas: dict[sp.Symbol, sp.Expr] = {}
+
+    def solve(self, block: Block, written: tuple[Written, ...], unknowns: tuple[sp.Symbol, ...]) -> SolvedBlock:
+        """Solve one block whose unknowns all enter linearly."""
+        order = tuple(unknowns[j] for j in block.unknowns)
+        letters = tuple(unknowns[j] for j in block.letters)
+        if len(order) == 1:
+            lines = [self._single(written[0], order[0])]
+        else:
+            lines = self._together(written, order, letters)
+        for line in lines:
+            if not line.letters:
+                self.value = self.value.extended({line.symbol: self.value(line.formula)}) if line.value is None else self.value.extended({line.symbol: line.value})
+                self.formulas[line.symbol] = line.formula
+        return SolvedBlock(written, order, letters, tuple(lines))
+
+    def _residual(self, equation: Written) -> sp.Expr:
+        return equation.residual.xreplace(self.explicit)
+
+    def _solve_for(self, residual: sp.Expr, x: sp.Symbol) -> sp.Expr:
+        form = linear_form(residual, {x})
+        constant = form.constant
+        if constant.is_Add:
+            constant = sp.Add(*(a for a in constant.args if self._counts(a)))
+        return tidy(-constant / tidy(form.terms[x]))
+
+    def _counts(self, term: sp.Expr) -> bool:
+        try:
+            return not self.value.is_zero(term)
+        except LookupError:
+            return True
+
+    def _single(self, equation: Written, x: sp.Symbol) -> Line:
+        formula = self._solve_for(self._residual(equation), x)
+        return Line(x, formula, self.value(formula), (equation.number,))
+
+    def _together(self, written: tuple[Written, ...], order: tuple[sp.Symbol, ...], letters: tuple[sp.Symbol, ...]) -> list[Line]:
+        """Express the unknowns in the letters one at a time; the equations left over give the letters."""
+        lines: list[Line] = []
+        inside: dict[sp.Symbol, sp.Expr] = {}
+        chained = order[: len(order) - len(letters)]
+        for equation, x in zip(written, chained, strict=False):
+            formula = self._in_letters(self._solve_for(self._residual(equation).xreplace(inside), x), letters)
+            inside[x] = formula
+            lines.append(Line(x, formula, None, (equation.number,), tuple(s for s in letters if s in formula.free_symbols)))
+        rest = list(written[len(chained) :])
+        residuals = [self._in_letters(self._residual(e).xreplace(inside), letters) for e in rest]
+        solved = self._letters(residuals, letters)
+        numbers = tuple(e.number for e in rest)
+        found = [Line(s, solved[s], self.value(solved[s]), numbers) for s in letters]
+        for line in found:
+            self.value = self.value.extended({line.symbol: line.value or Decimal(0)})
+        back = [Line(x.symbol, tidy(x.formula.xreplace(solved)) if self.symbolic else x.formula, self.value(x.formula), x.equations) for x in lines]
+        return [*[x for x in lines if x.letters], *found, *back]
+
+    def _in_letters(self, expr: sp.Expr, letters: tuple[sp.Symbol, ...]) -> sp.Expr:
+        """Collect an expression in the letters; in a numeric problem with exact or certain numbers as coefficients."""
+        form = linear_form(expr, set(letters))
+        if self.symbolic:
+            return sp.Add(tidy(form.constant), *(tidy(c) * x for x, c in form.terms.items()))
+        return sp.Add(self._plain(form.constant), *(self._plain(c) * x for x, c in form.terms.items()))
+
+    def _plain(self, expr: sp.Expr) -> sp.Expr:
+        """A number for an expression of knowns: exact where it is short, else rational to all digits."""
+        value = self.value(expr)
+        if not value or self.value.is_zero(expr):
+            return sp.S.Zero
+        return sp.Rational(str(value))
+
+    def _letters(self, residuals: list[sp.Expr], letters: tuple[sp.Symbol, ...]) -> dict[sp.Symbol, sp.Expr]:
+        """Solve the last equations for the letters by elimination with the largest pivot."""
+        inside = set(letters)
+        forms = [linear_form(r, inside) for r in residuals]
+        rows = [[f.terms.get(s, sp.S.Zero) for s in letters] + [f.constant] for f in forms]
+        size = len(letters)
+        for k in range(size):
+            best = max(range(k, size), key=lambda i: abs(self.value(rows[i][k])))
+            rows[k], rows[best] = rows[best], rows[k]
+            for i in range(size):
+                if i != k and rows[i][k] != 0 and not self.value.is_zero(rows[i][k]):
+                    factor = tidy(rows[i][k] / rows[k][k])
+                    rows[i] = [tidy(a - factor * b) if j > k else sp.S.Zero for j, (a, b) in enumerate(zip(rows[i], rows[k], strict=True))]
+        return {s: tidy(-rows[k][size] / rows[k][k]) for k, s in enumerate(letters)}
+
+    def closed(self, expr: sp.Expr) -> sp.Expr:
+        """An expression with every result and line put in, down to what the file gives."""
+        for _ in range(60):
+            inside = {s: self.formulas.get(s, self.explicit.get(s)) for s in expr.free_symbols if s in self.formulas or s in self.explicit}
+            if not inside:
+                return expr
+            expr = expr.xreplace(inside)
+        return expr

@@ -1,0 +1,221 @@
+"""From the chosen modes to the finds: targets, stages, values, closed formulas."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from decimal import Decimal
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.equation.conditions import vector_or_jet
+from planar_cli.equation.evaluate import refuse
+from planar_cli.equation.exact import Valuation
+from planar_cli.equation.quantities import Quantities
+from planar_cli.equation.system import System
+from planar_cli.errors import Diagnostic, NoSolution
+from planar_cli.problem.dimensions import Kind, dimension_of
+from planar_cli.problem.expression import Quantity, Relation, Side, Word
+from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scene import Find
+from planar_cli.solve.instant import Instant, Trial
+from planar_cli.solve.solution import Found, InstantSolution, quantities_in
+from planar_cli.solve.stages import Stage, StageMaker, acceleration_unknowns, needed
+from planar_cli.units import Unit, parse_unit
+
+CLOSED_OPS = 90
+
+
+class Finisher:
+    """Works out one instant for its finds. `answer_units`: the units in which the file states its answers."""
+
+    def __init__(self, instant: Instant, trial: Trial, rejected: tuple[Trial, ...], answer_units: Mapping[str, str], state: str = "") -> None:
+        self.instant, self.trial, self.rejected, self.state = instant, trial, rejected, state
+        self.system: System = trial.system
+        self.scene = instant.scene
+        self.ledger = self.scene.ledger
+        self.answer_units = answer_units
+        self.symbolic = self.ledger.symbolic
+
+    def solve(self, finds: tuple[Find, ...]) -> tuple[InstantSolution, list[Found]]:
+        """The stages, and the answers of these finds."""
+        quantities = self.system.quantities()
+        sides = {f.name: self._expressions(f, quantities) for f in finds}
+        exprs = [e for es in sides.values() for e in es]
+        base = self.trial.outcomes[0].value
+        unknowns = set(acceleration_unknowns(self.system))
+        kinetics = self._has_forces()
+        maker = StageMaker(self.system, base, self.symbolic)
+        targets = needed(exprs, unknowns) | (self._test_targets(unknowns) if self._asks_forces(exprs) else set())
+        self._demand_unique(needed(exprs, unknowns), finds)
+        maker.value = self._drop(base, unknowns)
+        acceleration = maker.accelerations(targets, kinetics) if targets else None
+        stages = self._with_velocities(maker, exprs, acceleration)
+        value = self._values(stages)
+        lines = tuple(line for s in stages for line in s.lines)
+        solution = InstantSolution(self.state, self.instant, self.trial, self.rejected, tuple(stages), lines, value)
+        return solution, [self._found(f, sides[f.name], value, stages, quantities) for f in finds]
+
+    def _drop(self, base: Valuation, unknowns: set[sp.Symbol]) -> Valuation:
+        """The numbers of everything but the unknowns."""
+        return Valuation({s: v for s, v in base.values.items() if s not in unknowns}, base.definitions)
+
+    def _has_forces(self) -> bool:
+        return any(b.mass != 0 for b in self.scene.bodies.values()) or bool(self.system.wrenches)
+
+    def _asks_forces(self, exprs: list[sp.Expr]) -> bool:
+        return bool(self.system.pushes) and self._has_forces() and bool(needed(exprs, set(acceleration_unknowns(self.system))))
+
+    def _test_targets(self, unknowns: set[sp.Symbol]) -> set[sp.Symbol]:
+        """Pushes that the tests of the assumed modes need."""
+        found: set[sp.Symbol] = set()
+        for mode in self.system.modes.values():
+            for test in mode.tests:
+                symbols = {self.system.symbols[n] for n, _ in test.pushes if n in self.system.symbols}
+                found |= {s for s in symbols & unknowns if self._unique(s)}
+        return found
+
+    def _unique(self, symbol: sp.Symbol) -> bool:
+        """Is a push determined at all?"""
+        outcome = self.trial.outcomes[0]
+        name = next((n for n, s in self.system.symbols.items() if s == symbol), None)
+        if name is None or name not in outcome.assembly.columns:
+            return True
+        return outcome.solved.unique(outcome.assembly.columns[name])
+
+    def _demand_unique(self, targets: set[sp.Symbol], finds: tuple[Find, ...]) -> None:
+        loose = sorted(s.name for s in targets if not self._unique(s))
+        if loose:
+            mark = finds[0].mark
+            text = f"not unique: {', '.join(loose)}; the scene has more supports than equations"
+            raise NoSolution([Diagnostic(mark, "PL603", text, "ask for what is unique, or leave a support out")])
+
+    # --- velocities --------------------------------------------------------------------------------------------------
+
+    def _with_velocities(self, maker: StageMaker, exprs: list[sp.Expr], acceleration: Stage | None) -> list[Stage]:
+        """The velocity stage that the acceleration stage and the finds rest on comes first."""
+        velocities = self.trial.velocities[0]
+        moving = {s for s, v in velocities.values.items() if v}
+        used = list(exprs)
+        if acceleration is not None:
+            used += [w.residual for b in acceleration.blocks for w in b.equations] + [x.expression for x in acceleration.lines]
+        targets = needed(used, moving)
+        stages: list[Stage] = []
+        if targets:
+            known = {s: v for s, v in velocities.values.items() if not v}
+            plain = Valuation({s: v for s, v in maker.value.values.items() if s not in moving}, maker.value.definitions)
+            stages.append(StageMaker(self.system, plain, self.symbolic).velocities(targets, known))
+        if acceleration is not None:
+            stages.append(acceleration)
+        return stages
+
+    def _values(self, stages: list[Stage]) -> Valuation:
+        value = self.trial.outcomes[0].value
+        found = dict(value.values)
+        for stage in stages:
+            found.update(stage.algebra.value.values)
+        return Valuation(found, value.definitions)
+
+    # --- finds -------------------------------------------------------------------------------------------------------
+
+    def _expressions(self, find: Find, quantities: Quantities) -> tuple[sp.Expr, ...]:
+        """A find as one or two expressions; a relation as left and right."""
+        what = find.found.what
+        if isinstance(what, Relation):
+            if self._mode_of(what) is not None:
+                return ()
+            sides = [vector_or_jet(s, quantities, quantities.evaluator) for s in (what.left, what.right)]
+            return tuple(s.value for s in sides)
+        if isinstance(what, Quantity) and what.word == "mode":
+            return ()
+        found = vector_or_jet(what, quantities, quantities.evaluator)
+        parts = (found.x, found.y) if isinstance(found, Vec) else (found,)
+        return tuple(self._known(p.value, find) for p in parts)
+
+    @staticmethod
+    def _known(value: sp.Expr | None, find: Find) -> sp.Expr:
+        if value is None:
+            raise refuse(find.mark, "PL552", f"{find.name}: one instant does not tell this rate")
+        return value
+
+    def _mode_of(self, relation: Relation) -> tuple[str, str] | None:
+        """(joint, word) of `mode(j) = word`."""
+        for one, other in ((relation.left, relation.right), (relation.right, relation.left)):
+            if isinstance(one, Quantity) and one.word == "mode" and isinstance(other, Word):
+                return one.things[0], other.word
+        return None
+
+    def _mode_name(self, joint: str) -> str:
+        ours = next(our for our, name in self.system.aliases.items() if name == joint and self.system.modes[our].name)
+        return self.system.modes[ours].name
+
+    def _found(self, find: Find, exprs: tuple[sp.Expr, ...], value: Valuation, stages: list[Stage], quantities: Quantities) -> Found:
+        what = find.found.what
+        pure = parse_unit("1")
+        if isinstance(what, Relation):
+            mode = self._mode_of(what)
+            if mode is not None:
+                truth = self._mode_name(mode[0]) == mode[1]
+            else:
+                difference = exprs[0] - exprs[1]
+                number = Decimal(0) if value.is_zero(difference) else value(difference)
+                truth = {"<": number < 0, ">": number > 0, "<=": number <= 0, ">=": number >= 0, "=": not number}[what.operator]
+            return Found(find.name, "truth", pure, None, None, "true" if truth else "false", find)
+        if isinstance(what, Quantity) and what.word == "mode":
+            return Found(find.name, "word", pure, None, None, self._mode_name(what.things[0]), find)
+        unit = self.unit_of(find, what)
+        closed = tuple(self._closed(e, stages) for e in exprs)
+        symbolic = any(set(self.ledger.letters) & c.free_symbols for c in closed)
+        values = None if symbolic else tuple(_number(e, value) for e in exprs)
+        short = all(sp.count_ops(c) <= CLOSED_OPS for c in closed)
+        kind = "vector" if len(exprs) == 2 else "number"
+        energy = any(q.word in ("KE", "PE", "work", "heat") for q in quantities_in(what))
+        return Found(find.name, kind, unit, values, closed if symbolic or short else None, "", find, energy)
+
+    def unit_of(self, find: Find, what: Side) -> Unit:
+        """As asked, else as the file states the answer, else SI (US customary in such a file)."""
+        if find.found.unit is not None:
+            return parse_unit(find.found.unit)
+        if find.name in self.answer_units:
+            return parse_unit(self.answer_units[find.name])
+        kind: Kind = dimension_of(what, self.instant.setup.lookup)
+        return self.instant.setup.unit_for(kind)
+
+    def _closed(self, expr: sp.Expr, stages: list[Stage]) -> sp.Expr:
+        """The formula of a find down to the names of the file."""
+        formulas: dict[sp.Symbol, sp.Expr] = {}
+        for stage in stages:
+            formulas.update(stage.algebra.explicit)
+            formulas.update(stage.algebra.formulas)
+        for s, v in self.trial.velocities[0].values.items():
+            if not v:
+                formulas[s] = sp.S.Zero
+        for stage in stages:
+            formulas.update(dict.fromkeys(stage.zero, sp.S.Zero))
+        for _ in range(80):
+            inside = {s: formulas[s] for s in expr.free_symbols if s in formulas}
+            inside |= {s: self.ledger.definitions[s] for s in expr.free_symbols if s in self.ledger.definitions}
+            inside |= {s: v for s in expr.free_symbols if (v := self.ledger.values.get(s)) is not None and v.free_symbols}
+            if not inside:
+                break
+            expr = expr.xreplace(inside)
+            if sp.count_ops(expr) > 4000:
+                return expr
+        return self._simple(expr)
+
+    def _simple(self, expr: sp.Expr) -> sp.Expr:
+        if expr.is_number or expr.is_Symbol or sp.count_ops(expr) > 600:
+            return expr
+        if not self.symbolic:
+            return sp.factor_terms(expr) if sp.count_ops(expr) < 200 else expr
+        trial = sp.simplify(expr)
+        return trial if sp.count_ops(trial) <= sp.count_ops(expr) else expr
+
+
+def _number(expr: Any, value: Valuation) -> Decimal:
+    number = value(expr)
+    return Decimal(0) if number and value.is_zero(expr) else number
+
+
+__all__ = ["Finisher", "replace"]

@@ -1,0 +1,67 @@
+"""Solve a whole file: its own finds, then each case with the finds of earlier ones."""
+
+from __future__ import annotations
+
+import time
+from dataclasses import replace
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.equation.setup import Earlier, first_unit
+from planar_cli.errors import Diagnostic, NoSolution
+from planar_cli.problem.scene import Find, Problem
+from planar_cli.solve.finish import Finisher
+from planar_cli.solve.instant import make_instant, search_modes
+from planar_cli.solve.solution import Found, InstantSolution, PartSolution, Solution
+
+
+def solve_problem(problem: Problem, method: str | None = None) -> Solution:
+    """All finds of a problem. Raises FileProblem, NoSolution or Undecided."""
+    started = time.perf_counter()
+    units = {a.name: u for a in problem.answers if (u := _answer_unit(a.value)) is not None}
+    earlier: dict[str, Earlier] = {}
+    parts: list[PartSolution] = []
+    if problem.find:
+        parts.append(solve_part(problem, "", units, {}))
+    for case in problem.cases:
+        part = solve_part(case.problem, case.name, units, earlier)
+        parts.append(part)
+        for found in part.found:
+            if found.values is not None and len(found.values) == 1:
+                exact = found.expressions[0] if found.expressions and not found.expressions[0].free_symbols else sp.Rational(str(found.values[0]))
+                earlier[f"{case.name}.{found.name}"] = Earlier(exact, found.unit.text)
+    return Solution(problem, tuple(parts), {"solve": time.perf_counter() - started})
+
+
+def solve_part(problem: Problem, case: str, units: dict[str, str], earlier: dict[str, Earlier]) -> PartSolution:
+    """One part: one instant, or several that are each complete in themselves."""
+    always = tuple(law.statement for law in problem.motion)
+    if problem.states:
+        from planar_cli.solve.states import solve_states
+
+        return solve_states(problem, case, always, units, earlier)
+    solution, found = solve_instant(problem, always, problem.instant or (), problem.find, units, earlier, problem.instant is None)
+    return PartSolution(case, (solution,), tuple(found))
+
+
+def solve_instant(
+    problem: Problem, always: tuple[Any, ...], now: tuple[Any, ...], finds: tuple[Find, ...], units: dict[str, str], earlier: dict[str, Earlier], open_form: bool, state: str = ""
+) -> tuple[InstantSolution, list[Found]]:
+    """One instant."""
+    instant = make_instant(problem, always, now, earlier, open_form)
+    held, rejected = search_modes(instant, instant.scene.valuations)
+    if not held:
+        raise NoSolution([Diagnostic(problem.find[0].mark, "PL601", "no case is consistent", "")])
+    return Finisher(instant, held[0], tuple(rejected), units, state).solve(finds)
+
+
+def _answer_unit(value: Any) -> str | None:
+    if isinstance(value, tuple):
+        return _answer_unit(value[0]) or _answer_unit(value[1])
+    if isinstance(value, bool | str):
+        return None
+    return first_unit(value)
+
+
+__all__ = ["replace", "solve_problem"]

@@ -1,0 +1,82 @@
+"""A problem solved: every find of the file and of its cases, with the stages that show how, and the checks that were made."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from decimal import Decimal
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.equation.exact import Valuation
+from planar_cli.problem.expression import Quantity, Relation
+from planar_cli.problem.scene import Find
+from planar_cli.solve.instant import Instant, Trial
+from planar_cli.solve.stages import Stage
+from planar_cli.solve.write import Explicit
+from planar_cli.units import Unit
+
+
+@dataclass(frozen=True, slots=True)
+class Found:
+    """One find with its answer.
+
+    `kind`: number, vector, truth or word. `values`: SI numbers (None while letters remain), one or two. `expressions`: closed
+    formulas in the file's names, where they are short or letters remain. `word`: of a truth value or mode.
+    """
+
+    name: str
+    kind: str
+    unit: Unit
+    values: tuple[Decimal, ...] | None
+    expressions: tuple[sp.Expr, ...] | None
+    word: str = ""
+    find: Find | None = None
+    energy: bool = False
+
+
+@dataclass(slots=True)
+class InstantSolution:
+    """One instant worked out. `rejected`: the first assumption and others, with why they fail. `value`: numbers of all."""
+
+    state: str
+    instant: Instant
+    trial: Trial
+    rejected: tuple[Trial, ...]
+    stages: tuple[Stage, ...]
+    lines: tuple[Explicit, ...]
+    value: Valuation
+    checks: dict[str, Any] = field(default_factory=dict)
+    roots: tuple[Any, ...] = ()
+
+
+@dataclass(slots=True)
+class PartSolution:
+    """The file's own finds, or those of one case."""
+
+    case: str
+    instants: tuple[InstantSolution, ...]
+    found: tuple[Found, ...]
+
+
+@dataclass(slots=True)
+class Solution:
+    """A whole file solved."""
+
+    problem: Any
+    parts: tuple[PartSolution, ...]
+    seconds: dict[str, float]
+
+
+def quantities_in(side: Any) -> list[Quantity]:
+    """All quantities of a side or relation, the outermost."""
+    if isinstance(side, Quantity):
+        return [side]
+    if isinstance(side, Relation):
+        return quantities_in(side.left) + quantities_in(side.right)
+    found: list[Quantity] = []
+    for name in ("operand", "argument", "left", "right"):
+        inner = getattr(side, name, None)
+        if inner is not None and not isinstance(inner, str):
+            found += quantities_in(inner)
+    return found

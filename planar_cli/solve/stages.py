@@ -1,0 +1,137 @@
+"""Stages of a worked solution: which unknowns there are, what is zero at sight, the plan, and the plan carried out."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from decimal import Decimal
+
+import sympy as sp
+
+from planar_cli.equation.conditions import Condition
+from planar_cli.equation.exact import Valuation
+from planar_cli.equation.form import mentions
+from planar_cli.equation.system import System
+from planar_cli.problem.geometry import Vec
+from planar_cli.solve.adjoint import adjoint_candidates
+from planar_cli.solve.algebra import Algebra, SolvedBlock
+from planar_cli.solve.candidates import Candidate
+from planar_cli.solve.offers import Numbers, Offers
+from planar_cli.solve.plan import Plan, Planner
+from planar_cli.solve.write import Explicit, Writer
+
+
+@dataclass(frozen=True, slots=True)
+class Stage:
+    """One stage, solved: the plan, its blocks, the explicit lines, the constructed centres.
+
+    `zero`: unknowns that vanish at sight (nothing acts on them). `undetermined`: targets that nothing fixes.
+    """
+
+    level: str
+    plan: Plan
+    blocks: tuple[SolvedBlock, ...]
+    lines: tuple[Explicit, ...]
+    centres: dict[str, tuple[object, tuple[sp.Symbol, ...]]]
+    zero: tuple[sp.Symbol, ...]
+    undetermined: tuple[sp.Symbol, ...]
+    algebra: Algebra
+    accelerations: dict[str, list[tuple[Vec, sp.Expr]]]
+
+
+@dataclass(slots=True)
+class StageMaker:
+    """Makes a stage of one system. `value`: numbers of everything that is known before it."""
+
+    system: System
+    value: Valuation
+    symbolic: bool
+    next_number: int = 1
+
+    def velocities(self, targets: set[sp.Symbol], known: dict[sp.Symbol, Decimal]) -> Stage:
+        """The velocities that are needed; `known`: those that are zero."""
+        rates = [r for r, _ in self.system.scene.evaluator.motions.values() if isinstance(r, sp.Symbol)]
+        unknowns = [s for s in (*self.system.tree.velocity_unknowns(), *rates, *self._sought_speeds()) if s not in known]
+        conditions = self.system.velocity_conditions()
+        zero = {s: sp.S.Zero for s in known}
+        conditions = [_put_in(c, zero) for c in conditions]
+        return self._make("velocity", unknowns, conditions, targets, kinetics=False)
+
+    def _sought_speeds(self) -> list[sp.Symbol]:
+        return [s for s in self.system.scene.ledger.sought if s not in self.value.values]
+
+    def accelerations(self, targets: set[sp.Symbol], kinetics: bool) -> Stage:
+        """Accelerations and pushes."""
+        return self._make("acceleration", acceleration_unknowns(self.system), self.system.acceleration_conditions(), targets, kinetics)
+
+    def _make(self, level: str, unknowns: list[sp.Symbol], conditions: list[Condition], targets: set[sp.Symbol], kinetics: bool) -> Stage:
+        offers, zero = self._offers(unknowns, conditions, targets, kinetics)
+        candidates, columns = offers
+        index = {x: j for j, x in enumerate(columns.unknowns)}
+        wanted = sum(1 << index[t] for t in targets if t in index)
+        planner = Planner(candidates)
+        missing = [t for t in targets if t in index and not planner.fixes(_every(candidates), 1 << index[t])]
+        wanted &= ~sum(1 << index[t] for t in missing)
+        if kinetics:
+            candidates += adjoint_candidates(self.system, columns, conditions, [index[t] for t in targets if t in index and t not in missing])
+            planner = Planner(candidates)
+        plan = planner.plan(wanted) or Plan(())
+        writer = Writer(self.system, columns, self.next_number)
+        if level == "velocity":
+            writer.system = self.system
+        numbered: list[tuple[object, ...]] = []
+        for block in plan.blocks:
+            numbered.append(tuple(writer.write(e) for e in block.equations))
+        explicit = {line.symbol: line.expression for line in writer.lines}
+        algebra = Algebra(self.value, explicit, self.symbolic)
+        blocks = tuple(algebra.solve(b, w, columns.unknowns) for b, w in zip(plan.blocks, numbered, strict=True))  # type: ignore[arg-type]
+        self.next_number = writer.next_number
+        return Stage(level, plan, blocks, tuple(writer.lines), dict(writer.centres), tuple(zero), tuple(missing), algebra, writer.named)
+
+    def _offers(
+        self, unknowns: list[sp.Symbol], conditions: list[Condition], targets: set[sp.Symbol], kinetics: bool
+    ) -> tuple[tuple[list[Candidate], Numbers], list[sp.Symbol]]:
+        """All candidates; unknowns that an equation of their own says are zero leave first."""
+        zero: list[sp.Symbol] = []
+        while True:
+            columns = Numbers(tuple(unknowns), frozenset(unknowns), self.value.extended({s: Decimal(0) for s in zero}))
+            found = Offers(self.system, columns, conditions, kinetics).all()
+            idle = {unknowns[c.mask.bit_length() - 1] for c in found if c.mask.bit_count() == 1 and not c.row[-1]} - targets
+            if not idle:
+                return (found, columns), zero
+            zero += sorted(idle, key=lambda s: s.name)
+            unknowns = [u for u in unknowns if u not in idle]
+            self.value = self.value.extended({s: Decimal(0) for s in idle})
+
+
+def _every(candidates: list[Candidate]) -> int:
+    mask = 0
+    for c in candidates:
+        mask |= c.mask
+    return mask
+
+
+def _put_in(condition: Condition, known: dict[sp.Symbol, sp.Expr]) -> Condition:
+    """A condition with known zeros put in."""
+    if not known:
+        return condition
+    from dataclasses import replace
+
+    residual = condition.residual
+    if hasattr(residual, "x"):
+        return replace(condition, residual=type(residual)(residual.x.xreplace(known), residual.y.xreplace(known)))
+    return replace(condition, residual=sp.sympify(residual).xreplace(known))
+
+
+def acceleration_unknowns(system: System) -> list[sp.Symbol]:
+    """Accelerations along the tree, second rates of coordinates, pushes that follow no law, sought loads."""
+    ledger = system.scene.ledger
+    followers = {law.push for law in system.laws}
+    seconds = [a for _, a in system.scene.evaluator.motions.values() if isinstance(a, sp.Symbol)]
+    pushes = [system.symbols[p.name] for p in system.pushes if p.name not in followers]
+    found = [*system.tree.acceleration_unknowns(), *seconds, *pushes]
+    return [*found, *(s for s in ledger.sought if s not in found)]
+
+
+def needed(exprs: list[sp.Expr], symbols: set[sp.Symbol]) -> set[sp.Symbol]:
+    """Which of the symbols occur."""
+    return {s for e in exprs if mentions(e, symbols) for s in e.free_symbols if s in symbols}

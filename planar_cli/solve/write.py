@@ -1,0 +1,297 @@
+"""Planned candidates as equations in symbols: each with its left and right side, its law, its words and its source."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.equation.conditions import Condition
+from planar_cli.equation.exact import ZERO
+from planar_cli.equation.motion import Motion
+from planar_cli.equation.system import System
+from planar_cli.problem.facts import Joining
+from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scene import GROUND
+from planar_cli.solve.candidates import Candidate, Choice
+from planar_cli.solve.offers import Numbers, line_of
+
+LETTERS = "CKQSWZHJ"
+
+
+@dataclass(frozen=True, slots=True)
+class Written:
+    """One numbered equation, left = right.
+
+    `law`: relation, force or moment. `bodies`: the group. `lead`: what is equated, such as ("moment", "C"). `words`: why
+    this one. `unknowns`: the symbols still unknown in it.
+    """
+
+    number: int
+    law: str
+    bodies: tuple[str, ...]
+    lead: str
+    words: str
+    left: sp.Expr
+    right: sp.Expr
+    source: str
+
+    @property
+    def residual(self) -> sp.Expr:
+        return self.left - self.right
+
+
+@dataclass(frozen=True, slots=True)
+class Explicit:
+    """A line that only names something: symbol = expression (the acceleration of a mass centre, a moment of inertia)."""
+
+    number: int
+    symbol: sp.Symbol
+    expression: sp.Expr
+    words: str
+
+
+@dataclass(slots=True)
+class Writer:
+    """Writes the equations of one stage; numbers run through the whole solution.
+
+    `lines`: explicit lines made on the way, in order. `centres`: constructed moment centres by name.
+    """
+
+    system: System
+    numbers: Numbers
+    next_number: int = 1
+    lines: list[Explicit] = field(default_factory=list)
+    centres: dict[str, tuple[Vec, tuple[sp.Symbol, ...]]] = field(default_factory=dict)
+    named: dict[str, list[tuple[Vec, sp.Expr]]] = field(default_factory=dict)
+
+    def number(self) -> int:
+        self.next_number += 1
+        return self.next_number - 1
+
+    # --- numbers behind symbols --------------------------------------------------------------------------------------
+
+    def vanishes(self, expr: sp.Expr) -> bool:
+        """Is a form in the unknowns zero, coefficient by coefficient?"""
+        return expr == 0 or not any(self.numbers.row(expr))
+
+    def kept(self, terms: list[sp.Expr]) -> list[sp.Expr]:
+        return [t for t in terms if not self.vanishes(t)]
+
+    def settled(self, expr: sp.Expr) -> sp.Expr:
+        """The expression without unknowns whose coefficients cancel."""
+        form = self.numbers.form(expr)
+        terms = [c * x for x, c in form.terms.items() if self.numbers.value(c) and not self.numbers.value.is_zero(c)]
+        constant = form.constant
+        if constant.is_Add:
+            constant = sp.Add(*(a for a in constant.args if not self.numbers.value.is_zero(a)))
+        if constant != 0 and self.numbers.value.is_zero(constant):
+            constant = sp.S.Zero
+        return sp.Add(*terms, constant)
+
+    # --- accelerations of mass centres -------------------------------------------------------------------------------
+
+    def acceleration(self, body: str) -> list[tuple[Vec, sp.Expr]]:
+        """The acceleration of a mass centre as (direction, component) pairs; long components get a name and a line."""
+        if body not in self.named:
+            self.named[body] = self._name_acceleration(body)
+        return self.named[body]
+
+    def _name_acceleration(self, body: str) -> list[tuple[Vec, sp.Expr]]:
+        motion = self.motion
+        a = motion.acceleration(self.system.scene.center(body), body)
+        x, y = self.settled(a.x), self.settled(a.y)
+        if x == 0 and y == 0:
+            return []
+        axes = [(Vec(sp.S.One, sp.S.Zero), x, "x"), (Vec(sp.S.Zero, sp.S.One), y, "y")]
+        axes = [axis for axis in axes if axis[1] != 0]
+        if len(axes) == 1:
+            return [(axes[0][0], self._component(body, axes[0][1], ""))]
+        for tangent in self._tangents(body):
+            if self.vanishes(a.cross(tangent)):
+                return [(tangent, self._component(body, self._along(a, tangent), ""))]
+        return [(direction, self._component(body, expr, suffix)) for direction, expr, suffix in axes]
+
+    def _along(self, a: Vec, tangent: Vec) -> sp.Expr:
+        """a · t where a is parallel to t."""
+        along = self.settled(a.dot(tangent))
+        form = self.numbers.form(along)
+        return sp.Add(*(sp.trigsimp(sp.expand(c)) * x for x, c in form.terms.items()), sp.trigsimp(sp.expand(form.constant)))
+
+    def _tangents(self, body: str) -> list[Vec]:
+        found = []
+        for mode in self.system.modes.values():
+            for j in mode.facts.joinings:
+                if body in (j.mover, j.base) and j.path is not None and j.path.curvature == 0:
+                    found.append(j.path.tangent)
+                if body in (j.mover, j.base) and j.rolling is not None:
+                    found.append(j.rolling.tangent)
+        return found
+
+    def _component(self, body: str, expr: sp.Expr, axis: str) -> sp.Expr:
+        if expr.is_Symbol or (-expr).is_Symbol:
+            return expr
+        scene = self.system.scene
+        name = scene.bodies[body].center_name
+        stem = f"a_{name}" if name else f"a_{body}"
+        symbol = scene.ledger.fresh(stem + axis, "m/s^2")
+        where = f" along {axis}" if axis else ""
+        self.lines.append(Explicit(self.number(), symbol, expr, f"acceleration of {name or 'the mass centre of ' + body}{where}"))
+        return symbol
+
+    @property
+    def motion(self) -> Motion:
+        assert self.system.motion is not None
+        return self.system.motion
+
+    # --- kinetics ----------------------------------------------------------------------------------------------------
+
+    def write(self, candidate: Candidate) -> Written:
+        """The equation of a candidate."""
+        if candidate.condition is not None:
+            return self._relation(candidate.condition, candidate.choice)
+        assert candidate.choice is not None
+        if candidate.choice.moment:
+            return self._moment(candidate.bodies, candidate.choice)
+        return self._force(candidate.bodies, candidate.choice)
+
+    def _force(self, bodies: tuple[str, ...], choice: Choice) -> Written:
+        d = choice.vector
+        left = self._loads(bodies, lambda point, force, couple: force.dot(d) if force is not None else sp.S.Zero)
+        right = []
+        for body in bodies:
+            mass = self.system.scene.bodies[body].mass
+            if mass != 0:
+                right += [mass * component * tidy(direction.dot(d)) for direction, component in self.acceleration(body)]
+        return self._written("force", bodies, choice.name, choice.words, left, self.kept_lines(right))
+
+    def _moment(self, bodies: tuple[str, ...], choice: Choice) -> Written:
+        center, name = self._centre(bodies, choice)
+
+        def moment(point: Vec, force: Vec | None, couple: Any) -> sp.Expr:
+            turning = tidy((point - center).cross(force)) if force is not None else sp.S.Zero
+            return turning + couple
+
+        left = self._loads(bodies, moment)
+        right: list[sp.Expr] = []
+        for body in bodies:
+            right += self._inertia_terms(body, center, name, alone=len(bodies) == 1)
+        return self._written("moment", bodies, name, choice.words, left, self.kept_lines(right))
+
+    def _inertia_terms(self, body: str, center: Vec, name: str, alone: bool) -> list[sp.Expr]:
+        """m a_G × arm + I α; I_C α where C is a fixed point of the body."""
+        model = self.system.scene.bodies[body]
+        alpha = self.motion.accelerations[body].angular if model.rigid else sp.S.Zero
+        if alone and model.rigid and alpha != 0 and model.mass != 0 and self._fixed(body, center):
+            return [self._inertia_about(body, center, name) * alpha]
+        terms = [] if model.inertia == 0 or alpha == 0 else [model.inertia * alpha]
+        if model.mass != 0:
+            arm = model.center - center
+            terms += [model.mass * component * tidy(arm.cross(direction)) for direction, component in self.acceleration(body)]
+        return terms
+
+    def _fixed(self, body: str, center: Vec) -> bool:
+        a = self.motion.acceleration(center, body)
+        return self.vanishes(a.x) and self.vanishes(a.y)
+
+    def _inertia_about(self, body: str, center: Vec, name: str) -> sp.Expr:
+        """I_G + m d², named."""
+        model = self.system.scene.bodies[body]
+        arm = model.center - center
+        square = tidy(arm.dot(arm))
+        if square == 0:
+            return model.inertia
+        title = f"moment of inertia of {body} about {name}, parallel axes"
+        known = next((s for s, t in self.system.scene.ledger.titles.items() if t == title), None)
+        if known is not None:
+            return known
+        whole = model.inertia + model.mass * square
+        return self.system.scene.ledger.define(f"I_{name}", whole, "kg*m^2", title, positive=True)
+
+    def _centre(self, bodies: tuple[str, ...], choice: Choice) -> tuple[Vec, str]:
+        if choice.name:
+            return choice.vector, choice.name
+        place = choice.vector
+        if choice.through:
+            (p, d), (q, e) = (line_of(self.system, self.numbers, bodies, s) for s in choice.through)
+            place = p + d * (tidy((q - p).cross(e)) / tidy(d.cross(e)))
+        ledger = self.system.scene.ledger
+        place = Vec(tidy(place.x), tidy(place.y))
+        for name, (known, _) in self.centres.items():
+            if all(self.numbers.value.is_zero(getattr(known, axis) - getattr(place, axis)) for axis in ("x", "y")):
+                return known, name
+        name = next(letter for letter in (*LETTERS, *(f"C_{i}" for i in range(99))) if letter not in self.system.scene.points and letter not in ledger.symbols and letter not in self.centres)
+        place = Vec(*(self._short(getattr(place, axis), f"{axis}_{name}") for axis in ("x", "y")))
+        self.centres[name] = (place, choice.through)
+        return place, name
+
+    def _short(self, expr: sp.Expr, name: str) -> sp.Expr:
+        if sp.count_ops(expr) <= 8 or self.system.scene.ledger.symbolic:
+            return expr
+        return self.system.scene.ledger.define(name, expr, "m", f"{name[0]} of the moment centre {name[2:]}")
+
+    def _loads(self, bodies: tuple[str, ...], part: Any) -> list[sp.Expr]:
+        """Every outer force and couple of a group, taken by `part`."""
+        terms: list[sp.Expr] = []
+        assert self.system.reactions is not None
+        for wrench in self.system.wrenches:
+            if wrench.body in bodies:
+                terms.append(part(wrench.point, wrench.force, wrench.couple))
+        for push, expr in self.system.reactions.pushes:
+            inside = [a for a in push.actions if a.body in bodies]
+            if inside:
+                terms.append(expr * tidy(sp.Add(*(part(a.point, a.force, a.couple) for a in inside))))
+        return self.kept_lines(terms)
+
+    def kept_lines(self, terms: list[sp.Expr]) -> list[sp.Expr]:
+        """Drop terms that vanish; explicit lines count with what they stand for."""
+        inside = {line.symbol: line.expression for line in self.lines}
+        return [t for t in terms if t != 0 and not self.vanishes(t.xreplace(inside))]
+
+    def _written(self, law: str, bodies: tuple[str, ...], lead: str, words: str, left: list[sp.Expr], right: list[sp.Expr]) -> Written:
+        return Written(self.number(), law, bodies, lead, words, sp.Add(*left), sp.Add(*right), "kinetics")
+
+    # --- relations ---------------------------------------------------------------------------------------------------
+
+    def _relation(self, condition: Condition, choice: Choice | None) -> Written:
+        if isinstance(condition.residual, Vec):
+            assert choice is not None
+            residual = condition.residual.dot(choice.vector)
+            words = f"{condition.text}, {choice.words}" if condition.kind != "closure" else choice.words
+        else:
+            residual, words = condition.residual, ""
+        residual = self.settled(residual)
+        form = self.numbers.form(residual)
+        left = [tidy(c) * x for x, c in form.terms.items()]
+        right = -tidy(form.constant)
+        if len(left) == 2 and right == 0:
+            left, right = [left[0]], -left[1]
+        return Written(self.number(), "relation", (), condition.text, words, sp.Add(*left), right, condition.kind)
+
+    def closing(self, condition: Condition) -> Joining | None:
+        """The joint behind a closure."""
+        return next((j for j in self.system.tree.closures if j.joint == condition.text), None)
+
+
+def tidy(expr: Any) -> sp.Expr:
+    """A short expression in its plainest form; a long one as it is."""
+    expr = sp.sympify(expr)
+    if expr.is_number or expr.is_Symbol:
+        return sp.nsimplify(expr) if expr.is_Float else expr
+    ops = sp.count_ops(expr)
+    if ops > 60:
+        return expr
+    found = sp.factor_terms(expr)
+    if ops <= 30 and not expr.is_polynomial(*expr.free_symbols):
+        trial = sp.cancel(sp.together(expr)) if not expr.has(sp.sin, sp.cos, sp.sqrt) else sp.trigsimp(expr)
+        if sp.count_ops(trial) < sp.count_ops(found):
+            found = trial
+    return found
+
+
+def is_ground(body: str) -> bool:
+    return body == GROUND
+
+
+__all__ = ["Explicit", "Writer", "Written", "ZERO", "tidy"]
