@@ -8,7 +8,7 @@ centre at d = 4 r sin(span/2)/(3 span) from the apex; composites by the parallel
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import sympy as sp
 
@@ -101,6 +101,8 @@ class MassReader:
         if isinstance(body.shape, Composite):
             return self._composite(body, body.shape)
         shape = uniform(body.shape, self.points, self.evaluator)
+        if isinstance(body.shape, Particle) and not shape.center_name:
+            shape = replace(shape, center=self.points(body.name), center_name=body.name)
         mass = self._mass(body)
         rigid = not isinstance(body.shape, Particle)
         inertia = self._inertia(body, shape, mass) if rigid else ZERO

@@ -49,6 +49,8 @@ class Scene:
         self.formulas: dict[str, Vec] = {}
         self.points: dict[str, Vec] = {}
         self._building: list[str] = []
+        self._lengths: dict[Vec, sp.Expr] = {}
+        self._outlines: dict[tuple[str, Vec], Outline] = {}
         self._valuations: tuple[Valuation, ...] | None = None
         self.gravity: sp.Expr = self._gravity()
         self._implicit_points()
@@ -150,6 +152,11 @@ class Scene:
 
     def length(self, v: Vec) -> sp.Expr:
         """|v|, in its simplest form when v lies along an axis."""
+        if v not in self._lengths:
+            self._lengths[v] = self._length(v)
+        return self._lengths[v]
+
+    def _length(self, v: Vec) -> sp.Expr:
         for one, other in ((v.x, v.y), (v.y, v.x)):
             if other == 0:
                 return one if self.sign(one) >= 0 else -one
@@ -201,7 +208,9 @@ class Scene:
         return (surface.body or GROUND) if surface is not None else partner
 
     def outline(self, partner: str, point: Vec, mark: Mark) -> Outline:
-        return outline_of(self, partner, point, mark)
+        if (partner, point) not in self._outlines:
+            self._outlines[partner, point] = outline_of(self, partner, point, mark)
+        return self._outlines[partner, point]
 
     def rigid(self, body: str) -> bool:
         return body == GROUND or self.bodies[body].rigid

@@ -121,8 +121,13 @@ class Setup:
             for symbol in list(self.ledger.coordinates):
                 if symbol in self.ledger.sought:
                     self.ledger.release(symbol)
-            time = self.ledger.symbols["t"]
-            self.ledger.letters.append(time)
+            if self._uses_time():
+                self.ledger.letters.append(self.ledger.symbols["t"])
+
+    def _uses_time(self) -> bool:
+        """Does a relation of the file mention t?"""
+        sides = [s for relation, _ in self.statements.relations for s in (relation.left, relation.right)]
+        return any("t" in names_in(side) for side in sides)
 
 
 def names_in(side: Side) -> set[str]:

@@ -16,6 +16,7 @@ from planar_cli.equation.conditions import (
 )
 from planar_cli.equation.evaluate import Evaluator
 from planar_cli.equation.motion import Motion, Tree, TreeBuilder
+from planar_cli.equation.natural import natural_pushes
 from planar_cli.equation.quantities import Quantities
 from planar_cli.equation.reactions import Reactions
 from planar_cli.equation.scene import Scene
@@ -142,12 +143,12 @@ class System:
 
 
 def make_system(
-    scene: Scene, builder: TreeBuilder, statements: Statements, modes: dict[str, Mode], symbols: dict[str, sp.Symbol], aliases: dict[str, str]
+    scene: Scene, builder: TreeBuilder, statements: Statements, modes: dict[str, Mode], symbols: dict[str, sp.Symbol], aliases: dict[str, str], plain: frozenset[str]
 ) -> System:
     """The equations for one choice of modes; `symbols` keeps the symbol of each push across choices."""
     facts = [mode.facts for mode in modes.values()]
     tree = builder.build(j for f in facts for j in f.joinings)
-    pushes = tuple(p for f in facts for p in f.pushes)
+    pushes = natural_pushes(scene, facts, plain)
     for push in pushes:
         if push.name not in symbols:
             symbols[push.name] = scene.ledger.fresh(push.name, push.unit)

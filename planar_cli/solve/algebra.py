@@ -44,8 +44,8 @@ class SolvedBlock:
 class Algebra:
     """Solves blocks one after the other. `value`: numbers of everything known, extended as results come in."""
 
-    def __init__(self, value: Valuation, explicit: dict[sp.Symbol, sp.Expr], symbolic: bool) -> None:
-        self.value, self.explicit, self.symbolic = value, explicit, symbolic
+    def __init__(self, value: Valuation, explicit: dict[sp.Symbol, sp.Expr], symbolic: bool, unknowns: frozenset[sp.Symbol]) -> None:
+        self.value, self.explicit, self.symbolic, self.unknowns = value, explicit, symbolic, unknowns
         self.formulas: dict[sp.Symbol, sp.Expr] = {}
 
     def solve(self, block: Block, written: tuple[Written, ...], unknowns: tuple[sp.Symbol, ...]) -> SolvedBlock:
@@ -55,15 +55,34 @@ class Algebra:
         if len(order) == 1:
             lines = [self._single(written[0], order[0])]
         else:
-            lines = self._together(written, order, letters)
+            lines = self._together([self._residual(w, order) for w in written], written, order, letters)
         for line in lines:
             if not line.letters:
                 self.value = self.value.extended({line.symbol: self.value(line.formula)}) if line.value is None else self.value.extended({line.symbol: line.value})
                 self.formulas[line.symbol] = line.formula
         return SolvedBlock(written, order, letters, tuple(lines))
 
-    def _residual(self, equation: Written) -> sp.Expr:
-        return equation.residual.xreplace(self.explicit)
+    def _residual(self, equation: Written, unknowns: tuple[sp.Symbol, ...]) -> sp.Expr:
+        """Left minus right side; explicit lines are put in where they hold an unknown of the block, else they have values."""
+        residual = equation.residual
+        inside = {}
+        for symbol in residual.free_symbols:
+            line = self.explicit.get(symbol)
+            if line is None:
+                continue
+            if line.free_symbols & set(unknowns):
+                inside[symbol] = line
+            elif symbol not in self.value.values:
+                self.value = self.value.extended({symbol: self.value(line)})
+        return self._without_idle(residual.xreplace(inside), unknowns)
+
+    def _without_idle(self, residual: sp.Expr, unknowns: tuple[sp.Symbol, ...]) -> sp.Expr:
+        """Unknowns of later blocks whose coefficients cancel are left out."""
+        idle = self.unknowns & residual.free_symbols - set(unknowns) - set(self.value.values)
+        if not idle:
+            return residual
+        form = linear_form(residual, idle)
+        return form.constant
 
     def _solve_for(self, residual: sp.Expr, x: sp.Symbol) -> sp.Expr:
         form = linear_form(residual, {x})
@@ -79,25 +98,25 @@ class Algebra:
             return True
 
     def _single(self, equation: Written, x: sp.Symbol) -> Line:
-        formula = self._solve_for(self._residual(equation), x)
+        formula = self._solve_for(self._residual(equation, (x,)), x)
         return Line(x, formula, self.value(formula), (equation.number,))
 
-    def _together(self, written: tuple[Written, ...], order: tuple[sp.Symbol, ...], letters: tuple[sp.Symbol, ...]) -> list[Line]:
+    def _together(
+        self, residuals: list[sp.Expr], written: tuple[Written, ...], order: tuple[sp.Symbol, ...], letters: tuple[sp.Symbol, ...]
+    ) -> list[Line]:
         """Express the unknowns in the letters one at a time; the equations left over give the letters."""
         lines: list[Line] = []
         inside: dict[sp.Symbol, sp.Expr] = {}
         chained = order[: len(order) - len(letters)]
-        for equation, x in zip(written, chained, strict=False):
-            formula = self._in_letters(self._solve_for(self._residual(equation).xreplace(inside), x), letters)
+        for residual, equation, x in zip(residuals, written, chained, strict=False):
+            formula = self._in_letters(self._solve_for(residual.xreplace(inside), x), letters)
             inside[x] = formula
             lines.append(Line(x, formula, None, (equation.number,), tuple(s for s in letters if s in formula.free_symbols)))
-        rest = list(written[len(chained) :])
-        residuals = [self._in_letters(self._residual(e).xreplace(inside), letters) for e in rest]
-        solved = self._letters(residuals, letters)
-        numbers = tuple(e.number for e in rest)
+        rest = [self._in_letters(r.xreplace(inside), letters) for r in residuals[len(chained) :]]
+        solved = self._letters(rest, letters)
+        numbers = tuple(e.number for e in written[len(chained) :])
         found = [Line(s, solved[s], self.value(solved[s]), numbers) for s in letters]
-        for line in found:
-            self.value = self.value.extended({line.symbol: line.value or Decimal(0)})
+        self.value = self.value.extended({x.symbol: x.value for x in found if x.value is not None})
         back = [Line(x.symbol, tidy(x.formula.xreplace(solved)) if self.symbolic else x.formula, self.value(x.formula), x.equations) for x in lines]
         return [*[x for x in lines if x.letters], *found, *back]
 
@@ -127,7 +146,7 @@ class Algebra:
             for i in range(size):
                 if i != k and rows[i][k] != 0 and not self.value.is_zero(rows[i][k]):
                     factor = tidy(rows[i][k] / rows[k][k])
-                    rows[i] = [tidy(a - factor * b) if j > k else sp.S.Zero for j, (a, b) in enumerate(zip(rows[i], rows[k], strict=True))]
+                    rows[i] = [tidy(a - factor * b) if j > k else sp.S.Zero if j == k else a for j, (a, b) in enumerate(zip(rows[i], rows[k], strict=True))]
         return {s: tidy(-rows[k][size] / rows[k][k]) for k, s in enumerate(letters)}
 
     def closed(self, expr: sp.Expr) -> sp.Expr:

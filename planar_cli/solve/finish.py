@@ -20,7 +20,8 @@ from planar_cli.problem.expression import Quantity, Relation, Side, Word
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import Find
 from planar_cli.solve.instant import Instant, Trial
-from planar_cli.solve.solution import Found, InstantSolution, quantities_in
+from planar_cli.solve.asked import quantities_in
+from planar_cli.solve.solution import Found, InstantSolution
 from planar_cli.solve.stages import Stage, StageMaker, acceleration_unknowns, needed
 from planar_cli.units import Unit, parse_unit
 

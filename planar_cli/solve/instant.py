@@ -18,6 +18,8 @@ from planar_cli.equation.setup import Setup
 from planar_cli.equation.system import Statements, System, make_system
 from planar_cli.joints.base import Joint
 from planar_cli.problem.facts import Mode, Push, Test
+from planar_cli.problem.scene import Problem
+from planar_cli.solve.asked import quantities_in
 from planar_cli.solve.study import Outcome, Velocities, accelerate, solve_velocities
 
 MOST_MODES = 400
@@ -53,6 +55,7 @@ class Instant:
         apart = TreeBuilder(Ledger(), self.scene.rigid, self.scene.center_name, names)
         self.free = Motion(apart.build((), hang=False), self.scene.center, {})
         self.drivers: tuple[Push, ...] = ()
+        self.plain = asked_by_axis(self.scene.problem, self.joints)
 
     @property
     def at_rest(self) -> bool:
@@ -61,7 +64,7 @@ class Instant:
     def system(self, choice: tuple[int, ...]) -> System:
         """The equations of one choice of modes."""
         modes = {j.name: found[i] for (j, found), i in zip(self.modes, choice, strict=True)}
-        return make_system(self.scene, self.builder, self.statements, modes, self.symbols, alias_of(self.scene.problem.joints, self.joints))
+        return make_system(self.scene, self.builder, self.statements, modes, self.symbols, alias_of(self.scene.problem.joints, self.joints), self.plain)
 
     def choices(self) -> Iterator[tuple[int, ...]]:
         """All choices, the natural assumptions first: by how many joints depart from their first mode."""
@@ -72,6 +75,8 @@ class Instant:
     def try_choice(self, choice: tuple[int, ...], valuations: tuple[Valuation, ...]) -> Trial:
         """Solve one choice in numbers and test its assumptions."""
         system = self.system(choice)
+        if self.at_rest and any(m.sliding is not None and m.direction == 0 and self._runs(m, valuations) for m in system.modes.values()):
+            return Trial(choice, system, (), (), "it slides already")
         velocities = tuple(solve_velocities(system, v, self.at_rest) for v in valuations)
         if any(v.conflict for v in velocities):
             return Trial(choice, system, velocities, (), "velocities")
@@ -86,6 +91,11 @@ class Instant:
             if failed:
                 return Trial(choice, system, velocities, outcomes, failed[0][0].words, failed)
         return Trial(choice, system, velocities, outcomes, "")
+
+    @staticmethod
+    def _runs(mode: Mode, valuations: tuple[Valuation, ...]) -> bool:
+        """Does the surface under a body at rest run?"""
+        return mode.sliding is not None and mode.sliding.rate != 0 and not valuations[0].is_zero(mode.sliding.rate)
 
     def _moves_otherwise(self, system: System, outcome: Outcome) -> str:
         """A joint assumed to stick slides already, or slides the other way."""
@@ -120,6 +130,16 @@ def distinct(joints: tuple[Joint, ...]) -> tuple[Joint, ...]:
     return tuple(found)
 
 
+def asked_by_axis(problem: Problem, joints: tuple[Joint, ...]) -> frozenset[str]:
+    """Joints of whose reaction just one of x and y is asked: those components stay."""
+    names = set()
+    for find in problem.find:
+        for q in quantities_in(find.found.what):
+            if q.word == "reaction" and q.parts and q.parts[0].kind in ("x", "y"):
+                names.add(q.things[0])
+    return frozenset(ours for ours, name in alias_of(problem.joints, joints).items() if name in names)
+
+
 def alias_of(joints: tuple[Joint, ...], named: tuple[Joint, ...]) -> dict[str, str]:
     """Our own name of each joint to the file's."""
     return {ours.name: theirs.name for ours, theirs in zip(named, joints, strict=True)}
@@ -137,7 +157,23 @@ def search_modes(instant: Instant, valuations: tuple[Valuation, ...]) -> tuple[l
             rejected.append(trial)
         elif not any(same_motion(trial, other) for other in held):
             held.append(trial)
-    return held, rejected
+    return [t for t in held if not any(begins(instant, t, other) for other in held)], rejected
+
+
+def begins(instant: Instant, trial: Trial, other: Trial) -> bool:
+    """Would a slip have to begin in `trial` where friction can hold in `other`? From rest it begins only beyond the static
+    limit, so that the other one counts."""
+    differs = False
+    for (joint, modes), i, j in zip(instant.modes, trial.choice, other.choice, strict=True):
+        if i != j:
+            differs = True
+            if modes[j].name != "stick" or modes[i].name != "slip":
+                return False
+            outcome = trial.outcomes[0]
+            sliding = modes[i].sliding
+            if sliding is None or abs(outcome.assembly.row_speed(sliding)) > TINY:
+                return False
+    return differs
 
 
 def same_motion(a: Trial, b: Trial) -> bool:

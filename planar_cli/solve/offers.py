@@ -325,7 +325,7 @@ def line_of(system: System, numbers: Numbers, bodies: tuple[str, ...], symbol: s
     if count == 1 and simple is not None:
         return simple
     square = fx**2 + fy**2
-    return Vec(-fy * m / square, fx * m / square), Vec(fx, fy)
+    return Vec(fy * m / square, -fx * m / square), Vec(fx, fy)
 
 
 def _inertia_line(system: System, bodies: tuple[str, ...], symbol: sp.Symbol, numbers: Numbers) -> tuple[Vec, Vec]:

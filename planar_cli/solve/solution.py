@@ -9,7 +9,6 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.exact import Valuation
-from planar_cli.problem.expression import Quantity, Relation
 from planar_cli.problem.scene import Find
 from planar_cli.solve.instant import Instant, Trial
 from planar_cli.solve.stages import Stage
@@ -66,17 +65,3 @@ class Solution:
     problem: Any
     parts: tuple[PartSolution, ...]
     seconds: dict[str, float]
-
-
-def quantities_in(side: Any) -> list[Quantity]:
-    """All quantities of a side or relation, the outermost."""
-    if isinstance(side, Quantity):
-        return [side]
-    if isinstance(side, Relation):
-        return quantities_in(side.left) + quantities_in(side.right)
-    found: list[Quantity] = []
-    for name in ("operand", "argument", "left", "right"):
-        inner = getattr(side, name, None)
-        if inner is not None and not isinstance(inner, str):
-            found += quantities_in(inner)
-    return found

@@ -82,7 +82,7 @@ class StageMaker:
         for block in plan.blocks:
             numbered.append(tuple(writer.write(e) for e in block.equations))
         explicit = {line.symbol: line.expression for line in writer.lines}
-        algebra = Algebra(self.value, explicit, self.symbolic)
+        algebra = Algebra(self.value, explicit, self.symbolic, frozenset(columns.unknowns))
         blocks = tuple(algebra.solve(b, w, columns.unknowns) for b, w in zip(plan.blocks, numbered, strict=True))  # type: ignore[arg-type]
         self.next_number = writer.next_number
         return Stage(level, plan, blocks, tuple(writer.lines), dict(writer.centres), tuple(zero), tuple(missing), algebra, writer.named)

@@ -111,7 +111,27 @@ class Writer:
         for tangent in self._tangents(body):
             if self.vanishes(a.cross(tangent)):
                 return [(tangent, self._component(body, self._along(a, tangent), ""))]
+        parts = self._vector_parts(x, y)
+        if len(parts) <= 3:
+            return parts
         return [(direction, self._component(body, expr, suffix)) for direction, expr, suffix in axes]
+
+    def _vector_parts(self, x: sp.Expr, y: sp.Expr) -> list[tuple[Vec, sp.Expr]]:
+        """An acceleration as vectors drawn one by one: a part for each unknown (a slide, the tangential part r α), and
+        what is known (the normal parts r ω²)."""
+        form_x, form_y = self.numbers.form(x), self.numbers.form(y)
+        parts = []
+        for unknown in dict.fromkeys((*form_x.terms, *form_y.terms)):
+            parts.append((Vec(form_x.terms.get(unknown, sp.S.Zero), form_y.terms.get(unknown, sp.S.Zero)), unknown))
+        if form_x.constant != 0 or form_y.constant != 0:
+            parts.append((Vec(form_x.constant, form_y.constant), sp.S.One))
+        return [self._unit_part(v, size) for v, size in parts]
+
+    def _unit_part(self, v: Vec, size: sp.Expr) -> tuple[Vec, sp.Expr]:
+        length = self.system.scene.length(v) if not v.x.has(sp.Add) and not v.y.has(sp.Add) else None
+        if length is None or sp.count_ops(length) > 4:
+            return v, size
+        return Vec(tidy(v.x / length), tidy(v.y / length)), length * size
 
     def _along(self, a: Vec, tangent: Vec) -> sp.Expr:
         """a · t where a is parallel to t."""
@@ -238,10 +258,15 @@ class Writer:
         for wrench in self.system.wrenches:
             if wrench.body in bodies:
                 terms.append(part(wrench.point, wrench.force, wrench.couple))
+        pulled: dict[frozenset[sp.Symbol], list[sp.Expr]] = {}
         for push, expr in self.system.reactions.pushes:
             inside = [a for a in push.actions if a.body in bodies]
             if inside:
-                terms.append(expr * tidy(sp.Add(*(part(a.point, a.force, a.couple) for a in inside))))
+                term = expr * tidy(sp.Add(*(part(a.point, a.force, a.couple) for a in inside)))
+                pulled.setdefault(frozenset(expr.free_symbols & set(self.numbers.unknowns)), []).append(term)
+        for together in pulled.values():  # a slipping contact is one line of action: its parts count together
+            if not self.vanishes(sp.Add(*together)):
+                terms += together
         return self.kept_lines(terms)
 
     def kept_lines(self, terms: list[sp.Expr]) -> list[sp.Expr]:

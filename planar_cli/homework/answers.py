@@ -1,0 +1,185 @@
+"""Comparison of what a solution found with the `answers:` that a file states: in SI, to sixty digits.
+
+A number agrees when it lies within a relative tolerance of what is stated. A true zero has no relative error, so a small
+share of the problem's own scale (the largest given quantity of that dimension) is allowed on top. A formula is compared
+at random points of its letters; one without rounded numbers must agree to all digits.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from decimal import Decimal
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.equation.evaluate import Evaluator
+from planar_cli.equation.exact import PI, Unvalued
+from planar_cli.equation.ledger import Ledger, display
+from planar_cli.homework.curves import same_curve
+from planar_cli.problem.expression import Number, Quantity, Side, Word
+from planar_cli.problem.scene import Answer, Problem
+from planar_cli.problem.walk import walk
+from planar_cli.solve.solution import Found, PartSolution, Solution
+
+TOLERANCE = Decimal("0.01")
+EXACT = Decimal("1e-20")
+"""What a formula without rounded numbers is held to."""
+FLOOR = Decimal("0.001")
+"""Share of tolerance times scale that is allowed on top: at one per cent, 1e-5 of the scale for a true zero."""
+
+
+@dataclass(frozen=True, slots=True)
+class Verdict:
+    """One stated answer beside the solved one. `error`: relative, None where that means nothing; `message`: what differs."""
+
+    find: str
+    stated: str
+    solved: str
+    agrees: bool
+    error: Decimal | None = None
+    message: str = ""
+
+
+def compare(solution: Solution) -> tuple[Verdict, ...]:
+    """A verdict for every answer that the file states, in its order."""
+    found = {f.name: (f, part) for part in solution.parts for f in part.found}
+    verdicts = []
+    for answer in solution.problem.answers:
+        if answer.name in found:
+            verdicts.append(_Comparison(solution.problem, answer, *found[answer.name]).verdict())
+        else:
+            verdicts.append(Verdict(answer.name, "", "", False, None, f"{answer.name} was not found"))
+    return tuple(verdicts)
+
+
+class _Comparison:
+    """One answer against its find, with the names of the part in which it was found."""
+
+    def __init__(self, problem: Problem, answer: Answer, found: Found, part: PartSolution) -> None:
+        self.problem, self.answer, self.found = problem, answer, found
+        last = part.instants[-1]
+        self.scene, self.value = last.instant.scene, last.value
+        self.ledger: Ledger = self.scene.ledger
+        self.evaluator: Evaluator = self.scene.evaluator
+
+    def verdict(self) -> Verdict:
+        stated = self.answer.value
+        if isinstance(stated, bool | Word):
+            return self._words(str(stated).lower() if isinstance(stated, bool) else stated.word)
+        if isinstance(stated, str):
+            agrees = same_curve(stated, self.found.expressions or (), self.evaluator, self.scene.valuations)
+            return self._told(stated, self._formulas(), agrees, None)
+        sides = stated if isinstance(stated, tuple) else (stated,)
+        exprs = tuple(self.evaluator.value(s) for s in sides)
+        if self.found.word or len(exprs) != self._count():
+            return Verdict(self.answer.name, str(exprs), self.found.word or self._formulas(), False, None, "it is of another kind")
+        if self.found.values is None:
+            return self._symbols(sides, exprs)
+        return self._numbers(exprs, self.found.values)
+
+    def _count(self) -> int:
+        return len(self.found.values or self.found.expressions or ())
+
+    def _words(self, stated: str) -> Verdict:
+        solved = self.found.word or "no verdict"
+        return self._told(stated, solved, stated == solved, None)
+
+    def _told(self, stated: str, solved: str, agrees: bool, error: Decimal | None) -> Verdict:
+        message = "" if agrees else f"{self.answer.name}: the file states {stated}, the solution gives {solved}"
+        if message and error is not None:
+            message += f" ({_percent(error)} off)"
+        return Verdict(self.answer.name, stated, solved, agrees, error, message)
+
+    # --- numbers -----------------------------------------------------------------------------------------------------
+
+    def _numbers(self, exprs: tuple[sp.Expr, ...], solved: tuple[Decimal, ...]) -> Verdict:
+        stated = tuple(self._number(e) for e in exprs)
+        texts = self._shown(stated), self._shown(solved)
+        if any(not s.is_finite() for s in (*stated, *solved)):
+            return self._told(*texts, stated == solved, None)
+        size = _size(stated)
+        off = _size(tuple(self._difference(a, b) for a, b in zip(solved, stated, strict=True)))
+        tolerance = self.tolerance()
+        agrees = off <= tolerance * size + FLOOR * tolerance * self._scale()
+        return self._told(*texts, agrees, off / size if size else None)
+
+    def _number(self, expr: sp.Expr) -> Decimal:
+        return Decimal(str(expr).replace("oo", "Infinity")) if expr.is_infinite else self.value(expr)
+
+    def _difference(self, a: Decimal, b: Decimal) -> Decimal:
+        """a - b; a direction is the same after a whole turn."""
+        off = abs(a - b)
+        what = self.found.find.found.what if self.found.find is not None else None
+        if isinstance(what, Quantity) and what.parts and what.parts[-1].kind == "angle" and what.word != "r":
+            off = min(off, abs(off - 2 * PI))
+        return off
+
+    def _scale(self) -> Decimal:
+        """The largest given quantity of the find's dimension; its own unit where there is none."""
+        unit = self.found.unit
+        sizes = []
+        for symbol, expr in self.ledger.values.items():
+            known = self.ledger.units.get(symbol)
+            if known is not None and known.dimension == unit.dimension:
+                sizes.append(abs(self._or_zero(expr)))
+        return max(sizes, default=Decimal(0)) or Decimal(1) / display(Decimal(1), unit)
+
+    def _or_zero(self, expr: sp.Expr) -> Decimal:
+        try:
+            return self.value(expr)
+        except (Unvalued, ArithmeticError):
+            return Decimal(0)
+
+    def tolerance(self) -> Decimal:
+        """Relative: of this answer, else of the file, else one per cent."""
+        for side in (self.answer.tolerance, self.problem.tolerance):
+            if side is not None:
+                return self.value(self.evaluator.value(side))
+        return TOLERANCE
+
+    # --- formulas ----------------------------------------------------------------------------------------------------
+
+    def _symbols(self, sides: tuple[Side, ...], exprs: tuple[sp.Expr, ...]) -> Verdict:
+        """Both formulas at the same random points of the letters that remain."""
+        rounded = any(_is_rounded(side) for side in sides) or self.answer.tolerance is not None
+        tolerance = self.tolerance() if rounded else EXACT
+        solved = self.found.expressions or ()
+        texts = _joined(exprs), self._formulas()
+        errors = []
+        for draw in self.scene.valuations:
+            try:
+                wanted = tuple(draw(e) for e in exprs)
+                off = _size(tuple(draw(a) - w for a, w in zip(solved, wanted, strict=True)))
+                errors.append(off / max(_size(wanted), *(draw.size(e) * EXACT for e in (*exprs, *solved)), EXACT))
+            except (Unvalued, ArithmeticError):
+                return self._told(*texts, False, None)
+        return self._told(*texts, max(errors) <= tolerance, max(errors))
+
+    def _formulas(self) -> str:
+        return _joined(self.found.expressions or ())
+
+    def _shown(self, values: tuple[Decimal, ...]) -> str:
+        unit = self.found.unit
+        return _listed([f"{display(v, unit):.6g}" for v in values]) + ("" if unit.text == "1" else f" {unit.text}")
+
+
+def _size(parts: tuple[Decimal, ...]) -> Decimal:
+    return sum((p * p for p in parts), Decimal(0)).sqrt()
+
+
+def _is_rounded(side: Side) -> bool:
+    """Does a number of three or more figures behind the point stand in a formula?"""
+    return any(isinstance(node, Number) and (node.value * 100).denominator != 1 for node in walk(side))
+
+
+def _joined(exprs: tuple[Any, ...]) -> str:
+    return _listed([str(e) for e in exprs])
+
+
+def _listed(texts: list[str]) -> str:
+    return texts[0] if len(texts) == 1 else f"[{', '.join(texts)}]"
+
+
+def _percent(error: Decimal) -> str:
+    return f"{100 * error:.2g} %" if error < 10 else f"a factor of {error + 1:.2g}"

@@ -1,0 +1,47 @@
+"""Comparison of curves: two equations in x and y are the same curve when their residuals differ by a constant factor."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterable
+from dataclasses import replace
+from decimal import Decimal
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.equation.evaluate import Evaluator
+from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.errors import NOWHERE
+from planar_cli.problem.expression import Relation
+from planar_cli.problem.parser import parse_statement
+
+SAME = Decimal("1e-5")
+"""Stated curves carry rounded coefficients."""
+POINTS = 4
+
+
+def same_curve(stated: str, solved: tuple[Any, ...], evaluator: Evaluator, valuations: Iterable[Valuation]) -> bool:
+    """Is the stated equation the solved one, at random points of the plane and for every draw of the letters?"""
+    relation = parse_statement(stated, NOWHERE)
+    if len(solved) != 1 or not isinstance(relation, Relation):
+        return False
+    ours = solved[0].lhs - solved[0].rhs if isinstance(solved[0], sp.Eq) else solved[0]
+    axes = {s.name: s for s in ours.free_symbols if s.name in ("x", "y")}
+    axes = {name: axes.get(name, sp.Symbol(name, real=True)) for name in ("x", "y")}
+    ledger = replace(evaluator.ledger, symbols={**evaluator.ledger.symbols, **axes})
+    plane = replace(evaluator, ledger=ledger)
+    theirs = plane.value(relation.left) - plane.value(relation.right)
+    return all(_constant_ratio(ours, theirs, draw, list(axes.values())) for draw in valuations)
+
+
+def _constant_ratio(ours: sp.Expr, theirs: sp.Expr, draw: Valuation, axes: list[sp.Symbol]) -> bool:
+    rng = random.Random(3)
+    ratios: list[Decimal] = []
+    for _ in range(POINTS):
+        point = draw.extended({axis: Decimal(rng.randrange(1, 10**12)) / 10**12 for axis in axes})
+        try:
+            ratios.append(point(ours) / point(theirs))
+        except (Unvalued, ArithmeticError):
+            return False
+    return all(abs(r - ratios[0]) <= SAME * abs(ratios[0]) for r in ratios) and ratios[0] != 0

@@ -1,0 +1,196 @@
+"""A solution as plain mappings and lists, for programs: what `--format json` prints.
+
+The keys are a promise to other programs; `schema_version` counts up when one changes its meaning.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from decimal import Decimal
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.equation.ledger import display
+from planar_cli.homework.answers import Verdict
+from planar_cli.report.effects import effects
+from planar_cli.report.narrate import phrases_of
+from planar_cli.report.words import answer_text, si_text
+from planar_cli.solve.algebra import Line
+from planar_cli.solve.solution import Found, InstantSolution, PartSolution, Solution
+from planar_cli.solve.stages import Stage
+from planar_cli.solve.write import Explicit, Written
+
+METHODS = {"newton": "newton-euler", "dalembert": "d'alembert", "energy": "work-energy", "momentum": "impulse-momentum"}
+
+
+def solution_data(solution: Solution, verdicts: Sequence[Verdict], figures: int, method: str | None) -> dict[str, Any]:
+    """The whole solution. `verdicts`: of the answers that the file states."""
+    instants = [(part.case, instant) for part in solution.parts for instant in part.instants]
+    return {
+        "schema_version": 1,
+        "problem": solution.problem.title or solution.problem.file,
+        "outcome": "solved",
+        "answers": {f.name: _answer(f, part, figures) for part in solution.parts for f in part.found},
+        "plan": _plan(solution, method),
+        "steps": [step for case, instant in instants for step in _steps(case, instant)],
+        "checks": [str(text) for _, instant in instants for text in instant.checks.get("lines", ())],
+        "stated": [_verdict(v) for v in verdicts],
+        "effects": _effects(instant for _, instant in instants),
+        "rejected": [entry for case, instant in instants for entry in _rejected(case, instant)],
+        "seconds": dict(solution.seconds),
+    }
+
+
+def failure_data(problem: str, outcome: str, message: str, diagnostics: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
+    """A problem without a solution: `outcome` is "no solution", "undecided" or "bad file"."""
+    return {
+        "schema_version": 1,
+        "problem": problem,
+        "outcome": outcome,
+        "answers": {},
+        "message": message,
+        "diagnostics": list(diagnostics),
+    }
+
+
+# --- answers ---------------------------------------------------------------------------------------------------------
+
+
+def _answer(found: Found, part: PartSolution, figures: int) -> dict[str, Any]:
+    last = part.instants[-1]
+    unit = "J" if found.energy and found.unit.text == "N*m" else found.unit.text
+    return {
+        "value": _value(found),
+        "unit": unit,
+        "expression": _expression(found),
+        "text": answer_text(found, phrases_of(last, figures)),
+        "digits": last.checks.get("digits"),
+    }
+
+
+def _value(found: Found) -> Any:
+    if found.kind == "truth":
+        return found.word == "true"
+    if found.kind == "word":
+        return found.word
+    if found.values is None:
+        return None
+    numbers = [display(v, found.unit) if v.is_finite() else None for v in found.values]
+    return numbers if found.kind == "vector" else numbers[0]
+
+
+def _expression(found: Found) -> Any:
+    if not found.expressions:
+        return None
+    texts = [text_of(e) for e in found.expressions]
+    return texts if found.kind == "vector" else texts[0]
+
+
+def text_of(expr: Any) -> str:
+    """SymPy syntax in the file's names; a curve as `left = right`."""
+    return f"{expr.lhs} = {expr.rhs}" if isinstance(expr, sp.Eq) else str(expr)
+
+
+def _verdict(verdict: Verdict) -> dict[str, Any]:
+    return {
+        "find": verdict.find,
+        "stated": verdict.stated,
+        "solved": verdict.solved,
+        "agrees": verdict.agrees,
+        "relative_error": verdict.error,
+        "message": verdict.message,
+    }
+
+
+# --- plan and steps --------------------------------------------------------------------------------------------------
+
+
+def _plan(solution: Solution, method: str | None) -> dict[str, Any]:
+    """Numbers of equations to be solved; lines that only name something are not counted."""
+    blocks = [b for part in solution.parts for i in part.instants for s in i.stages for b in s.blocks]
+    chosen = method or solution.problem.method or "newton"
+    return {
+        "method": METHODS.get(chosen, chosen),
+        "equations": sum(len(b.equations) for b in blocks),
+        "largest_block": max((len(b.unknowns) for b in blocks), default=0),
+        "tear": max((len(b.letters) for b in blocks), default=0),
+    }
+
+
+def _steps(case: str, instant: InstantSolution) -> list[dict[str, Any]]:
+    """Every equation, explicit line and solved line, in the order in which they are worked out."""
+    place = {"case": case, "state": instant.state}
+    steps: list[dict[str, Any]] = []
+    for stage in instant.stages:
+        steps += [{**place, "stage": stage.level, **step} for step in _of_stage(stage, instant)]
+    return steps
+
+
+def _of_stage(stage: Stage, instant: InstantSolution) -> list[dict[str, Any]]:
+    lines = [_explicit(x) for x in stage.lines]
+    equations = [_equation(w) for b in stage.blocks for w in b.equations]
+    solved = [_solved(x, instant) for b in stage.blocks for x in b.lines]
+    return sorted([*lines, *equations], key=lambda s: int(s["number"])) + solved
+
+
+def _equation(written: Written) -> dict[str, Any]:
+    return {
+        "kind": "equation",
+        "number": written.number,
+        "law": written.law,
+        "bodies": list(written.bodies),
+        "lead": str(written.lead),
+        "left": str(written.left),
+        "right": str(written.right),
+        "words": written.words,
+    }
+
+
+def _explicit(named: Explicit) -> dict[str, Any]:
+    return {
+        "kind": "line",
+        "number": named.number,
+        "symbol": named.symbol.name,
+        "expression": str(named.expression),
+        "words": named.words,
+    }
+
+
+def _solved(solved: Line, instant: InstantSolution) -> dict[str, Any]:
+    ledger = instant.instant.scene.ledger
+    unit = ledger.units.get(solved.symbol)
+    numeric = isinstance(solved.value, Decimal) and not ledger.symbolic
+    return {
+        "kind": "solved",
+        "symbol": solved.symbol.name,
+        "formula": str(solved.formula),
+        "value": solved.value if numeric else None,
+        "unit": si_text(unit) if unit is not None else "1",
+        "equations": list(solved.equations),
+    }
+
+
+# --- scene -----------------------------------------------------------------------------------------------------------
+
+
+def _effects(instants: Any) -> dict[str, list[str]]:
+    """What acts at any of the instants, and what acts at none."""
+    present: dict[str, None] = {}
+    absent: dict[str, None] = {}
+    for instant in instants:
+        here, not_here = effects(instant)
+        present.update(dict.fromkeys(here))
+        absent.update(dict.fromkeys(not_here))
+    return {"present": list(present), "absent": [a for a in absent if a not in present]}
+
+
+def _rejected(case: str, instant: InstantSolution) -> list[dict[str, Any]]:
+    """Assumptions that failed, and roots that were left out, each with the reason."""
+    found = []
+    for trial in instant.rejected:
+        assumed = [m.words for m in trial.system.modes.values() if m.words]
+        found.append({"case": case, "state": instant.state, "assumed": assumed, "because": trial.objection})
+    for root in instant.roots:
+        found.append({"case": case, "state": instant.state, "root": str(root)})
+    return found

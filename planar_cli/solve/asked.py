@@ -1,0 +1,21 @@
+"""What a find asks: the quantities that stand in it."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from planar_cli.problem.expression import Quantity, Relation
+
+
+def quantities_in(side: Any) -> list[Quantity]:
+    """All quantities of a side or relation, the outermost."""
+    if isinstance(side, Quantity):
+        return [side]
+    if isinstance(side, Relation):
+        return quantities_in(side.left) + quantities_in(side.right)
+    found: list[Quantity] = []
+    for name in ("operand", "argument", "left", "right"):
+        inner = getattr(side, name, None)
+        if inner is not None and not isinstance(inner, str):
+            found += quantities_in(inner)
+    return found
