@@ -89,20 +89,25 @@ def run(args: Sequence[str] | None = None) -> int:
         error.show()
         return BAD
     except PlanarError as error:
-        return _tell(error)
+        return tell(error)
     except BrokenPipeError:
         # The reader of a pipe has left (`planar list | head`); nobody is there to be told.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return SOLVED
     except Exception as error:
-        if os.environ.get("PLANAR_DEBUG"):
-            raise
-        click.echo(f"planar: a fault of planar itself: {type(error).__name__}: {error}", err=True)
-        click.echo("Please report it; PLANAR_DEBUG=1 shows where it happened.", err=True)
-        return FAULT
+        return tell_fault(error)
 
 
-def _tell(error: PlanarError) -> int:
+def tell_fault(error: Exception) -> int:
+    """Print that planar itself failed; with PLANAR_DEBUG the traceback goes on."""
+    if os.environ.get("PLANAR_DEBUG"):
+        raise error
+    click.echo(f"planar: a fault of planar itself: {type(error).__name__}: {error}", err=True)
+    click.echo("Please report it; PLANAR_DEBUG=1 shows where it happened.", err=True)
+    return FAULT
+
+
+def tell(error: PlanarError) -> int:
     """Print what the user can mend, and choose the exit status."""
     from planar_cli.diagnostics import show_all
 
@@ -110,6 +115,11 @@ def _tell(error: PlanarError) -> int:
         show_all(error.diagnostics)
     else:
         click.echo(f"planar: {error}", err=True)
+    return status_of(error)
+
+
+def status_of(error: PlanarError) -> int:
+    """The exit status of what the user can mend."""
     match error:
         case NoSolution():
             return DISAGREES

@@ -41,7 +41,7 @@ class Edge:
     """How a body hangs on the tree: by a joining (None: free), from which body, with which new unknowns.
 
     `backward`: the joining's base hangs on its mover. `spin`, `slide`: velocity unknowns; `spin_rate`, `slide_rate`:
-    acceleration unknowns. A free body has `slide` along x and `rise` along y.
+    acceleration unknowns. A free body has `slide` along x and `rise` along y. `particle`: it does not turn with its parent.
     """
 
     body: str
@@ -54,6 +54,7 @@ class Edge:
     slide_rate: sp.Symbol | None = None
     rise: sp.Symbol | None = None
     rise_rate: sp.Symbol | None = None
+    particle: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -147,7 +148,7 @@ class TreeBuilder:
             seen = "" if joining.base == GROUND else f" seen from {joining.base}"
             slide = self._symbol(f"v_{name}", "m/s", f"speed of {joining.place} along its path{seen}")
             slide_rate = self._symbol(f"a_{name}", "m/s^2", f"acceleration of {joining.place} along its path{seen}")
-        return Edge(body, parent, joining, backward, spin, rate, slide, slide_rate)
+        return Edge(body, parent, joining, backward, spin, rate, slide, slide_rate, particle=not self.rigid(body))
 
 
 class Motion:
@@ -175,7 +176,10 @@ class Motion:
             return
         point, sign = edge.joining.point, -1 if edge.backward else 1
         parent_spin, parent_rate = self.velocities[edge.parent].angular, self.accelerations[edge.parent].angular
-        omega = self._v(edge.spin) if edge.spin is not None else parent_spin
+        if edge.particle:
+            parent_rate, omega = ZERO, ZERO
+        else:
+            omega = self._v(edge.spin) if edge.spin is not None else parent_spin
         alpha = edge.spin_rate if edge.spin_rate is not None else parent_rate
         base_spin = omega if edge.backward else parent_spin
         mover_spin = parent_spin if edge.backward else omega
@@ -197,13 +201,14 @@ class Motion:
         if joining.path is not None:
             t = joining.path.tangent
             return t * pace + t.turned() * (joining.path.curvature * speed**2 + 2 * base_spin * speed)
+        carried = joining.drift.turned() * (2 * base_spin) if joining.drift is not None and base_spin != 0 else STILL
         if joining.rolling is not None:
             roll = joining.rolling
             difference = base_spin - mover_spin
             if roll.mover - roll.base == 0 or difference == 0:
-                return STILL
-            return roll.tangent.turned() * (difference**2 / (roll.mover - roll.base))
-        return STILL
+                return carried
+            return carried + roll.tangent.turned() * (difference**2 / (roll.mover - roll.base))
+        return carried
 
     # --- what principles and quantities ask --------------------------------------------------------------------------
 

@@ -20,7 +20,7 @@ from planar_cli.equation.natural import natural_pushes
 from planar_cli.equation.quantities import Quantities
 from planar_cli.equation.reactions import Reactions
 from planar_cli.equation.scene import Scene
-from planar_cli.problem.expression import AtRest, Equilibrium, Relation, Statement
+from planar_cli.problem.expression import AtRest, Equilibrium, Extreme, Quantity, Relation, Statement, Word
 from planar_cli.problem.facts import Law, Mode, Push, Wrench
 
 
@@ -30,22 +30,35 @@ class Statements:
 
     `relations`: equations, True when they hold all the time. `rest`: bodies at rest (None among them: everything).
     `equilibrium`: accelerations vanish too. `inequalities`: choose among roots.
+    `modes`: (joint, mode) that is assumed. `extremes`: what is largest or smallest.
     """
 
     relations: tuple[tuple[Relation, bool], ...]
     rest: tuple[str | None, ...]
     equilibrium: tuple[str | None, ...]
     inequalities: tuple[Relation, ...]
+    modes: tuple[tuple[str, str], ...] = ()
+    extremes: tuple[Extreme, ...] = ()
 
     @staticmethod
     def of(always: tuple[Statement, ...], now: tuple[Statement, ...]) -> Statements:
-        relations = [(s, True) for s in always if isinstance(s, Relation) and s.operator == "="]
-        relations += [(s, False) for s in now if isinstance(s, Relation) and s.operator == "="]
+        relations = [(s, True) for s in always if isinstance(s, Relation) and s.operator == "=" and mode_of(s) is None]
+        relations += [(s, False) for s in now if isinstance(s, Relation) and s.operator == "=" and mode_of(s) is None]
         everything = (*always, *now)
         still = tuple(s.body for s in everything if isinstance(s, AtRest | Equilibrium))
         balanced = tuple(s.body for s in everything if isinstance(s, Equilibrium))
         unequal = tuple(s for s in everything if isinstance(s, Relation) and s.operator != "=")
-        return Statements(tuple(relations), still, balanced, unequal)
+        modes = tuple(m for s in everything if isinstance(s, Relation) and (m := mode_of(s)) is not None)
+        extremes = tuple(s for s in everything if isinstance(s, Extreme))
+        return Statements(tuple(relations), still, balanced, unequal, modes, extremes)
+
+
+def mode_of(relation: Relation) -> tuple[str, str] | None:
+    """(joint, word) of `mode(j) = word`; None for any other relation."""
+    for one, other in ((relation.left, relation.right), (relation.right, relation.left)):
+        if isinstance(one, Quantity) and one.word == "mode" and isinstance(other, Word):
+            return one.things[0], other.word
+    return None
 
 
 @dataclass(slots=True)

@@ -12,7 +12,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Iterable, Sequence
 from itertools import groupby
-from typing import ClassVar, Generic, TypeVar, assert_never
+from typing import ClassVar, Generic, Self, TextIO, TypeVar, assert_never
 
 from planar_cli.report.blocks import (
     Answer,
@@ -43,6 +43,11 @@ class Format(ABC, Generic[Piece]):
 
     kind: ClassVar[str]
     suffix: ClassVar[str]
+
+    @classmethod
+    def on(cls, stream: TextIO) -> Self:
+        """Fitted to the stream that the text goes to; most formats are the same everywhere."""
+        return cls()
 
     @abstractmethod
     def render(self, document: Document) -> str:

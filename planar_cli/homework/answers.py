@@ -1,8 +1,8 @@
 """Comparison of what a solution found with the `answers:` that a file states: in SI, to sixty digits.
 
-A number agrees when it lies within a relative tolerance of what is stated. A true zero has no relative error, so a small
-share of the problem's own scale (the largest given quantity of that dimension) is allowed on top. A formula is compared
-at random points of its letters; one without rounded numbers must agree to all digits.
+A number agrees when it lies within a relative tolerance of what is stated. A true zero has no relative error, so a
+small share of the problem's own scale (the largest given quantity of that dimension) is allowed on top. A formula is
+compared at random points of its letters; one without rounded numbers must agree to all digits.
 """
 
 from __future__ import annotations
@@ -28,10 +28,16 @@ EXACT = Decimal("1e-20")
 FLOOR = Decimal("0.001")
 """Share of tolerance times scale that is allowed on top: at one per cent, 1e-5 of the scale for a true zero."""
 
+LONGEST = 160
+"""Longer formulas are cut in messages."""
+
 
 @dataclass(frozen=True, slots=True)
 class Verdict:
-    """One stated answer beside the solved one. `error`: relative, None where that means nothing; `message`: what differs."""
+    """One stated answer beside the solved one.
+
+    `error`: relative, None where that means nothing; `message`: what differs, in a sentence.
+    """
 
     find: str
     stated: str
@@ -73,7 +79,7 @@ class _Comparison:
         sides = stated if isinstance(stated, tuple) else (stated,)
         exprs = tuple(self.evaluator.value(s) for s in sides)
         if self.found.word or len(exprs) != self._count():
-            return Verdict(self.answer.name, str(exprs), self.found.word or self._formulas(), False, None, "it is of another kind")
+            return self._told(_joined(exprs), self.found.word or self._formulas(), False, None)
         if self.found.values is None:
             return self._symbols(sides, exprs)
         return self._numbers(exprs, self.found.values)
@@ -174,7 +180,11 @@ def _is_rounded(side: Side) -> bool:
 
 
 def _joined(exprs: tuple[Any, ...]) -> str:
-    return _listed([str(e) for e in exprs])
+    return _listed([_cut(str(e)) for e in exprs])
+
+
+def _cut(text: str) -> str:
+    return text if len(text) <= LONGEST else f"{text[: LONGEST - 1]}…"
 
 
 def _listed(texts: list[str]) -> str:

@@ -1,4 +1,4 @@
-"""Comparison of curves: two equations in x and y are the same curve when their residuals differ by a constant factor."""
+"""Comparison of curves: equations in x and y say the same when their residuals differ by a constant factor."""
 
 from __future__ import annotations
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
+from planar_cli.joints._outline_residuals import center_of
 from planar_cli.problem.facts import Action, Anchor, Facts, Joining, Law, Mode, Outline, Path, Pull, Push, Rolling, Row, Test
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.setting import Setting
@@ -33,7 +34,7 @@ class Touching:
 
     @property
     def face(self) -> bool:
-        return self.mover.kind == "straight"
+        return self.mover.kind == "straight" and self.base.kind == "straight"
 
     def _roles(self) -> tuple[Outline, Outline]:
         """Mover and base: a corner or rim slides on the other outline; of two rims, the moving body on the fixed one."""
@@ -60,23 +61,40 @@ class Touching:
         return corner
 
     def _outward(self, left: Vec) -> int:
-        """+1 when the mover is on the left of the base's tangent: by its mass centre, else by its partner's, else upward."""
-        scene = self.scene
-        for towards in (scene.center(self.mover.body) - self.place, self._away_from_base(), Vec(0, 1), scene.middle() - self.place):
+        """+1 when the mover is on the left of the base's tangent.
+
+        By their shapes, else by the mover's mass centre, else by its partner's, else upward.
+        """
+        scene, place = self.scene, self.place
+        shapes, center = away(self.mover, self.base, place, scene), scene.center(self.mover.body) - place
+        for towards in (shapes, center, self._away_from_base(), Vec(0, 1), scene.middle() - place):
             side = scene.sign(towards.dot(left))
             if side:
                 return side
         return 1
 
     def _away_from_base(self) -> Vec:
-        if self.base.body == "ground":
+        """From the mass centre of the base; a round wall named beside its body, about the same centre, is the inside."""
+        base = self.base
+        if base.body == "ground":
             return Vec(0, 0)
-        return self.place - self.scene.center(self.base.body)
+        out = self.place - self.scene.center(base.body)
+        if base.kind != "arc" or base.center is None or base.body in self.contact.between:
+            return out
+        gap = base.center - self.scene.center(base.body)
+        return -out if self.scene.is_zero(gap.dot(gap)) else Vec(0, 0)
 
     # --- the relative motion -----------------------------------------------------------------------------------------
 
     def _sliding_joining(self) -> Joining:
-        """The mover's corner, centre or face slides along the outline of the base (or a curve parallel to it)."""
+        """The mover's corner, centre or face slides along the outline of the base (or a curve parallel to it).
+
+        Where a straight edge slides over a fixed rim, it is the rim's centre that slides along the edge.
+        """
+        center = center_of(self.base, self.place)
+        if self.mover.kind == "straight" and self.base.kind == "arc" and center is not None:
+            path, place = Path(-self.tangent, 0), self.base.center_name or self.contact.at
+            return Joining(self.name, self.base.body, self.mover.body, center, place, path)
         point, place, curvature = self.place, self.contact.at, self._base_curvature()
         if self.mover.kind == "arc" and self.mover.center is not None:
             point, place = self.mover.center, self.mover.center_name
@@ -94,7 +112,7 @@ class Touching:
     def _sticking_joining(self) -> Joining:
         drift = self.base.drift
         joining = Joining(self.name, self.mover.body, self.base.body, self.place, self.contact.at, turns=not self.face, drift=drift)
-        if self.mover.kind == "arc":
+        if "arc" in (self.mover.kind, self.base.kind) and self.mover.kind != "corner":
             rolling = Rolling(self.tangent, self.mover.curvature * self._same(self.mover), self._base_curvature())
             joining = replace(joining, rolling=rolling)
         return joining
@@ -220,3 +238,22 @@ class Touching:
     def _apart(self) -> Mode:
         parts = Test(self.name, f"{self.words} does not press into its partner", joining=self._sliding_joining())
         return Mode("apart", f"{self.words} lifts off", Facts(), (parts,), touching=Facts((self._sliding_joining(),)))
+
+
+def away(mover: Outline, base: Outline, place: Vec, scene: Setting) -> Vec:
+    """The side of the contact on which the mover is, where the shapes tell: else zero.
+
+    A rim lies towards its own centre, except that a rim which encloses the other (a drum round a wheel, a ring on a peg)
+    lies outside; a straight edge lies off the rim that it touches.
+    """
+    own, other = center_of(mover, place), center_of(base, place)
+    if mover.kind == "straight" and base.kind == "arc" and other is not None:
+        return place - other
+    if mover.kind != "arc" or own is None:
+        return Vec(0, 0)
+    out = own - place
+    if base.kind == "arc" and other is not None:
+        towards = other - place
+        if scene.sign(out.dot(towards)) > 0 and scene.sign(out.dot(out) - towards.dot(towards)) > 0:
+            return -out
+    return out

@@ -73,14 +73,18 @@ class Guide(Joint):
         tangent = joining.path.tangent if joining.path else normal
         n = self._push(f"N_{self.name}", "normal", joining, normal)
         pushes = [n]
-        if not joining.turns and scene.rigid(joining.mover):
-            actions = (Action(joining.mover, joining.point, None, 1), Action(joining.base, joining.point, None, -1))
+        turning = self._turning(scene, joining)
+        if self.body is not None and scene.rigid(joining.mover):
+            # On a curved track the couple comes with a force along it, so that together they do no work.
+            force = -tangent * joining.path.curvature if turning and joining.path else None
+            back = -force if force is not None else None
+            actions = (Action(joining.mover, joining.point, force, 1), Action(joining.base, joining.point, back, -1))
             pushes.append(Push(f"M_{self.name}", "couple", self.name, joining.place, actions, "N*m"))
         static, kinetic = self.mu_s or self.mu, self.mu_k or self.mu
         if static is None or kinetic is None or scene.is_zero(scene.value(static)):
-            return (Mode("slip", "", Facts((joining,), pushes=tuple(pushes))),)
+            return (Mode("slip", "", Facts((joining,), turning, tuple(pushes))),)
         pushes.append(self._push(f"F_{self.name}", "friction", joining, tangent))
-        return self._rough(scene, joining, tuple(pushes), scene.value(static), scene.value(kinetic))
+        return self._rough(scene, joining, turning, tuple(pushes), scene.value(static), scene.value(kinetic))
 
     def _joining(self, scene: Setting) -> tuple[Joining, Vec]:
         along = self.along if isinstance(self.along, str) else getattr(self.along, "name", None)
@@ -93,13 +97,30 @@ class Guide(Joint):
             if mover == "ground":
                 raise scene.refuse(self.mark, "PL524", f"{place} belongs to no body that could slide", "name it among the body's points")
         tangent, curvature = scene.track(self.along, point, self.mark)
-        return Joining(self.name, mover, base, point, place, Path(tangent, curvature), turns=self.body is None), tangent.turned()
+        turns = self.body is None or not scene.is_zero(curvature)
+        return Joining(self.name, mover, base, point, place, Path(tangent, curvature), turns), tangent.turned()
+
+    def _turning(self, scene: Setting, joining: Joining) -> tuple[Row, ...]:
+        """A body that cannot turn against a curved track turns with its tangent: ω - ω_base = κ · speed along it."""
+        if self.body is None or not joining.turns or joining.path is None or not scene.rigid(joining.mover):
+            return ()
+        bend = joining.path.tangent * joining.path.curvature
+        pulls = (Pull(Anchor(joining.mover, joining.point), -bend), Pull(Anchor(joining.base, joining.point), bend))
+        return (Row(self.name, f"{joining.mover} turns with its track", pulls, ((joining.mover, 1), (joining.base, -1))),)
 
     def _push(self, name: str, kind: str, joining: Joining, direction: Vec) -> Push:
         actions = (Action(joining.mover, joining.point, direction), Action(joining.base, joining.point, -direction))
         return Push(name, kind, self.name, joining.place, actions)
 
-    def _rough(self, scene: Setting, joining: Joining, pushes: tuple[Push, ...], static: object, kinetic: object) -> tuple[Mode, ...]:
+    def _rough(
+        self,
+        scene: Setting,
+        joining: Joining,
+        turning: tuple[Row, ...],
+        pushes: tuple[Push, ...],
+        static: object,
+        kinetic: object,
+    ) -> tuple[Mode, ...]:
         """A two-sided guide presses on one side or the other: each mode has a sign of N."""
         normal, friction = f"N_{self.name}", f"F_{self.name}"
         path = joining.path
@@ -110,14 +131,14 @@ class Guide(Joint):
         for side in (1, -1):
             pressed = Test(self.name, "the side of the guide that is pressed", ((normal, side),))
             limits = tuple(Test(self.name, "friction within its limit", ((normal, side * static), (friction, s))) for s in (1, -1))  # type: ignore[operator]
-            held = Facts((joining,), (sliding,), pushes)
+            held = Facts((joining,), (*turning, sliding), pushes)
             modes.append(Mode("stick", f"{joining.place} does not slide in its guide", held, (pressed, *limits), sliding))
         for direction in (1, -1):
             for side in (1, -1):
                 pressed = Test(self.name, "the side of the guide that is pressed", ((normal, side),))
                 moves = Test(self.name, "it slides as assumed", row=sliding, sense=direction, strict=True)
                 law = Law(friction, -direction * side * kinetic, normal)  # type: ignore[operator]
-                facts = Facts((joining,), (), pushes, (law,))
+                facts = Facts((joining,), turning, pushes, (law,))
                 modes.append(Mode("slip", f"{joining.place} slides in its guide", facts, (pressed, moves), sliding, direction))
         return tuple(modes)
 

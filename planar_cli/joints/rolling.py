@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from planar_cli.joints._outline_residuals import stuck
+from planar_cli.joints._touching import away
 from planar_cli.joints.base import Joint
 from planar_cli.problem.residuals import Residual
 from planar_cli.problem.setting import Setting
@@ -67,7 +68,7 @@ class Rolling(Joint):
         tangent = b.tangent
         joining = Joining(self.name, a.body, b.body, place, self.at, rolling=NoSlip(tangent, same * a.curvature, b.curvature), drift=b.drift)
         normal = tangent.turned()
-        if scene.sign((scene.center(a.body) - place).dot(normal)) < 0:
+        if scene.sign(away(a, b, place, scene).dot(normal)) < 0:
             normal = -normal
         pushes = []
         for stem, kind, direction in (("N", "normal", normal), ("F", "friction", tangent)):

@@ -75,7 +75,8 @@ class Rope(Joint):
         row = Row(self.name, f"the rope {self.name} keeps its length", spins=spins, segments=segments)
         push = Push(f"T_{self.name}", "tension", self.name, self.name, actions)
         taut = Facts(rows=(row,), pushes=(push,))
-        if len(segments) == 1 and not spins:
+        # A part of fixed direction does not swing with the body at its end.
+        if len(segments) == 1 and not spins and (segments[0].length is not None or _to_ground(segments[0])):
             tie = segments[0]
             ends = ((self.path[0].name, tie.start), (self.path[1].name, tie.end))
             curvature = 0 if tie.length is None else 1 / tie.length
@@ -92,3 +93,7 @@ class Rope(Joint):
             return ()
         along = None if self.along is None else scene.unit(self.along)
         return (rope_length(f"{self.name}: length", stops_of(self, scene), along),)
+
+
+def _to_ground(segment: Segment) -> bool:
+    return "ground" in (segment.start.body, segment.end.body)

@@ -17,6 +17,7 @@ from planar_cli.report.effects import effects
 from planar_cli.report.narrate import phrases_of
 from planar_cli.report.words import answer_text, si_text
 from planar_cli.solve.algebra import Line
+from planar_cli.solve.instant import Trial
 from planar_cli.solve.solution import Found, InstantSolution, PartSolution, Solution
 from planar_cli.solve.stages import Stage
 from planar_cli.solve.write import Explicit, Written
@@ -186,11 +187,10 @@ def _effects(instants: Any) -> dict[str, list[str]]:
 
 
 def _rejected(case: str, instant: InstantSolution) -> list[dict[str, Any]]:
-    """Assumptions that failed, and roots that were left out, each with the reason."""
-    found = []
-    for trial in instant.rejected:
-        assumed = [m.words for m in trial.system.modes.values() if m.words]
-        found.append({"case": case, "state": instant.state, "assumed": assumed, "because": trial.objection})
-    for root in instant.roots:
-        found.append({"case": case, "state": instant.state, "root": str(root)})
-    return found
+    """Assumptions that failed, each with the reason."""
+    place = {"case": case, "state": instant.state}
+    return [{**place, "assumed": _assumed(trial), "because": trial.objection} for trial in instant.rejected]
+
+
+def _assumed(trial: Trial) -> list[str]:
+    return [m.words for m in trial.system.modes.values() if m.words]

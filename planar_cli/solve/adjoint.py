@@ -7,6 +7,7 @@ draw, the twist's centre is the moment centre, a pure translation is a force dir
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from decimal import Decimal
 
 import sympy as sp
@@ -15,28 +16,44 @@ from planar_cli.equation.conditions import Condition
 from planar_cli.equation.exact import CERTAIN, ONE, ZERO
 from planar_cli.equation.system import System
 from planar_cli.problem.geometry import Vec
-from planar_cli.solve.candidates import CONSTRUCTED, NAMED_SLANT, Candidate, Choice, combine, priced
+from planar_cli.solve.candidates import CONSTRUCTED, NAMED_SLANT, Candidate, Choice, combine, mask_of, priced
 from planar_cli.solve.linear import Row, eliminate
 from planar_cli.solve.offers import Numbers, Offers
 
 CLOSE = Decimal("1e-25")
 
 
-def adjoint_candidates(system: System, numbers: Numbers, conditions: list[Condition], targets: list[int]) -> list[Candidate]:
-    """The group equations that the adjoint solution of each target names, and the projections of its loops."""
+def adjoint_candidates(
+    system: System, numbers: Numbers, conditions: list[Condition], targets: list[int]
+) -> tuple[list[Candidate], int]:
+    """The group equations that the adjoint solution of each target names; and, as bits, all unknowns of these equations
+    and of the loops that take part: a set that determines the targets."""
     offers = Offers(system, numbers, conditions, kinetics=True)
     bodies = list(system.scene.bodies)
     single = {b: offers.body_rows(b) for b in bodies}
     rows: list[Row] = [row for b in bodies for row in single[b]]
     rows += [numbers.row(expr) for c in conditions for expr in c.rows()]
     found: list[Candidate] = []
+    inside = 0
     for target in targets:
         y = _multipliers(rows, len(numbers.unknowns), target)
         if y is None:
             continue
         twists = {b: (y[3 * i], y[3 * i + 1], y[3 * i + 2]) for i, b in enumerate(bodies)}
-        found += _groups(offers, system, twists, single)
-    return found
+        named = _groups(offers, system, twists, single)
+        found += named
+        inside |= sum_masks(c.mask for c in named)
+        size = max(abs(v) for v in y)
+        inside |= sum_masks(mask_of(rows[i]) for i in range(3 * len(bodies), len(rows)) if abs(y[i]) > CLOSE * size)
+    return found, inside
+
+
+def sum_masks(masks: Iterable[int]) -> int:
+    """All bits that occur."""
+    total = 0
+    for mask in masks:
+        total |= mask
+    return total
 
 
 def _multipliers(rows: list[Row], width: int, target: int) -> list[Decimal] | None:

@@ -70,7 +70,7 @@ class Algebra:
             line = self.explicit.get(symbol)
             if line is None:
                 continue
-            if line.free_symbols & set(unknowns):
+            if (line.free_symbols & self.unknowns) - set(self.value.values):
                 inside[symbol] = line
             elif symbol not in self.value.values:
                 self.value = self.value.extended({symbol: self.value(line)})

@@ -128,6 +128,9 @@ class Assembly:
             normal = self.number(joining.rolling.tangent).turned()
             bend = (base - mover) ** 2 / self.value(joining.rolling.mover - joining.rolling.base)
         row[-1] = row.get(-1, ZERO) - bend * normal.dot(direction)
+        if joining.drift is not None and joining.path is None and base:
+            # A belt that is carried along: its surface turns with the body.
+            row[-1] -= 2 * base * self.number(joining.drift).turned().dot(direction)
         return row
 
     def row(self, row: Row) -> dict[int, Decimal]:

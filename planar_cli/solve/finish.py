@@ -13,14 +13,15 @@ from planar_cli.equation.conditions import vector_or_jet
 from planar_cli.equation.evaluate import refuse
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.quantities import Quantities
-from planar_cli.equation.system import System
+from planar_cli.equation.system import System, mode_of
 from planar_cli.errors import Diagnostic, NoSolution
 from planar_cli.problem.dimensions import Kind, dimension_of
-from planar_cli.problem.expression import Quantity, Relation, Side, Word
+from planar_cli.problem.expression import Quantity, Relation, Side
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import Find
 from planar_cli.solve.instant import Instant, Trial
 from planar_cli.solve.asked import quantities_in
+from planar_cli.solve.seek import Sought
 from planar_cli.solve.solution import Found, InstantSolution
 from planar_cli.solve.stages import Stage, StageMaker, acceleration_unknowns, needed
 from planar_cli.units import Unit, parse_unit
@@ -57,6 +58,24 @@ class Finisher:
         lines = tuple(line for s in stages for line in s.lines)
         solution = InstantSolution(self.state, self.instant, self.trial, self.rejected, tuple(stages), lines, value)
         return solution, [self._found(f, sides[f.name], value, stages, quantities) for f in finds]
+
+    def sought_targets(self, finds: tuple[Find, ...]) -> set[sp.Symbol]:
+        """The symbols that stand in the finds."""
+        quantities = self.system.quantities()
+        return set().union(*(e.free_symbols for f in finds for e in self._expressions(f, quantities))) if finds else set()
+
+    def solve_sought(self, sought: Sought, finds: tuple[Find, ...]) -> tuple[InstantSolution, list[Found]]:
+        """As `solve`, where constants, angles, speeds or extremes were sought."""
+        quantities = self.system.quantities()
+        sides = {f.name: self._expressions(f, quantities) for f in finds}
+        branch, writer = sought.branch, sought.writer
+        stage = Stage(
+            "acceleration", sought.plan, branch.blocks, tuple(writer.lines), dict(writer.centres), (), (), branch.algebra, writer.named
+        )
+        value = self._values([stage])
+        solution = InstantSolution(self.state, self.instant, self.trial, (), (stage,), tuple(writer.lines), value)
+        solution.sought = sought
+        return solution, [self._found(f, sides[f.name], value, [stage], quantities) for f in finds]
 
     def _drop(self, base: Valuation, unknowns: set[sp.Symbol]) -> Valuation:
         """The numbers of everything but the unknowns."""
@@ -124,7 +143,7 @@ class Finisher:
         """A find as one or two expressions; a relation as left and right."""
         what = find.found.what
         if isinstance(what, Relation):
-            if self._mode_of(what) is not None:
+            if mode_of(what) is not None:
                 return ()
             sides = [vector_or_jet(s, quantities, quantities.evaluator) for s in (what.left, what.right)]
             return tuple(s.value for s in sides)
@@ -140,13 +159,6 @@ class Finisher:
             raise refuse(find.mark, "PL552", f"{find.name}: one instant does not tell this rate")
         return value
 
-    def _mode_of(self, relation: Relation) -> tuple[str, str] | None:
-        """(joint, word) of `mode(j) = word`."""
-        for one, other in ((relation.left, relation.right), (relation.right, relation.left)):
-            if isinstance(one, Quantity) and one.word == "mode" and isinstance(other, Word):
-                return one.things[0], other.word
-        return None
-
     def _mode_name(self, joint: str) -> str:
         ours = next(our for our, name in self.system.aliases.items() if name == joint and self.system.modes[our].name)
         return self.system.modes[ours].name
@@ -155,7 +167,7 @@ class Finisher:
         what = find.found.what
         pure = parse_unit("1")
         if isinstance(what, Relation):
-            mode = self._mode_of(what)
+            mode = mode_of(what)
             if mode is not None:
                 truth = self._mode_name(mode[0]) == mode[1]
             else:

@@ -14,10 +14,11 @@ from planar_cli.equation.exact import Valuation
 from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.motion import Motion, TreeBuilder
 from planar_cli.equation.scene import Scene
-from planar_cli.equation.setup import Setup
+from planar_cli.equation.setup import Setup, names_in
 from planar_cli.equation.system import Statements, System, make_system
 from planar_cli.joints.base import Joint
 from planar_cli.problem.facts import Mode, Push, Test
+from planar_cli.problem.keys import keys_of
 from planar_cli.problem.scene import Problem
 from planar_cli.solve.asked import quantities_in
 from planar_cli.solve.study import Outcome, Velocities, accelerate, solve_velocities
@@ -47,6 +48,7 @@ class Instant:
     def __init__(self, setup: Setup) -> None:
         self.setup, self.scene, self.statements = setup, setup.scene, setup.statements
         self.joints = distinct(self.scene.problem.joints)
+        self.aliases = alias_of(self.scene.problem.joints, self.joints)
         self.modes: list[tuple[Joint, tuple[Mode, ...]]] = [(j, j.modes(self.scene)) for j in self.joints]
         self.scene._valuations = None
         names = [b.name for b in self.scene.problem.bodies]
@@ -61,26 +63,65 @@ class Instant:
     def at_rest(self) -> bool:
         return None in self.statements.rest
 
+    def must_seek(self) -> bool:
+        """Are extremes asked for, or constants sought that enter nonlinearly?"""
+        if self.statements.extremes:
+            return True
+        return bool(self.scene.ledger.sought) and not self._sought_linear()
+
+    def _sought_linear(self) -> bool:
+        """Do all sought constants enter as magnitudes of loads, or not at all?"""
+        ledger = self.scene.ledger
+        hidden = [e for p in self.scene.points.values() for e in (p.x, p.y)]
+        hidden += [*ledger.definitions.values(), *ledger.values.values()]
+        hidden += [e for b in self.scene.bodies.values() for e in (b.mass, b.inertia)]
+        hidden += [x for _, found in self.modes for mode in found for law in mode.facts.laws for x in (law.factor,)]
+        hidden += [f for _, found in self.modes for mode in found for t in mode.tests for _, f in t.pushes]
+        for expr in hidden:
+            if set(ledger.sought) & sp.sympify(expr).free_symbols:
+                return False
+        for relation, _ in self.statements.relations:
+            for side in (relation.left, relation.right):
+                if any(ledger.symbols.get(n) in ledger.sought for n in names_in(side)):
+                    return False
+        return self._loads_linear()
+
+    def _loads_linear(self) -> bool:
+        """Directions and stiffnesses are known; only magnitudes are sought."""
+        sought = {s.name for s in self.scene.ledger.sought}
+        for load in self.scene.problem.loads:
+            for spec in keys_of(type(load)):
+                value = getattr(load, spec.name)
+                if spec.name not in ("magnitude", "moment") and not isinstance(value, (str, tuple, type(None))) and names_in(value) & sought:
+                    return False
+        return True
+
     def system(self, choice: tuple[int, ...]) -> System:
         """The equations of one choice of modes."""
         modes = {j.name: found[i] for (j, found), i in zip(self.modes, choice, strict=True)}
-        return make_system(self.scene, self.builder, self.statements, modes, self.symbols, alias_of(self.scene.problem.joints, self.joints), self.plain)
+        return make_system(self.scene, self.builder, self.statements, modes, self.symbols, self.aliases, self.plain)
 
     def choices(self) -> Iterator[tuple[int, ...]]:
         """All choices, the natural assumptions first: by how many joints depart from their first mode."""
-        counts = [len(found) for _, found in self.modes]
-        every = itertools.product(*(range(n) for n in counts))
+        allowed = [self._allowed(joint, found) for joint, found in self.modes]
+        every = itertools.product(*allowed)
         return iter(sorted(itertools.islice(every, MOST_MODES * 10), key=lambda c: (sum(i > 0 for i in c), sum(c))))
 
-    def try_choice(self, choice: tuple[int, ...], valuations: tuple[Valuation, ...]) -> Trial:
-        """Solve one choice in numbers and test its assumptions."""
+    def _allowed(self, joint: Joint, found: tuple[Mode, ...]) -> list[int]:
+        """The modes that the file leaves open."""
+        name = self.aliases[joint.name]
+        wanted = {word for stated, word in self.statements.modes if stated == name}
+        return [i for i, mode in enumerate(found) if not wanted or mode.name in wanted or not mode.name]
+
+    def try_choice(self, choice: tuple[int, ...], valuations: tuple[Valuation, ...], given: dict[sp.Symbol, Decimal] | None = None) -> Trial:
+        """Solve one choice in numbers and test its assumptions. `given`: velocities and constants that are settled."""
         system = self.system(choice)
         if self.at_rest and any(m.sliding is not None and m.direction == 0 and self._runs(m, valuations) for m in system.modes.values()):
             return Trial(choice, system, (), (), "it slides already")
-        velocities = tuple(solve_velocities(system, v, self.at_rest) for v in valuations)
+        velocities = tuple(solve_velocities(system, v, self.at_rest, given is None, self._speeds(system, given)) for v in valuations)
         if any(v.conflict for v in velocities):
             return Trial(choice, system, velocities, (), "velocities")
-        outcomes = tuple(accelerate(system, vel, v, self.free, self.drivers) for vel, v in zip(velocities, valuations, strict=True))
+        outcomes = tuple(accelerate(system, vel, v, self.free, self.drivers, given or {}) for vel, v in zip(velocities, valuations, strict=True))
         for outcome in outcomes:
             moving = self._moves_otherwise(system, outcome)
             if moving:
@@ -91,6 +132,11 @@ class Instant:
             if failed:
                 return Trial(choice, system, velocities, outcomes, failed[0][0].words, failed)
         return Trial(choice, system, velocities, outcomes, "")
+
+    @staticmethod
+    def _speeds(system: System, given: dict[sp.Symbol, Decimal] | None) -> dict[sp.Symbol, Decimal]:
+        names = {s.name for s in system.tree.velocity_unknowns()}
+        return {s: v for s, v in (given or {}).items() if s.name in names}
 
     @staticmethod
     def _runs(mode: Mode, valuations: tuple[Valuation, ...]) -> bool:

@@ -18,17 +18,17 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.exact import ZERO, Valuation
+from planar_cli.equation.exact import ZERO
 from planar_cli.equation.form import linear_form
 from planar_cli.equation.motion import Motion
 from planar_cli.equation.system import System
-from planar_cli.problem.facts import Action, Mode, Push, Wrench
+from planar_cli.problem.facts import Action, Push, Wrench
 from planar_cli.problem.geometry import Vec
 from planar_cli.solve.instant import distinct
 from planar_cli.solve.poses import NearPoses, Place
 from planar_cli.solve.sparse import CONSTANT, Echelon, Line
-from planar_cli.solve.study import Outcome
 from planar_cli.solve.time_jets import ONE, Slopes, TimeJet
+from planar_cli.solve.worked import PARTS, Worked
 
 FULL = 50
 """More digits than this are not claimed."""
@@ -36,51 +36,6 @@ ENOUGH = 15
 """Values that agree to fewer digits disagree."""
 NOTHING = Decimal(10) ** -FULL
 FEW = Decimal(10) ** -ENOUGH
-PARTS = ("x", "y", "turn")
-
-
-@dataclass(frozen=True, slots=True)
-class Worked:
-    """What the worked solution says at one instant, in numbers.
-
-    `velocities`, `accelerations`: of each body's mass centre, with ω and α. `pushes`: the value of each by its name.
-    `numbers`: values of everything else, sought loads among it. `drivers`: pushes that keep a prescribed motion going.
-    """
-
-    velocities: dict[str, tuple[Vec, Decimal]]
-    accelerations: dict[str, tuple[Vec, Decimal]]
-    pushes: dict[str, Decimal]
-    numbers: Valuation
-    drivers: tuple[Push, ...] = ()
-
-    @staticmethod
-    def of_motion(system: System, numbers: Valuation, drivers: tuple[Push, ...] = ()) -> Worked:
-        """From a settled system, where every unknown (and the symbol of every push) has a number."""
-        motion, reactions = system.motion, system.reactions
-        if motion is None or reactions is None:
-            raise ValueError("the velocities of the system are not settled")
-        velocities, accelerations = {}, {}
-        for name, body in system.scene.bodies.items():
-            v, a = motion.velocity(body.center, name), motion.acceleration(body.center, name)
-            velocities[name] = (Vec(numbers(v.x), numbers(v.y)), numbers(motion.velocities[name].angular))
-            accelerations[name] = (Vec(numbers(a.x), numbers(a.y)), numbers(motion.accelerations[name].angular))
-        pushes = {push.name: numbers(expr) for push, expr in reactions.pushes}
-        for driver in drivers:
-            pushes[driver.name] = numbers(system.symbols[driver.name])
-        return Worked(velocities, accelerations, pushes, numbers, drivers)
-
-    @staticmethod
-    def of_outcome(system: System, outcome: Outcome, drivers: tuple[Push, ...] = ()) -> Worked:
-        """From the numbers of one choice of modes."""
-        columns, values = outcome.assembly.columns, outcome.solved.values
-        accelerations = {}
-        for body in system.scene.bodies:
-            x, y, turn = (values[columns[body, p]] if (body, p) in columns else ZERO for p in PARTS)
-            accelerations[body] = (Vec(x, y), turn)
-        pushes = {p.name: values[columns[p.name]] for p in (*system.pushes, *drivers) if p.name in columns}
-        sought = {s: values[columns[s.name]] for s in system.scene.ledger.sought if s.name in columns}
-        numbers = outcome.value.extended(sought)
-        return Worked(dict(outcome.assembly.twists), accelerations, pushes, numbers, drivers)
 
 
 @dataclass(frozen=True, slots=True)
@@ -129,8 +84,7 @@ class Multibody:
             self.count += 2 + (place.columns[2] is not None)
         self.ties = self._ties()
         self.known: dict[str, Slopes] = {}
-        for name, mode in system.modes.items():
-            self._friction(name, mode)
+        self._friction()
         self.echelon = Echelon()
         self._assemble()
 
@@ -202,10 +156,11 @@ class Multibody:
                 total[i] = total.get(i, ZERO) + factor * c
         return total
 
-    def _friction(self, joint: str, mode: Mode) -> None:
+    def _friction(self) -> None:
         """Kinetic friction: along the face, in proportion to the normal component of what the residuals exert."""
-        pushes = {p.name: p for p in mode.facts.pushes}
-        for law in mode.facts.laws:
+        pushes = {p.name: p for p in self.system.pushes}
+        for law in self.system.laws:
+            joint = pushes[law.push].joint
             unit, factor = self.push(pushes[law.push].actions), self.value(law.factor)
             if law.of is None:
                 self.known[joint] = {i: factor * c for i, c in unit.items()}
@@ -247,8 +202,8 @@ class Multibody:
                 if column is not None:
                     lines[column][column], titles[column] = self.value(inertia), f"{name}, {part}"
         for tie in self.ties:
-            for part in (tie.jet.slopes, tie.friction):
-                for i, c in part.items():
+            for exerted in (tie.jet.slopes, tie.friction):
+                for i, c in exerted.items():
                     lines[i][tie.column] = lines[i].get(tie.column, ZERO) - c
         order = sorted(lines, key=lambda i: not lines[i][i])
         return [(titles[i], lines[i]) for i in order]
@@ -323,10 +278,10 @@ class Multibody:
     def _joint_forces(self, couples: bool) -> list[tuple[str, Decimal, Line]]:
         """The force of every joint on every body, or its moment about the mass centre."""
         found = []
-        for joint, mode in self.system.modes.items():
+        for joint in self.system.modes:
             ours: Slopes = {}
-            for push in mode.facts.pushes:
-                for i, c in self.push(push.actions, self.worked.pushes.get(push.name, ZERO)).items():
+            for push in (p for p in self.system.pushes if p.joint == joint):
+                for i, c in self.push(push.actions, self.worked.pushes[push.name]).items():
                     ours[i] = ours.get(i, ZERO) + c
             ties = [t for t in self.ties if t.joint == joint]
             for name, place in self.places.items():

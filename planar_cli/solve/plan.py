@@ -71,11 +71,13 @@ def columns(row: Row, chosen: list[int]) -> Row:
 
 
 class Planner:
-    """Plans over one list of candidates. `nonlinear`: bits of unknowns that should be found last."""
+    """Plans over one list of candidates. `nonlinear`: bits of unknowns that should be found last; `seeds`: sets
+    of unknowns that are likely to determine the targets."""
 
-    def __init__(self, candidates: list[Candidate], nonlinear: int = 0) -> None:
+    def __init__(self, candidates: list[Candidate], nonlinear: int = 0, seeds: tuple[int, ...] = ()) -> None:
         self.candidates = sorted(candidates, key=lambda c: c.cost)
         self.nonlinear = nonlinear
+        self.seeds = seeds
 
     def inside(self, allowed: int) -> list[Candidate]:
         """The candidates all of whose unknowns are allowed."""
@@ -91,6 +93,7 @@ class Planner:
         if not self.fixes(everything, targets):
             return None
         goals = self._search(targets)
+        goals += [seed | targets for seed in self.seeds if seed and self.fixes(seed | targets, targets)]
         plans = [p for p in (self.order(goal, targets) for goal in goals) if p is not None]
         if plans:
             return min(plans, key=lambda p: (p.equations + TEAR * p.tear, p.cost))

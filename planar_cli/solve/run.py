@@ -9,10 +9,12 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.setup import Earlier, first_unit
-from planar_cli.errors import Diagnostic, NoSolution
 from planar_cli.problem.scene import Find, Problem
 from planar_cli.solve.finish import Finisher
-from planar_cli.solve.instant import make_instant, search_modes
+from planar_cli.equation.system import System
+from planar_cli.solve.diagnose import explain_failure
+from planar_cli.solve.instant import Instant, Trial, make_instant, search_modes
+from planar_cli.solve.seek import seek
 from planar_cli.solve.solution import Found, InstantSolution, PartSolution, Solution
 
 
@@ -50,10 +52,24 @@ def solve_instant(
 ) -> tuple[InstantSolution, list[Found]]:
     """One instant."""
     instant = make_instant(problem, always, now, earlier, open_form)
+    if instant.must_seek():
+        return _seek(instant, finds, units, state)
     held, rejected = search_modes(instant, instant.scene.valuations)
+    if any(v.free for t in held for v in t.velocities):
+        return _seek(instant, finds, units, state)
     if not held:
-        raise NoSolution([Diagnostic(problem.find[0].mark, "PL601", "no case is consistent", "")])
+        raise explain_failure(instant, rejected, finds)
     return Finisher(instant, held[0], tuple(rejected), units, state).solve(finds)
+
+
+def _seek(instant: Instant, finds: tuple[Find, ...], units: dict[str, str], state: str) -> tuple[InstantSolution, list[Found]]:
+    """Constants, angles, speeds or extremes are sought."""
+
+    def targets(system: System) -> set[sp.Symbol]:
+        return Finisher(instant, Trial((), system, (), (), ""), (), units, state).sought_targets(finds)
+
+    sought, _ = seek(instant, targets)
+    return Finisher(instant, sought.trial, (), units, state).solve_sought(sought, finds)
 
 
 def _answer_unit(value: Any) -> str | None:

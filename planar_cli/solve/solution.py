@@ -36,7 +36,10 @@ class Found:
 
 @dataclass(slots=True)
 class InstantSolution:
-    """One instant worked out. `rejected`: the first assumption and others, with why they fail. `value`: numbers of all."""
+    """One instant worked out. `rejected`: the first assumption and others, with why they fail. `value`: numbers of all.
+
+    `sought`: the branch taken where constants, speeds or extremes were sought.
+    """
 
     state: str
     instant: Instant
@@ -46,7 +49,7 @@ class InstantSolution:
     lines: tuple[Explicit, ...]
     value: Valuation
     checks: dict[str, Any] = field(default_factory=dict)
-    roots: tuple[Any, ...] = ()
+    sought: Any = None
 
 
 @dataclass(slots=True)

@@ -72,8 +72,10 @@ class StageMaker:
         missing = [t for t in targets if t in index and not planner.fixes(_every(candidates), 1 << index[t])]
         wanted &= ~sum(1 << index[t] for t in missing)
         if kinetics:
-            candidates += adjoint_candidates(self.system, columns, conditions, [index[t] for t in targets if t in index and t not in missing])
-            planner = Planner(candidates)
+            wanted_columns = [index[t] for t in targets if t in index and t not in missing]
+            extra, seed = adjoint_candidates(self.system, columns, conditions, wanted_columns)
+            candidates += extra
+            planner = Planner(candidates, seeds=(seed, self._motion_bits(index)))
         plan = planner.plan(wanted) or Plan(())
         writer = Writer(self.system, columns, self.next_number)
         if level == "velocity":
@@ -86,6 +88,10 @@ class StageMaker:
         blocks = tuple(algebra.solve(b, w, columns.unknowns) for b, w in zip(plan.blocks, numbered, strict=True))  # type: ignore[arg-type]
         self.next_number = writer.next_number
         return Stage(level, plan, blocks, tuple(writer.lines), dict(writer.centres), tuple(zero), tuple(missing), algebra, writer.named)
+
+    def _motion_bits(self, index: dict[sp.Symbol, int]) -> int:
+        """All accelerations: the equations without any reaction often determine them on their own."""
+        return sum(1 << index[s] for s in self.system.tree.acceleration_unknowns() if s in index)
 
     def _offers(
         self, unknowns: list[sp.Symbol], conditions: list[Condition], targets: set[sp.Symbol], kinetics: bool

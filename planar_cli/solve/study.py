@@ -31,14 +31,17 @@ class Velocities:
     loose: dict[sp.Symbol, tuple[sp.Symbol, ...]] = field(default_factory=dict)
 
 
-def solve_velocities(system: System, value: Valuation, at_rest: bool) -> Velocities:
-    """All velocity conditions at once; what stays free is zero at rest."""
+def solve_velocities(system: System, value: Valuation, at_rest: bool, seek: bool = True, given: dict[sp.Symbol, Decimal] | None = None) -> Velocities:
+    """All velocity conditions at once; what stays free is zero at rest.
+
+    `seek`: constants that are sought may be columns too. `given`: velocities that are known already.
+    """
     ledger = system.scene.ledger
     rates = [r for r, _ in system.scene.evaluator.motions.values() if isinstance(r, sp.Symbol)]
     conditions = system.velocity_conditions()
     unknowns = [*system.tree.velocity_unknowns(), *rates]
     sought = [s for s in ledger.sought if any(s in e.free_symbols for c in conditions for e in c.rows())]
-    columns = unknowns + [s for s in sought if _linear_everywhere(s, conditions, set(unknowns))]
+    columns = unknowns + [s for s in sought if seek and _linear_everywhere(s, conditions, set(unknowns))]
     rows: list[Row] = []
     sources: list[Condition] = []
     nonlinear: list[Condition] = []
@@ -50,6 +53,10 @@ def solve_velocities(system: System, value: Valuation, at_rest: bool) -> Velocit
                 sources.append(condition)
             except Nonlinear:
                 nonlinear.append(condition)
+    for x, number in (given or {}).items():
+        if x in inside:
+            rows.append([ONE if c == x else ZERO for c in columns] + [-number])
+            sources.append(Condition("given", x.name, x))
     solved = solve(rows, len(columns))
     conflict = None
     if solved.conflict is not None:
@@ -110,7 +117,7 @@ class Outcome:
         return self.solved.values[column] if self.solved.unique(column) else None
 
 
-def accelerate(system: System, velocities: Velocities, value: Valuation, free: Motion, drivers: tuple[Push, ...]) -> Outcome:
+def accelerate(system: System, velocities: Velocities, value: Valuation, free: Motion, drivers: tuple[Push, ...], constants: dict[sp.Symbol, Decimal]) -> Outcome:
     """Accelerations and pushes of a system whose velocities are settled.
 
     `free`: a motion in which no body hangs on another; the file's own relations are read in it. `drivers`: unknown pushes
@@ -136,8 +143,9 @@ def accelerate(system: System, velocities: Velocities, value: Valuation, free: M
         for row in mode.facts.rows:
             assembly.rows.append(assembly.row(row))
             assembly.sources.append(row.title)
-    add_loads(assembly, system, wrenches, drivers)
-    add_given(assembly, system, free)
+    sought = set(scene.ledger.sought) - set(constants)
+    add_loads(assembly, system, wrenches, drivers, sought)
+    add_given(assembly, system, free, sought)
     for law in system.laws:
         line = {assembly.column(law.push): ONE}
         factor = -numbers(law.factor)
@@ -148,10 +156,9 @@ def accelerate(system: System, velocities: Velocities, value: Valuation, free: M
     return Outcome(assembly, solved, failing(system, assembly, solved), numbers)
 
 
-def add_loads(assembly: Assembly, system: System, wrenches: tuple[Wrench, ...], drivers: tuple[Push, ...]) -> None:
+def add_loads(assembly: Assembly, system: System, wrenches: tuple[Wrench, ...], drivers: tuple[Push, ...], sought: set[sp.Symbol]) -> None:
     """Kinetics of all bodies; sought magnitudes of loads are columns of their own."""
     scene = system.scene
-    sought = set(scene.ledger.sought)
     known: list[Wrench] = []
     unknown: list[tuple[str, Wrench]] = []
     for w in wrenches:
@@ -165,7 +172,7 @@ def add_loads(assembly: Assembly, system: System, wrenches: tuple[Wrench, ...], 
     assembly.kinetics(masses, (*system.pushes, *drivers), tuple(known), tuple(unknown))
 
 
-def add_given(assembly: Assembly, system: System, free: Motion) -> None:
+def add_given(assembly: Assembly, system: System, free: Motion, sought: set[sp.Symbol]) -> None:
     """The file's own acceleration relations, over body accelerations, pushes, sought constants and rates of coordinates."""
     conditions = system.stated_accelerations(free)
     if not conditions:
@@ -181,7 +188,7 @@ def add_given(assembly: Assembly, system: System, free: Motion) -> None:
         ):
             if rate is not None and speed is not None:
                 keys[rate], moving[speed] = (edge.body, part), value
-    for symbol in (*system.scene.ledger.sought, *(a for _, a in system.scene.evaluator.motions.values() if isinstance(a, sp.Symbol))):
+    for symbol in (*sought, *(a for _, a in system.scene.evaluator.motions.values() if isinstance(a, sp.Symbol))):
         keys[symbol] = symbol.name
     present = {p.name for p in system.pushes}
     value = assembly.value.extended(moving)

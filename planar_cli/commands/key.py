@@ -1,0 +1,60 @@
+"""Write the answers of problem files, or their worked solutions, as one Markdown document.
+
+FILES are problem files or folders (every .yaml and .yml file below). The answers are those of the solution; one that
+the file states otherwise is marked. The exit status is that of `planar solve`.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import click
+
+from planar_cli import cli
+from planar_cli.commands._limit import time_limit
+from planar_cli.commands._output import write
+from planar_cli.errors import PlanarError
+
+if TYPE_CHECKING:
+    from planar_cli.report.blocks import Document
+
+
+@click.command(help=__doc__)
+@click.argument("files", nargs=-1, required=True)
+@click.option("--worked", is_flag=True, help="The worked solutions, not the answers alone.")
+@click.option("-o", "--output", metavar="FILE", help="Write to FILE instead of standard output.")
+@click.option("--figures", type=click.IntRange(1, 40), default=4, show_default=True, help="Significant figures.")
+@click.option("--timeout", type=click.FloatRange(0), default=60, show_default=True, help="Seconds a problem; 0: none.")
+def command(files: tuple[str, ...], worked: bool, output: str | None, figures: int, timeout: float) -> int:
+    """One section for each file, in their order."""
+    from planar_cli.problem.files import problem_files
+    from planar_cli.registry import members
+
+    markdown = members("formats")["markdown"]()
+    sections: list[str] = []
+    worst = cli.SOLVED
+    for path in problem_files(files):
+        try:
+            with time_limit(timeout):
+                document, status = _section(path, worked, figures)
+            sections.append(markdown.render(document))
+        except PlanarError as error:
+            status = cli.tell(error)
+        except Exception as error:
+            status = cli.tell_fault(error)
+        worst = max(worst, status)
+    write("\n".join(sections), output)
+    return worst
+
+
+def _section(path: str, worked: bool, figures: int) -> tuple[Document, int]:
+    """The document of one file, and its exit status."""
+    from planar_cli.homework.checking import read, solve_and_compare
+    from planar_cli.report.key import key_document, with_disagreements
+    from planar_cli.report.narrate import narrate
+
+    solution, verdicts = solve_and_compare(read(path))
+    status = cli.SOLVED if all(v.agrees for v in verdicts) else cli.DISAGREES
+    if worked:
+        return with_disagreements(narrate(solution, figures), verdicts), status
+    return key_document(solution, verdicts, figures), status

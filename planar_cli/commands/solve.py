@@ -1,0 +1,161 @@
+"""Solve problem files and print the worked solutions.
+
+FILES are problem files, or - for standard input. Answers that a file states are compared with the solution. The exit
+status is 0 when every problem is solved and agrees, 1 when an answer disagrees or there is no solution, 2 for wrong
+usage or a bad file, 3 when something was not decided in time, 4 for a fault of planar; of several, the highest.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from difflib import get_close_matches
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from planar_cli import cli
+from planar_cli.commands._limit import time_limit
+from planar_cli.commands._output import write
+from planar_cli.errors import PlanarError
+from planar_cli.registry import members, modules
+
+if TYPE_CHECKING:
+    from planar_cli.problem.scene import Problem
+    from planar_cli.report.blocks import Document
+
+METHODS = ("newton", "dalembert", "energy", "momentum")
+LARGEST_FIGURES = 40
+OUTCOMES = {cli.DISAGREES: "no solution", cli.BAD: "bad file", cli.UNDECIDED: "undecided", cli.FAULT: "fault"}
+
+
+@dataclass(frozen=True, slots=True)
+class Wanted:
+    """The options of one run."""
+
+    form: str
+    output: str | None
+    method: str | None
+    compare: bool
+    why: str | None
+    figures: int
+    audience: str
+    timeout: float
+
+    @property
+    def json(self) -> bool:
+        return self.form == "json"
+
+
+@dataclass(frozen=True, slots=True)
+class Report:
+    """What came of one file: its exit status, and a document for people or data for programs."""
+
+    status: int
+    document: Document | None = None
+    data: Mapping[str, Any] | None = None
+
+
+FIGURES = click.IntRange(1, LARGEST_FIGURES)
+
+
+@click.command(help=__doc__)
+@click.argument("files", nargs=-1, required=True)
+@click.option("--format", "form", type=click.Choice(modules("formats")), default="terminal", help="How to print.")
+@click.option("-o", "--output", metavar="FILE", help="Write to FILE instead of standard output.")
+@click.option("--method", type=click.Choice(METHODS), help="The principle to use, whatever the file says.")
+@click.option("--compare", is_flag=True, help="List the methods that reach the answers, instead of a solution.")
+@click.option("--why", metavar="NAME", help="Only what the answer NAME rests on.")
+@click.option("--figures", type=FIGURES, default=4, show_default=True, help="Significant figures of numbers.")
+@click.option("--digits", type=FIGURES, help=f"As --figures: so many certain digits, at most {LARGEST_FIGURES}.")
+@click.option("--audience", type=click.Choice(["exam", "lesson"]), default="exam", help="Short, or with every line.")
+@click.option("--timeout", type=click.FloatRange(0), default=60, show_default=True, help="Seconds a problem; 0: none.")
+def command(files: tuple[str, ...], digits: int | None, **options: Any) -> int:
+    """Solve each file; one that fails does not keep the others from being solved."""
+    wanted = Wanted(**options)
+    if digits is not None:
+        wanted = replace(wanted, figures=digits)
+    if wanted.compare and (wanted.why or wanted.method):
+        raise click.UsageError("--compare looks at all methods; leave --method and --why out")
+    reports = [_report(path, wanted) for path in files]
+    text = _rendered(reports, wanted)
+    if text:
+        write(text, wanted.output)
+    return max(report.status for report in reports)
+
+
+def _rendered(reports: list[Report], wanted: Wanted) -> str:
+    if wanted.json:
+        from planar_cli.formats.json import dumps
+
+        data = [report.data for report in reports if report.data is not None]
+        return dumps(data[0] if len(reports) == 1 and data else {"solutions": data})
+    form: Any = next(m for m in members("formats").values() if m.__module__.endswith(f".{wanted.form}"))
+    on_screen = wanted.output in (None, "-")
+    printer = form.on(sys.stdout) if on_screen else form()
+    return "\n".join(printer.render(report.document) for report in reports if report.document is not None)
+
+
+def _report(path: str, wanted: Wanted) -> Report:
+    """Read and solve one file; what goes wrong is told on standard error."""
+    from planar_cli.homework.checking import read
+
+    name = path
+    try:
+        with time_limit(wanted.timeout):
+            problem = read(path)
+            name = problem.title or path
+            return _compared(problem, wanted) if wanted.compare else _solved(problem, wanted)
+    except PlanarError as error:
+        return _failed(name, wanted, cli.tell(error), str(error), error)
+    except click.ClickException:
+        raise
+    except Exception as error:
+        return _failed(name, wanted, cli.tell_fault(error), f"{type(error).__name__}: {error}")
+
+
+def _failed(name: str, wanted: Wanted, status: int, message: str, error: PlanarError | None = None) -> Report:
+    if not wanted.json:
+        return Report(status)
+    from planar_cli.diagnostics import as_data
+    from planar_cli.report.json_document import failure_data
+
+    diagnostics = [as_data(d) for d in getattr(error, "diagnostics", ())]
+    return Report(status, data=failure_data(name, OUTCOMES[status], message, diagnostics))
+
+
+def _solved(problem: Problem, wanted: Wanted) -> Report:
+    from planar_cli.homework.checking import solve_and_compare
+    from planar_cli.report.json_document import solution_data
+    from planar_cli.report.key import with_disagreements
+    from planar_cli.report.narrate import narrate
+
+    _demand_find(problem, wanted.why)
+    solution, verdicts = solve_and_compare(problem, wanted.method)
+    status = cli.SOLVED if all(v.agrees for v in verdicts) else cli.DISAGREES
+    if wanted.json:
+        return Report(status, data=solution_data(solution, verdicts, wanted.figures, wanted.method))
+    only: dict[str, str] = {"why": wanted.why} if wanted.why else {}
+    document = narrate(solution, wanted.figures, wanted.audience, **only)
+    return Report(status, with_disagreements(document, verdicts))
+
+
+def _demand_find(problem: Problem, name: str | None) -> None:
+    """Raise for --why with a name that the file does not ask for."""
+    asked = [f.name for p in (problem, *(case.problem for case in problem.cases)) for f in p.find]
+    if name is not None and name not in asked:
+        near = get_close_matches(name, asked, n=1)
+        hint = f"did you mean {near[0]}?" if near else f"it asks for {', '.join(asked)}"
+        raise click.UsageError(f"{problem.file} has no find '{name}'; {hint}")
+
+
+def _compared(problem: Problem, wanted: Wanted) -> Report:
+    """Every method that the scene offers, side by side."""
+    from planar_cli.report.comparison import comparison_data, comparison_document
+    from planar_cli.solve.compare import compare_methods
+
+    rows = compare_methods(problem)
+    if wanted.json:
+        return Report(cli.SOLVED, data=comparison_data(problem, rows))
+    return Report(cli.SOLVED, comparison_document(problem, rows))

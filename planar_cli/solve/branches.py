@@ -1,0 +1,134 @@
+"""A plan with unknowns that enter nonlinearly, carried out: every root of every such equation is a branch."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from decimal import Decimal
+
+import sympy as sp
+
+from planar_cli.equation.exact import Valuation
+from planar_cli.equation.form import Nonlinear, linear_form
+from planar_cli.errors import Undecided
+from planar_cli.solve.algebra import Algebra, Line, SolvedBlock
+from planar_cli.solve.plan import Block
+from planar_cli.solve.roots import Root, real_roots
+from planar_cli.solve.write import Written, tidy
+
+
+@dataclass(frozen=True, slots=True)
+class Choice:
+    """One equation in one unknown with all its real roots, and the one that this branch takes."""
+
+    symbol: sp.Symbol
+    equation: sp.Expr
+    roots: tuple[Root, ...]
+    taken: int
+    number: int
+
+
+@dataclass(frozen=True, slots=True)
+class Branch:
+    """One way through the plan."""
+
+    algebra: Algebra
+    blocks: tuple[SolvedBlock, ...]
+    choices: tuple[Choice, ...]
+
+
+class Brancher:
+    """Walks the blocks of a plan. `angles`: unknowns that are angles."""
+
+    def __init__(self, unknowns: tuple[sp.Symbol, ...], angles: frozenset[sp.Symbol], symbolic: bool) -> None:
+        self.unknowns, self.angles, self.symbolic = unknowns, angles, symbolic
+
+    def run(self, algebra: Algebra, work: list[tuple[Block, tuple[Written, ...]]]) -> Iterator[Branch]:
+        """All branches, depth first."""
+        if not work:
+            yield Branch(algebra, (), ())
+            return
+        (block, written), rest = work[0], work[1:]
+        for after, solved, choices in self._block(algebra, block, written):
+            for branch in self.run(after, rest):
+                yield Branch(branch.algebra, (solved, *branch.blocks), (*choices, *branch.choices))
+
+    def _block(self, algebra: Algebra, block: Block, written: tuple[Written, ...]) -> Iterator[tuple[Algebra, SolvedBlock, tuple[Choice, ...]]]:
+        order = tuple(self.unknowns[j] for j in block.unknowns)
+        residuals = [algebra._residual(w, order) for w in written]
+        if self._linear(residuals, order):
+            after = copied(algebra)
+            yield after, after.solve(block, written, self.unknowns), ()
+            return
+        letters = tuple(self.unknowns[j] for j in block.letters) or order
+        yield from self._nonlinear(algebra, residuals, written, order, letters)
+
+    @staticmethod
+    def _linear(residuals: list[sp.Expr], order: tuple[sp.Symbol, ...]) -> bool:
+        try:
+            for r in residuals:
+                linear_form(r, set(order))
+        except Nonlinear:
+            return False
+        return not any(s in d.free_symbols for r in residuals for s in order for d in ())
+
+    def _nonlinear(
+        self, algebra: Algebra, residuals: list[sp.Expr], written: tuple[Written, ...], order: tuple[sp.Symbol, ...], letters: tuple[sp.Symbol, ...]
+    ) -> Iterator[tuple[Algebra, SolvedBlock, tuple[Choice, ...]]]:
+        """Express the linear unknowns one at a time, until one equation in one unknown is left; then go back."""
+        lines: list[Line] = []
+        pool = list(zip(residuals, written, strict=True))
+        left = list(order)
+        while len(pool) > 1:
+            step = self._eliminate(pool, left, letters)
+            if step is None:
+                raise Undecided("the equations " + ", ".join(f"({w.number})" for w in written) + " are nonlinear in several unknowns at once")
+            index, x, formula = step
+            _, equation = pool.pop(index)
+            pool = [(tidy(r.xreplace({x: formula})), w) for r, w in pool]
+            lines.append(Line(x, formula, None, (equation.number,), tuple(s for s in left if s in formula.free_symbols and s != x)))
+            left.remove(x)
+        residual, equation = pool[0]
+        x = left[0]
+        roots = real_roots(residual, x, algebra.value, self.symbolic, x in self.angles)
+        for taken, root in enumerate(roots):
+            after = copied(algebra)
+            found = self._back(after, x, root, lines, equation.number)
+            choice = Choice(x, residual, tuple(roots), taken, equation.number)
+            yield after, SolvedBlock(written, order, (x,) if len(order) > 1 else (), tuple([*lines, *found])), (choice,)
+
+    def _eliminate(self, pool: list[tuple[sp.Expr, Written]], left: list[sp.Symbol], letters: tuple[sp.Symbol, ...]) -> tuple[int, sp.Symbol, sp.Expr] | None:
+        """An equation that is linear in one unknown, which it gives; unknowns that are not letters first."""
+        for x in sorted(left, key=lambda s: s in letters):
+            for index, (residual, _) in enumerate(pool):
+                if x not in residual.free_symbols:
+                    continue
+                try:
+                    form = linear_form(residual, {x})
+                except Nonlinear:
+                    continue
+                if form.terms.get(x, sp.S.Zero) != 0:
+                    return index, x, tidy(-form.constant / form.terms[x])
+        return None
+
+    def _back(self, algebra: Algebra, x: sp.Symbol, root: Root, lines: list[Line], number: int) -> list[Line]:
+        exact = root.expression if root.expression is not None else sp.Rational(str(root.value))
+        algebra.value = algebra.value.extended({x: root.value})
+        algebra.formulas[x] = exact
+        found = [Line(x, exact, root.value, (number,))]
+        for line in reversed(lines):
+            value = algebra.value(line.formula)
+            algebra.value = algebra.value.extended({line.symbol: value})
+            algebra.formulas[line.symbol] = line.formula
+            found.append(Line(line.symbol, line.formula, value, line.equations))
+        return found
+
+
+def copied(algebra: Algebra) -> Algebra:
+    """The same state, to be extended on its own."""
+    twin = Algebra(Valuation(dict(algebra.value.values), algebra.value.definitions), algebra.explicit, algebra.symbolic, algebra.unknowns)
+    twin.formulas = dict(algebra.formulas)
+    return twin
+
+
+__all__ = ["Branch", "Brancher", "Choice", "Decimal"]

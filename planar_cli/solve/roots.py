@@ -1,0 +1,193 @@
+"""All real roots of one equation in one unknown: polynomial, trigonometric, or anything that can be evaluated.
+
+Polynomials (after clearing fractions, or after the half-angle substitution u = tan(x/2)) give all their roots, to fifty digits;
+other equations are searched over a wide range for changes of sign. Letters without numbers allow closed forms only.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from decimal import Decimal
+
+import mpmath
+import sympy as sp
+
+from planar_cli.equation.exact import DIGITS, PI, Unvalued, Valuation
+from planar_cli.errors import Undecided
+
+TINY = Decimal("1e-25")
+
+
+@dataclass(frozen=True, slots=True)
+class Root:
+    """A root: its closed form where there is one, and its value."""
+
+    expression: sp.Expr | None
+    value: Decimal
+
+
+def real_roots(expr: sp.Expr, x: sp.Symbol, value: Valuation, symbolic: bool, angle: bool) -> list[Root]:
+    """The real roots of expr = 0, sorted; an angle lies in (-180°, 180°]."""
+    numerator = sp.fraction(sp.together(expr))[0]
+    closed = _closed(numerator, x)
+    if closed:
+        found = [Root(e, v) for e in closed if (v := _real(e, value)) is not None]
+        if found or symbolic:
+            return _distinct(found, angle)
+    if symbolic:
+        raise Undecided(f"no closed form was found for {x.name}")
+    numbers = _with_numbers(numerator, x, value)
+    if numbers.is_polynomial(x):
+        return _distinct([Root(None, v) for v in _polynomial_roots(sp.Poly(numbers, x))], angle)
+    half = _half_angle(numbers, x)
+    if half is not None:
+        return _distinct([Root(None, v) for v in half if _vanishes(numbers, x, v)], angle)
+    return _distinct([Root(None, v) for v in _scan(expr, x, value, angle)], angle)
+
+
+def _real(e: sp.Expr, value: Valuation) -> Decimal | None:
+    try:
+        return value(e)
+    except ArithmeticError:
+        return None
+
+
+def _distinct(roots: list[Root], angle: bool) -> list[Root]:
+    found: list[Root] = []
+    for root in sorted(roots, key=lambda r: r.value):
+        v = root.value
+        if angle:
+            while v > PI + TINY:
+                v -= 2 * PI
+            while v <= -PI + TINY:
+                v += 2 * PI
+        if not any(abs(v - o.value) <= TINY * max(abs(v), 1) for o in found):
+            found.append(Root(root.expression, v))
+    return sorted(found, key=lambda r: r.value)
+
+
+def _closed(numerator: sp.Expr, x: sp.Symbol) -> list[sp.Expr]:
+    """Closed forms: linear, quadratic, a pure power, or A cos x + B sin x = C."""
+    if numerator.is_polynomial(x):
+        poly = sp.Poly(numerator, x)
+        terms = [(m[0], c) for m, c in poly.terms()]
+        low = min(m for m, _ in terms)
+        zero = [sp.S.Zero] if low > 0 else []
+        terms = [(m - low, c) for m, c in terms]
+        degree = max(m for m, _ in terms)
+        by = dict(terms)
+        if degree == 0:
+            return zero
+        if degree == 1:
+            return [*zero, -by[0] / by[1]]
+        if set(by) == {0, 2}:
+            root = sp.sqrt(sp.cancel(-by[0] / by[2]))
+            return [*zero, root, -root]
+        if degree == 2:
+            a, b, c = by[2], by.get(1, sp.S.Zero), by.get(0, sp.S.Zero)
+            root = sp.sqrt(b**2 - 4 * a * c)
+            return [*zero, (-b + root) / (2 * a), (-b - root) / (2 * a)]
+        return []
+    s, c = sp.Dummy("s"), sp.Dummy("c")
+    flat = sp.expand_trig(numerator).subs({sp.sin(x): s, sp.cos(x): c})
+    if flat.has(x) or not flat.is_polynomial(s, c):
+        return []
+    poly = sp.Poly(flat, s, c)
+    if poly.total_degree() != 1:
+        return []
+    a, b, k = poly.coeff_monomial(c), poly.coeff_monomial(s), poly.coeff_monomial(1)
+    if k == 0:
+        base = sp.atan(sp.cancel(-a / b)) if b != 0 else sp.pi / 2
+        return [base, base + sp.pi]
+    lead, swing = sp.atan2(b, a), sp.acos(-k / sp.sqrt(a**2 + b**2))
+    return [lead + swing, lead - swing]
+
+
+def _with_numbers(expr: sp.Expr, x: sp.Symbol, value: Valuation) -> sp.Expr:
+    inside = {}
+    for symbol in expr.free_symbols - {x}:
+        inside[symbol] = sp.Rational(str(value(symbol)))
+    return expr.xreplace(inside)
+
+
+def _polynomial_roots(poly: sp.Poly) -> list[Decimal]:
+    with mpmath.workdps(DIGITS + 10):
+        coefficients = [mpmath.mpf(str(sp.N(c, DIGITS + 5))) for c in poly.all_coeffs()]
+        while coefficients and not coefficients[0]:
+            coefficients = coefficients[1:]
+        if len(coefficients) < 2:
+            return []
+        roots = mpmath.polyroots(coefficients, maxsteps=400, extraprec=400)
+        size = max([abs(r) for r in roots] + [mpmath.mpf(1e-30)])
+        real = [r.real for r in roots if abs(mpmath.im(r)) < mpmath.mpf("1e-22") * size]
+        return [Decimal(mpmath.nstr(mpmath.re(r), DIGITS)) for r in real]
+
+
+def _half_angle(numbers: sp.Expr, x: sp.Symbol) -> list[Decimal] | None:
+    """Roots of an equation in sin x and cos x by u = tan(x/2)."""
+    s, c, u = sp.Dummy("s"), sp.Dummy("c"), sp.Dummy("u")
+    flat = sp.expand_trig(numbers.rewrite(sp.cos).subs(sp.tan(x), sp.sin(x) / sp.cos(x)) if numbers.has(sp.tan) else sp.expand_trig(numbers))
+    flat = sp.fraction(sp.together(flat.subs({sp.sin(x): s, sp.cos(x): c})))[0]
+    if flat.has(x) or not flat.is_polynomial(s, c):
+        return None
+    rational = sp.fraction(sp.together(flat.subs({s: 2 * u / (1 + u**2), c: (1 - u**2) / (1 + u**2)})))[0]
+    poly = sp.Poly(rational, u)
+    with mpmath.workdps(DIGITS + 5):
+        found = [Decimal(mpmath.nstr(2 * mpmath.atan(mpmath.mpf(str(r))), DIGITS)) for r in _polynomial_roots(poly)]
+    return [*found, +PI]
+
+
+def _vanishes(numbers: sp.Expr, x: sp.Symbol, v: Decimal) -> bool:
+    value = Valuation({x: v})
+    try:
+        return abs(value(numbers)) <= Decimal("1e-18") * max(value.size(numbers), Decimal("1e-30"))
+    except ArithmeticError:
+        return False
+
+
+def _scan(expr: sp.Expr, x: sp.Symbol, value: Valuation, angle: bool) -> list[Decimal]:
+    """Changes of sign over a wide range, each refined by bisection and secants."""
+
+    def f(v: Decimal) -> Decimal | None:
+        try:
+            return value.extended({x: v})(expr)
+        except (ArithmeticError, Unvalued):
+            return None
+
+    if angle:
+        grid = [PI * Decimal(i) / 180 - PI for i in range(0, 361, 2)]
+    else:
+        powers = [Decimal(10) ** (Decimal(i) / 8) for i in range(-40, 49)]
+        grid = [*(-p for p in reversed(powers)), *powers]
+    found = []
+    last: tuple[Decimal, Decimal] | None = None
+    for v in grid:
+        y = f(v)
+        if y is None:
+            last = None
+            continue
+        if y == 0:
+            found.append(v)
+        elif last is not None and last[1] * y < 0:
+            root = _refine(f, last[0], v)
+            if root is not None:
+                found.append(root)
+        last = (v, y)
+    return found
+
+
+def _refine(f: object, a: Decimal, b: Decimal) -> Decimal | None:
+    fa, fb = f(a), f(b)  # type: ignore[operator]
+    for _ in range(220):
+        middle = (a + b) / 2
+        fm = f(middle)  # type: ignore[operator]
+        if fm is None:
+            return None
+        if fm == 0 or abs(b - a) <= Decimal("1e-45") * max(abs(a), abs(b)):
+            return middle
+        if fa * fm < 0:
+            b, fb = middle, fm
+        else:
+            a, fa = middle, fm
+    small = min(abs(fa), abs(fb))
+    return None if small > 10**6 else (a + b) / 2

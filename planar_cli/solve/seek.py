@@ -1,0 +1,281 @@
+"""Unknown constants, angles, speeds and extremes: one system of all levels at once, planned by slopes, solved by branches.
+
+Every unknown (a sought constant, a velocity that nothing fixes yet, accelerations, pushes) gets a generic number; an equation
+contains an unknown when its residual moves with it. The plan is made as for linear unknowns; blocks that are nonlinear
+are reduced to one equation in one unknown, whose real roots are all followed. What is left is tested: the assumptions of
+the modes, the inequalities of the file, signs that a mass or a coefficient must have.
+
+`X is largest`: the freedom that is left is used up by assumptions at their limit (|F| = mu N, N = 0, …), one for each
+freedom; of all points that satisfy every other assumption the largest X counts.
+"""
+
+from __future__ import annotations
+
+import itertools
+import random
+from collections.abc import Iterator
+from dataclasses import dataclass, field, replace
+from decimal import Decimal
+
+import sympy as sp
+
+from planar_cli.equation.conditions import POSITION, Condition, stated
+from planar_cli.equation.exact import Valuation
+from planar_cli.equation.form import Nonlinear, linear_form
+from planar_cli.equation.moving import all_wrenches
+from planar_cli.equation.system import System
+from planar_cli.errors import Diagnostic, NoSolution, Undecided
+from planar_cli.problem.facts import Test
+from planar_cli.solve.algebra import Algebra
+from planar_cli.solve.branches import Branch, Brancher
+from planar_cli.solve.candidates import Candidate
+from planar_cli.solve.instant import Instant, Trial
+from planar_cli.solve.offers import Numbers, Offers, body_residuals
+from planar_cli.solve.plan import Plan, Planner
+from planar_cli.solve.stages import _put_in, acceleration_unknowns
+from planar_cli.solve.study import solve_velocities
+from planar_cli.solve.write import Writer
+from planar_cli.units import MASS, PURE
+
+MOST_CHOICES = 40
+MOST_LIMITS = 2
+
+
+@dataclass(slots=True)
+class Sought:
+    """One branch with its trial: the values of all unknowns, and why it is rejected ("" when it holds)."""
+
+    branch: Branch
+    plan: Plan
+    writer: Writer
+    trial: Trial
+    unknowns: tuple[sp.Symbol, ...]
+    limits: tuple[Condition, ...]
+    objection: str
+    objective: Decimal | None = None
+    others: list[Sought] = field(default_factory=list)
+
+
+class Seeker:
+    """Solves one choice of modes with unknowns of every level."""
+
+    def __init__(self, instant: Instant, choice: tuple[int, ...]) -> None:
+        self.instant, self.choice = instant, choice
+        self.scene = instant.scene
+        self.ledger = self.scene.ledger
+        self.system: System = instant.system(choice)
+        base = self.scene.valuations[0]
+        second = self.scene.valuations[-1]
+        found = [solve_velocities(self.system, v, instant.at_rest, seek=False) for v in (base, second)]
+        self.conflict = any(v.conflict for v in found)
+        still = [s for s in found[0].values if all(not v.values.get(s, Decimal(1)) for v in found)]
+        self.still = {s: sp.S.Zero for s in still}
+        self.system.settle(self.still, ())
+        numbers = base.extended({**{s: Decimal(0) for s in still}, **found[0].values})
+        assert self.system.motion is not None
+        self.system.settle(self.still, all_wrenches(self.scene, self.system.motion, numbers))
+        self.unknowns = self._unknowns(still)
+        self.conditions = self._conditions()
+        self.linear = self._linear()
+        self.value = self._generic(base)
+
+    def _unknowns(self, still: list[sp.Symbol]) -> tuple[sp.Symbol, ...]:
+        rates = [r for r, _ in self.scene.evaluator.motions.values() if isinstance(r, sp.Symbol)]
+        moving = [s for s in (*self.system.tree.velocity_unknowns(), *rates) if s not in still]
+        return tuple(dict.fromkeys([*moving, *acceleration_unknowns(self.system)]))
+
+    def _conditions(self) -> list[Condition]:
+        quantities = self.system.quantities()
+        names = {s.name for s in self.ledger.coordinates}
+        places = stated(list(self.instant.statements.relations), quantities, quantities.evaluator, names, POSITION)
+        velocities = [_put_in(c, self.still) for c in self.system.velocity_conditions()]
+        return [*places, *velocities, *self.system.acceleration_conditions()]
+
+    def _linear(self) -> frozenset[sp.Symbol]:
+        """The unknowns in which every equation is linear, whatever the others are."""
+        exprs = [e for c in self.conditions for e in c.rows()]
+        exprs += [e for b in self.scene.bodies for e in body_residuals(self.system, b)]
+        sure = set(acceleration_unknowns(self.system)) - set(self.ledger.sought)
+        hidden = self._hidden()
+        for s in self.ledger.sought:
+            if s not in hidden and self._enters_linearly(s, exprs, sure):
+                sure.add(s)
+        return frozenset(sure)
+
+    def _hidden(self) -> set[sp.Symbol]:
+        """Symbols on which geometry or named intermediates depend."""
+        exprs = [e for p in self.scene.points.values() for e in (p.x, p.y)]
+        exprs += list(self.ledger.definitions.values()) + [v for v in self.ledger.values.values()]
+        return set().union(*(sp.sympify(e).free_symbols for e in exprs)) if exprs else set()
+
+    @staticmethod
+    def _enters_linearly(s: sp.Symbol, exprs: list[sp.Expr], others: set[sp.Symbol]) -> bool:
+        for e in exprs:
+            if s in e.free_symbols:
+                try:
+                    linear_form(e, others | {s})
+                except Nonlinear:
+                    return False
+        return True
+
+    def _generic(self, base: Valuation) -> Valuation:
+        rng = random.Random(7)
+        numbers = {}
+        for s in self.unknowns:
+            if s not in self.ledger.sought:
+                numbers[s] = Decimal(rng.randrange(10**30, 10**31)) / Decimal(10**31) + Decimal("0.3")
+        return base.extended({**numbers, **{s: Decimal(0) for s in self.still}})
+
+    # --- plan and branches -------------------------------------------------------------------------------------------
+
+    def candidates(self, limits: tuple[Condition, ...], targets: set[sp.Symbol]) -> tuple[list[Candidate], Numbers]:
+        """All candidates; what vanishes at sight leaves first."""
+        unknowns = list(self.unknowns)
+        kinetics = any(b.mass != 0 for b in self.scene.bodies.values()) or bool(self.system.wrenches)
+        while True:
+            numbers = Numbers(tuple(unknowns), self.linear & set(unknowns), self.value)
+            found = Offers(self.system, numbers, [*self.conditions, *limits], kinetics).all()
+            idle = set()
+            for c in found:
+                if c.mask.bit_count() == 1 and not c.row[-1]:
+                    x = unknowns[c.mask.bit_length() - 1]
+                    if x in self.linear and x not in targets:
+                        idle.add(x)
+            if not idle:
+                return found, numbers
+            unknowns = [u for u in unknowns if u not in idle]
+            self.value = self.value.extended({s: Decimal(0) for s in idle})
+
+    def branches(self, targets: set[sp.Symbol], limits: tuple[Condition, ...]) -> Iterator[Sought]:
+        """All branches of the plan for these targets; nothing when they are not determined."""
+        candidates, numbers = self.candidates(limits, targets)
+        index = {x: j for j, x in enumerate(numbers.unknowns)}
+        wanted = sum(1 << index[t] for t in targets if t in index)
+        nonlinear = sum(1 << j for x, j in index.items() if x not in self.linear)
+        plan = Planner(candidates, nonlinear).plan(wanted)
+        if plan is None:
+            return
+        writer = Writer(self.system, numbers)
+        work = [(b, tuple(writer.write(e) for e in b.equations)) for b in plan.blocks]
+        explicit = {line.symbol: line.expression for line in writer.lines}
+        kept = {s: v for s, v in self.value.values.items() if s not in numbers.unknowns}
+        algebra = Algebra(Valuation(kept, self.value.definitions), explicit, self.ledger.symbolic, frozenset(numbers.unknowns))
+        angles = frozenset(s for s in numbers.unknowns if self.ledger.units[s].angle and self.ledger.units[s].dimension == PURE)
+        for branch in Brancher(numbers.unknowns, angles, self.ledger.symbolic).run(algebra, work):
+            yield self._judge(branch, plan, writer, numbers.unknowns, limits)
+
+    # --- tests -------------------------------------------------------------------------------------------------------
+
+    def _judge(self, branch: Branch, plan: Plan, writer: Writer, unknowns: tuple[sp.Symbol, ...], limits: tuple[Condition, ...]) -> Sought:
+        """Solve the instant again with the constants known, and test everything."""
+        solved = branch.algebra.value.values
+        constants = {s: solved[s] for s in self.ledger.sought if s in solved}
+        base = self.scene.valuations[0].extended(constants)
+        trial = self.instant.try_choice(self.choice, (base,), given={s: v for s, v in solved.items() if s in self.unknowns})
+        objection = self._wrong_sign(constants) or trial.objection or self._inequalities(trial, solved)
+        return Sought(branch, plan, writer, trial, unknowns, limits, objection)
+
+    def _wrong_sign(self, constants: dict[sp.Symbol, Decimal]) -> str:
+        for s, v in constants.items():
+            unit = self.ledger.units[s]
+            if v < 0 and (unit.dimension == MASS or (unit.dimension == PURE and not unit.angle) or self._is_size(s)):
+                return f"{s.name} can not be negative"
+        return ""
+
+    def _is_size(self, s: sp.Symbol) -> bool:
+        """Does the constant stand for a radius of gyration or a radius?"""
+        exprs = [b.inertia for b in self.scene.bodies.values()]
+        return any(s in sp.sympify(self.ledger.definitions.get(e, e)).free_symbols for e in exprs)
+
+    def _inequalities(self, trial: Trial, solved: dict[sp.Symbol, Decimal]) -> str:
+        quantities = trial.system.quantities()
+        value = trial.outcomes[0].value.extended(solved)
+        for relation in self.instant.statements.inequalities:
+            difference = quantities.evaluator.value(relation.left) - quantities.evaluator.value(relation.right)
+            number = value(difference)
+            holds = {"<": number < 0, ">": number > 0, "<=": number <= 0, ">=": number >= 0}[relation.operator]
+            if not holds:
+                return f"{relation.text} does not hold"
+        return ""
+
+    # --- extremes ----------------------------------------------------------------------------------------------------
+
+    def limit_conditions(self) -> list[Condition]:
+        """Every assumption that could be at its limit, as an equation."""
+        found = []
+        assert self.system.reactions is not None
+        values = {p.name: e for p, e in self.system.reactions.pushes}
+        for mode in self.system.modes.values():
+            for test in mode.tests:
+                if test.pushes and not test.strict:
+                    found.append(_limit(test, values))
+        return found
+
+
+def _limit(test: Test, values: dict[str, sp.Expr]) -> Condition:
+    residual = sp.Add(*(factor * values[name] for name, factor in test.pushes if name in values), test.constant)
+    return Condition("limit", f"at the limit: {test.words}", sp.sympify(residual))
+
+
+def seek(instant: Instant, targets_of: object) -> tuple[Sought, list[Sought]]:
+    """The branch that holds, over all choices of modes in natural order, and those that do not.
+
+    `targets_of(system)`: the symbols that the finds need.
+    """
+    rejected: list[Sought] = []
+    undecided: Undecided | None = None
+    for choice in itertools.islice(instant.choices(), MOST_CHOICES):
+        seeker = Seeker(instant, choice)
+        if seeker.conflict:
+            continue
+        try:
+            found = _best(seeker, targets_of(seeker.system), rejected)  # type: ignore[operator]
+        except Undecided as error:
+            undecided = error
+            continue
+        if found is not None:
+            return found, rejected
+    if undecided is not None:
+        raise undecided
+    mark = instant.scene.problem.find[0].mark
+    reasons = "; ".join(dict.fromkeys(s.objection for s in rejected))
+    raise NoSolution([Diagnostic(mark, "PL601", "no solution is consistent" + (f": {reasons}" if reasons else ""), "one more datum may be needed")])
+
+
+def _best(seeker: Seeker, targets: set[sp.Symbol], rejected: list[Sought]) -> Sought | None:
+    """The branch of one choice of modes that holds (and is extreme, where that is asked)."""
+    extremes = seeker.instant.statements.extremes
+    if not extremes:
+        held = []
+        for sought in seeker.branches(targets, ()):
+            (rejected if sought.objection else held).append(sought)
+        return _preferred(held)
+    quantities = seeker.system.quantities()
+    side = quantities.evaluator.value(extremes[0].side)
+    targets = targets | {s for s in side.free_symbols if s in seeker.unknowns}
+    limits = seeker.limit_conditions()
+    held = []
+    for count in range(1, MOST_LIMITS + 1):
+        for chosen in itertools.combinations(limits, count):
+            for sought in seeker.branches(targets, chosen):
+                sought.objective = sought.trial.outcomes[0].value.extended(sought.branch.algebra.value.values)(side) if sought.trial.outcomes else None
+                (rejected if sought.objection or sought.objective is None else held).append(sought)
+        if held:
+            break
+    if not held:
+        return None
+    best = max(held, key=lambda s: extremes[0].sense * (s.objective or Decimal(0)))
+    return replace(best, others=[s for s in held if s is not best])
+
+
+def _preferred(held: list[Sought]) -> Sought | None:
+    """Of several branches the one with positive (for angles: the smallest) values; the others are kept beside it."""
+    if not held:
+        return None
+
+    def rank(s: Sought) -> tuple[int, Decimal]:
+        values = [c.roots[c.taken].value for c in s.branch.choices]
+        return sum(v < 0 for v in values), sum((abs(v) for v in values), Decimal(0))
+
+    ordered = sorted(held, key=rank)
+    return replace(ordered[0], others=ordered[1:])
