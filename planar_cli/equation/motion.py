@@ -176,11 +176,8 @@ class Motion:
             return
         point, sign = edge.joining.point, -1 if edge.backward else 1
         parent_spin, parent_rate = self.velocities[edge.parent].angular, self.accelerations[edge.parent].angular
-        if edge.particle:
-            parent_rate, omega = ZERO, ZERO
-        else:
-            omega = self._v(edge.spin) if edge.spin is not None else parent_spin
-        alpha = edge.spin_rate if edge.spin_rate is not None else parent_rate
+        omega = ZERO if edge.particle else self._v(edge.spin) if edge.spin is not None else parent_spin
+        alpha = ZERO if edge.particle else edge.spin_rate if edge.spin_rate is not None else parent_rate
         base_spin = omega if edge.backward else parent_spin
         mover_spin = parent_spin if edge.backward else omega
         speed, pace = self._v(edge.slide), edge.slide_rate or ZERO

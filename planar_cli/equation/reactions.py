@@ -31,7 +31,7 @@ class Reactions:
         name = q.things[0]
         if name not in self.joints.values():
             raise refuse(q.mark, "PL557", f"{name} is no joint", "N, friction, reaction, moment and tension take a joint's name")
-        return [(p, e) for p, e in self.pushes if self.joints[p.joint] == name]
+        return [(p, e) for p, e in self.pushes if self.joints.get(p.joint) == name]
 
     def number(self, q: Quantity, kind: str) -> sp.Expr:
         """The normal force or tension of a joint; for a spring, its pull."""
@@ -98,7 +98,7 @@ class Reactions:
                 parts.append(w.couple * motion.velocities[w.body].angular)
         for push, expr in self.pushes:
             for action in push.actions:
-                if name in (self.joints[push.joint], action.body, "all"):
+                if name in (self.joints.get(push.joint), action.body, "all"):
                     if action.force is not None:
                         parts.append(expr * action.force.dot(motion.velocity(action.point, action.body)))
                     parts.append(expr * action.couple * motion.velocities[action.body].angular)

@@ -156,12 +156,12 @@ class System:
 
 
 def make_system(
-    scene: Scene, builder: TreeBuilder, statements: Statements, modes: dict[str, Mode], symbols: dict[str, sp.Symbol], aliases: dict[str, str], plain: frozenset[str]
+    scene: Scene, builder: TreeBuilder, statements: Statements, modes: dict[str, Mode], symbols: dict[str, sp.Symbol], aliases: dict[str, str], plain: frozenset[str], drivers: tuple[Push, ...] = ()
 ) -> System:
     """The equations for one choice of modes; `symbols` keeps the symbol of each push across choices."""
     facts = [mode.facts for mode in modes.values()]
     tree = builder.build(j for f in facts for j in f.joinings)
-    pushes = natural_pushes(scene, facts, plain)
+    pushes = (*natural_pushes(scene, facts, plain), *drivers)
     for push in pushes:
         if push.name not in symbols:
             symbols[push.name] = scene.ledger.fresh(push.name, push.unit)

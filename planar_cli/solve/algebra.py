@@ -12,7 +12,7 @@ from decimal import Decimal
 import sympy as sp
 
 from planar_cli.equation.exact import Valuation
-from planar_cli.equation.form import linear_form
+from planar_cli.equation.form import Nonlinear, linear_form
 from planar_cli.solve.plan import Block
 from planar_cli.solve.write import Written, tidy
 
@@ -81,8 +81,12 @@ class Algebra:
         idle = self.unknowns & residual.free_symbols - set(unknowns) - set(self.value.values)
         if not idle:
             return residual
-        form = linear_form(residual, idle)
-        return form.constant
+        for x in idle:
+            try:
+                residual = linear_form(residual, {x}).constant
+            except Nonlinear:
+                continue
+        return residual
 
     def _solve_for(self, residual: sp.Expr, x: sp.Symbol) -> sp.Expr:
         form = linear_form(residual, {x})

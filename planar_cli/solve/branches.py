@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from decimal import Decimal
 
@@ -55,7 +55,7 @@ class Brancher:
 
     def _block(self, algebra: Algebra, block: Block, written: tuple[Written, ...]) -> Iterator[tuple[Algebra, SolvedBlock, tuple[Choice, ...]]]:
         order = tuple(self.unknowns[j] for j in block.unknowns)
-        residuals = [algebra._residual(w, order) for w in written]
+        residuals = [self._opened(algebra._residual(w, order), algebra, order) for w in written]
         if self._linear(residuals, order):
             after = copied(algebra)
             yield after, after.solve(block, written, self.unknowns), ()
@@ -64,13 +64,24 @@ class Brancher:
         yield from self._nonlinear(algebra, residuals, written, order, letters)
 
     @staticmethod
+    def _opened(residual: sp.Expr, algebra: Algebra, order: tuple[sp.Symbol, ...]) -> sp.Expr:
+        """Named intermediates that hold an unknown of the block are put in."""
+        definitions = algebra.value.definitions
+        for _ in range(20):
+            inside = {s: definitions[s] for s in residual.free_symbols if s in definitions and holds(definitions, s, set(order))}
+            if not inside:
+                return residual
+            residual = residual.xreplace(inside)
+        return residual
+
+    @staticmethod
     def _linear(residuals: list[sp.Expr], order: tuple[sp.Symbol, ...]) -> bool:
         try:
             for r in residuals:
                 linear_form(r, set(order))
         except Nonlinear:
             return False
-        return not any(s in d.free_symbols for r in residuals for s in order for d in ())
+        return True
 
     def _nonlinear(
         self, algebra: Algebra, residuals: list[sp.Expr], written: tuple[Written, ...], order: tuple[sp.Symbol, ...], letters: tuple[sp.Symbol, ...]
@@ -122,6 +133,14 @@ class Brancher:
             algebra.formulas[line.symbol] = line.formula
             found.append(Line(line.symbol, line.formula, value, line.equations))
         return found
+
+
+def holds(definitions: Mapping[sp.Symbol, sp.Expr], symbol: sp.Symbol, unknowns: set[sp.Symbol]) -> bool:
+    """Does a named intermediate rest on one of the unknowns?"""
+    expr = definitions.get(symbol)
+    if expr is None:
+        return False
+    return any(s in unknowns or holds(definitions, s, unknowns) for s in expr.free_symbols)
 
 
 def copied(algebra: Algebra) -> Algebra:

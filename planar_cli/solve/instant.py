@@ -12,6 +12,7 @@ import sympy as sp
 
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.ledger import Ledger
+from planar_cli.equation.driving import driving_pushes
 from planar_cli.equation.motion import Motion, TreeBuilder
 from planar_cli.equation.scene import Scene
 from planar_cli.equation.setup import Setup, names_in
@@ -63,6 +64,14 @@ class Instant:
     def at_rest(self) -> bool:
         return None in self.statements.rest
 
+    def add_drivers(self) -> bool:
+        """Let every prescribed motion bring the unknown force or torque that keeps it going. False: there is none to add."""
+        if self.drivers:
+            return False
+        system = self.system(tuple(0 for _ in self.modes))
+        self.drivers = driving_pushes(system, self.free)
+        return bool(self.drivers)
+
     def must_seek(self) -> bool:
         """Are extremes asked for, or constants sought that enter nonlinearly?"""
         if self.statements.extremes:
@@ -99,7 +108,7 @@ class Instant:
     def system(self, choice: tuple[int, ...]) -> System:
         """The equations of one choice of modes."""
         modes = {j.name: found[i] for (j, found), i in zip(self.modes, choice, strict=True)}
-        return make_system(self.scene, self.builder, self.statements, modes, self.symbols, self.aliases, self.plain)
+        return make_system(self.scene, self.builder, self.statements, modes, self.symbols, self.aliases, self.plain, self.drivers)
 
     def choices(self) -> Iterator[tuple[int, ...]]:
         """All choices, the natural assumptions first: by how many joints depart from their first mode."""
@@ -121,7 +130,9 @@ class Instant:
         velocities = tuple(solve_velocities(system, v, self.at_rest, given is None, self._speeds(system, given)) for v in valuations)
         if any(v.conflict for v in velocities):
             return Trial(choice, system, velocities, (), "velocities")
-        outcomes = tuple(accelerate(system, vel, v, self.free, self.drivers, given or {}) for vel, v in zip(velocities, valuations, strict=True))
+        if any(v.free for v in velocities):
+            return Trial(choice, system, velocities, (), "velocities are open")
+        outcomes = tuple(accelerate(system, vel, v, self.free, given or {}) for vel, v in zip(velocities, valuations, strict=True))
         for outcome in outcomes:
             moving = self._moves_otherwise(system, outcome)
             if moving:

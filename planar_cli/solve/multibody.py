@@ -22,7 +22,7 @@ from planar_cli.equation.exact import ZERO
 from planar_cli.equation.form import linear_form
 from planar_cli.equation.motion import Motion
 from planar_cli.equation.system import System
-from planar_cli.problem.facts import Action, Push, Wrench
+from planar_cli.problem.facts import Action, Wrench
 from planar_cli.problem.geometry import Vec
 from planar_cli.solve.instant import distinct
 from planar_cli.solve.poses import NearPoses, Place

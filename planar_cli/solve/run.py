@@ -9,12 +9,14 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.setup import Earlier, first_unit
+from planar_cli.errors import NoSolution
 from planar_cli.problem.scene import Find, Problem
 from planar_cli.solve.finish import Finisher
 from planar_cli.equation.system import System
 from planar_cli.solve.diagnose import explain_failure
 from planar_cli.solve.instant import Instant, Trial, make_instant, search_modes
 from planar_cli.solve.seek import seek
+from planar_cli.solve.states import solve_states
 from planar_cli.solve.solution import Found, InstantSolution, PartSolution, Solution
 
 
@@ -40,9 +42,7 @@ def solve_part(problem: Problem, case: str, units: dict[str, str], earlier: dict
     """One part: one instant, or several that are each complete in themselves."""
     always = tuple(law.statement for law in problem.motion)
     if problem.states:
-        from planar_cli.solve.states import solve_states
-
-        return solve_states(problem, case, always, units, earlier)
+        return solve_states(problem, case, always, units, earlier, solve_instant)
     solution, found = solve_instant(problem, always, problem.instant or (), problem.find, units, earlier, problem.instant is None)
     return PartSolution(case, (solution,), tuple(found))
 
@@ -52,10 +52,19 @@ def solve_instant(
 ) -> tuple[InstantSolution, list[Found]]:
     """One instant."""
     instant = make_instant(problem, always, now, earlier, open_form)
+    try:
+        return _solve(instant, finds, units, state)
+    except NoSolution:
+        if not instant.add_drivers():
+            raise
+    return _solve(instant, finds, units, state)
+
+
+def _solve(instant: Instant, finds: tuple[Find, ...], units: dict[str, str], state: str) -> tuple[InstantSolution, list[Found]]:
     if instant.must_seek():
         return _seek(instant, finds, units, state)
     held, rejected = search_modes(instant, instant.scene.valuations)
-    if any(v.free for t in held for v in t.velocities):
+    if not held and any(t.objection == "velocities are open" for t in rejected):
         return _seek(instant, finds, units, state)
     if not held:
         raise explain_failure(instant, rejected, finds)

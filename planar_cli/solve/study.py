@@ -14,7 +14,7 @@ from planar_cli.equation.form import Form, Nonlinear, linear_form
 from planar_cli.equation.motion import Motion
 from planar_cli.equation.moving import all_wrenches
 from planar_cli.equation.system import System
-from planar_cli.problem.facts import Push, Test, Wrench
+from planar_cli.problem.facts import Test, Wrench
 from planar_cli.problem.geometry import Vec
 from planar_cli.solve.assembly import Assembly, Twist
 from planar_cli.solve.linear import Row, Solved, solve
@@ -63,7 +63,7 @@ def solve_velocities(system: System, value: Valuation, at_rest: bool, seek: bool
         factors, rest = solved.conflict
         conflict = ([(c, f) for c, f in zip(sources, factors, strict=True) if f], rest)
     values = dict(zip(columns, solved.values, strict=True))
-    free = () if at_rest and not nonlinear else tuple(columns[j] for j in solved.null)
+    free = () if (at_rest and not nonlinear) or given is not None else tuple(columns[j] for j in solved.null)
     loose = {columns[j]: tuple(x for x, v in zip(columns, vector, strict=True) if v) for j, vector in solved.null.items()} if free else {}
     if free:
         for j in range(len(columns)):
@@ -117,11 +117,11 @@ class Outcome:
         return self.solved.values[column] if self.solved.unique(column) else None
 
 
-def accelerate(system: System, velocities: Velocities, value: Valuation, free: Motion, drivers: tuple[Push, ...], constants: dict[sp.Symbol, Decimal]) -> Outcome:
+def accelerate(system: System, velocities: Velocities, value: Valuation, free: Motion, constants: dict[sp.Symbol, Decimal]) -> Outcome:
     """Accelerations and pushes of a system whose velocities are settled.
 
-    `free`: a motion in which no body hangs on another; the file's own relations are read in it. `drivers`: unknown pushes
-    that keep a prescribed motion going.
+    `free`: a motion in which no body hangs on another; the file's own relations are read in it. `constants`: sought
+    constants that are settled.
     """
     scene = system.scene
     numbers = value.extended(velocities.values)
@@ -144,7 +144,7 @@ def accelerate(system: System, velocities: Velocities, value: Valuation, free: M
             assembly.rows.append(assembly.row(row))
             assembly.sources.append(row.title)
     sought = set(scene.ledger.sought) - set(constants)
-    add_loads(assembly, system, wrenches, drivers, sought)
+    add_loads(assembly, system, wrenches, sought)
     add_given(assembly, system, free, sought)
     for law in system.laws:
         line = {assembly.column(law.push): ONE}
@@ -156,7 +156,7 @@ def accelerate(system: System, velocities: Velocities, value: Valuation, free: M
     return Outcome(assembly, solved, failing(system, assembly, solved), numbers)
 
 
-def add_loads(assembly: Assembly, system: System, wrenches: tuple[Wrench, ...], drivers: tuple[Push, ...], sought: set[sp.Symbol]) -> None:
+def add_loads(assembly: Assembly, system: System, wrenches: tuple[Wrench, ...], sought: set[sp.Symbol]) -> None:
     """Kinetics of all bodies; sought magnitudes of loads are columns of their own."""
     scene = system.scene
     known: list[Wrench] = []
@@ -169,7 +169,7 @@ def add_loads(assembly: Assembly, system: System, wrenches: tuple[Wrench, ...], 
             parts = [f.terms.get(s, sp.S.Zero) for f in forms]
             unknown.append((s.name, Wrench(w.name, w.kind, w.body, w.point, Vec(parts[0], parts[1]), parts[2])))
     masses = {name: (b.mass, b.inertia) for name, b in scene.bodies.items()}
-    assembly.kinetics(masses, (*system.pushes, *drivers), tuple(known), tuple(unknown))
+    assembly.kinetics(masses, system.pushes, tuple(known), tuple(unknown))
 
 
 def add_given(assembly: Assembly, system: System, free: Motion, sought: set[sp.Symbol]) -> None:

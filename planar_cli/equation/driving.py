@@ -1,0 +1,47 @@
+"""The force or torque that keeps a prescribed motion going."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from planar_cli.equation.conditions import ACCELERATION, order, stated
+from planar_cli.equation.form import linear_form
+from planar_cli.equation.motion import Motion
+from planar_cli.equation.system import System
+from planar_cli.problem.facts import Action, Push
+from planar_cli.problem.geometry import Vec
+
+
+def driving_pushes(system: System, free: Motion) -> tuple[Push, ...]:
+    """One unknown push for each law of `motion`: it does work through that motion alone.
+
+    `free`: a motion in which no body hangs on another; the law's coefficients there are the push's components.
+    """
+    system.settle({}, ())
+    quantities = system._quantities(free, system.reactions)
+    names = {s.name for s in system.scene.ledger.coordinates}
+    parts: dict[sp.Symbol, tuple[str, str]] = {}
+    for edge in free.tree.edges:
+        for symbol, part in ((edge.slide_rate, "x"), (edge.rise_rate, "y"), (edge.spin_rate, "turn")):
+            if symbol is not None:
+                parts[symbol] = (edge.body, part)
+    found = []
+    for relation, always in system.statements.relations:
+        if not always or order(relation, names) > 1:
+            continue
+        for condition in stated([(relation, True)], quantities, quantities.evaluator, names, ACCELERATION):
+            for expr in condition.rows():
+                form = linear_form(expr, parts)
+                actions = _actions(system, {parts[s]: c for s, c in form.terms.items()})
+                if actions:
+                    found.append(Push(f"drive_{len(found) + 1}", "drive", "", relation.text, actions))
+    return tuple(found)
+
+
+def _actions(system: System, terms: dict[tuple[str, str], sp.Expr]) -> tuple[Action, ...]:
+    bodies = dict.fromkeys(b for b, _ in terms)
+    zero = sp.S.Zero
+    return tuple(
+        Action(b, system.scene.center(b), Vec(terms.get((b, "x"), zero), terms.get((b, "y"), zero)), terms.get((b, "turn"), zero))
+        for b in bodies
+    )
