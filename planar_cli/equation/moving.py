@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any
 
 import sympy as sp
@@ -10,9 +11,9 @@ from planar_cli.equation.evaluate import Evaluator, refuse
 from planar_cli.equation.motion import Motion
 from planar_cli.equation.quantities import Quantities
 from planar_cli.equation.scene import Scene
-from planar_cli.errors import Mark
+from planar_cli.errors import Mark, Undecided
 from planar_cli.problem.expression import Name, Relation, Side, Statement
-from planar_cli.problem.facts import Wrench
+from planar_cli.problem.facts import Skid, Wrench
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.keys import Table
 from planar_cli.registry import members
@@ -35,6 +36,13 @@ class Moving:
 
     def is_zero(self, expr: Any) -> bool:
         return expr == 0 or bool(self._numbers.is_zero(expr))
+
+    def length(self, v: Vec) -> sp.Expr:
+        """|v| of a vector that may hold velocities."""
+        for one, other in ((v.x, v.y), (v.y, v.x)):
+            if self.is_zero(other):
+                return one if self.sign(one) >= 0 else -one
+        return sp.sqrt(v.dot(v))
 
     def velocity(self, point: Vec, body: str) -> Vec:
         return self._motion.velocity(point, body)
@@ -64,8 +72,8 @@ class Moving:
         return expr
 
 
-def all_wrenches(scene: Scene, motion: Motion, numbers: Any) -> tuple[Wrench, ...]:
-    """Weights of all bodies and every load of the file."""
+def all_wrenches(scene: Scene, motion: Motion, numbers: Any, skids: Iterable[Skid] = ()) -> tuple[Wrench, ...]:
+    """Weights of all bodies, every load of the file, and the friction of bodies that skid."""
     setting = Moving(scene, motion, numbers)
     weight = members("loads")["weight"]
     found: list[Wrench] = []
@@ -73,4 +81,23 @@ def all_wrenches(scene: Scene, motion: Motion, numbers: Any) -> tuple[Wrench, ..
         found += weight(name=body.name, during=None, mark=body.mark).wrenches(setting)
     for load in scene.problem.loads:
         found += load.wrenches(setting)  # type: ignore[arg-type]
+    for skid in skids:
+        found += _skid(skid, setting, found)
     return tuple(found)
+
+
+def _skid(skid: Skid, setting: Moving, others: list[Wrench]) -> list[Wrench]:
+    """Friction against the relative velocity; from rest, against what pushes the body."""
+    relative = setting.velocity(skid.point, skid.body) - setting.velocity(skid.point, skid.base)
+    if not setting.is_zero(setting.turn(skid.body) - setting.turn(skid.base)):
+        raise Undecided(f"{skid.body} turns on {skid.base} as it slides: how the pressure is spread is not known")
+    if setting.is_zero(relative.dot(relative)):
+        pushing = Vec(sp.S.Zero, sp.S.Zero)
+        for w in others:
+            if w.body == skid.body and w.force is not None:
+                pushing = pushing + w.force
+        if setting.is_zero(pushing.dot(pushing)):
+            return []
+        relative = pushing
+    force = -relative * (skid.size / setting.length(relative))
+    return [Wrench(skid.joint, "skid", skid.body, skid.point, force, 0, skid.size)]

@@ -253,6 +253,10 @@ class Scene:
         """How many contacts the same two partners have."""
         return sum(set(getattr(j, "between", ())) == {a, b} and j.kind == "contact" for j in self.problem.joints)
 
+    def heaviness(self, body: str) -> sp.Expr:
+        """m g of a body, also in a horizontal plane, where it presses on what it lies on."""
+        return self.bodies[body].mass * self.ledger.symbols["g"]
+
     def root(self, square: Any) -> sp.Expr:
         return sp.sqrt(square)
 

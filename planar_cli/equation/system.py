@@ -21,7 +21,7 @@ from planar_cli.equation.quantities import Quantities
 from planar_cli.equation.reactions import Reactions
 from planar_cli.equation.scene import Scene
 from planar_cli.problem.expression import AtRest, Equilibrium, Extreme, Quantity, Relation, Statement, Word
-from planar_cli.problem.facts import Law, Mode, Push, Wrench
+from planar_cli.problem.facts import Law, Mode, Push, Skid, Wrench
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,6 +98,10 @@ class System:
         self.motion = Motion(self.tree, self.scene.center, known)
         self.wrenches = wrenches
         self.reactions = self._reactions()
+
+    def skids(self) -> tuple[Skid, ...]:
+        """Bodies that slide on something flat."""
+        return tuple(s for mode in self.modes.values() for s in mode.facts.skids)
 
     def _reactions(self) -> Reactions:
         followers = {law.push: law for law in self.laws}

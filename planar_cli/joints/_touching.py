@@ -23,10 +23,20 @@ class Touching:
         self.mover, self.base = self._roles()
         tangent = self.base.tangent or Vec(1, 0)
         left = tangent.turned()
-        self.outward = self._outward(left)
-        self.normal = left * self.outward
-        self.tangent = -self.normal.turned()
+        self.left = left
+        self._face(self._outward(left))
         self.words = f"{self.mover.body} at {contact.at}"
+
+    def _face(self, outward: int) -> None:
+        """Let the mover be on the left (+1) or right (-1) of the base's tangent."""
+        self.outward = outward
+        self.normal = self.left * outward
+        self.tangent = -self.normal.turned()
+
+    @property
+    def either_side(self) -> bool:
+        """A particle drawn on a fixed circle may be inside or outside: the side on which it presses counts."""
+        return self.base.kind == "arc" and self.base.body == "ground" and self.mover.kind == "corner" and not self.scene.rigid(self.mover.body)
 
     @property
     def smooth(self) -> bool:
@@ -183,14 +193,16 @@ class Touching:
     # --- modes -------------------------------------------------------------------------------------------------------
 
     def modes(self) -> tuple[Mode, ...]:
-        found: list[Mode] = []
-        if not self.smooth:
-            found.append(self._stick())
-        found.extend(self._slips())
-        if self.face:
-            found.extend(self._tips())
-        found.append(self._apart())
-        return tuple(found)
+        found = self._pressing()
+        if self.either_side:
+            self._face(-self.outward)
+            found += self._pressing()
+            self._face(-self.outward)
+        return (*found, self._apart())
+
+    def _pressing(self) -> list[Mode]:
+        stick = [] if self.smooth else [self._stick()]
+        return [*stick, *self._slips(), *(self._tips() if self.face else [])]
 
     def _stick(self) -> Mode:
         joining = self._sticking_joining()

@@ -10,7 +10,7 @@ from planar_cli.joints.base import Joint
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.residuals import Residual
 from planar_cli.problem.setting import Setting
-from planar_cli.problem.facts import Action, Anchor, Facts, Joining, Mode, Pull, Push, Row, Test
+from planar_cli.problem.facts import Action, Anchor, Facts, Joining, Mode, Pull, Push, Row, Skid, Test
 from planar_cli.problem.expression import Side
 from planar_cli.problem.keys import PartnersKey, SideKey, key
 
@@ -57,14 +57,35 @@ class Flat(Joint):
     mu: Side = key(SideKey("1"), "coefficient of friction; 0 is smooth")
 
     def modes(self, scene: Setting) -> tuple[Mode, ...]:
-        """PLACEHOLDER"""
-        return (Mode("slip", "", Facts()),)
+        """The pressure carries the weight; friction holds the body, or acts at its mass centre against its sliding."""
+        body, base = (scene.carrier(b) for b in self.between)
+        point, place = scene.center(body), scene.center_name(body)
+        size = scene.value(self.mu) * scene.heaviness(body)
+        if scene.is_zero(size):
+            return (Mode("slip", f"{body} slides freely on {base}", Facts()),)
+        pushes = [self._push(axis, body, base, point, d) for axis, d in (("x", Vec(1, 0)), ("y", Vec(0, 1)))]
+        if scene.rigid(body):
+            actions = (Action(body, point, None, 1), Action(base, point, None, -1))
+            pushes.append(Push(f"M_{self.name}", "couple", self.name, place, actions, "N*m"))
+        sliding = tuple(
+            Row(self.name, f"{body} does not slide on {base}", (Pull(Anchor(body, point), d), Pull(Anchor(base, point), -d)))
+            for d in (Vec(1, 0), Vec(0, 1))
+        )
+        held = Facts((Joining(self.name, body, base, point, place, turns=False),), pushes=tuple(pushes))
+        within = Test(self.name, f"friction of {body} within its limit", constant=size, within=(pushes[0].name, pushes[1].name))
+        slipping = Facts(skids=(Skid(self.name, body, base, point, size),))
+        return (
+            Mode("stick", f"{body} does not slide on {base}", held, (within,), sliding[0], touching=Facts()),
+            Mode("slip", f"{body} slides on {base}", slipping, (), None),
+        )
+
+    def _push(self, axis: str, body: str, base: str, point: Vec, direction: Vec) -> Push:
+        actions = (Action(body, point, direction), Action(base, point, -direction))
+        return Push(f"F_{self.name}_{axis}", "friction", self.name, self.name, actions)
 
     def residuals(self, scene: Setting, mode: Mode) -> tuple[Residual, ...]:
         if mode.name != "stick":
             return ()
-        body, base = (scene.carrier(p) for p in self.between)
+        body, base = (scene.carrier(b) for b in self.between)
         found = (together(f"{self.name}: place", body, base, scene.center(body)),)
-        if not (scene.rigid(body) and scene.rigid(base)):
-            return found
-        return (*found, same_turn(f"{self.name}: angle", body, base))
+        return (*found, same_turn(f"{self.name}: angle", body, base)) if scene.rigid(body) and scene.rigid(base) else found

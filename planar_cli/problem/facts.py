@@ -148,10 +148,21 @@ class Wrench:
 
 
 @dataclass(frozen=True, slots=True)
+class Skid:
+    """Dry friction of a fixed size on `body` at a point, against its velocity over `base`."""
+
+    joint: str
+    body: str
+    base: str
+    point: Vec
+    size: Any
+
+
+@dataclass(frozen=True, slots=True)
 class Test:
     """A condition that an assumption must pass: Σ coefficient · push + constant ≥ 0, or > 0 when strict.
 
-    Instead of pushes it may measure an acceleration: sense · (that of the row), or sense · (that across the path of the
+    `within`: pushes at right angles whose resultant may not exceed the constant. Instead of pushes it may measure an acceleration: sense · (that of the row), or sense · (that across the path of the
     joining, along k × tangent).
     """
 
@@ -163,6 +174,7 @@ class Test:
     joining: Joining | None = None
     sense: int = 1
     strict: bool = False
+    within: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -173,7 +185,7 @@ class Facts:
     rows: tuple[Row, ...] = ()
     pushes: tuple[Push, ...] = ()
     laws: tuple[Law, ...] = ()
-    wrenches: tuple[Wrench, ...] = ()
+    skids: tuple[Skid, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

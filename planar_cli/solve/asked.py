@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from planar_cli.problem.expression import Quantity, Relation
+from planar_cli.problem.expression import Name, Quantity, Relation, Side
+from planar_cli.problem.walk import walk
 
 
 def quantities_in(side: Any) -> list[Quantity]:
@@ -19,3 +20,8 @@ def quantities_in(side: Any) -> list[Quantity]:
         if inner is not None and not isinstance(inner, str):
             found += quantities_in(inner)
     return found
+
+
+def names_anywhere(side: Side) -> set[str]:
+    """All bare names of a side, also inside quantities and directions."""
+    return {node.name for node in walk(side) if isinstance(node, Name)}

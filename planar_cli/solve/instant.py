@@ -21,7 +21,7 @@ from planar_cli.joints.base import Joint
 from planar_cli.problem.facts import Mode, Push, Test
 from planar_cli.problem.keys import keys_of
 from planar_cli.problem.scene import Problem
-from planar_cli.solve.asked import quantities_in
+from planar_cli.solve.asked import names_anywhere, quantities_in
 from planar_cli.solve.study import Outcome, Velocities, accelerate, solve_velocities
 
 MOST_MODES = 400
@@ -91,7 +91,7 @@ class Instant:
                 return False
         for relation, _ in self.statements.relations:
             for side in (relation.left, relation.right):
-                if any(ledger.symbols.get(n) in ledger.sought for n in names_in(side)):
+                if any(ledger.symbols.get(n) in ledger.sought for n in names_anywhere(side)):
                     return False
         return self._loads_linear()
 

@@ -12,7 +12,7 @@ couple of every joint on every body.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from decimal import Decimal
 
@@ -58,7 +58,7 @@ class Agreement:
 
 @dataclass(slots=True)
 class Tie:
-    """One scalar residual of a joint: its jet, the column of its multiplier, and the friction that a unit of it brings."""
+    """One scalar residual of a joint: its jet, the column of its multiplier, the friction that a unit of it brings."""
 
     joint: str
     title: str
@@ -114,11 +114,10 @@ class Multibody:
 
     def rates(self) -> Decimal:
         """The largest rate of a residual, relative to the size of its terms."""
-        speeds: dict[int, Decimal] = {}
+        speeds: Slopes = {}
         for place in self.places.values():
-            for column, speed in zip(place.columns, (place.velocity.x, place.velocity.y, place.spin), strict=True):
-                if column is not None:
-                    speeds[column] = speed
+            own = zip(place.columns, (place.velocity.x, place.velocity.y, place.spin), strict=True)
+            speeds |= {column: speed for column, speed in own if column is not None}
         largest = ZERO
         for tie in self.ties:
             size = sum((abs(s * speeds[i]) for i, s in tie.jet.slopes.items()), abs(tie.jet.rate))
@@ -246,7 +245,9 @@ class Multibody:
         velocities = self.rates()
         self.drawn()
         digits = FULL
-        for group in (self._accelerations(0), self._accelerations(2), self._joint_forces(False), self._joint_forces(True)):
+        for group in (self._accelerations(PARTS[:2]), self._accelerations(PARTS[2:])):
+            digits = min(digits, self._compare(group))
+        for group in (self._joint_forces(PARTS[:2]), self._joint_forces(PARTS[2:])):
             digits = min(digits, self._compare(group))
         return Agreement(velocities, digits, tuple(self.notes))
 
@@ -263,39 +264,43 @@ class Multibody:
             fewest = min(fewest, digits)
         return fewest
 
-    def _accelerations(self, first: int) -> list[tuple[str, Decimal, Line]]:
-        """a_x and a_y of all mass centres (`first` 0), or α of all bodies (`first` 2)."""
+    def _accelerations(self, parts: Sequence[str]) -> list[tuple[str, Decimal, Line]]:
+        """a_x and a_y of all mass centres, or α of all bodies."""
         found = []
         for name, place in self.places.items():
-            a, alpha = self.worked.accelerations[name]
-            for k, value in ((0, a.x), (1, a.y)) if first == 0 else ((2, alpha),):
-                column = place.columns[k]
-                if column is not None:
-                    title = f"alpha of {name}" if k == 2 else f"a_{PARTS[k]} of {name}"
+            linear, angular = self.worked.accelerations[name]
+            for part, column, value in zip(PARTS, place.columns, (linear.x, linear.y, angular), strict=True):
+                if column is not None and part in parts:
+                    title = f"alpha of {name}" if part == "turn" else f"a_{part} of {name}"
                     found.append((title, value, {column: ONE}))
         return found
 
-    def _joint_forces(self, couples: bool) -> list[tuple[str, Decimal, Line]]:
+    def _joint_forces(self, parts: Sequence[str]) -> list[tuple[str, Decimal, Line]]:
         """The force of every joint on every body, or its moment about the mass centre."""
         found = []
         for joint in self.system.modes:
-            ours: Slopes = {}
-            for push in (p for p in self.system.pushes if p.joint == joint):
-                for i, c in self.push(push.actions, self.worked.pushes[push.name]).items():
-                    ours[i] = ours.get(i, ZERO) + c
+            ours = self._worked_force(joint)
             ties = [t for t in self.ties if t.joint == joint]
             for name, place in self.places.items():
                 for part, column in zip(PARTS, place.columns, strict=True):
-                    if column is None or (part == "turn") != couples:
+                    if column is None or part not in parts:
                         continue
                     line = {t.column: t.jet.slopes.get(column, ZERO) + t.friction.get(column, ZERO) for t in ties}
                     line = {j: c for j, c in line.items() if c}
-                    if not line and column not in ours:
-                        continue
-                    line[CONSTANT] = self.known.get(joint, {}).get(column, ZERO)
-                    title = f"{'moment' if couples else 'force along ' + part} of {joint} on {name}"
-                    found.append((title, ours.get(column, ZERO), line))
+                    if line or column in ours:
+                        line[CONSTANT] = self.known.get(joint, {}).get(column, ZERO)
+                        what = "moment" if part == "turn" else f"force along {part}"
+                        found.append((f"{what} of {joint} on {name}", ours.get(column, ZERO), line))
         return found
+
+    def _worked_force(self, joint: str) -> Slopes:
+        """The generalized force of a joint as the worked solution has it."""
+        total: Slopes = {}
+        for push in self.system.pushes:
+            if push.joint == joint:
+                for i, c in self.push(push.actions, self.worked.pushes[push.name]).items():
+                    total[i] = total.get(i, ZERO) + c
+        return total
 
 
 def tidied(jet: TimeJet) -> TimeJet:

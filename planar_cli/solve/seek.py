@@ -73,7 +73,7 @@ class Seeker:
         self.system.settle(self.still, ())
         numbers = base.extended({**{s: Decimal(0) for s in still}, **found[0].values})
         assert self.system.motion is not None
-        self.system.settle(self.still, all_wrenches(self.scene, self.system.motion, numbers))
+        self.system.settle(self.still, all_wrenches(self.scene, self.system.motion, numbers, self.system.skids()))
         self.unknowns = self._unknowns(still)
         self.conditions = self._conditions()
         self.linear = self._linear()
@@ -94,9 +94,12 @@ class Seeker:
     def _linear(self) -> frozenset[sp.Symbol]:
         """The unknowns in which every equation is linear, whatever the others are."""
         exprs = [e for c in self.conditions for e in c.rows()]
+        exprs += [e for c in self.limit_conditions() for e in c.rows()]
         exprs += [e for b in self.scene.bodies for e in body_residuals(self.system, b)]
         sure = set(acceleration_unknowns(self.system)) - set(self.ledger.sought)
         hidden = self._hidden()
+        for e in exprs:
+            sure -= {s for s in e.free_symbols & sure if not self._enters_linearly(s, [e], set())}
         for s in self.ledger.sought:
             if s not in hidden and self._enters_linearly(s, exprs, sure):
                 sure.add(s)
@@ -130,10 +133,10 @@ class Seeker:
 
     def candidates(self, limits: tuple[Condition, ...], targets: set[sp.Symbol]) -> tuple[list[Candidate], Numbers]:
         """All candidates; what vanishes at sight leaves first."""
-        unknowns = list(self.unknowns)
+        unknowns, value = list(self.unknowns), self.value
         kinetics = any(b.mass != 0 for b in self.scene.bodies.values()) or bool(self.system.wrenches)
         while True:
-            numbers = Numbers(tuple(unknowns), self.linear & set(unknowns), self.value)
+            numbers = Numbers(tuple(unknowns), self.linear & set(unknowns), value)
             found = Offers(self.system, numbers, [*self.conditions, *limits], kinetics).all()
             idle = set()
             for c in found:
@@ -144,7 +147,7 @@ class Seeker:
             if not idle:
                 return found, numbers
             unknowns = [u for u in unknowns if u not in idle]
-            self.value = self.value.extended({s: Decimal(0) for s in idle})
+            value = value.extended({s: Decimal(0) for s in idle})
 
     def branches(self, targets: set[sp.Symbol], limits: tuple[Condition, ...]) -> Iterator[Sought]:
         """All branches of the plan for these targets; nothing when they are not determined."""
@@ -158,8 +161,8 @@ class Seeker:
         writer = Writer(self.system, numbers)
         work = [(b, tuple(writer.write(e) for e in b.equations)) for b in plan.blocks]
         explicit = {line.symbol: line.expression for line in writer.lines}
-        kept = {s: v for s, v in self.value.values.items() if s not in numbers.unknowns}
-        algebra = Algebra(Valuation(kept, self.value.definitions), explicit, self.ledger.symbolic, frozenset(numbers.unknowns))
+        kept = {s: v for s, v in numbers.value.values.items() if s not in numbers.unknowns}
+        algebra = Algebra(Valuation(kept, numbers.value.definitions), explicit, self.ledger.symbolic, frozenset(numbers.unknowns))
         angles = frozenset(s for s in numbers.unknowns if self.ledger.units[s].angle and self.ledger.units[s].dimension == PURE)
         for branch in Brancher(numbers.unknowns, angles, self.ledger.symbolic).run(algebra, work):
             yield self._judge(branch, plan, writer, numbers.unknowns, limits)
@@ -207,12 +210,15 @@ class Seeker:
         values = {p.name: e for p, e in self.system.reactions.pushes}
         for mode in self.system.modes.values():
             for test in mode.tests:
-                if test.pushes and not test.strict:
+                if (test.pushes or test.within) and not test.strict:
                     found.append(_limit(test, values))
         return found
 
 
 def _limit(test: Test, values: dict[str, sp.Expr]) -> Condition:
+    if test.within:
+        square = sp.Add(*(values[n] ** 2 for n in test.within)) - test.constant**2
+        return Condition("limit", f"at the limit: {test.words}", square)
     residual = sp.Add(*(factor * values[name] for name, factor in test.pushes if name in values), test.constant)
     return Condition("limit", f"at the limit: {test.words}", sp.sympify(residual))
 

@@ -1,4 +1,4 @@
-"""Sparse linear equations in sixty-digit numbers, for the independent check: what they determine, and what they contradict.
+"""Sparse linear equations in sixty-digit numbers, for the independent check: what they determine and contradict.
 
 An equation is {column: coefficient}, with the constant at column -1: Σ coefficient · x + constant = 0.
 """
@@ -20,7 +20,6 @@ class Echelon:
     """Equations in the order in which they were added, each free of the leading unknowns of those before it."""
 
     pivots: list[tuple[int, Line]] = field(default_factory=list)
-    _leads: set[int] = field(default_factory=set)
 
     def reduced(self, line: Line) -> Line:
         """What an expression becomes when every leading unknown is replaced; what has cancelled is left out."""

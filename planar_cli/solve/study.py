@@ -128,7 +128,7 @@ def accelerate(system: System, velocities: Velocities, value: Valuation, free: M
     zero = {s: sp.S.Zero for s, v in velocities.values.items() if not v}
     system.settle(zero, ())
     assert system.motion is not None
-    wrenches = all_wrenches(scene, system.motion, numbers)
+    wrenches = all_wrenches(scene, system.motion, numbers, system.skids())
     system.settle(zero, wrenches)
     twists: dict[str, Twist] = {}
     centers: dict[str, Vec] = {}
@@ -225,6 +225,10 @@ def _holds(value: Decimal, strict: bool) -> bool:
 
 def _measure(test: Test, assembly: Assembly, solved: Solved) -> tuple[Decimal, dict[int, Decimal]]:
     """The value of a test and its slopes along what is free."""
+    if test.within:
+        limit = assembly.value(test.constant)
+        parts = [solved.values[assembly.columns[n]] for n in test.within]
+        return ONE - sum((p * p for p in parts), ZERO) / limit**2, {}
     line: dict[int, Decimal] = {-1: certain(sp.sympify(test.constant), assembly.value)}
     for name, factor in test.pushes:
         column = assembly.columns.get(name)

@@ -78,7 +78,7 @@ def _accelerations(system: System, outcome: Outcome) -> dict[str, Twist]:
 
 
 def unknowns_of(system: System, outcome: Outcome) -> dict[sp.Symbol, Decimal]:
-    """The unknowns of the tree, of pushes, of coordinates and sought loads, as the numbers of one choice of modes say."""
+    """The unknowns of the tree, of pushes, coordinates and sought loads, as the numbers of one choice of modes say."""
     columns, values = outcome.assembly.columns, outcome.solved.values
     accelerations = _accelerations(system, outcome)
     found: dict[sp.Symbol, Decimal] = {}

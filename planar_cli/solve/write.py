@@ -124,11 +124,22 @@ class Writer:
         for unknown in dict.fromkeys((*form_x.terms, *form_y.terms)):
             parts.append((Vec(form_x.terms.get(unknown, sp.S.Zero), form_y.terms.get(unknown, sp.S.Zero)), unknown))
         if form_x.constant != 0 or form_y.constant != 0:
-            parts.append((Vec(form_x.constant, form_y.constant), sp.S.One))
+            parts.append(self._normal_part(Vec(form_x.constant, form_y.constant)))
         return [self._unit_part(v, size) for v, size in parts]
 
+    def _normal_part(self, v: Vec) -> tuple[Vec, sp.Expr]:
+        """The part that velocities make; ω² is taken out where it is the only one."""
+        speeds = set(self.system.tree.velocity_unknowns()) & (v.x.free_symbols | v.y.free_symbols)
+        if len(speeds) == 1:
+            square = next(iter(speeds)) ** 2
+            arm = Vec(sp.cancel(v.x / square), sp.cancel(v.y / square))
+            if not speeds & (arm.x.free_symbols | arm.y.free_symbols):
+                return arm, square
+        return v, sp.S.One
+
     def _unit_part(self, v: Vec, size: sp.Expr) -> tuple[Vec, sp.Expr]:
-        length = self.system.scene.length(v) if not v.x.has(sp.Add) and not v.y.has(sp.Add) else None
+        known = size != 1 and not v.x.has(sp.Add) and not v.y.has(sp.Add)
+        length = self.system.scene.length(v) if known else None
         if length is None or sp.count_ops(length) > 4:
             return v, size
         return Vec(tidy(v.x / length), tidy(v.y / length)), length * size
