@@ -31,7 +31,7 @@ from planar_cli.problem.scene import (
 )
 from planar_cli.problem.scene import Outline as OutlineShape
 
-WORDY = 10
+WORDY = 4
 """An expression of more operations than this gets a name of its own where it is a coordinate of a point."""
 
 
@@ -104,9 +104,14 @@ class Scene:
 
     def _named(self, value: sp.Expr, name: str) -> sp.Expr:
         """A long coordinate gets a name, unless letters must stay visible in the answer."""
-        if self.ledger.symbolic or sp.count_ops(value) <= WORDY or self.ledger.sought:
+        if self.ledger.symbolic or sp.count_ops(value) <= WORDY or self._moves(value):
             return value
         return self.ledger.define(name, value, "m", f"{name[0]} of {name[2:]}")
+
+    def _moves(self, expr: sp.Expr) -> bool:
+        """Does an expression rest on something that is sought?"""
+        sought = set(self.ledger.sought)
+        return any(s in sought or (s in self.ledger.values and self._moves(self.ledger.values[s])) for s in expr.free_symbols)
 
     def _mark(self, name: str) -> Mark:
         return next((b.mark for b in self.problem.bodies if b.name == name), Mark(self.problem.file, 1, 1))

@@ -266,12 +266,18 @@ def is_negative(expr: Any) -> bool:
     return bool(expr.is_Number and expr.is_negative)
 
 
+_DECIMALS = 6
+_LARGEST_PART = 10_000
+"""A rational that does not end within so many decimals stays a fraction if its parts are smaller than this."""
+
+
 def _rational(value: Any, coefficient: bool) -> Formula:
     """A positive rational: whole, fraction or decimal, whatever is shortest to read."""
     if value.q == 1:
         return Numeral(_digits(value))
     fraction = value.q in _FRACTION_DENOMINATORS and value.p < 100
-    if fraction and (coefficient or value.q % 5):
+    endless = 10**_DECIMALS % value.q != 0 and value.p < _LARGEST_PART and value.q < _LARGEST_PART
+    if endless or (fraction and (coefficient or value.q % 5)):
         return Quotient(Numeral(str(value.p)), Numeral(str(value.q)))
     return Numeral(_digits(value))
 

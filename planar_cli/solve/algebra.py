@@ -17,6 +17,10 @@ from planar_cli.solve.plan import Block
 from planar_cli.solve.write import Written, tidy
 
 
+SHORT = 6
+"""A coefficient of at most so many operations stays a formula while a block is solved."""
+
+
 @dataclass(frozen=True, slots=True)
 class Line:
     """One line of step 3: `symbol` = `formula` = `value`, from equations of these numbers.
@@ -136,7 +140,8 @@ class Algebra:
         value = self.value(expr)
         if not value or self.value.is_zero(expr):
             return sp.S.Zero
-        return sp.Rational(str(value))
+        short = tidy(expr)
+        return short if sp.count_ops(short) <= SHORT else sp.Rational(str(value))
 
     def _letters(self, residuals: list[sp.Expr], letters: tuple[sp.Symbol, ...]) -> dict[sp.Symbol, sp.Expr]:
         """Solve the last equations for the letters by elimination with the largest pivot."""

@@ -3,21 +3,23 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from decimal import Decimal
 from typing import Any
 
 import sympy as sp
 
 from planar_cli.equation.conditions import Condition
-from planar_cli.equation.exact import ZERO
 from planar_cli.equation.motion import Motion
 from planar_cli.equation.system import System
-from planar_cli.problem.facts import Joining
+from planar_cli.problem.facts import Joining, Wrench
 from planar_cli.problem.geometry import Vec
-from planar_cli.problem.scene import GROUND
 from planar_cli.solve.candidates import Candidate, Choice
 from planar_cli.solve.offers import Numbers, line_of
+from planar_cli.solve.plan import bits
 
 LETTERS = "CKQSWZHJ"
+LONGEST = 8
+"""A coefficient of more operations than this is printed as a number."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,6 +64,7 @@ class Writer:
     system: System
     numbers: Numbers
     next_number: int = 1
+    allowed: set[sp.Symbol] = field(default_factory=set)
     lines: list[Explicit] = field(default_factory=list)
     centres: dict[str, tuple[Vec, tuple[sp.Symbol, ...]]] = field(default_factory=dict)
     named: dict[str, list[tuple[Vec, sp.Expr]]] = field(default_factory=dict)
@@ -89,6 +92,31 @@ class Writer:
         if constant != 0 and self.numbers.value.is_zero(constant):
             constant = sp.S.Zero
         return sp.Add(*terms, constant)
+
+    @property
+    def plain(self) -> bool:
+        """May long coefficients be given as numbers? Not where letters stay, or where they hold what is sought."""
+        return not self.system.scene.ledger.symbolic and len(self.numbers.linear) == len(self.numbers.unknowns)
+
+    def short(self, coefficient: sp.Expr) -> sp.Expr:
+        """A coefficient in its plainest form; a long one as a number."""
+        found = tidy(coefficient)
+        if self.plain and not found.is_number and sp.count_ops(found) > LONGEST:
+            return exact_number(self.numbers.value(found))
+        return found
+
+    def shortened(self, expr: sp.Expr) -> sp.Expr:
+        """A known side: powers of speeds stay visible, their long coefficients become numbers."""
+        if not self.plain or sp.count_ops(expr) <= LONGEST:
+            return tidy(expr)
+        speeds = set(self.system.tree.velocity_unknowns())
+        parts: dict[sp.Expr, list[sp.Expr]] = {}
+        for term in sp.Add.make_args(sp.expand(expr)):
+            kept, rest = sp.S.One, term
+            if speeds & term.free_symbols:
+                rest, kept = term.as_independent(*speeds)
+            parts.setdefault(kept, []).append(rest)
+        return sp.Add(*(self.short(sp.Add(*rest)) * kept for kept, rest in parts.items()))
 
     # --- accelerations of mass centres -------------------------------------------------------------------------------
 
@@ -125,7 +153,7 @@ class Writer:
             parts.append((Vec(form_x.terms.get(unknown, sp.S.Zero), form_y.terms.get(unknown, sp.S.Zero)), unknown))
         if form_x.constant != 0 or form_y.constant != 0:
             parts.append(self._normal_part(Vec(form_x.constant, form_y.constant)))
-        return [self._unit_part(v, size) for v, size in parts]
+        return [self._unit_part(Vec(self.short(v.x), self.short(v.y)) if size != 1 else v, size) for v, size in parts]
 
     def _normal_part(self, v: Vec) -> tuple[Vec, sp.Expr]:
         """The part that velocities make; ω² is taken out where it is the only one."""
@@ -135,7 +163,7 @@ class Writer:
             arm = Vec(sp.cancel(v.x / square), sp.cancel(v.y / square))
             if not speeds & (arm.x.free_symbols | arm.y.free_symbols):
                 return arm, square
-        return v, sp.S.One
+        return Vec(self.shortened(v.x), self.shortened(v.y)), sp.S.One
 
     def _unit_part(self, v: Vec, size: sp.Expr) -> tuple[Vec, sp.Expr]:
         known = size != 1 and not v.x.has(sp.Add) and not v.y.has(sp.Add)
@@ -168,6 +196,8 @@ class Writer:
         stem = f"a_{name}" if name else f"a_{body}"
         symbol = scene.ledger.fresh(stem + axis, "m/s^2")
         where = f" along {axis}" if axis else ""
+        form = self.numbers.form(expr)
+        expr = sp.Add(*(self.short(c) * x for x, c in form.terms.items()), self.shortened(form.constant))
         self.lines.append(Explicit(self.number(), symbol, expr, f"acceleration of {name or 'the mass centre of ' + body}{where}"))
         return symbol
 
@@ -179,7 +209,8 @@ class Writer:
     # --- kinetics ----------------------------------------------------------------------------------------------------
 
     def write(self, candidate: Candidate) -> Written:
-        """The equation of a candidate."""
+        """The equation of a candidate; unknowns that it frees itself of are not written."""
+        self.allowed = {self.numbers.unknowns[j] for j in bits(candidate.mask)}
         if candidate.condition is not None:
             return self._relation(candidate.condition, candidate.choice)
         assert candidate.choice is not None
@@ -194,14 +225,14 @@ class Writer:
         for body in bodies:
             mass = self.system.scene.bodies[body].mass
             if mass != 0:
-                right += [mass * component * tidy(direction.dot(d)) for direction, component in self.acceleration(body)]
+                right += [mass * component * self.short(direction.dot(d)) for direction, component in self.acceleration(body)]
         return self._written("force", bodies, choice.name, choice.words, left, self.kept_lines(right))
 
     def _moment(self, bodies: tuple[str, ...], choice: Choice) -> Written:
         center, name = self._centre(bodies, choice)
 
         def moment(point: Vec, force: Vec | None, couple: Any) -> sp.Expr:
-            turning = tidy((point - center).cross(force)) if force is not None else sp.S.Zero
+            turning = (point - center).cross(force) if force is not None else sp.S.Zero
             return turning + couple
 
         left = self._loads(bodies, moment)
@@ -219,7 +250,7 @@ class Writer:
         terms = [] if model.inertia == 0 or alpha == 0 else [model.inertia * alpha]
         if model.mass != 0:
             arm = model.center - center
-            terms += [model.mass * component * tidy(arm.cross(direction)) for direction, component in self.acceleration(body)]
+            terms += [model.mass * component * self.short(arm.cross(direction)) for direction, component in self.acceleration(body)]
         return terms
 
     def _fixed(self, body: str, center: Vec) -> bool:
@@ -253,14 +284,14 @@ class Writer:
             if all(self.numbers.value.is_zero(getattr(known, axis) - getattr(place, axis)) for axis in ("x", "y")):
                 return known, name
         name = next(letter for letter in (*LETTERS, *(f"C_{i}" for i in range(99))) if letter not in self.system.scene.points and letter not in ledger.symbols and letter not in self.centres)
-        place = Vec(*(self._short(getattr(place, axis), f"{axis}_{name}") for axis in ("x", "y")))
+        place = Vec(self._short(place.x), self._short(place.y))
         self.centres[name] = (place, choice.through)
         return place, name
 
-    def _short(self, expr: sp.Expr, name: str) -> sp.Expr:
-        if sp.count_ops(expr) <= 8 or self.system.scene.ledger.symbolic:
+    def _short(self, expr: sp.Expr) -> sp.Expr:
+        if sp.count_ops(expr) <= 3 or not self.plain:
             return expr
-        return self.system.scene.ledger.define(name, expr, "m", f"{name[0]} of the moment centre {name[2:]}")
+        return exact_number(self.numbers.value(expr))
 
     def _loads(self, bodies: tuple[str, ...], part: Any) -> list[sp.Expr]:
         """Every outer force and couple of a group, taken by `part`."""
@@ -268,22 +299,39 @@ class Writer:
         assert self.system.reactions is not None
         for wrench in self.system.wrenches:
             if wrench.body in bodies:
-                terms.append(part(wrench.point, wrench.force, wrench.couple))
+                terms.append(self._load_term(wrench, part))
         pulled: dict[frozenset[sp.Symbol], list[sp.Expr]] = {}
         for push, expr in self.system.reactions.pushes:
             inside = [a for a in push.actions if a.body in bodies]
             if inside:
-                term = expr * tidy(sp.Add(*(part(a.point, a.force, a.couple) for a in inside)))
+                term = expr * self.short(sp.Add(*(part(a.point, a.force, a.couple) for a in inside)))
                 pulled.setdefault(frozenset(expr.free_symbols & set(self.numbers.unknowns)), []).append(term)
-        for together in pulled.values():  # a slipping contact is one line of action: its parts count together
+        for key, together in pulled.items():
+            if key and not key & self.allowed:
+                continue
+            # A slipping contact is one line of action: its parts count together.
             if not self.vanishes(sp.Add(*together)):
                 terms += together
         return self.kept_lines(terms)
 
+    def _load_term(self, wrench: Wrench, part: Any) -> sp.Expr:
+        """What a load contributes: its magnitude times a short coefficient."""
+        if wrench.magnitude != 0 and wrench.force is not None and wrench.couple == 0:
+            direction = Vec(sp.cancel(wrench.force.x / wrench.magnitude), sp.cancel(wrench.force.y / wrench.magnitude))
+            if not (direction.x.free_symbols | direction.y.free_symbols) & wrench.magnitude.free_symbols:
+                return wrench.magnitude * self.short(part(wrench.point, direction, 0))
+        return tidy(part(wrench.point, wrench.force, wrench.couple))
+
     def kept_lines(self, terms: list[sp.Expr]) -> list[sp.Expr]:
         """Drop terms that vanish; explicit lines count with what they stand for."""
         inside = {line.symbol: line.expression for line in self.lines}
-        return [t for t in terms if t != 0 and not self.vanishes(t.xreplace(inside))]
+        unknowns = set(self.numbers.unknowns)
+        kept = []
+        for term in terms:
+            held = term.free_symbols & unknowns
+            if term != 0 and (not held or held & self.allowed) and not self.vanishes(term.xreplace(inside)):
+                kept.append(term)
+        return kept
 
     def _written(self, law: str, bodies: tuple[str, ...], lead: str, words: str, left: list[sp.Expr], right: list[sp.Expr]) -> Written:
         return Written(self.number(), law, bodies, lead, words, sp.Add(*left), sp.Add(*right), "kinetics")
@@ -299,8 +347,8 @@ class Writer:
             residual, words = condition.residual, ""
         residual = self.settled(residual)
         form = self.numbers.form(residual)
-        left = [tidy(c) * x for x, c in form.terms.items()]
-        right = -tidy(form.constant)
+        left = [self.short(c) * x for x, c in form.terms.items()]
+        right = -self.shortened(form.constant)
         if len(left) == 2 and right == 0:
             left, right = [left[0]], -left[1]
         return Written(self.number(), "relation", (), condition.text, words, sp.Add(*left), right, condition.kind)
@@ -326,8 +374,6 @@ def tidy(expr: Any) -> sp.Expr:
     return found
 
 
-def is_ground(body: str) -> bool:
-    return body == GROUND
-
-
-__all__ = ["Explicit", "Writer", "Written", "ZERO", "tidy"]
+def exact_number(value: Decimal) -> sp.Expr:
+    """All digits of a value as a rational."""
+    return sp.Rational(str(value))
