@@ -41,7 +41,7 @@ def worked(path: Path) -> tuple[Solution, tuple[Verdict, ...]]:
     result = _worked(path)
     if result.solution is None:
         assert result.error is not None
-        raise result.error.with_traceback(None)
+        raise result.error
     return result.solution, result.verdicts
 
 

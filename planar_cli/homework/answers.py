@@ -167,7 +167,7 @@ class _Comparison:
 
     def _shown(self, values: tuple[Decimal, ...]) -> str:
         unit = self.found.unit
-        return _listed([f"{display(v, unit):.6g}" for v in values]) + ("" if unit.text == "1" else f" {unit.text}")
+        return _listed([f"{float(display(v, unit)):.6g}" for v in values]) + ("" if unit.text == "1" else f" {unit.text}")
 
 
 def _size(parts: tuple[Decimal, ...]) -> Decimal:

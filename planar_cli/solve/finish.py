@@ -131,8 +131,13 @@ class Finisher:
         return stages
 
     def _values(self, stages: list[Stage]) -> Valuation:
-        value = self.trial.outcomes[0].value
+        outcome = self.trial.outcomes[0]
+        value = outcome.value
         found = dict(value.values)
+        for s in self.ledger.sought:
+            column = outcome.assembly.columns.get(s.name)
+            if column is not None:
+                found[s] = outcome.solved.values[column]
         for stage in stages:
             found.update(stage.algebra.value.values)
         return Valuation(found, value.definitions)

@@ -173,10 +173,10 @@ class Multibody:
                     tie.friction = {i: share * c for i, c in unit.items() if share}
 
     def _loads(self) -> Slopes:
-        """Loads of the file, weights, and what drives a prescribed motion."""
-        found = [w for mode in self.system.modes.values() for w in mode.facts.wrenches if w not in self.system.wrenches]
-        total = self.push((*self.system.wrenches, *found))
-        more = [self.push(d.actions, self.worked.pushes[d.name]) for d in self.worked.drivers]
+        """Loads of the file, weights, and what drives a prescribed motion (pushes that no joint exerts)."""
+        total = self.push(self.system.wrenches)
+        drivers = [p for p in self.system.pushes if p.joint not in self.system.modes]
+        more = [self.push(d.actions, self.worked.pushes[d.name]) for d in drivers]
         for part in (*more, *self.known.values()):
             for i, c in part.items():
                 total[i] = total.get(i, ZERO) + c

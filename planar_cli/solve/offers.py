@@ -186,8 +186,19 @@ class Offers:
             wrench = (rows[0][j], rows[1][j], rows[2][j])
             if wrench[0] or wrench[1]:
                 lines[j] = wrench
-        turning = any(self.scene.rigid(b) for b in bodies)
+        turning = any(self.scene.rigid(b) for b in bodies) and not any(self._pressed_aside(b) for b in bodies)
         return Group(bodies, rows, lines, turning)  # type: ignore[arg-type]
+
+    def _pressed_aside(self, body: str) -> bool:
+        """Does a force act on a particle elsewhere than at its place? It is then held by a couple that nobody asks for."""
+        if self.scene.rigid(body):
+            return False
+        center = self.scene.center(body)
+        points = [a.point for p in self.system.pushes for a in p.actions if a.body == body]
+        return any(not self._same(p, center) for p in points)
+
+    def _same(self, a: Vec, b: Vec) -> bool:
+        return self.scene.is_zero(a.x - b.x) and self.scene.is_zero(a.y - b.y)
 
     def _killable(self, bodies: tuple[str, ...]) -> list[int]:
         """Columns that are drawn as one line: reactions, and the part of m a that has a known direction."""
@@ -237,7 +248,14 @@ class Offers:
     def _moment(self, group: Group, place: Vec, name: str, form: float) -> Candidate | None:
         value = self.numbers.value
         row = combine(group.rows, (value(place.y), -value(place.x), ONE))
+        if self._percussion(group, row):
+            return None
         return priced(group.bodies, None, Choice(True, place, "", (), name), row, form)
+
+    def _percussion(self, group: Group, row: Row) -> bool:
+        """Does inertia cancel about this point? Nobody looks for a centre of percussion to be rid of α."""
+        spins = [self.index[e.spin_rate] for e in self.system.tree.edges if e.spin_rate in self.index]
+        return any(not row[j] and any(r[j] for r in group.rows) for j in spins)
 
     def _named_directions(self, group: Group) -> list[tuple[Vec, str]]:
         """Along and across the paths and contacts of the group's bodies."""
@@ -289,6 +307,8 @@ class Offers:
             return None
         row = combine(group.rows, (y, -x, ONE))
         row[j] = row[k] = ZERO
+        if self._percussion(group, row):
+            return None
         symbols = (self.numbers.unknowns[j], self.numbers.unknowns[k])
         form = c.CONSTRUCTED if max(abs(x), abs(y)) < 8 * self._scale() else c.FAR
         return priced(group.bodies, None, Choice(True, Vec(None, None), "", symbols), row, form)

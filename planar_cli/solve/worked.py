@@ -11,7 +11,6 @@ import sympy as sp
 from planar_cli.equation.exact import ZERO, Valuation
 from planar_cli.equation.motion import Edge
 from planar_cli.equation.system import System
-from planar_cli.problem.facts import Push
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
 from planar_cli.solve.study import Outcome
@@ -25,17 +24,16 @@ class Worked:
     """Velocities, accelerations and pushes of one instant.
 
     `velocities`, `accelerations`: of each body's mass centre, with ω and α. `pushes`: the value of each by its name.
-    `numbers`: values of everything else, sought loads among it. `drivers`: pushes that keep a prescribed motion going.
+    `numbers`: values of everything else, sought loads among it.
     """
 
     velocities: dict[str, Twist]
     accelerations: dict[str, Twist]
     pushes: dict[str, Decimal]
     numbers: Valuation
-    drivers: tuple[Push, ...] = ()
 
     @staticmethod
-    def of_motion(system: System, numbers: Valuation, drivers: tuple[Push, ...] = ()) -> Worked:
+    def of_motion(system: System, numbers: Valuation) -> Worked:
         """From a settled system, where every unknown (and the symbol of every push) has a number."""
         motion, reactions = system.motion, system.reactions
         if motion is None or reactions is None:
@@ -46,26 +44,22 @@ class Worked:
             velocities[name] = (Vec(numbers(v.x), numbers(v.y)), numbers(motion.velocities[name].angular))
             accelerations[name] = (Vec(numbers(a.x), numbers(a.y)), numbers(motion.accelerations[name].angular))
         pushes = {push.name: numbers(expr) for push, expr in reactions.pushes}
-        for driver in drivers:
-            pushes[driver.name] = numbers(system.symbols[driver.name])
-        return Worked(velocities, accelerations, pushes, numbers, drivers)
+        return Worked(velocities, accelerations, pushes, numbers)
 
     @staticmethod
-    def of_outcome(system: System, outcome: Outcome, drivers: tuple[Push, ...] = ()) -> Worked:
+    def of_outcome(system: System, outcome: Outcome) -> Worked:
         """From the numbers of one choice of modes."""
         columns, values = outcome.assembly.columns, outcome.solved.values
-        pushes = {p.name: values[columns[p.name]] for p in (*system.pushes, *drivers) if p.name in columns}
+        pushes = {p.name: values[columns[p.name]] for p in system.pushes}
         sought = {s: values[columns[s.name]] for s in system.scene.ledger.sought if s.name in columns}
         numbers = outcome.value.extended(sought)
-        return Worked(dict(outcome.assembly.twists), _accelerations(system, outcome), pushes, numbers, drivers)
+        return Worked(dict(outcome.assembly.twists), _accelerations(system, outcome), pushes, numbers)
 
     @staticmethod
-    def of_solution(
-        system: System, outcome: Outcome, solved: Mapping[sp.Symbol, Decimal], drivers: tuple[Push, ...] = ()
-    ) -> Worked:
+    def of_solution(system: System, outcome: Outcome, solved: Mapping[sp.Symbol, Decimal]) -> Worked:
         """From what a plan has `solved`; unknowns that it did not need have the values of the chosen modes' numbers."""
         numbers = outcome.value.extended({**unknowns_of(system, outcome), **solved})
-        return Worked.of_motion(system, numbers, drivers)
+        return Worked.of_motion(system, numbers)
 
 
 def _accelerations(system: System, outcome: Outcome) -> dict[str, Twist]:

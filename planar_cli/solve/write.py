@@ -18,6 +18,7 @@ from planar_cli.solve.offers import Numbers, line_of
 from planar_cli.solve.plan import bits
 
 LETTERS = "CKQSWZHJ"
+SMALL = Decimal("1e-30")
 LONGEST = 8
 """A coefficient of more operations than this is printed as a number."""
 
@@ -306,9 +307,7 @@ class Writer:
             if inside:
                 term = expr * self.short(sp.Add(*(part(a.point, a.force, a.couple) for a in inside)))
                 pulled.setdefault(frozenset(expr.free_symbols & set(self.numbers.unknowns)), []).append(term)
-        for key, together in pulled.items():
-            if key and not key & self.allowed:
-                continue
+        for together in pulled.values():
             # A slipping contact is one line of action: its parts count together.
             if not self.vanishes(sp.Add(*together)):
                 terms += together
@@ -325,15 +324,24 @@ class Writer:
     def kept_lines(self, terms: list[sp.Expr]) -> list[sp.Expr]:
         """Drop terms that vanish; explicit lines count with what they stand for."""
         inside = {line.symbol: line.expression for line in self.lines}
-        unknowns = set(self.numbers.unknowns)
-        kept = []
-        for term in terms:
-            held = term.free_symbols & unknowns
-            if term != 0 and (not held or held & self.allowed) and not self.vanishes(term.xreplace(inside)):
-                kept.append(term)
-        return kept
+        return [t for t in terms if t != 0 and not self.vanishes(t.xreplace(inside))]
+
+    def _without_cancelled(self, sides: tuple[list[sp.Expr], list[sp.Expr]]) -> tuple[list[sp.Expr], list[sp.Expr]]:
+        """Terms of unknowns that the equation is free of are left out, where they cancel among themselves."""
+        inside = {line.symbol: line.expression for line in self.lines}
+        foreign = set(self.numbers.unknowns) - self.allowed
+
+        def cancelled(term: sp.Expr) -> bool:
+            held = term.xreplace(inside).free_symbols & set(self.numbers.unknowns)
+            return bool(held) and held <= foreign
+
+        rest = sp.Add(*(t for t in sides[0] if cancelled(t)), *(-t for t in sides[1] if cancelled(t))).xreplace(inside)
+        if rest != 0 and any(abs(c) > SMALL for c in self.numbers.row(rest)):
+            return sides
+        return [t for t in sides[0] if not cancelled(t)], [t for t in sides[1] if not cancelled(t)]
 
     def _written(self, law: str, bodies: tuple[str, ...], lead: str, words: str, left: list[sp.Expr], right: list[sp.Expr]) -> Written:
+        left, right = self._without_cancelled((left, right))
         return Written(self.number(), law, bodies, lead, words, sp.Add(*left), sp.Add(*right), "kinetics")
 
     # --- relations ---------------------------------------------------------------------------------------------------

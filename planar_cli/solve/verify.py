@@ -1,0 +1,72 @@
+"""Checks of a finished instant: its own equations at sixty digits, the independent multibody road, the tests of its modes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from decimal import Decimal
+
+import sympy as sp
+
+from planar_cli.equation.exact import ZERO, Unvalued, Valuation
+from planar_cli.equation.system import System
+from planar_cli.errors import PlanarError
+from planar_cli.solve.instant import Trial
+from planar_cli.solve.multibody import Agreement, second_road
+from planar_cli.solve.offers import body_residuals
+from planar_cli.solve.study import Outcome
+from planar_cli.solve.worked import Worked, unknowns_of
+
+AGREE = Decimal("1e-20")
+
+
+class Disagreement(PlanarError):
+    """Two roads to the same answer differ: the solution is not to be trusted, and is not shown as solved."""
+
+
+@dataclass(frozen=True, slots=True)
+class Checks:
+    """`equations`: how many were put in; `residual`: the largest remainder relative to its terms; `agreement`: of the second
+    road; `tests`: (words, value) of the assumptions that hold."""
+
+    equations: int
+    residual: Decimal
+    agreement: Agreement
+    tests: tuple[str, ...]
+
+    @property
+    def digits(self) -> int:
+        """Digits to which the two roads agree."""
+        return self.agreement.digits
+
+
+def verify(trial: Trial, solved: dict[sp.Symbol, Decimal]) -> Checks:
+    """All equations of the instant at the solution, and the scene assembled once more. Disagreement: they do not fit."""
+    system, outcome = trial.system, trial.outcomes[0]
+    numbers = outcome.value.extended({**unknowns_of(system, outcome), **solved})
+    count, residual = residuals(system, numbers, outcome)
+    agreement = second_road(system, Worked.of_solution(system, outcome, solved))
+    if residual > AGREE:
+        raise Disagreement(f"the solution leaves a remainder of {residual:.3g} in its own equations")
+    if not agreement.holds:
+        raise Disagreement("the multibody solution differs: " + "; ".join(agreement.disagreements))
+    return Checks(count, residual, agreement, ())
+
+
+def residuals(system: System, numbers: Valuation, outcome: Outcome) -> tuple[int, Decimal]:
+    """How many equations the instant has, and the largest remainder relative to the size of its terms."""
+    exprs = [e for c in system.acceleration_conditions() for e in c.rows()]
+    exprs += [e for c in system.velocity_conditions() for e in c.rows()]
+    if any(b.mass != 0 for b in system.scene.bodies.values()) or system.wrenches:
+        for body in system.scene.bodies:
+            exprs += body_residuals(system, body)[: 3 if system.scene.rigid(body) else 2]
+    largest = ZERO
+    count = 0
+    for expr in exprs:
+        try:
+            value, size = numbers(expr), numbers.size(expr)
+        except Unvalued:
+            continue
+        count += 1
+        if value and size:
+            largest = max(largest, abs(value) / size)
+    return count, largest
