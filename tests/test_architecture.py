@@ -50,8 +50,8 @@ def imports(path: Path) -> Iterator[tuple[str, ...]]:
             if whole[0] == "planar_cli":
                 for alias in node.names:
                     below = (*whole[1:], alias.name)
-                    is_module = (PACKAGE.joinpath(*below).with_suffix(".py")).exists() or PACKAGE.joinpath(*below).is_dir()
-                    yield below if is_module else tuple(whole[1:])
+                    place = PACKAGE.joinpath(*below)
+                    yield below if place.is_dir() or place.with_suffix(".py").exists() else tuple(whole[1:])
 
 
 def is_member(target: tuple[str, ...]) -> bool:

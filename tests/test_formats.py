@@ -336,7 +336,7 @@ def test_a_paragraph_cannot_become_a_list() -> None:
 
 def test_the_shelf_holds_the_formats() -> None:
     found = registry.members("formats")
-    assert found["text"] is Terminal
+    assert found["terminal"] is Terminal
     assert found["markdown"] is Markdown
 
 

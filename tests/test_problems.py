@@ -25,7 +25,8 @@ def equations_text(solution: Solution) -> str:
     lines: list[str] = []
     for part in solution.parts:
         for instant in part.instants:
-            place = " ".join(word for word in (part.case and f"case {part.case}", instant.state and f"state {instant.state}") if word)
+            words = (f"case {part.case}" if part.case else "", f"state {instant.state}" if instant.state else "")
+            place = ", ".join(word for word in words if word)
             for stage in instant.stages:
                 lines.append(f"{place or 'file'}: {stage.level}")
                 rows = [(x.number, f"{x.symbol} := {x.expression}") for x in stage.lines]

@@ -91,7 +91,7 @@ def _rendered(reports: list[Report], wanted: Wanted) -> str:
 
         data = [report.data for report in reports if report.data is not None]
         return dumps(data[0] if len(reports) == 1 and data else {"solutions": data})
-    form: Any = next(m for m in members("formats").values() if m.__module__.endswith(f".{wanted.form}"))
+    form: Any = members("formats")[wanted.form]
     on_screen = wanted.output in (None, "-")
     printer = form.on(sys.stdout) if on_screen else form()
     return "\n".join(printer.render(report.document) for report in reports if report.document is not None)

@@ -56,7 +56,7 @@ _COLOURS = {
 class Terminal(Format[Row]):
     """Plain text with aligned equations, wrapped to the width of the terminal."""
 
-    kind: ClassVar[str] = "text"
+    kind: ClassVar[str] = "terminal"
     suffix: ClassVar[str] = ".txt"
 
     width: int = PIPE_WIDTH

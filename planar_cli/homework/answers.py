@@ -167,7 +167,8 @@ class _Comparison:
 
     def _shown(self, values: tuple[Decimal, ...]) -> str:
         unit = self.found.unit
-        return _listed([f"{float(display(v, unit)):.6g}" for v in values]) + ("" if unit.text == "1" else f" {unit.text}")
+        numbers = _listed([f"{float(display(v, unit)):.6g}" for v in values])
+        return numbers if unit.text == "1" else f"{numbers} {unit.text}"
 
 
 def _size(parts: tuple[Decimal, ...]) -> Decimal:

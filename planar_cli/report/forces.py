@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from decimal import Decimal
 from typing import Any
 
 import sympy as sp
@@ -13,14 +14,21 @@ from planar_cli.solve.solution import InstantSolution
 from planar_cli.solve.stages import Stage
 
 
-def force_rows(instant: InstantSolution, stage: Stage, phrases: Phrases) -> list[Forces]:
-    """One row for each body that takes part in the kinetic equations."""
+def force_rows(instant: InstantSolution, stage: Stage, phrases: Phrases, inertia_as_force: bool) -> list[Forces]:
+    """One row for each body that takes part in the kinetic equations; with D'Alembert's inertial forces among the forces."""
     bodies: list[str] = []
     for block in stage.blocks:
         for w in block.equations:
             bodies += [b for b in w.bodies if b not in bodies]
     order = [b for b in instant.instant.scene.bodies if b in bodies]
-    return [Forces(body, _acting(instant, body, phrases), _inertia(instant, stage, body)) for body in order]
+    rows = []
+    for body in order:
+        acting, inertia = _acting(instant, body, phrases), _inertia(instant, stage, body, phrases, inertia_as_force)
+        if inertia_as_force:
+            rows.append(Forces(body, (*acting, Text(",  "), *inertia) if inertia else acting, (Text("0"),)))
+        else:
+            rows.append(Forces(body, acting, inertia or (Text("0"),)))
+    return rows
 
 
 def _acting(instant: InstantSolution, body: str, phrases: Phrases) -> Line:
@@ -48,6 +56,8 @@ def _push(push: Push, expr: sp.Expr, action: Any, phrases: Phrases) -> list[Any]
     if action.force is None:
         sign = phrases.value(sp.sympify(action.couple))
         return [Math(expr), Text(" ↺" if sign > 0 else " ↻")]
+    if expr.could_extract_minus_sign():
+        return [phrases.math(-expr), Text(f" {phrases.arrow(-action.force.x, -action.force.y)} at {push.place}")]
     assumed = " (assumed)" if push.kind == "friction" and expr.is_Symbol else ""
     return [Math(expr), Text(f" {phrases.arrow(action.force.x, action.force.y)} at {push.place}{assumed}")]
 
@@ -61,19 +71,28 @@ def _at(instant: InstantSolution, point: Any) -> str:
     return ""
 
 
-def _inertia(instant: InstantSolution, stage: Stage, body: str) -> Line:
-    """m a_G and I α of a body."""
-    scene = instant.instant.scene
-    model = scene.bodies[body]
+def _inertia(instant: InstantSolution, stage: Stage, body: str, phrases: Phrases, reversed_sense: bool) -> Line:
+    """m a_G and I α of a body; reversed they are the inertial force and couple."""
+    model = instant.instant.scene.bodies[body]
     parts: list[Any] = []
-    if model.mass != 0:
-        components = stage.accelerations.get(body, [])
-        for direction, component in components:
-            value = instant.value
-            x, y = value(direction.x), value(direction.y)
-            arrow = "→" if not y else "↑" if not x else "↗"
-            parts += [Text(",  ")] * bool(parts) + [Math(sp.Mul(model.mass, component, evaluate=False)), Text(f" {arrow} at {scene.center_name(body)}")]
-    alpha = instant.trial.system.motion.accelerations[body].angular if instant.trial.system.motion and model.rigid else sp.S.Zero
+    place = instant.instant.scene.center_name(body)
+    for direction, component in stage.accelerations.get(body, []) if model.mass != 0 else ():
+        v = -direction if reversed_sense else direction
+        size = _size(direction, phrases)
+        force = sp.Mul(model.mass, size, component, evaluate=False) if size != 1 else sp.Mul(model.mass, component, evaluate=False)
+        parts += [Text(",  ")] * bool(parts) + [phrases.math(force), Text(f" {phrases.arrow(v.x, v.y)} at {place}")]
+    motion = instant.trial.system.motion
+    alpha = motion.accelerations[body].angular if motion and model.rigid else sp.S.Zero
     if model.inertia != 0 and alpha != 0:
-        parts += [Text(",  ")] * bool(parts) + [Math(model.inertia * alpha), Text(" ↺")]
-    return tuple(parts) or (Text("0"),)
+        parts += [Text(",  ")] * bool(parts) + [phrases.math(model.inertia * alpha), Text(" ↻" if reversed_sense else " ↺")]
+    return tuple(parts)
+
+
+def _size(direction: Any, phrases: Phrases) -> sp.Expr:
+    """The length of a direction that is no unit vector: a number, or a formula where letters stay."""
+    square = sp.sympify(direction.dot(direction))
+    if square == 1 or abs(phrases.value(square) - 1) < Decimal("1e-30"):
+        return sp.S.One
+    if phrases.symbolic:
+        return sp.sqrt(sp.factor(square))
+    return sp.Rational(str(phrases.value(square).sqrt()))

@@ -23,7 +23,9 @@ from planar_cli.solve.instant import Instant, Trial
 from planar_cli.solve.asked import quantities_in
 from planar_cli.solve.seek import Sought
 from planar_cli.solve.solution import Found, InstantSolution
+from planar_cli.solve.verify import verify
 from planar_cli.solve.stages import Stage, StageMaker, acceleration_unknowns, needed
+from planar_cli.solve.write import rounded_inside
 from planar_cli.units import Unit, parse_unit
 
 CLOSED_OPS = 90
@@ -57,6 +59,7 @@ class Finisher:
         value = self._values(stages)
         lines = tuple(line for s in stages for line in s.lines)
         solution = InstantSolution(self.state, self.instant, self.trial, self.rejected, tuple(stages), lines, value)
+        solution.checks = verify(self.trial, value.values).report()
         return solution, [self._found(f, sides[f.name], value, stages, quantities) for f in finds]
 
     def sought_targets(self, finds: tuple[Find, ...]) -> set[sp.Symbol]:
@@ -75,6 +78,8 @@ class Finisher:
         value = self._values([stage])
         solution = InstantSolution(self.state, self.instant, self.trial, (), (stage,), tuple(writer.lines), value)
         solution.sought = sought
+        if self.trial.outcomes:
+            solution.checks = verify(self.trial, value.values).report()
         return solution, [self._found(f, sides[f.name], value, [stage], quantities) for f in finds]
 
     def _drop(self, base: Valuation, unknowns: set[sp.Symbol]) -> Valuation:
@@ -186,10 +191,10 @@ class Finisher:
         closed = tuple(self._closed(e, stages) for e in exprs)
         symbolic = any(set(self.ledger.letters) & c.free_symbols for c in closed)
         values = None if symbolic else tuple(_number(e, value) for e in exprs)
-        short = all(sp.count_ops(c) <= CLOSED_OPS for c in closed)
+        short = all(sp.count_ops(c) <= CLOSED_OPS and not rounded_inside(c) for c in closed)
         kind = "vector" if len(exprs) == 2 else "number"
         energy = any(q.word in ("KE", "PE", "work", "heat") for q in quantities_in(what))
-        return Found(find.name, kind, unit, values, closed if symbolic or short else None, "", find, energy)
+        return Found(find.name, kind, unit, values, closed if symbolic or short else None, "", find, energy, exprs)
 
     def unit_of(self, find: Find, what: Side) -> Unit:
         """As asked, else as the file states the answer, else SI (US customary in such a file)."""

@@ -45,6 +45,19 @@ def real_roots(expr: sp.Expr, x: sp.Symbol, value: Valuation, symbolic: bool, an
     return _distinct([Root(None, v) for v in _scan(expr, x, value, angle)], angle)
 
 
+def linear_or_square_roots(expr: sp.Expr, x: sp.Symbol) -> list[sp.Expr]:
+    """Short closed roots in x: where x enters linearly, or only as its square."""
+    numerator = sp.expand(expr)
+    if not numerator.is_polynomial(x):
+        return []
+    by = {m[0]: c for m, c in sp.Poly(numerator, x).terms()}
+    if set(by) == {0, 1}:
+        return [sp.cancel(-by[0] / by[1])]
+    if set(by) == {0, 2}:
+        return [sp.sqrt(sp.cancel(-by[0] / by[2]))]
+    return []
+
+
 def _real(e: sp.Expr, value: Valuation) -> Decimal | None:
     try:
         return value(e)

@@ -9,7 +9,9 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.setup import Earlier, first_unit
-from planar_cli.errors import NoSolution
+from planar_cli.equation.evaluate import refuse
+from planar_cli.errors import Mark, NoSolution
+from planar_cli.registry import members
 from planar_cli.problem.scene import Find, Problem
 from planar_cli.solve.finish import Finisher
 from planar_cli.equation.system import System
@@ -21,8 +23,12 @@ from planar_cli.solve.solution import Found, InstantSolution, PartSolution, Solu
 
 
 def solve_problem(problem: Problem, method: str | None = None) -> Solution:
-    """All finds of a problem. Raises FileProblem, NoSolution or Undecided."""
+    """All finds of a problem, told by a method (None: the file's own, else newton). Raises FileProblem, NoSolution or Undecided."""
     started = time.perf_counter()
+    chosen = method or problem.method or "newton"
+    objection = members("principles")[chosen]().objection(problem)
+    if objection:
+        raise refuse(Mark(problem.file, 1, 1), "PL570", f"method {chosen}: {objection}", "leave `method` out, or write newton or dalembert")
     units = {a.name: u for a in problem.answers if (u := _answer_unit(a.value)) is not None}
     earlier: dict[str, Earlier] = {}
     parts: list[PartSolution] = []
@@ -35,6 +41,9 @@ def solve_problem(problem: Problem, method: str | None = None) -> Solution:
             if found.values is not None and len(found.values) == 1:
                 exact = found.expressions[0] if found.expressions and not found.expressions[0].free_symbols else sp.Rational(str(found.values[0]))
                 earlier[f"{case.name}.{found.name}"] = Earlier(exact, found.unit.text)
+    for part in parts:
+        for instant in part.instants:
+            instant.method = chosen
     return Solution(problem, tuple(parts), {"solve": time.perf_counter() - started})
 
 
@@ -77,8 +86,10 @@ def _seek(instant: Instant, finds: tuple[Find, ...], units: dict[str, str], stat
     def targets(system: System) -> set[sp.Symbol]:
         return Finisher(instant, Trial((), system, (), (), ""), (), units, state).sought_targets(finds)
 
-    sought, _ = seek(instant, targets)
-    return Finisher(instant, sought.trial, (), units, state).solve_sought(sought, finds)
+    sought, rejected = seek(instant, targets)
+    solution, found = Finisher(instant, sought.trial, (), units, state).solve_sought(sought, finds)
+    solution.left_out = (*rejected, *sought.others)
+    return solution, found
 
 
 def _answer_unit(value: Any) -> str | None:

@@ -21,7 +21,8 @@ class Found:
     """One find with its answer.
 
     `kind`: number, vector, truth or word. `values`: SI numbers (None while letters remain), one or two. `expressions`: closed
-    formulas in the file's names, where they are short or letters remain. `word`: of a truth value or mode.
+    formulas in the file's names, where they are short or letters remain. `word`: of a truth value or mode. `asked`: the
+    find in the unknowns of the instant.
     """
 
     name: str
@@ -32,13 +33,15 @@ class Found:
     word: str = ""
     find: Find | None = None
     energy: bool = False
+    asked: tuple[sp.Expr, ...] = ()
 
 
 @dataclass(slots=True)
 class InstantSolution:
     """One instant worked out. `rejected`: the first assumption and others, with why they fail. `value`: numbers of all.
 
-    `sought`: the branch taken where constants, speeds or extremes were sought.
+    `sought`: the branch taken where constants, speeds or extremes were sought; `left_out`: those that were not.
+    `method`: how inertia is told, newton or dalembert.
     """
 
     state: str
@@ -50,6 +53,8 @@ class InstantSolution:
     value: Valuation
     checks: dict[str, Any] = field(default_factory=dict)
     sought: Any = None
+    left_out: tuple[Any, ...] = ()
+    method: str = "newton"
 
 
 @dataclass(slots=True)

@@ -9,7 +9,7 @@ import sympy as sp
 
 from planar_cli.equation.exact import ZERO, Unvalued, Valuation
 from planar_cli.equation.system import System
-from planar_cli.errors import PlanarError
+from planar_cli.errors import Undecided
 from planar_cli.solve.instant import Trial
 from planar_cli.solve.multibody import Agreement, second_road
 from planar_cli.solve.offers import body_residuals
@@ -19,24 +19,24 @@ from planar_cli.solve.worked import Worked, unknowns_of
 AGREE = Decimal("1e-20")
 
 
-class Disagreement(PlanarError):
+class Disagreement(Undecided):
     """Two roads to the same answer differ: the solution is not to be trusted, and is not shown as solved."""
 
 
 @dataclass(frozen=True, slots=True)
 class Checks:
     """`equations`: how many were put in; `residual`: the largest remainder relative to its terms; `agreement`: of the second
-    road; `tests`: (words, value) of the assumptions that hold."""
+    road."""
 
     equations: int
     residual: Decimal
     agreement: Agreement
-    tests: tuple[str, ...]
 
-    @property
-    def digits(self) -> int:
-        """Digits to which the two roads agree."""
-        return self.agreement.digits
+    def report(self) -> dict[str, object]:
+        """For the document and the JSON: the phrases, and the digits to which the two roads agree."""
+        noun = "equation" if self.equations == 1 else "equations"
+        lines = [f"residuals 0 in {self.equations} {noun}", f"multibody solution agrees to {self.agreement.digits} digits"]
+        return {"lines": lines, "digits": self.agreement.digits}
 
 
 def verify(trial: Trial, solved: dict[sp.Symbol, Decimal]) -> Checks:
@@ -49,7 +49,7 @@ def verify(trial: Trial, solved: dict[sp.Symbol, Decimal]) -> Checks:
         raise Disagreement(f"the solution leaves a remainder of {residual:.3g} in its own equations")
     if not agreement.holds:
         raise Disagreement("the multibody solution differs: " + "; ".join(agreement.disagreements))
-    return Checks(count, residual, agreement, ())
+    return Checks(count, residual, agreement)
 
 
 def residuals(system: System, numbers: Valuation, outcome: Outcome) -> tuple[int, Decimal]:

@@ -19,6 +19,7 @@ from planar_cli.solve.plan import bits
 
 LETTERS = "CKQSWZHJ"
 SMALL = Decimal("1e-30")
+MANY_DIGITS = 10**15
 LONGEST = 8
 """A coefficient of more operations than this is printed as a number."""
 
@@ -39,6 +40,7 @@ class Written:
     left: sp.Expr
     right: sp.Expr
     source: str
+    given: bool = False
 
     @property
     def residual(self) -> sp.Expr:
@@ -102,7 +104,7 @@ class Writer:
     def short(self, coefficient: sp.Expr) -> sp.Expr:
         """A coefficient in its plainest form; a long one as a number."""
         found = tidy(coefficient)
-        if self.plain and not found.is_number and sp.count_ops(found) > LONGEST:
+        if self.plain and not found.is_number and (sp.count_ops(found) > LONGEST or rounded_inside(found)):
             return exact_number(self.numbers.value(found))
         return found
 
@@ -359,11 +361,17 @@ class Writer:
         right = -self.shortened(form.constant)
         if len(left) == 2 and right == 0:
             left, right = [left[0]], -left[1]
-        return Written(self.number(), "relation", (), condition.text, words, sp.Add(*left), right, condition.kind)
+        datum = condition.kind == "given" and len(form.terms) == 1 and sp.Add(*left).is_Symbol
+        return Written(self.number(), "relation", (), condition.text, words, sp.Add(*left), right, condition.kind, datum)
 
     def closing(self, condition: Condition) -> Joining | None:
         """The joint behind a closure."""
         return next((j for j in self.system.tree.closures if j.joint == condition.text), None)
+
+
+def rounded_inside(expr: sp.Expr) -> bool:
+    """Does a number with very many digits stand in the expression, one that was put in for a long formula?"""
+    return any(r.q > MANY_DIGITS for r in expr.atoms(sp.Rational))
 
 
 def tidy(expr: Any) -> sp.Expr:
@@ -372,7 +380,7 @@ def tidy(expr: Any) -> sp.Expr:
     if expr.is_number or expr.is_Symbol:
         return sp.nsimplify(expr) if expr.is_Float else expr
     ops = sp.count_ops(expr)
-    if ops > 60:
+    if ops > 60 or rounded_inside(expr):
         return expr
     found = sp.factor_terms(expr)
     if ops <= 30 and not expr.is_polynomial(*expr.free_symbols):

@@ -1,0 +1,45 @@
+"""D'Alembert's principle: inertial forces make a problem of equilibrium."""
+
+from __future__ import annotations
+
+from typing import Any, ClassVar, final
+
+from planar_cli.principles.base import Principle
+
+
+@final
+class DAlembert(Principle):
+    """Inertial forces -m a_G and couples -I_G alpha are added; then all forces are in equilibrium.
+
+    Meaning
+        To the free-body diagram of every body the inertial force, opposite to its acceleration, and the inertial couple,
+        opposite to its angular acceleration, are added at the mass centre. Where a body slides on a moving one the
+        inertial force has its parts one by one: of the entrained, the relative and the Coriolis acceleration. This is
+        motion as it is seen from the moving body.
+
+    YAML
+        method: dalembert
+
+    Equations
+        ΣF - m a_G = 0
+        ΣM_C - r_G/C × m a_G - I_G alpha = 0
+
+    Signs
+        Forces right and up, moments counterclockwise.
+
+    Valid when
+        Always; in a frame that moves, the entrained and Coriolis inertial forces are among the forces.
+
+    Reference
+        An Introduction to Planar Dynamics, 4.7, Example 4-15.
+    """
+
+    kind: ClassVar[str] = "dalembert"
+    diagram: ClassVar[str] = "free-body diagram with inertial forces: equilibrium"
+    inertia_as_force: ClassVar[bool] = True
+
+    def objection(self, problem: Any) -> str:
+        return ""
+
+    def sides(self, left: Any, right: Any) -> tuple[Any, Any]:
+        return left - right, 0

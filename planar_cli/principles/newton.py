@@ -1,0 +1,40 @@
+"""Newton's second law for bodies."""
+
+from __future__ import annotations
+
+from typing import Any, ClassVar, final
+
+from planar_cli.principles.base import Principle
+
+
+@final
+class Newton(Principle):
+    """Forces equal inertia: about the mass centre, a fixed axis, or any point.
+
+    Meaning
+        The free-body diagram equals the kinetic diagram: m a_G at the mass centre and the couple I_G alpha. Any direction
+        and any point may be taken; best a point through which unknown forces pass.
+
+    YAML
+        method: newton
+
+    Equations
+        ΣF = m a_G
+        ΣM_C = r_G/C × m a_G + I_G alpha        about any point C
+        ΣM_O = I_O alpha                        about a fixed point O of the body, I_O = I_G + m d²
+
+    Signs
+        Forces and accelerations right and up, moments counterclockwise.
+
+    Valid when
+        The reference frame is inertial.
+
+    Reference
+        An Introduction to Planar Dynamics, 4.1 - 4.4, equations 4.11, 4.33, 4.43, 4.47.
+    """
+
+    kind: ClassVar[str] = "newton"
+    diagram: ClassVar[str] = "free-body diagram = kinetic diagram"
+
+    def objection(self, problem: Any) -> str:
+        return ""

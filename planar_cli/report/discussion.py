@@ -1,0 +1,69 @@
+"""What is worth discussing: the value of a given at which an answer vanishes and changes its sign."""
+
+from __future__ import annotations
+
+from decimal import Decimal
+
+import sympy as sp
+
+from planar_cli.report.blocks import Line, Math, Name, Relation, Value, line
+from planar_cli.report.words import Phrases
+from planar_cli.solve.roots import linear_or_square_roots
+from planar_cli.solve.solution import Found
+
+MOST = 2
+LONGEST = 60
+
+
+def discussion_lines(found: tuple[Found, ...], phrases: Phrases) -> list[Line]:
+    """At most two remarks: for which value of a given an answer is zero."""
+    remarks: list[Line] = []
+    for answer in found:
+        if answer.kind != "number" or not answer.expressions or len(remarks) >= MOST:
+            continue
+        remark = _sign_change(answer, phrases)
+        if remark is not None:
+            remarks.append(remark)
+    return remarks
+
+
+def _sign_change(answer: Found, phrases: Phrases) -> Line | None:
+    """The first given at whose positive value the answer passes through zero."""
+    expr = (answer.expressions or (sp.S.Zero,))[0]
+    if sp.count_ops(expr) > LONGEST:
+        return None
+    numerator = sp.fraction(sp.together(expr))[0]
+    factors = [f for f in sp.Mul.make_args(sp.factor_terms(sp.expand(numerator))) if f.is_Add]
+    if not factors:
+        return None
+    turning = factors[-1]
+    options = []
+    for symbol in sorted(turning.free_symbols, key=lambda s: s.name):
+        for root in linear_or_square_roots(turning, symbol) if symbol.name != "g" else ():
+            remark = _remark(answer, symbol, root, turning, phrases)
+            if remark is not None:
+                options.append((_distance(symbol, root, phrases), symbol.name, remark))
+    return min(options, key=lambda o: o[:2])[2] if options else None
+
+
+def _distance(symbol: sp.Symbol, root: sp.Expr, phrases: Phrases) -> Decimal:
+    """How far the value is from the present one, as a ratio."""
+    now, then = abs(phrases.value(symbol)), phrases.value(root)
+    return max(now / then, then / now) if now and then else Decimal(10) ** 9
+
+
+def _remark(answer: Found, symbol: sp.Symbol, root: sp.Expr, turning: sp.Expr, phrases: Phrases) -> Line | None:
+    try:
+        value = phrases.value(root)
+        rises = phrases.value(sp.diff(turning, symbol).subs(symbol, root))
+    except (ArithmeticError, LookupError):
+        return None
+    if value <= 0 or not rises or root.has(sp.I):
+        return None
+    opening = line("The ", Name(answer.name), " changes its sign at ")
+    if phrases.symbolic:
+        return line(opening, Relation(Math(symbol), "=", Math(root)), ".")
+    unit = phrases.shown(symbol, Decimal(value))
+    if root.is_number:
+        return line(opening, Relation(Math(symbol), "=", unit), ".")
+    return line(opening, Relation(Math(symbol), "=", Math(root)), " = ", Value(unit.number, unit.unit, unit.figures), ".")

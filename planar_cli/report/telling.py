@@ -1,0 +1,263 @@
+"""One instant told in three steps: kinematics, kinetics, solving."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.registry import members
+from planar_cli.report.blocks import Block, Equation, Heading, Line, Math, Name, Note, Paragraph, Text, line
+from planar_cli.report.forces import force_rows
+from planar_cli.report.words import Phrases
+from planar_cli.solve.algebra import Line as SolvedLine
+from planar_cli.solve.algebra import SolvedBlock
+from planar_cli.solve.solution import InstantSolution
+from planar_cli.solve.stages import Stage
+from planar_cli.solve.used import used_blocks
+from planar_cli.solve.write import Explicit, Written
+
+
+class Telling:
+    """Tells one instant. Equations are numbered in the order in which they are printed.
+
+    `wanted`: names of symbols whose derivation is told; None: all.
+    """
+
+    def __init__(self, instant: InstantSolution, phrases: Phrases, audience: str, wanted: frozenset[str] | None) -> None:
+        self.instant, self.phrases, self.audience = instant, phrases, audience
+        self.system = instant.trial.system
+        self.scene = instant.instant.scene
+        self.stages = used_blocks(instant.stages, wanted)
+        self.principle = members("principles")[instant.method]()
+        self._numbers: dict[tuple[int, int], int] = {}
+
+    def number(self, stage: Stage, own: int) -> int:
+        """The printed number of an equation or line of a stage."""
+        return self._numbers.setdefault((id(stage.algebra), own), len(self._numbers) + 1)
+
+    def blocks(self) -> list[Block]:
+        blocks = self._assumptions()
+        velocity = [s for s in self.stages if s.level == "velocity"]
+        last = next((s for s in self.stages if s.level == "acceleration"), None)
+        kinetic = last is not None and any(w.law != "relation" for b in last.blocks for w in b.equations)
+        if self.stages:
+            blocks.append(Heading("STEP 1", "Kinematic analysis"))
+        blocks += self._definitions("m")
+        blocks += self._kinematics(velocity, last)
+        if kinetic and last is not None:
+            blocks.append(Heading("STEP 2", "Kinetic analysis", self.principle.diagram))
+            blocks += force_rows(self.instant, last, self.phrases, self.principle.inertia_as_force)
+            blocks += self._definitions("kg")
+            blocks += self._equations([w for b in last.blocks for w in b.equations if w.law != "relation"], last)
+        if last is not None and any(not self._is_given(b) for b in last.blocks):
+            blocks.append(Heading("STEP 3" if kinetic else "STEP 2", "Solving the equations", self._count(last)))
+            blocks += self._solving(last)
+        return blocks
+
+    # --- before step 1 -----------------------------------------------------------------------------------------------
+
+    def _assumptions(self) -> list[Block]:
+        """What the first assumption was, why it fails, and what is assumed instead."""
+        trial = self.instant.trial
+        natural = next((t for t in self.instant.rejected if not any(t.choice)), None)
+        words = list(dict.fromkeys(m.words for m in trial.system.modes.values() if m.words))
+        if natural is not None and any(trial.choice):
+            assumed = dict.fromkeys(m.words for m in natural.system.modes.values() if m.words)
+            return [
+                Note("Assume", line("; ".join(assumed))),
+                Note("Fails", self._objection(natural)),
+                Note("Instead", line("; ".join(words))),
+            ]
+        return [Note("Assume", line("; ".join(words)))] if words else []
+
+    def _objection(self, trial: Any) -> Line:
+        words = {"velocities": "the velocities contradict it", "contradiction": "the equations contradict it"}
+        if not trial.tests:
+            return line(words.get(trial.objection, trial.objection))
+        test, value = trial.tests[0]
+        if value is None:
+            words = list(dict.fromkeys(t.words for t, v in trial.tests if v is None and len(t.pushes) > 1)) or [test.words]
+            return line("no distribution of the reactions keeps all of these: " + "; ".join(words))
+        return line(f"this would not hold: {test.words}", self._by_how_much(trial, test))
+
+    def _by_how_much(self, trial: Any, test: Any) -> Line:
+        """The pushes that the failed test compares."""
+        if self.phrases.symbolic or not test.pushes:
+            return ()
+        parts: list[Any] = [" ("]
+        for name, _ in test.pushes:
+            value = trial.outcomes[0].push(name)
+            if value is None or name not in trial.system.symbols:
+                return ()
+            symbol = trial.system.symbols[name]
+            parts += [", " if len(parts) > 1 else "", Math(symbol), " = ", self.phrases.shown(symbol, value)]
+        return line(*parts, ")")
+
+    # --- step 1 ------------------------------------------------------------------------------------------------------
+
+    def _definitions(self, kind: str) -> list[Block]:
+        """Named intermediates that the equations use: coordinates (kind "m"), masses and moments of inertia ("kg")."""
+        ledger = self.scene.ledger
+        wanted = self._used()
+        for symbol in reversed(list(ledger.definitions)):
+            if symbol in wanted:
+                wanted |= ledger.definitions[symbol].free_symbols
+        blocks: list[Block] = []
+        for symbol, expr in ledger.definitions.items():
+            is_length = ledger.units[symbol].text == "m"
+            if symbol in wanted and is_length == (kind == "m") and not (expr.is_number and ledger.titles[symbol].startswith("mass")):
+                blocks.append(Equation(self._chain(symbol, expr, self.phrases.shown(symbol)), None, line(ledger.titles[symbol] + ":")))
+        return blocks
+
+    def _used(self) -> set[sp.Symbol]:
+        """Every symbol that stands in an equation or line that is told."""
+        used: set[sp.Symbol] = set()
+        for stage in self.stages:
+            for block in stage.blocks:
+                for w in block.equations:
+                    used |= w.residual.free_symbols
+            for x in stage.lines:
+                used |= x.expression.free_symbols
+        return used
+
+    def _chain(self, symbol: sp.Symbol, expr: sp.Expr, value: Any) -> tuple[Any, ...]:
+        """symbol = formula = numbers = value."""
+        sides: list[Any] = [self.phrases.math(symbol)]
+        if not expr.is_number:
+            sides.append(self.phrases.math(expr))
+            numbers = self.phrases.numbers(expr)
+            if numbers is not None and not expr.is_Symbol:
+                sides.append(numbers)
+        if not self.phrases.symbolic:
+            sides.append(value)
+        elif expr.is_number:
+            sides.append(self.phrases.math(expr))
+        return tuple(sides)
+
+    def _kinematics(self, stages: list[Stage], last: Stage | None) -> list[Block]:
+        blocks: list[Block] = []
+        trial = self.instant.trial
+        if trial.velocities and not any(trial.velocities[0].values.values()) and self.instant.instant.at_rest:
+            blocks.append(Paragraph(line("At rest: all velocities are zero.")))
+        for stage in stages:
+            written = [w for b in stage.blocks for w in b.equations]
+            if written:
+                blocks.append(Paragraph(line("Velocities:")))
+                blocks += self._equations(written, stage)
+                blocks += self._solving(stage)
+        if last is None:
+            return blocks
+        relations = [w for b in last.blocks for w in b.equations if w.law == "relation"]
+        if relations and stages:
+            blocks.append(Paragraph(line("Accelerations:")))
+        blocks += self._equations(relations, last)
+        blocks += [self._explicit(x, last) for x in last.lines]
+        for zero in last.zero if self.audience == "lesson" else ():
+            blocks.append(Paragraph(line(self.phrases.math(zero), " = 0: nothing acts that way.")))
+        return blocks
+
+    def _explicit(self, x: Explicit, stage: Stage) -> Block:
+        sides = (self.phrases.math(x.symbol), self.phrases.math(x.expression))
+        return Equation(sides, self.number(stage, x.number), line(x.words + ":"))
+
+    # --- equations ---------------------------------------------------------------------------------------------------
+
+    def _equations(self, written: list[Written], stage: Stage) -> list[Block]:
+        return [block for w in written for block in self._equation(w, stage)]
+
+    def _equation(self, w: Written, stage: Stage) -> list[Block]:
+        number = self.number(stage, w.number)
+        if w.given:
+            value = self.phrases.shown(w.left) if not self.phrases.symbolic and w.right.is_number else self.phrases.math(w.right)
+            return [Equation((self.phrases.math(w.left), value), number, line("given:"))]
+        sides = (self.phrases.math(w.left), self.phrases.math(w.right))
+        if w.law == "relation":
+            return [Paragraph(line(self._relation_words(w))), Equation(sides, number)]
+        left, right = self.principle.sides(w.left, w.right)
+        sides = (self.phrases.math(left), self.phrases.math(right))
+        group = ", ".join(w.bodies)
+        if w.law == "moment":
+            return [Paragraph(self._moment_words(w, group, stage)), Equation(sides, number, line("↺ ", Name(f"ΣM_{w.lead}"), ":"))]
+        arrow = {"x": "→ ", "y": "↑ "}.get(w.lead, "↗ ")
+        lead = line(arrow, Name(f"ΣF_{w.lead}") if w.lead else Text("ΣF"), ":")
+        return [Paragraph(line(f"{group}:" if w.lead else f"{group}, {w.words}:")), Equation(sides, number, lead)]
+
+    def _relation_words(self, w: Written) -> str:
+        if w.source == "given":
+            return f"Given: {w.lead}"
+        if w.source == "limit":
+            return f"{w.lead[:1].upper()}{w.lead[1:]}:"
+        if w.source == "closure":
+            joint = next((j for j in self.system.tree.closures if j.joint == w.lead), None)
+            if joint is not None:
+                base = "the ground" if joint.base == "ground" else joint.base
+                return f"Point {joint.place} of {joint.mover} moves with {base}, {w.words}:"
+        return f"{w.lead[:1].upper()}{w.lead[1:]}{', ' + w.words if w.words and w.source != 'row' else ''}:"
+
+    def _moment_words(self, w: Written, group: str, stage: Stage) -> Line:
+        centre = stage.centres.get(w.lead)
+        if centre is None:
+            return line(f"{group}, moments about ", Name(w.lead), ":")
+        place, through = centre
+        parts: list[Any] = [f"{group}, moments about ", Name(w.lead), " at (", self.phrases.math(place.x), ", ", self.phrases.math(place.y), ")"]  # type: ignore[attr-defined]
+        if through:
+            parts += [", where ", Math(through[0]), " and ", Math(through[1]), " meet, so that neither enters:"]
+        else:
+            parts += [", about which the group turns in a virtual motion:"]
+        return line(*parts)
+
+    # --- step 3 ------------------------------------------------------------------------------------------------------
+
+    @staticmethod
+    def _is_given(block: SolvedBlock) -> bool:
+        """Is the block nothing but a datum of the file?"""
+        return all(w.given for w in block.equations)
+
+    def _count(self, stage: Stage) -> Line:
+        blocks = [b for b in stage.blocks if not self._is_given(b)]
+        equations = sum(len(b.equations) for b in blocks)
+        unknowns = [u for b in blocks for u in b.unknowns]
+        parts: list[Any] = [f"{equations} equation{'s' if equations != 1 else ''}, {len(unknowns)} unknown{'s' if len(unknowns) != 1 else ''}: "]
+        for i, u in enumerate(unknowns):
+            parts += [", " if i else "", Math(u)]
+        return line(*parts)
+
+    def _solving(self, stage: Stage) -> list[Block]:
+        return [x for block in stage.blocks if not self._is_given(block) for x in self._block(block, stage)]
+
+    def _block(self, block: SolvedBlock, stage: Stage) -> list[Block]:
+        blocks: list[Block] = []
+        if len(block.unknowns) > 1:
+            numbers = ", ".join(f"({self.number(stage, w.number)})" for w in block.equations)
+            parts: list[Any] = [f"{numbers} together"]
+            if block.letters:
+                parts.append(", in terms of ")
+                for i, s in enumerate(block.letters):
+                    parts += [", " if i else "", Math(s)]
+            blocks.append(Paragraph(line(*parts, ":")))
+        lines = [b for x in block.lines for b in self._line(x, stage)]
+        return [*blocks, *lines]
+
+    def _line(self, x: SolvedLine, stage: Stage) -> list[Block]:
+        lead = line(" and ".join(f"({self.number(stage, n)})" for n in x.equations) + ":")
+        if x.letters:
+            return [Equation((self.phrases.math(x.symbol), self.phrases.math(x.formula)), None, lead)]
+        found: list[Block] = [Equation(self._chain(x.symbol, x.formula, self.phrases.shown(x.symbol, x.value)), None, lead)]
+        return [*found, *self._other_roots(x)]
+
+    def _other_roots(self, x: SolvedLine) -> list[Block]:
+        """The roots that were not taken, with the reason."""
+        sought = self.instant.sought
+        choice = next((c for c in sought.branch.choices if c.symbol == x.symbol), None) if sought is not None else None
+        if choice is None or len(choice.roots) < 2 or self.phrases.symbolic:
+            return []
+        left = [r for i, r in enumerate(choice.roots) if i != choice.taken]
+        parts: list[Any] = ["other roots: "]
+        for i, root in enumerate(left):
+            parts += [", " if i else "", self.phrases.shown(x.symbol, root.value)]
+        return [Paragraph(line(*parts, f" ({self._root_reason(choice)})"))]
+
+    def _root_reason(self, choice: Any) -> str:
+        reasons = {s.objection for s in self.instant.left_out if any(c.symbol == choice.symbol for c in s.branch.choices)}
+        return "; ".join(sorted(r for r in reasons if r)) or "not taken: the smaller one is the usual position"
