@@ -14,6 +14,7 @@ import sympy as sp
 
 from planar_cli.equation.evaluate import Evaluator, refuse
 from planar_cli.equation.ledger import Ledger
+from planar_cli.equation.plain import simplified
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import Body, Composite, Outline, Particle, Piece, Plate, Rod, Round, Sector, Shape
 
@@ -80,7 +81,7 @@ def _rod(shape: Rod, points: Callable[[str], Vec], evaluator: Evaluator) -> Unif
     start = points(shape.start)
     if shape.end is not None:
         reach = points(shape.end) - start
-        length_squared = sp.simplify(reach.dot(reach)) if not reach.dot(reach).is_number else reach.dot(reach)
+        length_squared = simplified(reach.dot(reach)) if not reach.dot(reach).is_number else reach.dot(reach)
         angle = sp.atan2(reach.y, reach.x)
     else:
         angle = evaluator.value(shape.angle) if shape.angle is not None else ZERO

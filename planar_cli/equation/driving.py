@@ -27,7 +27,7 @@ def driving_pushes(system: System, free: Motion) -> tuple[Push, ...]:
                 parts[symbol] = (edge.body, part)
     found = []
     for relation, always in system.statements.relations:
-        if not always or order(relation, names) > 1:
+        if not always or order(relation, names) > 2:
             continue
         for condition in stated([(relation, True)], quantities, quantities.evaluator, names, ACCELERATION):
             for expr in condition.rows():

@@ -9,6 +9,7 @@ from __future__ import annotations
 import decimal
 from collections.abc import Callable, Mapping
 from decimal import Decimal
+from functools import lru_cache
 from typing import Any
 
 import mpmath
@@ -19,11 +20,14 @@ CERTAIN = Decimal(10) ** -40
 decimal.getcontext().prec = DIGITS
 ZERO = Decimal(0)
 ONE = Decimal(1)
+REMEMBERED = 10_000
+"""So many sines and the like are kept: the same few angles are asked again and again."""
 
 PI = Decimal("3.14159265358979323846264338327950288419716939937510582097494459230781640628620899862803")
 
 
 def _through_mpmath(function: str) -> Callable[[Decimal], Decimal]:
+    @lru_cache(maxsize=REMEMBERED)
     def call(x: Decimal) -> Decimal:
         with mpmath.workdps(DIGITS + 5):
             return Decimal(mpmath.nstr(getattr(mpmath, function)(mpmath.mpf(str(x))), DIGITS + 2))
@@ -31,6 +35,7 @@ def _through_mpmath(function: str) -> Callable[[Decimal], Decimal]:
     return call
 
 
+@lru_cache(maxsize=REMEMBERED)
 def _atan2(y: Decimal, x: Decimal) -> Decimal:
     with mpmath.workdps(DIGITS + 5):
         return Decimal(mpmath.nstr(mpmath.atan2(mpmath.mpf(str(y)), mpmath.mpf(str(x))), DIGITS + 2))

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import sympy as sp
 
 from planar_cli.equation.evaluate import refuse
+from planar_cli.equation.plain import simplified
 from planar_cli.errors import Mark
 from planar_cli.problem.facts import Outline
 from planar_cli.problem.geometry import Vec
@@ -83,7 +84,7 @@ def _curve(scene: Scene, surface: Surface, shape: Curve, point: Vec, mark: Mark)
         raise refuse(mark, "PL521", f"the point of contact is not on {surface.name}")
     speed = scene.length(at[1])
     tangent = at[1] / speed
-    curvature = sp.simplify(at[1].cross(at[2]) / speed**3)
+    curvature = simplified(at[1].cross(at[2]) / speed**3)
     return Outline("arc" if curvature != 0 else "straight", surface.body or "ground", tangent, curvature, drift=_drift(scene, surface, tangent))
 
 

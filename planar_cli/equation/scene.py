@@ -12,6 +12,7 @@ from planar_cli.equation.exact import Valuation
 from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.outlines import edges_at, outline_of
 from planar_cli.equation.places import place_jet
+from planar_cli.equation.plain import longer, trigonometric
 from planar_cli.errors import Mark
 from planar_cli.problem.expression import Name, Side
 from planar_cli.problem.facts import Outline
@@ -104,7 +105,7 @@ class Scene:
 
     def _named(self, value: sp.Expr, name: str) -> sp.Expr:
         """A long coordinate gets a name, unless letters must stay visible in the answer."""
-        if self.ledger.symbolic or sp.count_ops(value) <= WORDY or self._moves(value):
+        if self.ledger.symbolic or not longer(value, WORDY) or self._moves(value):
             return value
         return self.ledger.define(name, value, "m", f"{name[0]} of {name[2:]}")
 
@@ -166,7 +167,7 @@ class Scene:
             if other == 0:
                 return one if self.sign(one) >= 0 else -one
         square = v.dot(v)
-        simple = sp.trigsimp(sp.expand(square)) if square.has(sp.cos, sp.sin) else sp.expand(square) if not square.is_number else square
+        simple = trigonometric(sp.expand(square)) if square.has(sp.cos, sp.sin) else sp.expand(square) if not square.is_number else square
         return sp.sqrt(sp.factor(simple) if simple.free_symbols else simple)
 
     def direction(self, along: Side | str) -> Vec:

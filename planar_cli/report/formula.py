@@ -14,6 +14,7 @@ from typing import Any
 import sympy
 from sympy.core.function import AppliedUndef
 
+from planar_cli.equation.plain import simplified
 from planar_cli.report.numbers import significant
 from planar_cli.report.ordering import factor_key, term_key
 
@@ -324,7 +325,7 @@ def _place_of_root(above: list[Formula]) -> int:
 
 
 def _degrees(expr: Any) -> Formula:
-    degrees = sympy.simplify(expr * 180 / sympy.pi)
+    degrees = simplified(expr * 180 / sympy.pi)
     shown = Numeral(significant(Decimal(str(sympy.N(abs(degrees), 20))), 5) + "°")
     return Negative(shown) if degrees.is_negative else shown
 

@@ -13,8 +13,9 @@ import sympy as sp
 
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.form import Nonlinear, linear_form
+from planar_cli.equation.plain import longer, tidy
 from planar_cli.solve.plan import Block
-from planar_cli.solve.write import Written, tidy
+from planar_cli.solve.write import Written
 
 
 SHORT = 6
@@ -141,7 +142,7 @@ class Algebra:
         if not value or self.value.is_zero(expr):
             return sp.S.Zero
         short = tidy(expr)
-        return short if sp.count_ops(short) <= SHORT else sp.Rational(str(value))
+        return short if not longer(short, SHORT) else sp.Rational(str(value))
 
     def _letters(self, residuals: list[sp.Expr], letters: tuple[sp.Symbol, ...]) -> dict[sp.Symbol, sp.Expr]:
         """Solve the last equations for the letters by elimination with the largest pivot."""

@@ -10,11 +10,12 @@ import sympy as sp
 
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.form import Nonlinear, linear_form
+from planar_cli.equation.plain import tidy
 from planar_cli.errors import Undecided
 from planar_cli.solve.algebra import Algebra, Line, SolvedBlock
 from planar_cli.solve.plan import Block
 from planar_cli.solve.roots import Root, real_roots
-from planar_cli.solve.write import Written, tidy
+from planar_cli.solve.write import Written
 
 
 @dataclass(frozen=True, slots=True)

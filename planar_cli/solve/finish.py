@@ -12,6 +12,7 @@ import sympy as sp
 from planar_cli.equation.conditions import vector_or_jet
 from planar_cli.equation.evaluate import refuse
 from planar_cli.equation.exact import Valuation
+from planar_cli.equation.plain import longer, rounded_inside, simplified
 from planar_cli.equation.quantities import Quantities
 from planar_cli.equation.system import System, mode_of
 from planar_cli.errors import Diagnostic, NoSolution
@@ -25,7 +26,6 @@ from planar_cli.solve.seek import Sought
 from planar_cli.solve.solution import Found, InstantSolution
 from planar_cli.solve.verify import verify
 from planar_cli.solve.stages import Stage, StageMaker, acceleration_unknowns, needed
-from planar_cli.solve.write import rounded_inside
 from planar_cli.units import Unit, parse_unit
 
 CLOSED_OPS = 90
@@ -191,7 +191,7 @@ class Finisher:
         closed = tuple(self._closed(e, stages) for e in exprs)
         symbolic = any(set(self.ledger.letters) & c.free_symbols for c in closed)
         values = None if symbolic else tuple(_number(e, value) for e in exprs)
-        short = all(sp.count_ops(c) <= CLOSED_OPS and not rounded_inside(c) for c in closed)
+        short = all(not longer(c, CLOSED_OPS) and not rounded_inside(c) for c in closed)
         kind = "vector" if len(exprs) == 2 else "number"
         energy = any(q.word in ("KE", "PE", "work", "heat") for q in quantities_in(what))
         return Found(find.name, kind, unit, values, closed if symbolic or short else None, "", find, energy, exprs)
@@ -223,17 +223,16 @@ class Finisher:
             if not inside:
                 break
             expr = expr.xreplace(inside)
-            if sp.count_ops(expr) > 4000:
+            if longer(expr, 4000):
                 return expr
         return self._simple(expr)
 
     def _simple(self, expr: sp.Expr) -> sp.Expr:
-        if expr.is_number or expr.is_Symbol or sp.count_ops(expr) > 600:
+        if expr.is_number or expr.is_Symbol or longer(expr, 600):
             return expr
         if not self.symbolic:
-            return sp.factor_terms(expr) if sp.count_ops(expr) < 200 else expr
-        trial = sp.simplify(expr)
-        return trial if sp.count_ops(trial) <= sp.count_ops(expr) else expr
+            return expr if longer(expr, 199) else sp.factor_terms(expr)
+        return simplified(expr)
 
 
 def _number(expr: Any, value: Valuation) -> Decimal:

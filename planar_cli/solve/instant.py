@@ -145,9 +145,11 @@ class Instant:
         return Trial(choice, system, velocities, outcomes, "")
 
     @staticmethod
-    def _speeds(system: System, given: dict[sp.Symbol, Decimal] | None) -> dict[sp.Symbol, Decimal]:
+    def _speeds(system: System, given: dict[sp.Symbol, Decimal] | None) -> dict[sp.Symbol, Decimal] | None:
+        if given is None:
+            return None
         names = {s.name for s in system.tree.velocity_unknowns()}
-        return {s: v for s, v in (given or {}).items() if s.name in names}
+        return {s: v for s, v in given.items() if s.name in names}
 
     @staticmethod
     def _runs(mode: Mode, valuations: tuple[Valuation, ...]) -> bool:

@@ -9,6 +9,7 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.evaluate import refuse
+from planar_cli.equation.plain import simplified
 from planar_cli.equation.setup import Earlier
 from planar_cli.errors import FileProblem
 from planar_cli.problem.expression import (
@@ -97,7 +98,7 @@ def _joined(find: Find, what: Any, solved: dict[str, Answered], units: dict[str,
     unit: Unit = sample.unit
     numbers = instants[-1].value
     values = tuple(numbers(p) for p in parts) if not any(p.free_symbols & set(instants[-1].instant.scene.ledger.letters) for p in parts) else None
-    return Answered(find.name, "vector" if vectors else "number", unit, values, tuple(sp.simplify(p) for p in parts), "", find)
+    return Answered(find.name, "vector" if vectors else "number", unit, values, tuple(simplified(p) for p in parts), "", find)
 
 
 def _names(what: Any) -> list[str]:

@@ -17,6 +17,7 @@ from planar_cli.solve.study import Outcome
 from planar_cli.solve.worked import Worked, unknowns_of
 
 AGREE = Decimal("1e-20")
+TINY_SHARE = Decimal("1e-12")
 
 
 class Disagreement(Undecided):
@@ -59,14 +60,12 @@ def residuals(system: System, numbers: Valuation, outcome: Outcome) -> tuple[int
     if any(b.mass != 0 for b in system.scene.bodies.values()) or system.wrenches:
         for body in system.scene.bodies:
             exprs += body_residuals(system, body)[: 3 if system.scene.rigid(body) else 2]
-    largest = ZERO
-    count = 0
+    found: list[tuple[Decimal, Decimal]] = []
     for expr in exprs:
         try:
-            value, size = numbers(expr), numbers.size(expr)
+            found.append((abs(numbers(expr)), numbers.size(expr)))
         except Unvalued:
             continue
-        count += 1
-        if value and size:
-            largest = max(largest, abs(value) / size)
-    return count, largest
+    # An equation all of whose terms have cancelled is measured against the others.
+    floor = max((size for _, size in found), default=ZERO) * TINY_SHARE
+    return len(found), max((value / max(size, floor) for value, size in found if value), default=ZERO)

@@ -10,6 +10,7 @@ import sympy as sp
 
 from planar_cli.equation.conditions import Condition
 from planar_cli.equation.motion import Motion
+from planar_cli.equation.plain import longer, rounded_inside, tidy, trigonometric
 from planar_cli.equation.system import System
 from planar_cli.problem.facts import Joining, Wrench
 from planar_cli.problem.geometry import Vec
@@ -19,7 +20,6 @@ from planar_cli.solve.plan import bits
 
 LETTERS = "CKQSWZHJ"
 SMALL = Decimal("1e-30")
-MANY_DIGITS = 10**15
 LONGEST = 8
 """A coefficient of more operations than this is printed as a number."""
 
@@ -104,13 +104,13 @@ class Writer:
     def short(self, coefficient: sp.Expr) -> sp.Expr:
         """A coefficient in its plainest form; a long one as a number."""
         found = tidy(coefficient)
-        if self.plain and not found.is_number and (sp.count_ops(found) > LONGEST or rounded_inside(found)):
+        if self.plain and not found.is_number and (longer(found, LONGEST) or rounded_inside(found)):
             return exact_number(self.numbers.value(found))
         return found
 
     def shortened(self, expr: sp.Expr) -> sp.Expr:
         """A known side: powers of speeds stay visible, their long coefficients become numbers."""
-        if not self.plain or sp.count_ops(expr) <= LONGEST:
+        if not self.plain or not longer(expr, LONGEST):
             return tidy(expr)
         speeds = set(self.system.tree.velocity_unknowns())
         parts: dict[sp.Expr, list[sp.Expr]] = {}
@@ -171,7 +171,7 @@ class Writer:
     def _unit_part(self, v: Vec, size: sp.Expr) -> tuple[Vec, sp.Expr]:
         known = size != 1 and not v.x.has(sp.Add) and not v.y.has(sp.Add)
         length = self.system.scene.length(v) if known else None
-        if length is None or sp.count_ops(length) > 4:
+        if length is None or longer(length, 4):
             return v, size
         return Vec(tidy(v.x / length), tidy(v.y / length)), length * size
 
@@ -179,7 +179,7 @@ class Writer:
         """a · t where a is parallel to t."""
         along = self.settled(a.dot(tangent))
         form = self.numbers.form(along)
-        return sp.Add(*(sp.trigsimp(sp.expand(c)) * x for x, c in form.terms.items()), sp.trigsimp(sp.expand(form.constant)))
+        return sp.Add(*(trigonometric(sp.expand(c)) * x for x, c in form.terms.items()), trigonometric(sp.expand(form.constant)))
 
     def _tangents(self, body: str) -> list[Vec]:
         found = []
@@ -292,7 +292,7 @@ class Writer:
         return place, name
 
     def _short(self, expr: sp.Expr) -> sp.Expr:
-        if sp.count_ops(expr) <= 3 or not self.plain:
+        if not longer(expr, 3) or not self.plain:
             return expr
         return exact_number(self.numbers.value(expr))
 
@@ -367,27 +367,6 @@ class Writer:
     def closing(self, condition: Condition) -> Joining | None:
         """The joint behind a closure."""
         return next((j for j in self.system.tree.closures if j.joint == condition.text), None)
-
-
-def rounded_inside(expr: sp.Expr) -> bool:
-    """Does a number with very many digits stand in the expression, one that was put in for a long formula?"""
-    return any(r.q > MANY_DIGITS for r in expr.atoms(sp.Rational))
-
-
-def tidy(expr: Any) -> sp.Expr:
-    """A short expression in its plainest form; a long one as it is."""
-    expr = sp.sympify(expr)
-    if expr.is_number or expr.is_Symbol:
-        return sp.nsimplify(expr) if expr.is_Float else expr
-    ops = sp.count_ops(expr)
-    if ops > 60 or rounded_inside(expr):
-        return expr
-    found = sp.factor_terms(expr)
-    if ops <= 30 and not expr.is_polynomial(*expr.free_symbols):
-        trial = sp.cancel(sp.together(expr)) if not expr.has(sp.sin, sp.cos, sp.sqrt) else sp.trigsimp(expr)
-        if sp.count_ops(trial) < sp.count_ops(found):
-            found = trial
-    return found
 
 
 def exact_number(value: Decimal) -> sp.Expr:

@@ -1,0 +1,124 @@
+"""Plainer forms of expressions, and how long they are, at a price that fits thousands of calls.
+
+SymPy's own `simplify` brings in its physical units at the first call, which costs as much as importing SymPy; its
+`count_ops` walks all of an expression even where only "longer than ten" is asked.
+"""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from typing import Any
+
+import sympy as sp
+
+MANY = 60
+"""An expression of more operations than this is left as it is by `tidy`."""
+SOME = 30
+"""Beyond so many operations only common factors are looked for."""
+MANY_DIGITS = 10**15
+"""A denominator beyond this is one of a number that was put in for a long formula."""
+_KEPT = 50_000
+
+
+@lru_cache(maxsize=_KEPT)
+def operations(expr: sp.Expr) -> int:
+    """How many operations an expression has."""
+    return int(sp.count_ops(expr))
+
+
+def longer(expr: sp.Expr, limit: int) -> bool:
+    """Has an expression more operations than `limit`? Very long ones are told without walking all of them."""
+    return _nodes_reach(expr, 3 * limit + 10) or operations(expr) > limit
+
+
+def _nodes_reach(expr: sp.Expr, most: int) -> bool:
+    """Are there so many operands? A sign or a reciprocal is an operand but no operation of its own, never more than two."""
+    seen, stack = 0, [expr]
+    while stack:
+        args = stack.pop().args
+        if args:
+            seen += max(len(args) - 1, 1)
+            if seen > most:
+                return True
+            stack.extend(args)
+    return False
+
+
+@lru_cache(maxsize=_KEPT)
+def trigonometric(expr: sp.Expr) -> sp.Expr:
+    """`trigsimp` where it can do something: where sines and cosines multiply each other. sin² + cos² = 1 goes first."""
+    if _degree(expr) < 2:
+        return expr
+    short = _with_one(expr)
+    return short if _degree(short) < 2 else sp.trigsimp(short)
+
+
+@lru_cache(maxsize=_KEPT)
+def _degree(expr: sp.Expr) -> int:
+    """How many sines and cosines are multiplied or divided by each other at most."""
+    if isinstance(expr, sp.tan):
+        return 2
+    if isinstance(expr, sp.sin | sp.cos):
+        return 1
+    if expr.is_Mul:
+        return sum(_degree(a) for a in expr.args)
+    if expr.is_Pow:
+        inside = _degree(expr.base)
+        return inside * abs(int(expr.exp)) if expr.exp.is_Integer else inside
+    return max((_degree(a) for a in expr.args), default=0)
+
+
+def _with_one(expr: sp.Expr) -> sp.Expr:
+    """sin² = 1 - cos² put in, or the other way round, where that makes it shorter."""
+    whole = sp.expand(expr)
+    forms = [expr]
+    for function, other in ((sp.sin, sp.cos), (sp.cos, sp.sin)):
+        squares = [p for p in whole.atoms(sp.Pow) if isinstance(p.base, function) and p.exp == 2]
+        if squares:
+            forms.append(sp.expand(whole.xreplace({p: 1 - other(p.base.args[0]) ** 2 for p in squares})))
+    return min(forms, key=operations)
+
+
+def simplified(expr: Any) -> sp.Expr:
+    """The shortest of the usual forms: cancelled, put together, trigonometric, factored."""
+    return _simplified(sp.sympify(expr))
+
+
+@lru_cache(maxsize=_KEPT)
+def _simplified(expr: sp.Expr) -> sp.Expr:
+    if not expr.args:
+        return expr
+    forms = [expr, sp.powsimp(expr), sp.expand(expr)]
+    forms += [sp.cancel(forms[1]), sp.together(forms[1])]
+    if _degree(expr) >= 2:
+        forms += [trigonometric(f) for f in {forms[0], min(forms, key=operations)}]
+    best = min(forms, key=operations)
+    forms += [best, sp.factor_terms(best), sp.powsimp(best, combine="exp", deep=True)]
+    if expr.is_number:
+        forms += [sp.radsimp(best), sp.sqrtdenest(best)]
+    return min(forms, key=operations)
+
+
+def tidy(expr: Any) -> sp.Expr:
+    """A short expression in its plainest form; a long one as it is."""
+    expr = sp.sympify(expr)
+    if expr.is_number or expr.is_Symbol:
+        return sp.nsimplify(expr) if expr.is_Float else expr
+    return _tidied(expr)
+
+
+@lru_cache(maxsize=_KEPT)
+def _tidied(expr: sp.Expr) -> sp.Expr:
+    if longer(expr, MANY) or rounded_inside(expr):
+        return expr
+    found = sp.factor_terms(expr)
+    if not longer(expr, SOME) and not expr.is_polynomial(*expr.free_symbols):
+        trial = trigonometric(expr) if expr.has(sp.sin, sp.cos) else sp.cancel(sp.together(expr))
+        if operations(trial) < operations(found):
+            found = trial
+    return found
+
+
+def rounded_inside(expr: sp.Expr) -> bool:
+    """Does a number with very many digits stand in the expression, one that was put in for a long formula?"""
+    return any(r.q > MANY_DIGITS for r in expr.atoms(sp.Rational))
