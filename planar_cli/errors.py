@@ -1,9 +1,9 @@
 """Where something stands in a file, what is wrong with it, and the exceptions that carry it to the user.
 
-    PlanarError                 anything that a user can mend; never shown as a traceback
-    ├── FileProblem             a bad file: one or several located diagnostics          exit status 2
-    ├── NoSolution              the problem has no solution, or several                 exit status 1
-    └── Undecided               within the limits it could not be decided               exit status 3
+PlanarError                 anything that a user can mend; never shown as a traceback
+├── FileProblem             a bad file: one or several located diagnostics          exit status 2
+├── NoSolution              the problem has no solution, or several                 exit status 1
+└── Undecided               within the limits it could not be decided               exit status 3
 """
 
 from __future__ import annotations

@@ -36,4 +36,8 @@ def members(shelf: str) -> dict[str, type]:
 
 def _members_in(module: ModuleType) -> list[type]:
     """The classes that this very module defines with a `kind`."""
-    return [v for v in vars(module).values() if isinstance(v, type) and v.__module__ == module.__name__ and "kind" in v.__dict__]
+    return [
+        v
+        for v in vars(module).values()
+        if isinstance(v, type) and v.__module__ == module.__name__ and "kind" in v.__dict__
+    ]

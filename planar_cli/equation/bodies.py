@@ -93,7 +93,9 @@ def _rod(shape: Rod, points: Callable[[str], Vec], evaluator: Evaluator) -> Unif
 class MassReader:
     """Reads the mass properties of one problem's bodies, defining the symbols that the solution shows."""
 
-    def __init__(self, ledger: Ledger, evaluator: Evaluator, points: Callable[[str], Vec], gravity: sp.Expr, alone: bool) -> None:
+    def __init__(
+        self, ledger: Ledger, evaluator: Evaluator, points: Callable[[str], Vec], gravity: sp.Expr, alone: bool
+    ) -> None:
         self.ledger, self.evaluator, self.points, self.gravity, self.alone = ledger, evaluator, points, gravity, alone
         self.cancelling: list[sp.Symbol] = []
 
@@ -119,7 +121,9 @@ class MassReader:
             return symbol
         if body.weight is not None:
             weight = self.evaluator.value(body.weight)
-            return self.ledger.define(self._named("m", body), weight / self.gravity, "kg", f"mass of {body.name}", positive=True)
+            return self.ledger.define(
+                self._named("m", body), weight / self.gravity, "kg", f"mass of {body.name}", positive=True
+            )
         if body.mass is None:
             return ZERO
         return self._shown(self.evaluator.value(body.mass), self._named("m", body), "kg", f"mass of {body.name}")
@@ -163,7 +167,10 @@ class MassReader:
 
     def _composite(self, body: Body, shape: Composite) -> BodyModel:
         """Mass centre and moment of inertia of the parts together."""
-        parts = [(self._piece(p, body, i), uniform(p.shape, self.points, self.evaluator)) for i, p in enumerate(shape.pieces, 1)]
+        parts = [
+            (self._piece(p, body, i), uniform(p.shape, self.points, self.evaluator))
+            for i, p in enumerate(shape.pieces, 1)
+        ]
         whole = sp.Add(*(mass for (mass, _), _ in parts))
         if whole == 0:
             raise refuse(body.mark, "PL520", f"{body.name}: its parts have no mass", "give each part its `mass:`")
@@ -180,7 +187,9 @@ class MassReader:
             symbol = self.ledger.define(self._named("I", body), inertia, "kg*m^2", title, positive=True)
         return BodyModel(body.name, shape, True, mass, symbol, center, center_name, parts[0][1].theta)
 
-    def _coordinate(self, parts: list[tuple[tuple[sp.Expr, sp.Expr], Uniform]], mass: sp.Expr, axis: str, name: str, body: Body) -> sp.Expr:
+    def _coordinate(
+        self, parts: list[tuple[tuple[sp.Expr, sp.Expr], Uniform]], mass: sp.Expr, axis: str, name: str, body: Body
+    ) -> sp.Expr:
         moment = sp.Add(*(m * getattr(u.center, axis) for (m, _), u in parts))
         if moment == 0:
             return ZERO

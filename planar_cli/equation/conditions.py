@@ -89,7 +89,9 @@ def _quantity_order(q: Quantity, coordinates: set[str]) -> int:
     return max(level, natural)
 
 
-def joint_conditions(tree: Tree, rows: list[Row], motion: Motion, level: int, rigid: Callable[[str], bool]) -> list[Condition]:
+def joint_conditions(
+    tree: Tree, rows: list[Row], motion: Motion, level: int, rigid: Callable[[str], bool]
+) -> list[Condition]:
     """What the joints demand that the tree has not already built in."""
     found: list[Condition] = []
     for joining in tree.closures:
@@ -107,7 +109,11 @@ def joint_conditions(tree: Tree, rows: list[Row], motion: Motion, level: int, ri
 
 
 def stated(
-    relations: list[tuple[Relation, bool]], quantities: Quantities, evaluator: Evaluator, coordinates: set[str], level: int
+    relations: list[tuple[Relation, bool]],
+    quantities: Quantities,
+    evaluator: Evaluator,
+    coordinates: set[str],
+    level: int,
 ) -> list[Condition]:
     """The file's equations at one level; those that hold all the time (True) count at every level from their own on."""
     found: list[Condition] = []
@@ -178,5 +184,9 @@ def coordinate_conditions(quantities: Quantities, coordinates: set[sp.Symbol], l
         difference = moving - formula
         pick = "rate" if level == VELOCITY else "second"
         residual = Vec(getattr(difference.x, pick), getattr(difference.y, pick))
-        found.append(Condition("coordinate", f"the place of {point.name} follows its formula", residual, place=point.name, body=owner))
+        found.append(
+            Condition(
+                "coordinate", f"the place of {point.name} follows its formula", residual, place=point.name, body=owner
+            )
+        )
     return found

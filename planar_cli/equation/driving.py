@@ -42,6 +42,11 @@ def _actions(system: System, terms: dict[tuple[str, str], sp.Expr]) -> tuple[Act
     bodies = dict.fromkeys(b for b, _ in terms)
     zero = sp.S.Zero
     return tuple(
-        Action(b, system.scene.center(b), Vec(terms.get((b, "x"), zero), terms.get((b, "y"), zero)), terms.get((b, "turn"), zero))
+        Action(
+            b,
+            system.scene.center(b),
+            Vec(terms.get((b, "x"), zero), terms.get((b, "y"), zero)),
+            terms.get((b, "turn"), zero),
+        )
         for b in bodies
     )

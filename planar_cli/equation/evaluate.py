@@ -45,7 +45,9 @@ def refuse(mark: Mark, code: str, message: str, hint: str = "") -> FileProblem:
 
 
 def no_quantity(quantity: Quantity) -> Jet:
-    raise refuse(quantity.mark, "PL501", f"{quantity.word}(…) can not stand here", "write numbers and names of `given` here")
+    raise refuse(
+        quantity.mark, "PL501", f"{quantity.word}(…) can not stand here", "write numbers and names of `given` here"
+    )
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,7 +75,9 @@ class Evaluator:
                 unit = parse_unit(side.unit)
                 return self.jet(side.operand) * constant(side.sense * exact(_ONE, unit))
             case Name():
-                return self._name(side) if side.at is None else self._elsewhere(side.at, Name(side.name, None, side.mark))
+                return (
+                    self._name(side) if side.at is None else self._elsewhere(side.at, Name(side.name, None, side.mark))
+                )
             case Negate():
                 return -self.jet(side.operand)
             case Binary():
@@ -90,7 +94,9 @@ class Evaluator:
 
     def _elsewhere(self, state: str, side: Side) -> Jet:
         if self.at_state is None:
-            raise refuse(side.mark, "PL503", "`@` can not stand here", "leave it out: the relation is at its own instant")
+            raise refuse(
+                side.mark, "PL503", "`@` can not stand here", "leave it out: the relation is at its own instant"
+            )
         return self.at_state(state)(side)
 
     def _name(self, name: Name) -> Jet:
@@ -100,7 +106,9 @@ class Evaluator:
             return constant(sp.oo)
         symbol = self.ledger.symbols.get(name.name)
         if symbol is None:
-            raise refuse(name.mark, "PL504", f"{name.name} has no value here", "give it in `given`, or seek it in `unknowns`")
+            raise refuse(
+                name.mark, "PL504", f"{name.name} has no value here", "give it in `given`, or seek it in `unknowns`"
+            )
         rate, second = self.motions.get(symbol, (sp.S.Zero, sp.S.Zero))
         return Jet(symbol, rate, second)
 

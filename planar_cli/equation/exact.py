@@ -68,7 +68,9 @@ class Valuation:
     `values`: decimals by symbol. `definitions`: expressions by symbol, evaluated when first needed.
     """
 
-    def __init__(self, values: Mapping[sp.Symbol, Decimal], definitions: Mapping[sp.Symbol, sp.Expr] | None = None) -> None:
+    def __init__(
+        self, values: Mapping[sp.Symbol, Decimal], definitions: Mapping[sp.Symbol, sp.Expr] | None = None
+    ) -> None:
         self.values: dict[sp.Symbol, Decimal] = dict(values)
         self.definitions = definitions if definitions is not None else {}
         self._known: dict[Any, Decimal] = {}

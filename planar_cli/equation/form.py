@@ -33,7 +33,11 @@ def linear_form(expr: Any, unknowns: Container[sp.Symbol]) -> Form:
 
 
 def _collect(
-    expr: sp.Expr, factor: sp.Expr, unknowns: Container[sp.Symbol], terms: dict[sp.Symbol, list[sp.Expr]], constant: list[sp.Expr]
+    expr: sp.Expr,
+    factor: sp.Expr,
+    unknowns: Container[sp.Symbol],
+    terms: dict[sp.Symbol, list[sp.Expr]],
+    constant: list[sp.Expr],
 ) -> None:
     if not mentions(expr, unknowns):
         constant.append(factor * expr)

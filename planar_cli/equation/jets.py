@@ -44,7 +44,9 @@ class Jet:
         base = self.value
         if base == 0:
             return Jet(base**exponent, self.rate if exponent == 1 else sp.S.Zero if exponent > 1 else None, None)
-        return self.chain(base**exponent, exponent * base ** (exponent - 1), exponent * (exponent - 1) * base ** (exponent - 2))
+        return self.chain(
+            base**exponent, exponent * base ** (exponent - 1), exponent * (exponent - 1) * base ** (exponent - 2)
+        )
 
     def chain(self, value: sp.Expr, first: sp.Expr, second: sp.Expr) -> Jet:
         """f(self) from f, f' and f'' at self.value."""

@@ -74,7 +74,9 @@ class Tree:
 class TreeBuilder:
     """Chooses the tree and makes its unknowns; names that are asked for again give the same symbol."""
 
-    def __init__(self, ledger: Ledger, rigid: Callable[[str], bool], center_name: Callable[[str], str], bodies: Iterable[str]) -> None:
+    def __init__(
+        self, ledger: Ledger, rigid: Callable[[str], bool], center_name: Callable[[str], str], bodies: Iterable[str]
+    ) -> None:
         self.ledger, self.rigid, self.center_name, self.bodies = ledger, rigid, center_name, tuple(bodies)
         self._made: dict[str, sp.Symbol] = {}
         self.titles: dict[sp.Symbol, str] = {}
@@ -125,7 +127,9 @@ class TreeBuilder:
         """ω and α of a body; without an index where only one body turns."""
         alone = sum(self.rigid(b) for b in self.bodies) == 1
         names = ("omega", "alpha") if alone else (f"omega_{body}", f"alpha_{body}")
-        return self._symbol(names[0], "rad/s", f"angular velocity of {body}"), self._symbol(names[1], "rad/s^2", f"angular acceleration of {body}")
+        return self._symbol(names[0], "rad/s", f"angular velocity of {body}"), self._symbol(
+            names[1], "rad/s^2", f"angular acceleration of {body}"
+        )
 
     def _free(self, body: str) -> Edge:
         name = self.center_name(body) or body
@@ -193,7 +197,9 @@ class Motion:
         return relative + joining.drift if joining.drift is not None else relative
 
     @staticmethod
-    def relative_acceleration(joining: Joining, speed: sp.Expr, pace: sp.Expr, base_spin: sp.Expr, mover_spin: sp.Expr) -> Vec:
+    def relative_acceleration(
+        joining: Joining, speed: sp.Expr, pace: sp.Expr, base_spin: sp.Expr, mover_spin: sp.Expr
+    ) -> Vec:
         """Relative and Coriolis acceleration of the mover's point over the base's, or that of rolling outlines."""
         if joining.path is not None:
             t = joining.path.tangent
@@ -235,7 +241,9 @@ class Motion:
         for s in row.segments:
             if s.length is None:
                 continue
-            across = (self.velocity(s.end.point, s.end.body) - self.velocity(s.start.point, s.start.body)).dot(s.direction.turned())
+            across = (self.velocity(s.end.point, s.end.body) - self.velocity(s.start.point, s.start.body)).dot(
+                s.direction.turned()
+            )
             if across != 0:
                 found += across**2 / s.length
         return found

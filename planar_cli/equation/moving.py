@@ -56,7 +56,12 @@ class Moving:
     def size(self, magnitude: Side | Table, mark: Mark) -> sp.Expr:
         """A magnitude, which may use velocities."""
         if isinstance(magnitude, Table):
-            raise refuse(mark, "PL590", "a table over time belongs to a motion over time", "at one instant write the value that acts then")
+            raise refuse(
+                mark,
+                "PL590",
+                "a table over time belongs to a motion over time",
+                "at one instant write the value that acts then",
+            )
         evaluator = Evaluator(self._scene.ledger, self._scene.evaluator.motions, lambda q: quantities.scalar(q))
         quantities = Quantities(self._scene, self._motion, None, evaluator)
         return evaluator.value(magnitude)
@@ -66,7 +71,12 @@ class Moving:
         scene = self._scene
         for relation in relations:
             if not isinstance(relation, Relation) or not isinstance(relation.left, Name):
-                raise refuse(relation.mark, "PL542", "a relaxed position is given by its coordinates", "write `relaxed_at: [theta = 30 deg]`")
+                raise refuse(
+                    relation.mark,
+                    "PL542",
+                    "a relaxed position is given by its coordinates",
+                    "write `relaxed_at: [theta = 30 deg]`",
+                )
             symbol = scene.ledger.symbols[relation.left.name]
             expr = expr.subs(symbol, scene.value(relation.right))
         return expr

@@ -17,7 +17,9 @@ from planar_cli.problem.scene import GROUND
 def natural_pushes(scene: Scene, facts: list[Facts], plain: frozenset[str]) -> tuple[Push, ...]:
     """All pushes, pins turned along and across where that is known. `plain`: joints whose x and y are asked for."""
     joinings = [j for f in facts for j in f.joinings]
-    pivots = {j.mover: j.point for j in joinings if j.base == GROUND and j.path is None and j.turns and j.rolling is None}
+    pivots = {
+        j.mover: j.point for j in joinings if j.base == GROUND and j.path is None and j.turns and j.rolling is None
+    }
     tracks = {j.mover: j.path.tangent for j in joinings if j.base == GROUND and j.path is not None and not j.turns}
     found: list[Push] = []
     for push in (p for f in facts for p in f.pushes):
@@ -51,4 +53,3 @@ def _turned(push: Push, along: Vec) -> Push:
     sign = {a.body: 1 if i == 0 else -1 for i, a in enumerate(push.actions)}
     actions = tuple(Action(a.body, a.point, direction * sign[a.body], a.couple) for a in push.actions)
     return replace(push, name=push.name[:-1] + ("n" if first else "t"), actions=actions)
-

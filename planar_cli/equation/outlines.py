@@ -53,14 +53,23 @@ def _surface(scene: Scene, surface: Surface, point: Vec, mark: Mark) -> Outline:
         tangent = scene.unit(shape.angle)
         off = (point - scene.point(shape.through)).cross(tangent)
         if not scene.is_zero(off):
-            raise refuse(mark, "PL521", f"the point of contact is not on {surface.name}", "let the line go `through:` it")
+            raise refuse(
+                mark, "PL521", f"the point of contact is not on {surface.name}", "let the line go `through:` it"
+            )
         return Outline("straight", body, tangent, drift=_drift(scene, surface, tangent))
     if isinstance(shape, Circle):
         center, radius = scene.point(shape.center), scene.value(shape.radius)
         if not scene.is_zero((point - center).dot(point - center) - radius**2):
-            raise refuse(mark, "PL521", f"the point of contact is not on {surface.name}", "its distance from the centre is the radius")
+            raise refuse(
+                mark,
+                "PL521",
+                f"the point of contact is not on {surface.name}",
+                "its distance from the centre is the radius",
+            )
         found = arc(scene, body, center, shape.center, point)
-        return Outline("arc", body, found.tangent, 1 / radius, center, shape.center, _drift(scene, surface, found.tangent))
+        return Outline(
+            "arc", body, found.tangent, 1 / radius, center, shape.center, _drift(scene, surface, found.tangent)
+        )
     return _curve(scene, surface, shape, point, mark)
 
 
@@ -85,7 +94,13 @@ def _curve(scene: Scene, surface: Surface, shape: Curve, point: Vec, mark: Mark)
     speed = scene.length(at[1])
     tangent = at[1] / speed
     curvature = simplified(at[1].cross(at[2]) / speed**3)
-    return Outline("arc" if curvature != 0 else "straight", surface.body or "ground", tangent, curvature, drift=_drift(scene, surface, tangent))
+    return Outline(
+        "arc" if curvature != 0 else "straight",
+        surface.body or "ground",
+        tangent,
+        curvature,
+        drift=_drift(scene, surface, tangent),
+    )
 
 
 def _round(scene: Scene, body: str, shape: Round, point: Vec, mark: Mark) -> Outline:
@@ -98,15 +113,23 @@ def _round(scene: Scene, body: str, shape: Round, point: Vec, mark: Mark) -> Out
             return Outline("arc", body, normal.turned(), 1 / radius, center, shape.center)
     if _same(scene, center, point):
         return Outline("corner", body)
-    raise refuse(mark, "PL522", f"the point of contact is not on the rim of {body}", "its distance from the centre is the radius or the hub")
+    raise refuse(
+        mark,
+        "PL522",
+        f"the point of contact is not on the rim of {body}",
+        "its distance from the centre is the radius or the hub",
+    )
 
 
 def _plate(scene: Scene, body: str, shape: Plate, point: Vec, mark: Mark) -> Outline:
     """An edge of the rectangle through the point, with the distances to its corners behind and ahead; both edges at a
-    corner are offered by `edges_at`."""
+    corner are offered by `edges_at`.
+    """
     edges = edges_at(scene, body, shape, point)
     if not edges:
-        raise refuse(mark, "PL522", f"the point of contact is not on an edge of {body}", "half the height below the centre, say")
+        raise refuse(
+            mark, "PL522", f"the point of contact is not on an edge of {body}", "half the height below the centre, say"
+        )
     return edges[0] if len(edges) == 1 else Outline("corner", body)
 
 

@@ -31,7 +31,9 @@ def place_jet(point: Point, evaluator: Evaluator, lookup: Lookup, decide: Decide
             reach = lookup(place.towards) - origin
             length = magnitude(reach)
             if length.value == 0:
-                raise refuse(point.mark, "PL510", f"{place.origin} and {place.towards} are the same place: no direction")
+                raise refuse(
+                    point.mark, "PL510", f"{place.origin} and {place.towards} are the same place: no direction"
+                )
             return origin + reach * (evaluator.jet(place.distance) / length)
         case Midpoint():
             return (lookup(place.a) + lookup(place.b)) * constant(sp.Rational(1, 2))
@@ -109,8 +111,12 @@ def _choose(point: Point, place: TwoFacts, candidates: tuple[Vec, Vec], decide: 
     if not apart:
         return one
     if place.side is None:
-        raise refuse(point.mark, "PL514", f"{point.name}: two places fit", "add `side: left`, right, above or below (the other)")
+        raise refuse(
+            point.mark, "PL514", f"{point.name}: two places fit", "add `side: left`, right, above or below (the other)"
+        )
     lead = {"right": dx, "left": -dx, "above": dy, "below": -dy}[place.side]
     if abs(lead) <= (abs(dx) + abs(dy)) * CERTAIN:
-        raise refuse(point.mark, "PL515", f"{point.name}: neither place is {place.side} of the other", "choose by the other axis")
+        raise refuse(
+            point.mark, "PL515", f"{point.name}: neither place is {place.side} of the other", "choose by the other axis"
+        )
     return one if lead > 0 else other

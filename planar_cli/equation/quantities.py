@@ -21,7 +21,20 @@ if TYPE_CHECKING:
 
 HALF = sp.Rational(1, 2)
 ORIGIN = Vec(constant(0), constant(0))
-LATER = {"path", "hodograph", "work", "impulse", "heat", "path_length", "mean", "count", "reached", "period", "frequency", "stable"}
+LATER = {
+    "path",
+    "hodograph",
+    "work",
+    "impulse",
+    "heat",
+    "path_length",
+    "mean",
+    "count",
+    "reached",
+    "period",
+    "frequency",
+    "stable",
+}
 
 
 def only(value: sp.Expr) -> Jet:
@@ -42,7 +55,12 @@ class Quantities:
         """The quantity as a number. FileProblem when it is a vector without a part."""
         found = self.any(quantity)
         if isinstance(found, Vec):
-            raise refuse(quantity.mark, "PL550", f"{quantity.word}(…) is a vector", "ask for a part: .x .y .mag .angle .along(30 deg)")
+            raise refuse(
+                quantity.mark,
+                "PL550",
+                f"{quantity.word}(…) is a vector",
+                "ask for a part: .x .y .mag .angle .along(30 deg)",
+            )
         return found
 
     def any(self, quantity: Quantity) -> Jet | Vec:
@@ -56,7 +74,12 @@ class Quantities:
 
     def _whole(self, q: Quantity) -> Jet | Vec:
         if q.word in LATER:
-            raise refuse(q.mark, "PL590", f"{q.word}(…) belongs to a motion over time", "at one instant ask places, velocities, accelerations and forces")
+            raise refuse(
+                q.mark,
+                "PL590",
+                f"{q.word}(…) belongs to a motion over time",
+                "at one instant ask places, velocities, accelerations and forces",
+            )
         if q.word in ("dot", "ddot"):
             return self._dotted(q)
         handler: Callable[[Quantity], Jet | Vec] = getattr(self, f"_q_{q.word}")
@@ -74,7 +97,12 @@ class Quantities:
             for _ in range(times):
                 found = Vec(found.x.dotted(), found.y.dotted()) if isinstance(found, Vec) else found.dotted()
         except ValueError as error:
-            raise refuse(q.mark, "PL552", str(error), "velocities and accelerations are known at an instant, their rates beyond are not") from None
+            raise refuse(
+                q.mark,
+                "PL552",
+                str(error),
+                "velocities and accelerations are known at an instant, their rates beyond are not",
+            ) from None
         return found
 
     # --- places and motion -------------------------------------------------------------------------------------------
@@ -209,7 +237,14 @@ class Quantities:
 
     def _q_PE(self, q: Quantity) -> Jet:
         """m g y_G, from y = 0."""
-        return only(sp.Add(*(self.scene.bodies[n].mass * self.scene.gravity * self.scene.bodies[n].center.y for n in self._bodies(q))))
+        return only(
+            sp.Add(
+                *(
+                    self.scene.bodies[n].mass * self.scene.gravity * self.scene.bodies[n].center.y
+                    for n in self._bodies(q)
+                )
+            )
+        )
 
     def _q_momentum(self, q: Quantity) -> Vec:
         total = Vec(sp.S.Zero, sp.S.Zero)
@@ -224,14 +259,18 @@ class Quantities:
             body = self.scene.bodies[name]
             about = self.scene.point(q.things[1]) if len(q.things) == 2 else body.center
             v = self.motion.velocity(body.center, name)
-            parts.append((body.center - about).cross(v) * body.mass + body.inertia * self.motion.velocities[name].angular)
+            parts.append(
+                (body.center - about).cross(v) * body.mass + body.inertia * self.motion.velocities[name].angular
+            )
         return only(sp.Add(*parts))
 
     # --- forces ------------------------------------------------------------------------------------------------------
 
     def _forces(self, q: Quantity) -> Reactions:
         if self.reactions is None:
-            raise refuse(q.mark, "PL555", f"{q.word}(…) can not stand here", "forces are not known before the motion is")
+            raise refuse(
+                q.mark, "PL555", f"{q.word}(…) can not stand here", "forces are not known before the motion is"
+            )
         return self.reactions
 
     def _q_N(self, q: Quantity) -> Jet:
@@ -285,7 +324,9 @@ class Quantities:
         velocity = Vec(jets.x.value, jets.y.value)
         speed = magnitude(vector_jet(velocity, None, None)).value
         if speed == 0:
-            raise refuse(part.mark, "PL556", f".{part.kind} where the speed is zero", "on a circle use `.along` or `.across`")
+            raise refuse(
+                part.mark, "PL556", f".{part.kind} where the speed is zero", "on a circle use `.along` or `.across`"
+            )
         value = Vec(v.x.value, v.y.value)
         if part.kind == "t":
             return only(value.dot(velocity) / speed)

@@ -30,7 +30,9 @@ class Reactions:
     def _of(self, q: Quantity) -> list[tuple[Push, sp.Expr]]:
         name = q.things[0]
         if name not in self.joints.values():
-            raise refuse(q.mark, "PL557", f"{name} is no joint", "N, friction, reaction, moment and tension take a joint's name")
+            raise refuse(
+                q.mark, "PL557", f"{name} is no joint", "N, friction, reaction, moment and tension take a joint's name"
+            )
         return [(p, e) for p, e in self.pushes if self.joints.get(p.joint) == name]
 
     def number(self, q: Quantity, kind: str) -> sp.Expr:
@@ -70,12 +72,19 @@ class Reactions:
         bodies = list(dict.fromkeys(a.body for p in pushes for a in p.actions))
         if len(q.things) == 2:
             if q.things[1] not in bodies:
-                raise refuse(q.mark, "PL558", f"{q.things[1]} is not held by {q.things[0]}", f"it acts on {', '.join(bodies)}")
+                raise refuse(
+                    q.mark, "PL558", f"{q.things[1]} is not held by {q.things[0]}", f"it acts on {', '.join(bodies)}"
+                )
             return q.things[1]
         moving = [b for b in bodies if b != GROUND]
         if len(moving) == 1:
             return moving[0]
-        raise refuse(q.mark, "PL559", f"{q.word}({q.things[0]}) acts on several bodies", f"say on which: {q.word}({q.things[0]}/{moving[0]})")
+        raise refuse(
+            q.mark,
+            "PL559",
+            f"{q.word}({q.things[0]}) acts on several bodies",
+            f"say on which: {q.word}({q.things[0]}/{moving[0]})",
+        )
 
     @staticmethod
     def _action(push: Push, body: str) -> Action:

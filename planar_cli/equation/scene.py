@@ -95,7 +95,11 @@ class Scene:
         if place is None:
             raise refuse(self._mark(name), "PL530", f"{name} is no point with a place")
         if name in self._building:
-            raise refuse(place.mark, "PL531", f"the place of {name} is given through itself: {' -> '.join([*self._building, name])}")
+            raise refuse(
+                place.mark,
+                "PL531",
+                f"the place of {name} is given through itself: {' -> '.join([*self._building, name])}",
+            )
         self._building.append(name)
         jets = place_jet(place, self.evaluator, self.formula, lambda: self.valuations[0])
         self._building.pop()
@@ -112,7 +116,9 @@ class Scene:
     def _moves(self, expr: sp.Expr) -> bool:
         """Does an expression rest on something that is sought?"""
         sought = set(self.ledger.sought)
-        return any(s in sought or (s in self.ledger.values and self._moves(self.ledger.values[s])) for s in expr.free_symbols)
+        return any(
+            s in sought or (s in self.ledger.values and self._moves(self.ledger.values[s])) for s in expr.free_symbols
+        )
 
     def _mark(self, name: str) -> Mark:
         return next((b.mark for b in self.problem.bodies if b.name == name), Mark(self.problem.file, 1, 1))
@@ -123,7 +129,9 @@ class Scene:
         if self._valuations is None:
             self._valuations = self.ledger.valuations(self._assumed)
             if not self._valuations:
-                raise refuse(Mark(self.problem.file, 1, 1), "PL532", "no numbers satisfy `assume`, or a length is not real")
+                raise refuse(
+                    Mark(self.problem.file, 1, 1), "PL532", "no numbers satisfy `assume`, or a length is not real"
+                )
         return self._valuations
 
     def _assumed(self, valuation: Valuation) -> bool:
@@ -135,7 +143,9 @@ class Scene:
         """Does a relation between names hold with these numbers?"""
         difference = self.value(relation.left) - self.value(relation.right)
         value = valuation(difference)
-        return {"<": value < 0, ">": value > 0, "<=": value <= 0, ">=": value >= 0, "=": valuation.is_zero(difference)}[relation.operator]
+        return {"<": value < 0, ">": value > 0, "<=": value <= 0, ">=": value >= 0, "=": valuation.is_zero(difference)}[
+            relation.operator
+        ]
 
     # --- what joints and loads ask -----------------------------------------------------------------------------------
 
@@ -167,7 +177,13 @@ class Scene:
             if other == 0:
                 return one if self.sign(one) >= 0 else -one
         square = v.dot(v)
-        simple = trigonometric(sp.expand(square)) if square.has(sp.cos, sp.sin) else sp.expand(square) if not square.is_number else square
+        simple = (
+            trigonometric(sp.expand(square))
+            if square.has(sp.cos, sp.sin)
+            else sp.expand(square)
+            if not square.is_number
+            else square
+        )
         return sp.sqrt(sp.factor(simple) if simple.free_symbols else simple)
 
     def direction(self, along: Side | str) -> Vec:
@@ -242,7 +258,11 @@ class Scene:
         """The disk that a rope passes at a stop, named itself or by its centre; "" for a bare point."""
         if stop in self.bodies and isinstance(self.bodies[stop].shape, Round):
             return stop
-        found = [b for b in self.owners.get(stop, ()) if isinstance(self.bodies[b].shape, Round) and self.bodies[b].shape.center == stop]
+        found = [
+            b
+            for b in self.owners.get(stop, ())
+            if isinstance(self.bodies[b].shape, Round) and self.bodies[b].shape.center == stop
+        ]
         return found[0] if found else ""
 
     def radius(self, body: str) -> sp.Expr:

@@ -28,7 +28,9 @@ class Earlier:
 class Setup:
     """Makes ledger, evaluator and scene; `open_form`: coordinates stay letters of the answer (a formula that holds throughout)."""
 
-    def __init__(self, problem: Problem, statements: Statements, earlier: Mapping[str, Earlier], open_form: bool) -> None:
+    def __init__(
+        self, problem: Problem, statements: Statements, earlier: Mapping[str, Earlier], open_form: bool
+    ) -> None:
         self.problem, self.statements, self.earlier = problem, statements, earlier
         self.ledger = Ledger(us=problem.us)
         self._given = {s.name: s for s in problem.given}
@@ -56,7 +58,10 @@ class Setup:
             made = self.ledger.seek(symbol.name, symbol.unit or "1", coordinate=True)
             unit = symbol.unit or "1"
             per = "rad" if parse_unit(unit).angle else unit if unit != "1" else "1"
-            self.motions[made] = (self.ledger.fresh(f"{symbol.name}_dot", f"{per}/s"), self.ledger.fresh(f"{symbol.name}_ddot", f"{per}/s^2"))
+            self.motions[made] = (
+                self.ledger.fresh(f"{symbol.name}_dot", f"{per}/s"),
+                self.ledger.fresh(f"{symbol.name}_ddot", f"{per}/s^2"),
+            )
         for symbol in self.problem.given:
             self._know(symbol)
 

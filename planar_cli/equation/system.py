@@ -135,7 +135,10 @@ class System:
     def _conditions(self, quantities: Quantities, level: int) -> list[Condition]:
         motion = quantities.motion
         rows = [row for mode in self.modes.values() for row in mode.facts.rows]
-        return [*joint_conditions(self.tree, rows, motion, level, self.scene.rigid), *self._file_conditions(quantities, level)]
+        return [
+            *joint_conditions(self.tree, rows, motion, level, self.scene.rigid),
+            *self._file_conditions(quantities, level),
+        ]
 
     def _file_conditions(self, quantities: Quantities, level: int) -> list[Condition]:
         """The relations of the file, points that follow formulas, and bodies at rest."""
@@ -160,7 +163,14 @@ class System:
 
 
 def make_system(
-    scene: Scene, builder: TreeBuilder, statements: Statements, modes: dict[str, Mode], symbols: dict[str, sp.Symbol], aliases: dict[str, str], plain: frozenset[str], drivers: tuple[Push, ...] = ()
+    scene: Scene,
+    builder: TreeBuilder,
+    statements: Statements,
+    modes: dict[str, Mode],
+    symbols: dict[str, sp.Symbol],
+    aliases: dict[str, str],
+    plain: frozenset[str],
+    drivers: tuple[Push, ...] = (),
 ) -> System:
     """The equations for one choice of modes; `symbols` keeps the symbol of each push across choices."""
     facts = [mode.facts for mode in modes.values()]
@@ -171,4 +181,17 @@ def make_system(
             symbols[push.name] = scene.ledger.fresh(push.name, push.unit)
     laws = tuple(law for f in facts for law in f.laws)
     first = Motion(tree, scene.center, {})
-    return System(scene, modes, statements, builder, tree, pushes, laws, symbols, first, scene.evaluator, aliases, titles=builder.titles)
+    return System(
+        scene,
+        modes,
+        statements,
+        builder,
+        tree,
+        pushes,
+        laws,
+        symbols,
+        first,
+        scene.evaluator,
+        aliases,
+        titles=builder.titles,
+    )

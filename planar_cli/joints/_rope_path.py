@@ -28,7 +28,9 @@ class Stop:
     rim: Vec | None
 
 
-def free_parts(rope: Rope, scene: Setting) -> tuple[tuple[Segment, ...], tuple[tuple[str, Any], ...], tuple[Action, ...]]:
+def free_parts(
+    rope: Rope, scene: Setting
+) -> tuple[tuple[Segment, ...], tuple[tuple[str, Any], ...], tuple[Action, ...]]:
     """Segments between stops, spins of drums, and the actions of a unit of tension.
 
     The rate of the rope's length is Σ direction · (v_end - v_start) over the segments, plus what drums give out; a pulley
@@ -60,7 +62,12 @@ def _stop(rope: Rope, scene: Setting, index: int) -> Stop:
     if stop.way == "point":
         return Stop(scene.owner(stop.name), scene.point(stop.name), 0, 0, None)
     if not 0 < index < len(rope.path) - 1:
-        raise scene.refuse(rope.mark, "PL525", f"{rope.name}: a rope can not end `{stop.way}` a pulley", "let it end at a point, or wound: `T on drum`")
+        raise scene.refuse(
+            rope.mark,
+            "PL525",
+            f"{rope.name}: a rope can not end `{stop.way}` a pulley",
+            "let it end at a point, or wound: `T on drum`",
+        )
     body = scene.pulley(stop.name)
     radius = scene.radius(body) if body else 0
     center = scene.point(stop.name)
@@ -69,7 +76,12 @@ def _stop(rope: Rope, scene: Setting, index: int) -> Stop:
     before, after = (_place(scene, rope.path[i]) for i in (index - 1, index + 1))
     ahead = scene.sign(after.x - before.x)
     if ahead == 0:
-        raise scene.refuse(rope.mark, "PL526", f"{rope.name}: the stops beside {stop.name} lie one above the other", "`over` and `under` need a left and a right part, or write `along:`")
+        raise scene.refuse(
+            rope.mark,
+            "PL526",
+            f"{rope.name}: the stops beside {stop.name} lie one above the other",
+            "`over` and `under` need a left and a right part, or write `along:`",
+        )
     return Stop(body or scene.owner(stop.name), center, radius, -ahead if stop.way == "over" else ahead, None)
 
 

@@ -6,7 +6,21 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from planar_cli.joints._outline_residuals import center_of
-from planar_cli.problem.facts import Action, Anchor, Facts, Joining, Law, Mode, Outline, Path, Pull, Push, Rolling, Row, Test
+from planar_cli.problem.facts import (
+    Action,
+    Anchor,
+    Facts,
+    Joining,
+    Law,
+    Mode,
+    Outline,
+    Path,
+    Pull,
+    Push,
+    Rolling,
+    Row,
+    Test,
+)
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.setting import Setting
 
@@ -36,7 +50,12 @@ class Touching:
     @property
     def either_side(self) -> bool:
         """A particle drawn on a fixed circle may be inside or outside: the side on which it presses counts."""
-        return self.base.kind == "arc" and self.base.body == "ground" and self.mover.kind == "corner" and not self.scene.rigid(self.mover.body)
+        return (
+            self.base.kind == "arc"
+            and self.base.body == "ground"
+            and self.mover.kind == "corner"
+            and not self.scene.rigid(self.mover.body)
+        )
 
     @property
     def smooth(self) -> bool:
@@ -50,7 +69,11 @@ class Touching:
         """Mover and base: a corner or rim slides on the other outline; of two rims, the moving body on the fixed one."""
         scene, contact = self.scene, self.contact
         a, b = (scene.outline(p, self.place, contact.mark) for p in contact.between)
-        if a.body == "ground" or (b.kind == "corner" and a.kind != "corner") or (a.kind == "straight" and b.kind == "arc"):
+        if (
+            a.body == "ground"
+            or (b.kind == "corner" and a.kind != "corner")
+            or (a.kind == "straight" and b.kind == "arc")
+        ):
             a, b = b, a
         if a.kind == "corner" and b.kind != "corner" and scene.contacts(*contact.between) == 1:
             a = self._flush_edge(a, b)
@@ -58,7 +81,12 @@ class Touching:
             if not scene.is_zero(a.tangent.cross(b.tangent)) or scene.contacts(*contact.between) > 1:  # type: ignore[union-attr]
                 a = replace(a, kind="corner", tangent=None)
         if a.kind == b.kind == "corner":
-            raise scene.refuse(contact.mark, "PL527", f"{self.name}: two corners touch, the direction of the contact is open", "contact needs a rim, an edge or a surface on one side")
+            raise scene.refuse(
+                contact.mark,
+                "PL527",
+                f"{self.name}: two corners touch, the direction of the contact is open",
+                "contact needs a rim, an edge or a surface on one side",
+            )
         if a.body == "ground":
             a, b = b, a
         return a, b
@@ -110,7 +138,16 @@ class Touching:
             point, place = self.mover.center, self.mover.center_name
             height = (point - self.place).dot(self.normal)
             curvature = curvature / (1 - curvature * height)
-        return Joining(self.name, self.mover.body, self.base.body, point, place, Path(self.tangent, curvature), turns=not self.face, drift=None)
+        return Joining(
+            self.name,
+            self.mover.body,
+            self.base.body,
+            point,
+            place,
+            Path(self.tangent, curvature),
+            turns=not self.face,
+            drift=None,
+        )
 
     def _base_curvature(self) -> Any:
         """The base's curvature along our tangent (which may run the other way)."""
@@ -121,7 +158,9 @@ class Touching:
 
     def _sticking_joining(self) -> Joining:
         drift = self.base.drift
-        joining = Joining(self.name, self.mover.body, self.base.body, self.place, self.contact.at, turns=not self.face, drift=drift)
+        joining = Joining(
+            self.name, self.mover.body, self.base.body, self.place, self.contact.at, turns=not self.face, drift=drift
+        )
         if "arc" in (self.mover.kind, self.base.kind) and self.mover.kind != "corner":
             rolling = Rolling(self.tangent, self.mover.curvature * self._same(self.mover), self._base_curvature())
             joining = replace(joining, rolling=rolling)
@@ -208,7 +247,9 @@ class Touching:
         joining = self._sticking_joining()
         words = f"{self.words} rolls without slipping" if joining.rolling else f"{self.words} does not slip"
         facts = Facts((joining,), pushes=self._pushes(self.place, self.face))
-        return Mode("stick", words, facts, (self._pressed(), *self._within(), *self._inside()), self._sliding(self.place))
+        return Mode(
+            "stick", words, facts, (self._pressed(), *self._within(), *self._inside()), self._sliding(self.place)
+        )
 
     def _slips(self) -> list[Mode]:
         joining, sliding = self._sliding_joining(), self._sliding(self.place)
@@ -220,7 +261,11 @@ class Touching:
         for direction in (1, -1):
             moves = Test(self.name, f"{self.words} slips as assumed", row=sliding, sense=direction, strict=True)
             facts = Facts((joining,), (), pushes, self._law(direction))
-            found.append(Mode("slip", f"{self.words} slips", facts, (self._pressed(), moves, *self._inside()), sliding, direction))
+            found.append(
+                Mode(
+                    "slip", f"{self.words} slips", facts, (self._pressed(), moves, *self._inside()), sliding, direction
+                )
+            )
         return found
 
     def _tips(self) -> list[Mode]:
@@ -236,15 +281,38 @@ class Touching:
             opens = Test(self.name, f"{self.words} tips as assumed", row=lifts, strict=True)
             pushes, sliding = self._pushes(corner, False), self._sliding(corner)
             if not self.smooth:
-                joining = Joining(self.name, self.mover.body, self.base.body, corner, self.contact.at, drift=self.base.drift)
+                joining = Joining(
+                    self.name, self.mover.body, self.base.body, corner, self.contact.at, drift=self.base.drift
+                )
                 tests = (self._pressed(), *self._within(), opens)
-                found.append(Mode("tip", f"{self.words} tips about its edge", Facts((joining,), pushes=pushes), tests, sliding, touching=touching))
-            joining = Joining(self.name, self.mover.body, self.base.body, corner, self.contact.at, Path(self.tangent, 0))
+                found.append(
+                    Mode(
+                        "tip",
+                        f"{self.words} tips about its edge",
+                        Facts((joining,), pushes=pushes),
+                        tests,
+                        sliding,
+                        touching=touching,
+                    )
+                )
+            joining = Joining(
+                self.name, self.mover.body, self.base.body, corner, self.contact.at, Path(self.tangent, 0)
+            )
             for direction in (1, -1) if not self.smooth else (0,):
                 moves = Test(self.name, f"{self.words} slips as assumed", row=sliding, sense=direction, strict=True)
                 tests = (self._pressed(), opens, *((moves,) if direction else ()))
                 facts = Facts((joining,), (), pushes, self._law(direction) if direction else ())
-                found.append(Mode("tip", f"{self.words} tips and slips", facts, tests, sliding if direction else None, direction, touching))
+                found.append(
+                    Mode(
+                        "tip",
+                        f"{self.words} tips and slips",
+                        facts,
+                        tests,
+                        sliding if direction else None,
+                        direction,
+                        touching,
+                    )
+                )
         return found
 
     def _apart(self) -> Mode:

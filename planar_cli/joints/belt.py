@@ -6,10 +6,10 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from planar_cli.joints.base import Joint
-from planar_cli.problem.residuals import Poses, Residual
-from planar_cli.problem.setting import Setting
 from planar_cli.problem.facts import Action, Anchor, Facts, Mode, Pull, Push, Row
 from planar_cli.problem.keys import FlagKey, PartnersKey, key
+from planar_cli.problem.residuals import Poses, Residual
+from planar_cli.problem.setting import Setting
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -7,12 +7,12 @@ from typing import ClassVar
 
 from planar_cli.joints._outline_residuals import same_turn, together
 from planar_cli.joints.base import Joint
+from planar_cli.problem.expression import Side
+from planar_cli.problem.facts import Action, Anchor, Facts, Joining, Mode, Pull, Push, Row, Skid, Test
 from planar_cli.problem.geometry import Vec
+from planar_cli.problem.keys import PartnersKey, SideKey, key
 from planar_cli.problem.residuals import Residual
 from planar_cli.problem.setting import Setting
-from planar_cli.problem.facts import Action, Anchor, Facts, Joining, Mode, Pull, Push, Row, Skid, Test
-from planar_cli.problem.expression import Side
-from planar_cli.problem.keys import PartnersKey, SideKey, key
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -68,11 +68,17 @@ class Flat(Joint):
             actions = (Action(body, point, None, 1), Action(base, point, None, -1))
             pushes.append(Push(f"M_{self.name}", "couple", self.name, place, actions, "N*m"))
         sliding = tuple(
-            Row(self.name, f"{body} does not slide on {base}", (Pull(Anchor(body, point), d), Pull(Anchor(base, point), -d)))
+            Row(
+                self.name,
+                f"{body} does not slide on {base}",
+                (Pull(Anchor(body, point), d), Pull(Anchor(base, point), -d)),
+            )
             for d in (Vec(1, 0), Vec(0, 1))
         )
         held = Facts((Joining(self.name, body, base, point, place, turns=False),), pushes=tuple(pushes))
-        within = Test(self.name, f"friction of {body} within its limit", constant=size, within=(pushes[0].name, pushes[1].name))
+        within = Test(
+            self.name, f"friction of {body} within its limit", constant=size, within=(pushes[0].name, pushes[1].name)
+        )
         slipping = Facts(skids=(Skid(self.name, body, base, point, size),))
         return (
             Mode("stick", f"{body} does not slide on {base}", held, (within,), sliding[0], touching=Facts()),
@@ -88,4 +94,6 @@ class Flat(Joint):
             return ()
         body, base = (scene.carrier(b) for b in self.between)
         found = (together(f"{self.name}: place", body, base, scene.center(body)),)
-        return (*found, same_turn(f"{self.name}: angle", body, base)) if scene.rigid(body) and scene.rigid(base) else found
+        return (
+            (*found, same_turn(f"{self.name}: angle", body, base)) if scene.rigid(body) and scene.rigid(base) else found
+        )

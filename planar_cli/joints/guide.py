@@ -7,12 +7,12 @@ from typing import ClassVar
 
 from planar_cli.joints._outline_residuals import center_of, same_turn, together, touching
 from planar_cli.joints.base import Joint
+from planar_cli.problem.expression import Side
+from planar_cli.problem.facts import Action, Anchor, Facts, Joining, Law, Mode, Outline, Path, Pull, Push, Row, Test
 from planar_cli.problem.geometry import Vec
+from planar_cli.problem.keys import BodyKey, Choice, DirectionKey, PointKey, SideKey, key
 from planar_cli.problem.residuals import Residual
 from planar_cli.problem.setting import Setting
-from planar_cli.problem.facts import Action, Anchor, Facts, Joining, Law, Mode, Outline, Path, Pull, Push, Row, Test
-from planar_cli.problem.expression import Side
-from planar_cli.problem.keys import BodyKey, Choice, DirectionKey, PointKey, SideKey, key
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -95,7 +95,12 @@ class Guide(Joint):
             place = self.point or ""
             mover, point = scene.owner(place, base), scene.point(place)
             if mover == "ground":
-                raise scene.refuse(self.mark, "PL524", f"{place} belongs to no body that could slide", "name it among the body's points")
+                raise scene.refuse(
+                    self.mark,
+                    "PL524",
+                    f"{place} belongs to no body that could slide",
+                    "name it among the body's points",
+                )
         tangent, curvature = scene.track(self.along, point, self.mark)
         turns = self.body is None or not scene.is_zero(curvature)
         return Joining(self.name, mover, base, point, place, Path(tangent, curvature), turns), tangent.turned()
@@ -106,7 +111,9 @@ class Guide(Joint):
             return ()
         bend = joining.path.tangent * joining.path.curvature
         pulls = (Pull(Anchor(joining.mover, joining.point), -bend), Pull(Anchor(joining.base, joining.point), bend))
-        return (Row(self.name, f"{joining.mover} turns with its track", pulls, ((joining.mover, 1), (joining.base, -1))),)
+        return (
+            Row(self.name, f"{joining.mover} turns with its track", pulls, ((joining.mover, 1), (joining.base, -1))),
+        )
 
     def _push(self, name: str, kind: str, joining: Joining, direction: Vec) -> Push:
         actions = (Action(joining.mover, joining.point, direction), Action(joining.base, joining.point, -direction))
@@ -125,21 +132,30 @@ class Guide(Joint):
         normal, friction = f"N_{self.name}", f"F_{self.name}"
         path = joining.path
         tangent = path.tangent if path else Vec(1, 0)
-        pulls = (Pull(Anchor(joining.mover, joining.point), tangent), Pull(Anchor(joining.base, joining.point), -tangent))
+        pulls = (
+            Pull(Anchor(joining.mover, joining.point), tangent),
+            Pull(Anchor(joining.base, joining.point), -tangent),
+        )
         sliding = Row(self.name, f"{joining.place} does not slide", pulls)
         modes = []
         for side in (1, -1):
             pressed = Test(self.name, "the side of the guide that is pressed", ((normal, side),))
-            limits = tuple(Test(self.name, "friction within its limit", ((normal, side * static), (friction, s))) for s in (1, -1))  # type: ignore[operator]
+            limits = tuple(
+                Test(self.name, "friction within its limit", ((normal, side * static), (friction, s))) for s in (1, -1)
+            )  # type: ignore[operator]
             held = Facts((joining,), (*turning, sliding), pushes)
-            modes.append(Mode("stick", f"{joining.place} does not slide in its guide", held, (pressed, *limits), sliding))
+            modes.append(
+                Mode("stick", f"{joining.place} does not slide in its guide", held, (pressed, *limits), sliding)
+            )
         for direction in (1, -1):
             for side in (1, -1):
                 pressed = Test(self.name, "the side of the guide that is pressed", ((normal, side),))
                 moves = Test(self.name, "it slides as assumed", row=sliding, sense=direction, strict=True)
                 law = Law(friction, -direction * side * kinetic, normal)  # type: ignore[operator]
                 facts = Facts((joining,), turning, pushes, (law,))
-                modes.append(Mode("slip", f"{joining.place} slides in its guide", facts, (pressed, moves), sliding, direction))
+                modes.append(
+                    Mode("slip", f"{joining.place} slides in its guide", facts, (pressed, moves), sliding, direction)
+                )
         return tuple(modes)
 
     def residuals(self, scene: Setting, mode: Mode) -> tuple[Residual, ...]:

@@ -6,11 +6,11 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from planar_cli.joints.base import Joint
+from planar_cli.problem.expression import Side
+from planar_cli.problem.facts import Mode
+from planar_cli.problem.keys import PartnersKey, SideKey, key
 from planar_cli.problem.residuals import Residual
 from planar_cli.problem.setting import Setting
-from planar_cli.problem.facts import Mode
-from planar_cli.problem.expression import Side
-from planar_cli.problem.keys import PartnersKey, SideKey, key
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -58,7 +58,12 @@ class Impact(Joint):
     mu: Side | None = key(SideKey("1"), "coefficient of friction during the impact", default=None)
 
     def modes(self, scene: Setting) -> tuple[Mode, ...]:
-        raise scene.refuse(self.mark, "PL590", "an impact joins two states", "at one instant there is no impact; use `states` and `during`")
+        raise scene.refuse(
+            self.mark,
+            "PL590",
+            "an impact joins two states",
+            "at one instant there is no impact; use `states` and `during`",
+        )
 
     def residuals(self, scene: Setting, mode: Mode) -> tuple[Residual, ...]:
         """None: an impact keeps no places."""

@@ -7,12 +7,11 @@ from typing import Any, ClassVar
 
 from planar_cli.joints._swing import swing
 from planar_cli.joints.base import Joint
-from planar_cli.problem.geometry import Vec
+from planar_cli.problem.expression import Side
+from planar_cli.problem.facts import Action, Anchor, Facts, Mode, Push
+from planar_cli.problem.keys import PointPairKey, SideKey, key
 from planar_cli.problem.residuals import Poses, Residual
 from planar_cli.problem.setting import Setting
-from planar_cli.problem.facts import Action, Anchor, Facts, Mode, Push
-from planar_cli.problem.expression import Side
-from planar_cli.problem.keys import PointPairKey, SideKey, key
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

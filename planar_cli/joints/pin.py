@@ -7,12 +7,12 @@ from typing import ClassVar
 
 from planar_cli.joints._outline_residuals import same_turn, together
 from planar_cli.joints.base import Joint
+from planar_cli.problem.expression import Side
+from planar_cli.problem.facts import Action, Facts, Joining, Law, Mode, Push, Row, Test
 from planar_cli.problem.geometry import Vec
+from planar_cli.problem.keys import PartnersKey, PointKey, SideKey, key
 from planar_cli.problem.residuals import Residual
 from planar_cli.problem.setting import Setting
-from planar_cli.problem.facts import Action, Facts, Joining, Law, Mode, Push, Row, Test
-from planar_cli.problem.expression import Side
-from planar_cli.problem.keys import PartnersKey, PointKey, SideKey, key
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -52,7 +52,9 @@ class Pin(Joint):
     kind: ClassVar[str] = "pin"
 
     at: str = key(PointKey(), "the common point")
-    between: tuple[str, ...] = key(PartnersKey(most=0), "the bodies that it holds together; `ground` among them fixes it")
+    between: tuple[str, ...] = key(
+        PartnersKey(most=0), "the bodies that it holds together; `ground` among them fixes it"
+    )
     friction_torque: Side | None = key(SideKey("N*m"), "constant friction moment of a rough axle", default=None)
 
     def attachments(self) -> tuple[tuple[str, str], ...]:
@@ -63,7 +65,9 @@ class Pin(Joint):
         movers = [scene.carrier(b) for b in self.between if b != hub]
         hub, place = scene.carrier(hub), scene.point(self.at)
         joinings = tuple(Joining(self.name, mover, hub, place, self.at) for mover in movers)
-        pushes = tuple(p for mover in movers for p in components(self.name, self.at, mover, hub, place, len(movers) > 1))
+        pushes = tuple(
+            p for mover in movers for p in components(self.name, self.at, mover, hub, place, len(movers) > 1)
+        )
         facts = Facts(joinings, pushes=pushes)
         if self.friction_torque is None:
             return (Mode("", "", facts),)
@@ -81,13 +85,18 @@ class Pin(Joint):
         for direction, words in ((1, "counterclockwise"), (-1, "clockwise")):
             slipping = Facts(facts.joinings, (), (*facts.pushes, push), (Law(couple, -direction * limit, None),))
             tests = (Test(self.name, f"{mover} turns {words}", row=turning, sense=direction, strict=True),)
-            modes.append(Mode("slip", f"{mover} turns {words} on its axle at {self.at}", slipping, tests, turning, direction))
+            modes.append(
+                Mode("slip", f"{mover} turns {words} on its axle at {self.at}", slipping, tests, turning, direction)
+            )
         held = Facts(facts.joinings, (turning,), (*facts.pushes, push))
         tests = (
             Test(self.name, "friction torque within its limit", ((couple, 1),), limit),
             Test(self.name, "friction torque within its limit", ((couple, -1),), limit),
         )
-        return (Mode("stick", f"{mover} is held by the friction of its axle at {self.at}", held, tests, turning), *modes)
+        return (
+            Mode("stick", f"{mover} is held by the friction of its axle at {self.at}", held, tests, turning),
+            *modes,
+        )
 
     def residuals(self, scene: Setting, mode: Mode) -> tuple[Residual, ...]:
         first, *others = (scene.carrier(b) for b in self.between)

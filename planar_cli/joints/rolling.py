@@ -8,10 +8,11 @@ from typing import ClassVar
 from planar_cli.joints._outline_residuals import stuck
 from planar_cli.joints._touching import away
 from planar_cli.joints.base import Joint
+from planar_cli.problem.facts import Action, Facts, Joining, Mode, Push
+from planar_cli.problem.facts import Rolling as NoSlip
+from planar_cli.problem.keys import PartnersKey, PointKey, key
 from planar_cli.problem.residuals import Residual
 from planar_cli.problem.setting import Setting
-from planar_cli.problem.facts import Action, Facts, Joining, Mode, Push, Rolling as NoSlip
-from planar_cli.problem.keys import PartnersKey, PointKey, key
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -63,10 +64,23 @@ class Rolling(Joint):
         if a.body == "ground" or (a.kind != "arc" and b.kind == "arc"):
             a, b = b, a
         if a.tangent is None or b.tangent is None:
-            raise scene.refuse(self.mark, "PL523", f"{self.name}: a corner can not roll", "rolling needs a round rim on a rim, rack or surface")
+            raise scene.refuse(
+                self.mark,
+                "PL523",
+                f"{self.name}: a corner can not roll",
+                "rolling needs a round rim on a rim, rack or surface",
+            )
         same = scene.sign(a.tangent.dot(b.tangent))
         tangent = b.tangent
-        joining = Joining(self.name, a.body, b.body, place, self.at, rolling=NoSlip(tangent, same * a.curvature, b.curvature), drift=b.drift)
+        joining = Joining(
+            self.name,
+            a.body,
+            b.body,
+            place,
+            self.at,
+            rolling=NoSlip(tangent, same * a.curvature, b.curvature),
+            drift=b.drift,
+        )
         normal = tangent.turned()
         if scene.sign(away(a, b, place, scene).dot(normal)) < 0:
             normal = -normal

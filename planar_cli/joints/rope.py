@@ -5,15 +5,15 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
-from planar_cli.joints._swing import swing
 from planar_cli.joints._rope_length import rope_length
 from planar_cli.joints._rope_path import free_parts, stops_of
+from planar_cli.joints._swing import swing
 from planar_cli.joints.base import Joint
+from planar_cli.problem.expression import Side
+from planar_cli.problem.facts import Facts, Mode, Push, Row, Segment, Test
+from planar_cli.problem.keys import RopePathKey, RopeStop, SideKey, key
 from planar_cli.problem.residuals import Residual
 from planar_cli.problem.setting import Setting
-from planar_cli.problem.facts import Action, Anchor, Facts, Mode, Push, Row, Segment, Test
-from planar_cli.problem.expression import Side
-from planar_cli.problem.keys import RopePathKey, RopeStop, SideKey, key
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -65,7 +65,9 @@ class Rope(Joint):
     kind: ClassVar[str] = "rope"
 
     path: tuple[RopeStop, ...] = key(RopePathKey(), "its stops in order: A, over D, under E, T on drum")
-    along: Side | None = key(SideKey("deg", angle=True), "the direction of all its parts; pulley sizes left out", default=None)
+    along: Side | None = key(
+        SideKey("deg", angle=True), "the direction of all its parts; pulley sizes left out", default=None
+    )
 
     def attachments(self) -> tuple[tuple[str, str], ...]:
         return tuple((stop.name, stop.body) for stop in self.path if stop.way == "on" and stop.body is not None)
@@ -85,7 +87,13 @@ class Rope(Joint):
         shortens = Test(self.name, "the ends do not move apart", row=row, sense=-1)
         return (
             Mode("taut", f"the rope {self.name} is taut", taut, (pulls,), row),
-            Mode("slack", f"the rope {self.name} is slack", Facts(), (shortens,), touching=Facts(taut.joinings, taut.rows)),
+            Mode(
+                "slack",
+                f"the rope {self.name} is slack",
+                Facts(),
+                (shortens,),
+                touching=Facts(taut.joinings, taut.rows),
+            ),
         )
 
     def residuals(self, scene: Setting, mode: Mode) -> tuple[Residual, ...]:

@@ -7,11 +7,11 @@ from typing import ClassVar
 
 from planar_cli.joints._outline_residuals import same_turn, together
 from planar_cli.joints.base import Joint
+from planar_cli.problem.facts import Action, Facts, Joining, Mode, Push
 from planar_cli.problem.geometry import Vec
+from planar_cli.problem.keys import PartnersKey, PointKey, key
 from planar_cli.problem.residuals import Residual
 from planar_cli.problem.setting import Setting
-from planar_cli.problem.facts import Action, Facts, Joining, Mode, Push
-from planar_cli.problem.keys import PartnersKey, PointKey, key
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -66,7 +66,9 @@ class Weld(Joint):
             back = -force if force is not None else None
             actions = (Action(mover, point, force, couple), Action(base, point, back, -couple))
             title = f"{self.name}_{name}" if force is not None else f"M_{self.name}"
-            pushes.append(Push(title, "component" if force is not None else "couple", self.name, self.at, actions, unit))
+            pushes.append(
+                Push(title, "component" if force is not None else "couple", self.name, self.at, actions, unit)
+            )
         joining = Joining(self.name, mover, base, point, self.at, turns=False)
         return (Mode("", "", Facts((joining,), pushes=tuple(pushes))),)
 

@@ -6,10 +6,10 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from planar_cli.loads.base import Load
-from planar_cli.problem.setting import MovingSetting
-from planar_cli.problem.facts import Wrench
 from planar_cli.problem.expression import Side
+from planar_cli.problem.facts import Wrench
 from planar_cli.problem.keys import BodyKey, MagnitudeKey, Table, key
+from planar_cli.problem.setting import MovingSetting
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -54,4 +54,8 @@ class Drag(Load):
         if scene.is_zero(velocity.dot(velocity)):
             return ()
         magnitude = scene.size(self.magnitude, self.mark)
-        return (Wrench(self.name, "drag", self.body, center, -velocity * (magnitude / scene.length(velocity)), 0, magnitude),)
+        return (
+            Wrench(
+                self.name, "drag", self.body, center, -velocity * (magnitude / scene.length(velocity)), 0, magnitude
+            ),
+        )

@@ -6,11 +6,11 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from planar_cli.loads.base import Load
-from planar_cli.problem.geometry import Vec
-from planar_cli.problem.setting import MovingSetting
-from planar_cli.problem.facts import Wrench
 from planar_cli.problem.expression import Side
+from planar_cli.problem.facts import Wrench
+from planar_cli.problem.geometry import Vec
 from planar_cli.problem.keys import BodyKey, Choice, MagnitudeKey, PointKey, SideKey, Table, key
+from planar_cli.problem.setting import MovingSetting
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -84,7 +84,9 @@ class Force(Load):
             reach = scene.point(self.towards) - point
             return reach / scene.length(reach)
         if self.angle is None:
-            raise scene.refuse(self.mark, "PL540", f"the direction of {self.name} is missing", "write `angle: 30 deg` or `towards: P`")
+            raise scene.refuse(
+                self.mark, "PL540", f"the direction of {self.name} is missing", "write `angle: 30 deg` or `towards: P`"
+            )
         if self.relative_to is not None:
             along = scene.direction(self.relative_to)
             turn = scene.unit(self.angle)

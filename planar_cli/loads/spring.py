@@ -6,10 +6,10 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from planar_cli.loads.base import Load
-from planar_cli.problem.setting import MovingSetting
-from planar_cli.problem.facts import Wrench
 from planar_cli.problem.expression import Side, Statement
+from planar_cli.problem.facts import Wrench
 from planar_cli.problem.keys import Choice, PointPairKey, SideKey, StatementsKey, WordKey, key
+from planar_cli.problem.setting import MovingSetting
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -57,13 +57,19 @@ class Spring(Load):
     between: tuple[str, str] = key(PointPairKey(), "the two points it joins")
     stiffness: Side = key(SideKey("N/m"), "its stiffness")
     natural_length: Side | None = key(SideKey("m"), "its length when relaxed", default=None)
-    relaxed_at: tuple[Statement, ...] | None = key(StatementsKey(), "relations of the place where it is relaxed", default=None)
+    relaxed_at: tuple[Statement, ...] | None = key(
+        StatementsKey(), "relations of the place where it is relaxed", default=None
+    )
     acts: str | None = key(WordKey(("push", "pull")), "where it only pushes or only pulls", default=None)
 
     def wrenches(self, scene: MovingSetting) -> tuple[Wrench, ...]:
         start, end = (scene.point(p) for p in self.between)
         length = scene.length(end - start)
-        relaxed = scene.value(self.natural_length) if self.natural_length is not None else scene.with_relations(self.relaxed_at or (), length)
+        relaxed = (
+            scene.value(self.natural_length)
+            if self.natural_length is not None
+            else scene.with_relations(self.relaxed_at or (), length)
+        )
         stretch = length - relaxed
         side = scene.sign(stretch)
         if side == 0 or (self.acts == "push" and side > 0) or (self.acts == "pull" and side < 0):
@@ -73,4 +79,8 @@ class Spring(Load):
         tension = scene.value(self.stiffness) * stretch
         along = (end - start) / length
         ends = ((self.between[0], start, along), (self.between[1], end, -along))
-        return tuple(Wrench(self.name, "spring", scene.owner(p), at, d * tension, 0, tension) for p, at, d in ends if scene.owner(p) != "ground")
+        return tuple(
+            Wrench(self.name, "spring", scene.owner(p), at, d * tension, 0, tension)
+            for p, at, d in ends
+            if scene.owner(p) != "ground"
+        )

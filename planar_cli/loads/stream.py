@@ -6,10 +6,10 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from planar_cli.loads.base import Load
-from planar_cli.problem.setting import MovingSetting
-from planar_cli.problem.facts import Wrench
 from planar_cli.problem.expression import Side
+from planar_cli.problem.facts import Wrench
 from planar_cli.problem.keys import BodyKey, Choice, Flow, FlowKey, SideKey, key
+from planar_cli.problem.setting import MovingSetting
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -64,4 +64,6 @@ class Stream(Load):
     leaves: Flow | None = key(FlowKey(), "where and how it leaves: {at, speed, angle}", default=None)
 
     def wrenches(self, scene: MovingSetting) -> tuple[Wrench, ...]:
-        raise scene.refuse(self.mark, "PL590", "a stream changes the mass over time", "this can not be asked at one instant")
+        raise scene.refuse(
+            self.mark, "PL590", "a stream changes the mass over time", "this can not be asked at one instant"
+        )

@@ -6,10 +6,10 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from planar_cli.loads.base import Load
-from planar_cli.problem.setting import MovingSetting
-from planar_cli.problem.facts import Wrench
 from planar_cli.problem.expression import Side
+from planar_cli.problem.facts import Wrench
 from planar_cli.problem.keys import BodyKey, Choice, MagnitudeKey, PartnersKey, Table, key
+from planar_cli.problem.setting import MovingSetting
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

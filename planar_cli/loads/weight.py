@@ -6,9 +6,9 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from planar_cli.loads.base import Load
+from planar_cli.problem.facts import Wrench
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.setting import MovingSetting
-from planar_cli.problem.facts import Wrench
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

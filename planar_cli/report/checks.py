@@ -35,6 +35,7 @@ def _presses(instant: InstantSolution, phrases: Phrases) -> list[Line]:
             if column is None or not outcome.solved.unique(column):
                 continue
             if push.kind == "normal" and values[symbol] > 0:
-                found.append(line(Relation(Math(symbol), "=", Value(values[symbol], push.unit, phrases.figures)), " > 0"))
+                found.append(
+                    line(Relation(Math(symbol), "=", Value(values[symbol], push.unit, phrases.figures)), " > 0")
+                )
     return found[:MOST_PRESSES]
-

@@ -66,4 +66,6 @@ def _remark(answer: Found, symbol: sp.Symbol, root: sp.Expr, turning: sp.Expr, p
     unit = phrases.shown(symbol, Decimal(value))
     if root.is_number:
         return line(opening, Relation(Math(symbol), "=", unit), ".")
-    return line(opening, Relation(Math(symbol), "=", Math(root)), " = ", Value(unit.number, unit.unit, unit.figures), ".")
+    return line(
+        opening, Relation(Math(symbol), "=", Math(root)), " = ", Value(unit.number, unit.unit, unit.figures), "."
+    )

@@ -23,7 +23,13 @@ def effects(instant: InstantSolution) -> tuple[list[str], list[str]]:
     has_mass = any(b.mass != 0 for b in scene.bodies.values())
     if "weight" in kinds:
         present.append("weight")
-    for kind, words in (("force", "applied force"), ("torque", "applied torque"), ("spring", "spring force"), ("damper", "damper force"), ("drag", "drag")):
+    for kind, words in (
+        ("force", "applied force"),
+        ("torque", "applied torque"),
+        ("spring", "spring force"),
+        ("damper", "damper force"),
+        ("drag", "drag"),
+    ):
         if kind in kinds:
             present.append(words)
     if has_mass:
@@ -43,7 +49,13 @@ def _contacts(instant: InstantSolution) -> list[str]:
     system = instant.trial.system
     found: dict[str, list[str]] = {}
     for push in system.pushes:
-        words = {"normal": "normal force", "friction": "friction", "component": "pin force", "tension": "tension", "couple": "couple"}[push.kind]
+        words = {
+            "normal": "normal force",
+            "friction": "friction",
+            "component": "pin force",
+            "tension": "tension",
+            "couple": "couple",
+        }[push.kind]
         place = system.aliases.get(push.joint, push.joint)
         if words not in found.setdefault(place, []):
             found[place].append(words)

@@ -79,12 +79,19 @@ def _inertia(instant: InstantSolution, stage: Stage, body: str, phrases: Phrases
     for direction, component in stage.accelerations.get(body, []) if model.mass != 0 else ():
         v = -direction if reversed_sense else direction
         size = _size(direction, phrases)
-        force = sp.Mul(model.mass, size, component, evaluate=False) if size != 1 else sp.Mul(model.mass, component, evaluate=False)
+        force = (
+            sp.Mul(model.mass, size, component, evaluate=False)
+            if size != 1
+            else sp.Mul(model.mass, component, evaluate=False)
+        )
         parts += [Text(",  ")] * bool(parts) + [phrases.math(force), Text(f" {phrases.arrow(v.x, v.y)} at {place}")]
     motion = instant.trial.system.motion
     alpha = motion.accelerations[body].angular if motion and model.rigid else sp.S.Zero
     if model.inertia != 0 and alpha != 0:
-        parts += [Text(",  ")] * bool(parts) + [phrases.math(model.inertia * alpha), Text(" ↻" if reversed_sense else " ↺")]
+        parts += [Text(",  ")] * bool(parts) + [
+            phrases.math(model.inertia * alpha),
+            Text(" ↻" if reversed_sense else " ↺"),
+        ]
     return tuple(parts)
 
 

@@ -32,7 +32,9 @@ def narrate(solution: Solution, figures: int = 4, audience: str = "exam", why: s
     return Document(problem.title or problem.file, tuple(blocks))
 
 
-def part_blocks(part: PartSolution, figures: int, audience: str, why: str | None, told: set[tuple[str, ...]]) -> list[Block]:
+def part_blocks(
+    part: PartSolution, figures: int, audience: str, why: str | None, told: set[tuple[str, ...]]
+) -> list[Block]:
     """One part: its instants, its answers, its checks. `told`: effects that were listed before."""
     blocks: list[Block] = []
     for instant in part.instants:

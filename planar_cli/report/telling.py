@@ -24,7 +24,9 @@ class Telling:
     `wanted`: names of symbols whose derivation is told; None: all.
     """
 
-    def __init__(self, instant: InstantSolution, phrases: Phrases, audience: str, wanted: frozenset[str] | None) -> None:
+    def __init__(
+        self, instant: InstantSolution, phrases: Phrases, audience: str, wanted: frozenset[str] | None
+    ) -> None:
         self.instant, self.phrases, self.audience = instant, phrases, audience
         self.system = instant.trial.system
         self.scene = instant.instant.scene
@@ -77,7 +79,9 @@ class Telling:
             return line(words.get(trial.objection, trial.objection))
         test, value = trial.tests[0]
         if value is None:
-            words = list(dict.fromkeys(t.words for t, v in trial.tests if v is None and len(t.pushes) > 1)) or [test.words]
+            words = list(dict.fromkeys(t.words for t, v in trial.tests if v is None and len(t.pushes) > 1)) or [
+                test.words
+            ]
             return line("no distribution of the reactions keeps all of these: " + "; ".join(words))
         return line(f"this would not hold: {test.words}", self._by_how_much(trial, test))
 
@@ -106,8 +110,16 @@ class Telling:
         blocks: list[Block] = []
         for symbol, expr in ledger.definitions.items():
             is_length = ledger.units[symbol].text == "m"
-            if symbol in wanted and is_length == (kind == "m") and not (expr.is_number and ledger.titles[symbol].startswith("mass")):
-                blocks.append(Equation(self._chain(symbol, expr, self.phrases.shown(symbol)), None, line(ledger.titles[symbol] + ":")))
+            if (
+                symbol in wanted
+                and is_length == (kind == "m")
+                and not (expr.is_number and ledger.titles[symbol].startswith("mass"))
+            ):
+                blocks.append(
+                    Equation(
+                        self._chain(symbol, expr, self.phrases.shown(symbol)), None, line(ledger.titles[symbol] + ":")
+                    )
+                )
         return blocks
 
     def _used(self) -> set[sp.Symbol]:
@@ -169,7 +181,11 @@ class Telling:
     def _equation(self, w: Written, stage: Stage) -> list[Block]:
         number = self.number(stage, w.number)
         if w.given:
-            value = self.phrases.shown(w.left) if not self.phrases.symbolic and w.right.is_number else self.phrases.math(w.right)
+            value = (
+                self.phrases.shown(w.left)
+                if not self.phrases.symbolic and w.right.is_number
+                else self.phrases.math(w.right)
+            )
             return [Equation((self.phrases.math(w.left), value), number, line("given:"))]
         sides = (self.phrases.math(w.left), self.phrases.math(w.right))
         if w.law == "relation":
@@ -178,7 +194,10 @@ class Telling:
         sides = (self.phrases.math(left), self.phrases.math(right))
         group = ", ".join(w.bodies)
         if w.law == "moment":
-            return [Paragraph(self._moment_words(w, group, stage)), Equation(sides, number, line("↺ ", Name(f"ΣM_{w.lead}"), ":"))]
+            return [
+                Paragraph(self._moment_words(w, group, stage)),
+                Equation(sides, number, line("↺ ", Name(f"ΣM_{w.lead}"), ":")),
+            ]
         arrow = {"x": "→ ", "y": "↑ "}.get(w.lead, "↗ ")
         lead = line(arrow, Name(f"ΣF_{w.lead}") if w.lead else Text("ΣF"), ":")
         return [Paragraph(line(f"{group}:" if w.lead else f"{group}, {w.words}:")), Equation(sides, number, lead)]
@@ -200,7 +219,15 @@ class Telling:
         if centre is None:
             return line(f"{group}, moments about ", Name(w.lead), ":")
         place, through = centre
-        parts: list[Any] = [f"{group}, moments about ", Name(w.lead), " at (", self.phrases.math(place.x), ", ", self.phrases.math(place.y), ")"]  # type: ignore[attr-defined]
+        parts: list[Any] = [
+            f"{group}, moments about ",
+            Name(w.lead),
+            " at (",
+            self.phrases.math(place.x),
+            ", ",
+            self.phrases.math(place.y),
+            ")",
+        ]  # type: ignore[attr-defined]
         if through:
             parts += [", where ", Math(through[0]), " and ", Math(through[1]), " meet, so that neither enters:"]
         else:
@@ -218,7 +245,9 @@ class Telling:
         blocks = [b for b in stage.blocks if not self._is_given(b)]
         equations = sum(len(b.equations) for b in blocks)
         unknowns = [u for b in blocks for u in b.unknowns]
-        parts: list[Any] = [f"{equations} equation{'s' if equations != 1 else ''}, {len(unknowns)} unknown{'s' if len(unknowns) != 1 else ''}: "]
+        parts: list[Any] = [
+            f"{equations} equation{'s' if equations != 1 else ''}, {len(unknowns)} unknown{'s' if len(unknowns) != 1 else ''}: "
+        ]
         for i, u in enumerate(unknowns):
             parts += [", " if i else "", Math(u)]
         return line(*parts)
@@ -243,7 +272,9 @@ class Telling:
         lead = line(" and ".join(f"({self.number(stage, n)})" for n in x.equations) + ":")
         if x.letters:
             return [Equation((self.phrases.math(x.symbol), self.phrases.math(x.formula)), None, lead)]
-        found: list[Block] = [Equation(self._chain(x.symbol, x.formula, self.phrases.shown(x.symbol, x.value)), None, lead)]
+        found: list[Block] = [
+            Equation(self._chain(x.symbol, x.formula, self.phrases.shown(x.symbol, x.value)), None, lead)
+        ]
         return [*found, *self._other_roots(x)]
 
     def _other_roots(self, x: SolvedLine) -> list[Block]:
@@ -259,5 +290,7 @@ class Telling:
         return [Paragraph(line(*parts, f" ({self._root_reason(choice)})"))]
 
     def _root_reason(self, choice: Any) -> str:
-        reasons = {s.objection for s in self.instant.left_out if any(c.symbol == choice.symbol for c in s.branch.choices)}
+        reasons = {
+            s.objection for s in self.instant.left_out if any(c.symbol == choice.symbol for c in s.branch.choices)
+        }
         return "; ".join(sorted(r for r in reasons if r)) or "not taken: the smaller one is the usual position"

@@ -34,7 +34,9 @@ def rounded(expr: sp.Expr, figures: int) -> sp.Expr:
 
 def _short(number: sp.Expr, figures: int) -> sp.Expr:
     value = Decimal(int(number.p)) / Decimal(int(number.q))
-    return sp.Rational(significant(value, figures).translate(str.maketrans("−", "-")).replace("×10", "e").translate(_PLAIN))
+    return sp.Rational(
+        significant(value, figures).translate(str.maketrans("−", "-")).replace("×10", "e").translate(_PLAIN)
+    )
 
 
 _PLAIN = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
@@ -120,9 +122,20 @@ def _vector_line(numbers: list[Decimal], unit: str, figures: int) -> Line:
     x, y = numbers
     size = (x * x + y * y).sqrt()
     words = vector_words(x, y)
-    parts = (Text("["), Value(x, "1", figures), Text(", "), Value(y, "1", figures), Text("] "), Value(Decimal(1), unit, 1))
+    parts = (
+        Text("["),
+        Value(x, "1", figures),
+        Text(", "),
+        Value(y, "1", figures),
+        Text("] "),
+        Value(Decimal(1), unit, 1),
+    )
     head: Line = (*parts[:-1], Text(_unit_only(unit)))
-    return head if not words or x.is_infinite() else (*head, Text(", that is "), Value(size, unit, figures), Text(f" {words}"))
+    return (
+        head
+        if not words or x.is_infinite()
+        else (*head, Text(", that is "), Value(size, unit, figures), Text(f" {words}"))
+    )
 
 
 def _unit_only(unit: str) -> str:
@@ -133,7 +146,14 @@ def _unit_only(unit: str) -> str:
 
 def answer_word(found: Found) -> str:
     """A truth value or a mode as it is said."""
-    return {"true": "yes", "false": "no", "stick": "stick (it does not slip)", "slip": "slip", "apart": "apart", "tip": "tip"}.get(found.word, found.word)
+    return {
+        "true": "yes",
+        "false": "no",
+        "stick": "stick (it does not slip)",
+        "slip": "slip",
+        "apart": "apart",
+        "tip": "tip",
+    }.get(found.word, found.word)
 
 
 def direction_words(found: Found, number: Decimal) -> str:

@@ -27,7 +27,8 @@ def adjoint_candidates(
     system: System, numbers: Numbers, conditions: list[Condition], targets: list[int]
 ) -> tuple[list[Candidate], int]:
     """The group equations that the adjoint solution of each target names; and, as bits, all unknowns of these equations
-    and of the loops that take part: a set that determines the targets."""
+    and of the loops that take part: a set that determines the targets.
+    """
     offers = Offers(system, numbers, conditions, kinetics=True)
     bodies = list(system.scene.bodies)
     single = {b: offers.body_rows(b) for b in bodies}
@@ -60,7 +61,9 @@ def _multipliers(rows: list[Row], width: int, target: int) -> list[Decimal] | No
     """y with Σ y_i rows[i] = e_target in the unknown columns; None when the target is not determined."""
     count = len(rows)
     scales = [max((abs(c) for c in row[:-1]), default=ZERO) or ONE for row in rows]
-    transposed = [[*(rows[i][j] / scales[i] for i in range(count)), -(ONE if j == target else ZERO)] for j in range(width)]
+    transposed = [
+        [*(rows[i][j] / scales[i] for i in range(count)), -(ONE if j == target else ZERO)] for j in range(width)
+    ]
     pivots, left = eliminate(transposed, count)
     if any(row[-1] for row in left):
         return None
@@ -70,7 +73,12 @@ def _multipliers(rows: list[Row], width: int, target: int) -> list[Decimal] | No
     return [v / s for v, s in zip(y, scales, strict=True)]
 
 
-def _groups(offers: Offers, system: System, twists: dict[str, tuple[Decimal, Decimal, Decimal]], single: dict[str, tuple[Row, Row, Row]]) -> list[Candidate]:
+def _groups(
+    offers: Offers,
+    system: System,
+    twists: dict[str, tuple[Decimal, Decimal, Decimal]],
+    single: dict[str, tuple[Row, Row, Row]],
+) -> list[Candidate]:
     neighbours = offers._neighbours()
     size = max((abs(p) for t in twists.values() for p in t), default=ZERO)
     if not size:
@@ -88,7 +96,9 @@ def _groups(offers: Offers, system: System, twists: dict[str, tuple[Decimal, Dec
     return found
 
 
-def _flood(left: set[str], twists: dict[str, tuple[Decimal, Decimal, Decimal]], neighbours: dict[str, set[str]], size: Decimal) -> set[str]:
+def _flood(
+    left: set[str], twists: dict[str, tuple[Decimal, Decimal, Decimal]], neighbours: dict[str, set[str]], size: Decimal
+) -> set[str]:
     """Connected bodies of equal twist."""
     start = next(iter(sorted(left)))
     group, front = {start}, [start]
@@ -101,7 +111,14 @@ def _flood(left: set[str], twists: dict[str, tuple[Decimal, Decimal, Decimal]], 
     return group
 
 
-def _candidate(system: System, offers: Offers, bodies: tuple[str, ...], rows: list[Row], twist: tuple[Decimal, Decimal, Decimal], size: Decimal) -> Candidate | None:
+def _candidate(
+    system: System,
+    offers: Offers,
+    bodies: tuple[str, ...],
+    rows: list[Row],
+    twist: tuple[Decimal, Decimal, Decimal],
+    size: Decimal,
+) -> Candidate | None:
     fx, fy, m = twist
     turning = any(system.scene.rigid(b) for b in bodies)
     if abs(m) <= CLOSE * size or not turning:
@@ -110,12 +127,20 @@ def _candidate(system: System, offers: Offers, bodies: tuple[str, ...], rows: li
             return None
         direction = Vec(_rational(fx / length), _rational(fy / length))
         row = _cleaned(combine(rows[:2], (fx / length, fy / length)))
-        return priced(bodies, None, Choice(False, direction, "the direction of the common virtual motion"), row, NAMED_SLANT)
+        return priced(
+            bodies, None, Choice(False, direction, "the direction of the common virtual motion"), row, NAMED_SLANT
+        )
     x, y = -fy / m, fx / m
     if system.scene.ledger.symbolic:
         return None
     row = _cleaned(combine(rows, (y, -x, ONE)))
-    return priced(bodies, None, Choice(True, Vec(_rational(x), _rational(y)), "the centre of the common virtual rotation"), row, CONSTRUCTED)
+    return priced(
+        bodies,
+        None,
+        Choice(True, Vec(_rational(x), _rational(y)), "the centre of the common virtual rotation"),
+        row,
+        CONSTRUCTED,
+    )
 
 
 def _cleaned(row: Row) -> Row:

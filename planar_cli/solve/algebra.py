@@ -17,7 +17,6 @@ from planar_cli.equation.plain import longer, tidy
 from planar_cli.solve.plan import Block
 from planar_cli.solve.write import Written
 
-
 SHORT = 6
 """A coefficient of at most so many operations stays a formula while a block is solved."""
 
@@ -49,7 +48,9 @@ class SolvedBlock:
 class Algebra:
     """Solves blocks one after the other. `value`: numbers of everything known, extended as results come in."""
 
-    def __init__(self, value: Valuation, explicit: dict[sp.Symbol, sp.Expr], symbolic: bool, unknowns: frozenset[sp.Symbol]) -> None:
+    def __init__(
+        self, value: Valuation, explicit: dict[sp.Symbol, sp.Expr], symbolic: bool, unknowns: frozenset[sp.Symbol]
+    ) -> None:
         self.value, self.explicit, self.symbolic, self.unknowns = value, explicit, symbolic, unknowns
         self.formulas: dict[sp.Symbol, sp.Expr] = {}
 
@@ -63,7 +64,11 @@ class Algebra:
             lines = self._together([self._residual(w, order) for w in written], written, order, letters)
         for line in lines:
             if not line.letters:
-                self.value = self.value.extended({line.symbol: self.value(line.formula)}) if line.value is None else self.value.extended({line.symbol: line.value})
+                self.value = (
+                    self.value.extended({line.symbol: self.value(line.formula)})
+                    if line.value is None
+                    else self.value.extended({line.symbol: line.value})
+                )
                 self.formulas[line.symbol] = line.formula
         return SolvedBlock(written, order, letters, tuple(lines))
 
@@ -111,7 +116,11 @@ class Algebra:
         return Line(x, formula, self.value(formula), (equation.number,))
 
     def _together(
-        self, residuals: list[sp.Expr], written: tuple[Written, ...], order: tuple[sp.Symbol, ...], letters: tuple[sp.Symbol, ...]
+        self,
+        residuals: list[sp.Expr],
+        written: tuple[Written, ...],
+        order: tuple[sp.Symbol, ...],
+        letters: tuple[sp.Symbol, ...],
     ) -> list[Line]:
         """Express the unknowns in the letters one at a time; the equations left over give the letters."""
         lines: list[Line] = []
@@ -120,13 +129,23 @@ class Algebra:
         for residual, equation, x in zip(residuals, written, chained, strict=False):
             formula = self._in_letters(self._solve_for(residual.xreplace(inside), x), letters)
             inside[x] = formula
-            lines.append(Line(x, formula, None, (equation.number,), tuple(s for s in letters if s in formula.free_symbols)))
+            lines.append(
+                Line(x, formula, None, (equation.number,), tuple(s for s in letters if s in formula.free_symbols))
+            )
         rest = [self._in_letters(r.xreplace(inside), letters) for r in residuals[len(chained) :]]
         solved = self._letters(rest, letters)
         numbers = tuple(e.number for e in written[len(chained) :])
         found = [Line(s, solved[s], self.value(solved[s]), numbers) for s in letters]
         self.value = self.value.extended({x.symbol: x.value for x in found if x.value is not None})
-        back = [Line(x.symbol, tidy(x.formula.xreplace(solved)) if self.symbolic else x.formula, self.value(x.formula), x.equations) for x in lines]
+        back = [
+            Line(
+                x.symbol,
+                tidy(x.formula.xreplace(solved)) if self.symbolic else x.formula,
+                self.value(x.formula),
+                x.equations,
+            )
+            for x in lines
+        ]
         return [*[x for x in lines if x.letters], *found, *back]
 
     def _in_letters(self, expr: sp.Expr, letters: tuple[sp.Symbol, ...]) -> sp.Expr:
@@ -156,13 +175,20 @@ class Algebra:
             for i in range(size):
                 if i != k and rows[i][k] != 0 and not self.value.is_zero(rows[i][k]):
                     factor = tidy(rows[i][k] / rows[k][k])
-                    rows[i] = [tidy(a - factor * b) if j > k else sp.S.Zero if j == k else a for j, (a, b) in enumerate(zip(rows[i], rows[k], strict=True))]
+                    rows[i] = [
+                        tidy(a - factor * b) if j > k else sp.S.Zero if j == k else a
+                        for j, (a, b) in enumerate(zip(rows[i], rows[k], strict=True))
+                    ]
         return {s: tidy(-rows[k][size] / rows[k][k]) for k, s in enumerate(letters)}
 
     def closed(self, expr: sp.Expr) -> sp.Expr:
         """An expression with every result and line put in, down to what the file gives."""
         for _ in range(60):
-            inside = {s: self.formulas.get(s, self.explicit.get(s)) for s in expr.free_symbols if s in self.formulas or s in self.explicit}
+            inside = {
+                s: self.formulas.get(s, self.explicit.get(s))
+                for s in expr.free_symbols
+                if s in self.formulas or s in self.explicit
+            }
             if not inside:
                 return expr
             expr = expr.xreplace(inside)

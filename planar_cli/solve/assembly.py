@@ -146,7 +146,9 @@ class Assembly:
             self._add(found, s.end.body, end, direction, 1)
             self._add(found, s.start.body, start, direction, -1)
             if s.length is not None:
-                across = (self.point_velocity(s.end.body, end) - self.point_velocity(s.start.body, start)).dot(direction.turned())
+                across = (self.point_velocity(s.end.body, end) - self.point_velocity(s.start.body, start)).dot(
+                    direction.turned()
+                )
                 found[-1] = found.get(-1, ZERO) + across**2 / self.value(s.length)
         return found
 
@@ -154,11 +156,15 @@ class Assembly:
         """The value of a row at velocity level, less its rate."""
         total = -self.value(row.rate)
         for pull in row.pulls:
-            total += self.point_velocity(pull.anchor.body, self.number(pull.anchor.point)).dot(self.number(pull.direction))
+            total += self.point_velocity(pull.anchor.body, self.number(pull.anchor.point)).dot(
+                self.number(pull.direction)
+            )
         for body, factor in row.spins:
             total += self.spin(body) * self.value(factor)
         for s in row.segments:
-            gap = self.point_velocity(s.end.body, self.number(s.end.point)) - self.point_velocity(s.start.body, self.number(s.start.point))
+            gap = self.point_velocity(s.end.body, self.number(s.end.point)) - self.point_velocity(
+                s.start.body, self.number(s.start.point)
+            )
             total += gap.dot(self.number(s.direction))
         return total
 

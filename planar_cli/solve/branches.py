@@ -54,7 +54,9 @@ class Brancher:
             for branch in self.run(after, rest):
                 yield Branch(branch.algebra, (solved, *branch.blocks), (*choices, *branch.choices))
 
-    def _block(self, algebra: Algebra, block: Block, written: tuple[Written, ...]) -> Iterator[tuple[Algebra, SolvedBlock, tuple[Choice, ...]]]:
+    def _block(
+        self, algebra: Algebra, block: Block, written: tuple[Written, ...]
+    ) -> Iterator[tuple[Algebra, SolvedBlock, tuple[Choice, ...]]]:
         order = tuple(self.unknowns[j] for j in block.unknowns)
         residuals = [self._opened(algebra._residual(w, order), algebra, order) for w in written]
         if self._linear(residuals, order):
@@ -69,7 +71,11 @@ class Brancher:
         """Named intermediates that hold an unknown of the block are put in."""
         definitions = algebra.value.definitions
         for _ in range(20):
-            inside = {s: definitions[s] for s in residual.free_symbols if s in definitions and holds(definitions, s, set(order))}
+            inside = {
+                s: definitions[s]
+                for s in residual.free_symbols
+                if s in definitions and holds(definitions, s, set(order))
+            }
             if not inside:
                 return residual
             residual = residual.xreplace(inside)
@@ -85,7 +91,12 @@ class Brancher:
         return True
 
     def _nonlinear(
-        self, algebra: Algebra, residuals: list[sp.Expr], written: tuple[Written, ...], order: tuple[sp.Symbol, ...], letters: tuple[sp.Symbol, ...]
+        self,
+        algebra: Algebra,
+        residuals: list[sp.Expr],
+        written: tuple[Written, ...],
+        order: tuple[sp.Symbol, ...],
+        letters: tuple[sp.Symbol, ...],
     ) -> Iterator[tuple[Algebra, SolvedBlock, tuple[Choice, ...]]]:
         """Express the linear unknowns one at a time, until one equation in one unknown is left; then go back."""
         lines: list[Line] = []
@@ -94,11 +105,19 @@ class Brancher:
         while len(pool) > 1:
             step = self._eliminate(pool, left, letters)
             if step is None:
-                raise Undecided("the equations " + ", ".join(f"({w.number})" for w in written) + " are nonlinear in several unknowns at once")
+                raise Undecided(
+                    "the equations "
+                    + ", ".join(f"({w.number})" for w in written)
+                    + " are nonlinear in several unknowns at once"
+                )
             index, x, formula = step
             _, equation = pool.pop(index)
             pool = [(tidy(r.xreplace({x: formula})), w) for r, w in pool]
-            lines.append(Line(x, formula, None, (equation.number,), tuple(s for s in left if s in formula.free_symbols and s != x)))
+            lines.append(
+                Line(
+                    x, formula, None, (equation.number,), tuple(s for s in left if s in formula.free_symbols and s != x)
+                )
+            )
             left.remove(x)
         residual, equation = pool[0]
         x = left[0]
@@ -109,7 +128,9 @@ class Brancher:
             choice = Choice(x, residual, tuple(roots), taken, equation.number)
             yield after, SolvedBlock(written, order, (x,) if len(order) > 1 else (), tuple([*lines, *found])), (choice,)
 
-    def _eliminate(self, pool: list[tuple[sp.Expr, Written]], left: list[sp.Symbol], letters: tuple[sp.Symbol, ...]) -> tuple[int, sp.Symbol, sp.Expr] | None:
+    def _eliminate(
+        self, pool: list[tuple[sp.Expr, Written]], left: list[sp.Symbol], letters: tuple[sp.Symbol, ...]
+    ) -> tuple[int, sp.Symbol, sp.Expr] | None:
         """An equation that is linear in one unknown, which it gives; unknowns that are not letters first."""
         for x in sorted(left, key=lambda s: s in letters):
             for index, (residual, _) in enumerate(pool):
@@ -146,7 +167,12 @@ def holds(definitions: Mapping[sp.Symbol, sp.Expr], symbol: sp.Symbol, unknowns:
 
 def copied(algebra: Algebra) -> Algebra:
     """The same state, to be extended on its own."""
-    twin = Algebra(Valuation(dict(algebra.value.values), algebra.value.definitions), algebra.explicit, algebra.symbolic, algebra.unknowns)
+    twin = Algebra(
+        Valuation(dict(algebra.value.values), algebra.value.definitions),
+        algebra.explicit,
+        algebra.symbolic,
+        algebra.unknowns,
+    )
     twin.formulas = dict(algebra.formulas)
     return twin
 

@@ -54,7 +54,9 @@ def mask_of(row: Row) -> int:
     return sum(1 << j for j, c in enumerate(row[:-1]) if c)
 
 
-def priced(bodies: tuple[str, ...], condition: Condition | None, choice: Choice | None, row: Row, form: float) -> Candidate | None:
+def priced(
+    bodies: tuple[str, ...], condition: Condition | None, choice: Choice | None, row: Row, form: float
+) -> Candidate | None:
     """A candidate with its cost; None when nothing is left of it."""
     row = scaled([c if abs(c) > CERTAIN * 10**6 * size else ZERO for c, size in zip(row, _sizes(row), strict=True)])
     mask = mask_of(row)
@@ -94,7 +96,9 @@ def cheapest(candidates: Iterable[Candidate | None]) -> list[Candidate]:
     return sorted(best.values(), key=lambda c: c.cost)
 
 
-def cross3(a: tuple[Decimal, Decimal, Decimal], b: tuple[Decimal, Decimal, Decimal]) -> tuple[Decimal, Decimal, Decimal]:
+def cross3(
+    a: tuple[Decimal, Decimal, Decimal], b: tuple[Decimal, Decimal, Decimal]
+) -> tuple[Decimal, Decimal, Decimal]:
     """The multiplier that kills two wrenches at once."""
     return (
         clean(a[1] * b[2] - a[2] * b[1], ONE),

@@ -14,9 +14,17 @@ def explain_failure(instant: Instant, rejected: list[Trial], finds: tuple[Find, 
     mark = finds[0].mark if finds else instant.scene.problem.bodies[0].mark
     clash = next((t for t in rejected if t.objection in ("velocities", "contradiction")), None)
     if clash is not None and all(t.objection in ("velocities", "contradiction") for t in rejected):
-        return NoSolution([Diagnostic(mark, "PL602", _clash(clash), "leave one of these out, or make its value an unknown")])
+        return NoSolution(
+            [Diagnostic(mark, "PL602", _clash(clash), "leave one of these out, or make its value an unknown")]
+        )
     reasons = "; ".join(dict.fromkeys(t.objection for t in rejected))
-    return NoSolution([Diagnostic(mark, "PL601", f"no consistent case: {reasons}", "rigid bodies with dry friction may have no solution")])
+    return NoSolution(
+        [
+            Diagnostic(
+                mark, "PL601", f"no consistent case: {reasons}", "rigid bodies with dry friction may have no solution"
+            )
+        ]
+    )
 
 
 def _clash(trial: Trial) -> str:

@@ -20,12 +20,12 @@ from planar_cli.problem.dimensions import Kind, dimension_of
 from planar_cli.problem.expression import Quantity, Relation, Side
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import Find
-from planar_cli.solve.instant import Instant, Trial
 from planar_cli.solve.asked import quantities_in
+from planar_cli.solve.instant import Instant, Trial
 from planar_cli.solve.seek import Sought
 from planar_cli.solve.solution import Found, InstantSolution
-from planar_cli.solve.verify import verify
 from planar_cli.solve.stages import Stage, StageMaker, acceleration_unknowns, needed
+from planar_cli.solve.verify import verify
 from planar_cli.units import Unit, parse_unit
 
 CLOSED_OPS = 90
@@ -34,7 +34,14 @@ CLOSED_OPS = 90
 class Finisher:
     """Works out one instant for its finds. `answer_units`: the units in which the file states its answers."""
 
-    def __init__(self, instant: Instant, trial: Trial, rejected: tuple[Trial, ...], answer_units: Mapping[str, str], state: str = "") -> None:
+    def __init__(
+        self,
+        instant: Instant,
+        trial: Trial,
+        rejected: tuple[Trial, ...],
+        answer_units: Mapping[str, str],
+        state: str = "",
+    ) -> None:
         self.instant, self.trial, self.rejected, self.state = instant, trial, rejected, state
         self.system: System = trial.system
         self.scene = instant.scene
@@ -65,7 +72,9 @@ class Finisher:
     def sought_targets(self, finds: tuple[Find, ...]) -> set[sp.Symbol]:
         """The symbols that stand in the finds."""
         quantities = self.system.quantities()
-        return set().union(*(e.free_symbols for f in finds for e in self._expressions(f, quantities))) if finds else set()
+        return (
+            set().union(*(e.free_symbols for f in finds for e in self._expressions(f, quantities))) if finds else set()
+        )
 
     def solve_sought(self, sought: Sought, finds: tuple[Find, ...]) -> tuple[InstantSolution, list[Found]]:
         """As `solve`, where constants, angles, speeds or extremes were sought."""
@@ -73,7 +82,15 @@ class Finisher:
         sides = {f.name: self._expressions(f, quantities) for f in finds}
         branch, writer = sought.branch, sought.writer
         stage = Stage(
-            "acceleration", sought.plan, branch.blocks, tuple(writer.lines), dict(writer.centres), (), (), branch.algebra, writer.named
+            "acceleration",
+            sought.plan,
+            branch.blocks,
+            tuple(writer.lines),
+            dict(writer.centres),
+            (),
+            (),
+            branch.algebra,
+            writer.named,
         )
         value = self._values([stage])
         solution = InstantSolution(self.state, self.instant, self.trial, (), (stage,), tuple(writer.lines), value)
@@ -90,7 +107,11 @@ class Finisher:
         return any(b.mass != 0 for b in self.scene.bodies.values()) or bool(self.system.wrenches)
 
     def _asks_forces(self, exprs: list[sp.Expr]) -> bool:
-        return bool(self.system.pushes) and self._has_forces() and bool(needed(exprs, set(acceleration_unknowns(self.system))))
+        return (
+            bool(self.system.pushes)
+            and self._has_forces()
+            and bool(needed(exprs, set(acceleration_unknowns(self.system))))
+        )
 
     def _test_targets(self, unknowns: set[sp.Symbol]) -> set[sp.Symbol]:
         """Pushes that the tests of the assumed modes need."""
@@ -124,7 +145,9 @@ class Finisher:
         moving = {s for s, v in velocities.values.items() if v}
         used = list(exprs)
         if acceleration is not None:
-            used += [w.residual for b in acceleration.blocks for w in b.equations] + [x.expression for x in acceleration.lines]
+            used += [w.residual for b in acceleration.blocks for w in b.equations] + [
+                x.expression for x in acceleration.lines
+            ]
         targets = needed(used, moving)
         stages: list[Stage] = []
         if targets:
@@ -173,7 +196,9 @@ class Finisher:
         ours = next(our for our, name in self.system.aliases.items() if name == joint and self.system.modes[our].name)
         return self.system.modes[ours].name
 
-    def _found(self, find: Find, exprs: tuple[sp.Expr, ...], value: Valuation, stages: list[Stage], quantities: Quantities) -> Found:
+    def _found(
+        self, find: Find, exprs: tuple[sp.Expr, ...], value: Valuation, stages: list[Stage], quantities: Quantities
+    ) -> Found:
         what = find.found.what
         pure = parse_unit("1")
         if isinstance(what, Relation):
@@ -183,7 +208,9 @@ class Finisher:
             else:
                 difference = exprs[0] - exprs[1]
                 number = Decimal(0) if value.is_zero(difference) else value(difference)
-                truth = {"<": number < 0, ">": number > 0, "<=": number <= 0, ">=": number >= 0, "=": not number}[what.operator]
+                truth = {"<": number < 0, ">": number > 0, "<=": number <= 0, ">=": number >= 0, "=": not number}[
+                    what.operator
+                ]
             return Found(find.name, "truth", pure, None, None, "true" if truth else "false", find)
         if isinstance(what, Quantity) and what.word == "mode":
             return Found(find.name, "word", pure, None, None, self._mode_name(what.things[0]), find)
@@ -219,7 +246,9 @@ class Finisher:
         for _ in range(80):
             inside = {s: formulas[s] for s in expr.free_symbols if s in formulas}
             inside |= {s: self.ledger.definitions[s] for s in expr.free_symbols if s in self.ledger.definitions}
-            inside |= {s: v for s in expr.free_symbols if (v := self.ledger.values.get(s)) is not None and v.free_symbols}
+            inside |= {
+                s: v for s in expr.free_symbols if (v := self.ledger.values.get(s)) is not None and v.free_symbols
+            }
             if not inside:
                 break
             expr = expr.xreplace(inside)

@@ -10,9 +10,9 @@ from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.driving import driving_pushes
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.ledger import Ledger
-from planar_cli.equation.driving import driving_pushes
 from planar_cli.equation.motion import Motion, TreeBuilder
 from planar_cli.equation.scene import Scene
 from planar_cli.equation.setup import Setup, names_in
@@ -101,14 +101,20 @@ class Instant:
         for load in self.scene.problem.loads:
             for spec in keys_of(type(load)):
                 value = getattr(load, spec.name)
-                if spec.name not in ("magnitude", "moment") and not isinstance(value, (str, tuple, type(None))) and names_in(value) & sought:
+                if (
+                    spec.name not in ("magnitude", "moment")
+                    and not isinstance(value, (str, tuple, type(None)))
+                    and names_in(value) & sought
+                ):
                     return False
         return True
 
     def system(self, choice: tuple[int, ...]) -> System:
         """The equations of one choice of modes."""
         modes = {j.name: found[i] for (j, found), i in zip(self.modes, choice, strict=True)}
-        return make_system(self.scene, self.builder, self.statements, modes, self.symbols, self.aliases, self.plain, self.drivers)
+        return make_system(
+            self.scene, self.builder, self.statements, modes, self.symbols, self.aliases, self.plain, self.drivers
+        )
 
     def choices(self) -> Iterator[tuple[int, ...]]:
         """All choices, the natural assumptions first: by how many joints depart from their first mode."""
@@ -122,17 +128,25 @@ class Instant:
         wanted = {word for stated, word in self.statements.modes if stated == name}
         return [i for i, mode in enumerate(found) if not wanted or mode.name in wanted or not mode.name]
 
-    def try_choice(self, choice: tuple[int, ...], valuations: tuple[Valuation, ...], given: dict[sp.Symbol, Decimal] | None = None) -> Trial:
+    def try_choice(
+        self, choice: tuple[int, ...], valuations: tuple[Valuation, ...], given: dict[sp.Symbol, Decimal] | None = None
+    ) -> Trial:
         """Solve one choice in numbers and test its assumptions. `given`: velocities and constants that are settled."""
         system = self.system(choice)
-        if self.at_rest and any(m.sliding is not None and m.direction == 0 and self._runs(m, valuations) for m in system.modes.values()):
+        if self.at_rest and any(
+            m.sliding is not None and m.direction == 0 and self._runs(m, valuations) for m in system.modes.values()
+        ):
             return Trial(choice, system, (), (), "it slides already")
-        velocities = tuple(solve_velocities(system, v, self.at_rest, given is None, self._speeds(system, given)) for v in valuations)
+        velocities = tuple(
+            solve_velocities(system, v, self.at_rest, given is None, self._speeds(system, given)) for v in valuations
+        )
         if any(v.conflict for v in velocities):
             return Trial(choice, system, velocities, (), "velocities")
         if any(v.free for v in velocities):
             return Trial(choice, system, velocities, (), "velocities are open")
-        outcomes = tuple(accelerate(system, vel, v, self.free, given or {}) for vel, v in zip(velocities, valuations, strict=True))
+        outcomes = tuple(
+            accelerate(system, vel, v, self.free, given or {}) for vel, v in zip(velocities, valuations, strict=True)
+        )
         for outcome in outcomes:
             moving = self._moves_otherwise(system, outcome)
             if moving:
@@ -221,7 +235,8 @@ def search_modes(instant: Instant, valuations: tuple[Valuation, ...]) -> tuple[l
 
 def begins(instant: Instant, trial: Trial, other: Trial) -> bool:
     """Would a slip have to begin in `trial` where friction can hold in `other`? From rest it begins only beyond the static
-    limit, so that the other one counts."""
+    limit, so that the other one counts.
+    """
     differs = False
     for (joint, modes), i, j in zip(instant.modes, trial.choice, other.choice, strict=True):
         if i != j:
@@ -246,7 +261,9 @@ def same_motion(a: Trial, b: Trial) -> bool:
     return True
 
 
-def make_instant(problem: Any, always: tuple[Any, ...], now: tuple[Any, ...], earlier: dict[str, Any], open_form: bool) -> Instant:
+def make_instant(
+    problem: Any, always: tuple[Any, ...], now: tuple[Any, ...], earlier: dict[str, Any], open_form: bool
+) -> Instant:
     """The instant of a problem with what holds always and what holds now."""
     return Instant(Setup(problem, Statements.of(always, now), earlier, open_form))
 

@@ -75,7 +75,7 @@ def _without(row: Row, column: int, pivot: Row) -> Row:
 
 def clean(value: Decimal, before: Decimal) -> Decimal:
     """Zero where everything but the last digits has cancelled."""
-    return ZERO if value and abs(value) <= CERTAIN * max(abs(before), CERTAIN) or abs(value) <= CERTAIN else value
+    return ZERO if (value and abs(value) <= CERTAIN * max(abs(before), CERTAIN)) or abs(value) <= CERTAIN else value
 
 
 def solve(rows: list[Row], width: int) -> Solved:
@@ -101,7 +101,9 @@ def solve(rows: list[Row], width: int) -> Solved:
 def _conflict(rows: list[Row], width: int) -> tuple[list[Decimal], Decimal] | None:
     """The first contradiction, as a combination of the rows as given (scaled)."""
     count = len(rows)
-    marked = [[*scaled(r)[:-1], *(ONE if i == j else ZERO for j in range(count)), scaled(r)[-1]] for i, r in enumerate(rows)]
+    marked = [
+        [*scaled(r)[:-1], *(ONE if i == j else ZERO for j in range(count)), scaled(r)[-1]] for i, r in enumerate(rows)
+    ]
     _, left = eliminate(marked, width)
     for row in left:
         if row[-1]:

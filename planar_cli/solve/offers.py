@@ -80,7 +80,8 @@ class Numbers:
 @dataclass(frozen=True, slots=True)
 class Group:
     """A connected group of bodies: its three rows (Σ F_x, Σ F_y, Σ M about the origin, less inertia), and which columns
-    are lines of force that may be killed: their wrenches (f_x, f_y, m)."""
+    are lines of force that may be killed: their wrenches (f_x, f_y, m).
+    """
 
     bodies: tuple[str, ...]
     rows: tuple[Row, Row, Row]
@@ -169,7 +170,11 @@ class Offers:
             for b in bodies:
                 found[b] |= bodies - {b}
         for wrench in self.system.wrenches:
-            others = {w.body for w in self.system.wrenches if w.name == wrench.name and w.kind in ("spring", "damper", "torque")}
+            others = {
+                w.body
+                for w in self.system.wrenches
+                if w.name == wrench.name and w.kind in ("spring", "damper", "torque")
+            }
             found[wrench.body] |= (others & set(found)) - {wrench.body}
         return found
 
@@ -225,7 +230,10 @@ class Offers:
 
     def of_group(self, group: Group) -> list[Candidate]:
         """Axes, named points, directions across a line, intersections of two lines."""
-        found = [self._force(group, Vec(sp.S.One, sp.S.Zero), "x", c.AXIS), self._force(group, Vec(sp.S.Zero, sp.S.One), "y", c.AXIS)]
+        found = [
+            self._force(group, Vec(sp.S.One, sp.S.Zero), "x", c.AXIS),
+            self._force(group, Vec(sp.S.Zero, sp.S.One), "y", c.AXIS),
+        ]
         for direction, words in self._named_directions(group):
             found.append(self._force(group, direction, words, c.NAMED_SLANT))
         if not group.turning:
@@ -243,7 +251,9 @@ class Offers:
     def _force(self, group: Group, direction: Vec, words: str, form: float) -> Candidate | None:
         value = self.numbers.value
         row = combine(group.rows[:2], (value(direction.x), value(direction.y)))
-        return priced(group.bodies, None, Choice(False, direction, words, (), words if words in "xy" else ""), row, form)
+        return priced(
+            group.bodies, None, Choice(False, direction, words, (), words if words in "xy" else ""), row, form
+        )
 
     def _moment(self, group: Group, place: Vec, name: str, form: float) -> Candidate | None:
         value = self.numbers.value
@@ -262,10 +272,18 @@ class Offers:
         found: list[tuple[Vec, str]] = []
         for push in self.system.pushes:
             for action in push.actions:
-                if action.body in group.bodies and action.force is not None and push.kind in ("normal", "friction", "tension"):
+                if (
+                    action.body in group.bodies
+                    and action.force is not None
+                    and push.kind in ("normal", "friction", "tension")
+                ):
                     x, y = self.numbers.value(action.force.x), self.numbers.value(action.force.y)
                     if abs(x) > CERTAIN and abs(y) > CERTAIN:
-                        words = {"normal": "along the normal", "friction": "along the contact", "tension": "along the rope"}[push.kind]
+                        words = {
+                            "normal": "along the normal",
+                            "friction": "along the contact",
+                            "tension": "along the rope",
+                        }[push.kind]
                         found.append((action.force, f"{words} at {push.place}"))
                         if push.kind == "tension":
                             found.append((action.force.turned(), f"across the rope at {push.place}"))
@@ -292,9 +310,17 @@ class Offers:
         row = combine(group.rows[:2], (-line[1], line[0]))
         row[j] = ZERO
         symbol = self.numbers.unknowns[j]
-        return priced(group.bodies, None, Choice(False, self._line_of(group, symbol)[1].turned(), f"across {symbol.name}", (symbol,)), row, c.ACROSS)
+        return priced(
+            group.bodies,
+            None,
+            Choice(False, self._line_of(group, symbol)[1].turned(), f"across {symbol.name}", (symbol,)),
+            row,
+            c.ACROSS,
+        )
 
-    def _crossing(self, group: Group, first: tuple[int, Three], second: tuple[int, Three], points: dict[str, Vec]) -> Candidate | None:
+    def _crossing(
+        self, group: Group, first: tuple[int, Three], second: tuple[int, Three], points: dict[str, Vec]
+    ) -> Candidate | None:
         """Moments about the intersection of two lines, or the force direction across two parallel ones."""
         (j, a), (k, b) = first, second
         multiplier = cross3(a, b)

@@ -72,7 +72,8 @@ def columns(row: Row, chosen: list[int]) -> Row:
 
 class Planner:
     """Plans over one list of candidates. `nonlinear`: bits of unknowns that should be found last; `seeds`: sets
-    of unknowns that are likely to determine the targets."""
+    of unknowns that are likely to determine the targets.
+    """
 
     def __init__(self, candidates: list[Candidate], nonlinear: int = 0, seeds: tuple[int, ...] = ()) -> None:
         self.candidates = sorted(candidates, key=lambda c: c.cost)
@@ -188,7 +189,9 @@ class Planner:
                     new = state | rest
                     if new not in seen:
                         seen.add(new)
-                        heapq.heappush(heap, (new.bit_count(), bool(new & self.nonlinear), cost + c.cost, next(counter), new))
+                        heapq.heappush(
+                            heap, (new.bit_count(), bool(new & self.nonlinear), cost + c.cost, next(counter), new)
+                        )
         return self._whole(left, allowed & ~known, known)
 
     def _whole(self, left: list[tuple[int, Candidate]], state: int, known: int) -> Block | None:
@@ -230,7 +233,9 @@ def _torn(chosen: list[Candidate], state: int, known: int, nonlinear: int) -> Bl
     return Block(tuple(chosen), tuple(unknowns), tuple(unknowns))
 
 
-def _chain(chosen: list[Candidate], unknowns: list[int], letters: tuple[int, ...], known: int) -> tuple[tuple[Candidate, ...], tuple[int, ...]] | None:
+def _chain(
+    chosen: list[Candidate], unknowns: list[int], letters: tuple[int, ...], known: int
+) -> tuple[tuple[Candidate, ...], tuple[int, ...]] | None:
     """Equations and unknowns in an order in which each next equation has one new unknown; the letters come last."""
     solved = known
     for j in letters:

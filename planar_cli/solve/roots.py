@@ -139,7 +139,11 @@ def _polynomial_roots(poly: sp.Poly) -> list[Decimal]:
 def _half_angle(numbers: sp.Expr, x: sp.Symbol) -> list[Decimal] | None:
     """Roots of an equation in sin x and cos x by u = tan(x/2)."""
     s, c, u = sp.Dummy("s"), sp.Dummy("c"), sp.Dummy("u")
-    flat = sp.expand_trig(numbers.rewrite(sp.cos).subs(sp.tan(x), sp.sin(x) / sp.cos(x)) if numbers.has(sp.tan) else sp.expand_trig(numbers))
+    flat = sp.expand_trig(
+        numbers.rewrite(sp.cos).subs(sp.tan(x), sp.sin(x) / sp.cos(x))
+        if numbers.has(sp.tan)
+        else sp.expand_trig(numbers)
+    )
     flat = sp.fraction(sp.together(flat.subs({sp.sin(x): s, sp.cos(x): c})))[0]
     if flat.has(x) or not flat.is_polynomial(s, c):
         return None

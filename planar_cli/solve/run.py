@@ -8,18 +8,18 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.equation.setup import Earlier, first_unit
 from planar_cli.equation.evaluate import refuse
-from planar_cli.errors import Mark, NoSolution
-from planar_cli.registry import members
-from planar_cli.problem.scene import Find, Problem
-from planar_cli.solve.finish import Finisher
+from planar_cli.equation.setup import Earlier, first_unit
 from planar_cli.equation.system import System
+from planar_cli.errors import Mark, NoSolution
+from planar_cli.problem.scene import Find, Problem
+from planar_cli.registry import members
 from planar_cli.solve.diagnose import explain_failure
+from planar_cli.solve.finish import Finisher
 from planar_cli.solve.instant import Instant, Trial, make_instant, search_modes
 from planar_cli.solve.seek import seek
-from planar_cli.solve.states import solve_states
 from planar_cli.solve.solution import Found, InstantSolution, PartSolution, Solution
+from planar_cli.solve.states import solve_states
 
 
 def solve_problem(problem: Problem, method: str | None = None) -> Solution:
@@ -28,7 +28,12 @@ def solve_problem(problem: Problem, method: str | None = None) -> Solution:
     chosen = method or problem.method or "newton"
     objection = members("principles")[chosen]().objection(problem)
     if objection:
-        raise refuse(Mark(problem.file, 1, 1), "PL570", f"method {chosen}: {objection}", "leave `method` out, or write newton or dalembert")
+        raise refuse(
+            Mark(problem.file, 1, 1),
+            "PL570",
+            f"method {chosen}: {objection}",
+            "leave `method` out, or write newton or dalembert",
+        )
     units = {a.name: u for a in problem.answers if (u := _answer_unit(a.value)) is not None}
     earlier: dict[str, Earlier] = {}
     parts: list[PartSolution] = []
@@ -39,7 +44,11 @@ def solve_problem(problem: Problem, method: str | None = None) -> Solution:
         parts.append(part)
         for found in part.found:
             if found.values is not None and len(found.values) == 1:
-                exact = found.expressions[0] if found.expressions and not found.expressions[0].free_symbols else sp.Rational(str(found.values[0]))
+                exact = (
+                    found.expressions[0]
+                    if found.expressions and not found.expressions[0].free_symbols
+                    else sp.Rational(str(found.values[0]))
+                )
                 earlier[f"{case.name}.{found.name}"] = Earlier(exact, found.unit.text)
     for part in parts:
         for instant in part.instants:
@@ -52,12 +61,21 @@ def solve_part(problem: Problem, case: str, units: dict[str, str], earlier: dict
     always = tuple(law.statement for law in problem.motion)
     if problem.states:
         return solve_states(problem, case, always, units, earlier, solve_instant)
-    solution, found = solve_instant(problem, always, problem.instant or (), problem.find, units, earlier, problem.instant is None)
+    solution, found = solve_instant(
+        problem, always, problem.instant or (), problem.find, units, earlier, problem.instant is None
+    )
     return PartSolution(case, (solution,), tuple(found))
 
 
 def solve_instant(
-    problem: Problem, always: tuple[Any, ...], now: tuple[Any, ...], finds: tuple[Find, ...], units: dict[str, str], earlier: dict[str, Earlier], open_form: bool, state: str = ""
+    problem: Problem,
+    always: tuple[Any, ...],
+    now: tuple[Any, ...],
+    finds: tuple[Find, ...],
+    units: dict[str, str],
+    earlier: dict[str, Earlier],
+    open_form: bool,
+    state: str = "",
 ) -> tuple[InstantSolution, list[Found]]:
     """One instant."""
     instant = make_instant(problem, always, now, earlier, open_form)
@@ -69,7 +87,9 @@ def solve_instant(
     return _solve(instant, finds, units, state)
 
 
-def _solve(instant: Instant, finds: tuple[Find, ...], units: dict[str, str], state: str) -> tuple[InstantSolution, list[Found]]:
+def _solve(
+    instant: Instant, finds: tuple[Find, ...], units: dict[str, str], state: str
+) -> tuple[InstantSolution, list[Found]]:
     if instant.must_seek():
         return _seek(instant, finds, units, state)
     held, rejected = search_modes(instant, instant.scene.valuations)
@@ -80,7 +100,9 @@ def _solve(instant: Instant, finds: tuple[Find, ...], units: dict[str, str], sta
     return Finisher(instant, held[0], tuple(rejected), units, state).solve(finds)
 
 
-def _seek(instant: Instant, finds: tuple[Find, ...], units: dict[str, str], state: str) -> tuple[InstantSolution, list[Found]]:
+def _seek(
+    instant: Instant, finds: tuple[Find, ...], units: dict[str, str], state: str
+) -> tuple[InstantSolution, list[Found]]:
     """Constants, angles, speeds or extremes are sought."""
 
     def targets(system: System) -> set[sp.Symbol]:

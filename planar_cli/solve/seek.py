@@ -69,7 +69,7 @@ class Seeker:
         found = [solve_velocities(self.system, v, instant.at_rest, seek=False) for v in (base, second)]
         self.conflict = any(v.conflict for v in found)
         still = [s for s in found[0].values if all(not v.values.get(s, Decimal(1)) for v in found)]
-        self.still = {s: sp.S.Zero for s in still}
+        self.still = dict.fromkeys(still, sp.S.Zero)
         self.system.settle(self.still, ())
         numbers = base.extended({**{s: Decimal(0) for s in still}, **found[0].values})
         assert self.system.motion is not None
@@ -162,19 +162,27 @@ class Seeker:
         work = [(b, tuple(writer.write(e) for e in b.equations)) for b in plan.blocks]
         explicit = {line.symbol: line.expression for line in writer.lines}
         kept = {s: v for s, v in numbers.value.values.items() if s not in numbers.unknowns}
-        algebra = Algebra(Valuation(kept, numbers.value.definitions), explicit, self.ledger.symbolic, frozenset(numbers.unknowns))
-        angles = frozenset(s for s in numbers.unknowns if self.ledger.units[s].angle and self.ledger.units[s].dimension == PURE)
+        algebra = Algebra(
+            Valuation(kept, numbers.value.definitions), explicit, self.ledger.symbolic, frozenset(numbers.unknowns)
+        )
+        angles = frozenset(
+            s for s in numbers.unknowns if self.ledger.units[s].angle and self.ledger.units[s].dimension == PURE
+        )
         for branch in Brancher(numbers.unknowns, angles, self.ledger.symbolic).run(algebra, work):
             yield self._judge(branch, plan, writer, numbers.unknowns, limits)
 
     # --- tests -------------------------------------------------------------------------------------------------------
 
-    def _judge(self, branch: Branch, plan: Plan, writer: Writer, unknowns: tuple[sp.Symbol, ...], limits: tuple[Condition, ...]) -> Sought:
+    def _judge(
+        self, branch: Branch, plan: Plan, writer: Writer, unknowns: tuple[sp.Symbol, ...], limits: tuple[Condition, ...]
+    ) -> Sought:
         """Solve the instant again with the constants known, and test everything."""
         solved = branch.algebra.value.values
         constants = {s: solved[s] for s in self.ledger.sought if s in solved}
         base = self.scene.valuations[0].extended(constants)
-        trial = self.instant.try_choice(self.choice, (base,), given={s: v for s, v in solved.items() if s in self.unknowns})
+        trial = self.instant.try_choice(
+            self.choice, (base,), given={s: v for s, v in solved.items() if s in self.unknowns}
+        )
         objection = self._wrong_sign(constants) or trial.objection or self._inequalities(trial, solved)
         return Sought(branch, plan, writer, trial, unknowns, limits, objection)
 
@@ -245,7 +253,16 @@ def seek(instant: Instant, targets_of: object) -> tuple[Sought, list[Sought]]:
         raise undecided
     mark = instant.scene.problem.find[0].mark
     reasons = "; ".join(dict.fromkeys(s.objection for s in rejected))
-    raise NoSolution([Diagnostic(mark, "PL601", "no solution is consistent" + (f": {reasons}" if reasons else ""), "one more datum may be needed")])
+    raise NoSolution(
+        [
+            Diagnostic(
+                mark,
+                "PL601",
+                "no solution is consistent" + (f": {reasons}" if reasons else ""),
+                "one more datum may be needed",
+            )
+        ]
+    )
 
 
 def _best(seeker: Seeker, targets: set[sp.Symbol], rejected: list[Sought]) -> Sought | None:
@@ -264,7 +281,11 @@ def _best(seeker: Seeker, targets: set[sp.Symbol], rejected: list[Sought]) -> So
     for count in range(1, MOST_LIMITS + 1):
         for chosen in itertools.combinations(limits, count):
             for sought in seeker.branches(targets, chosen):
-                sought.objective = sought.trial.outcomes[0].value.extended(sought.branch.algebra.value.values)(side) if sought.trial.outcomes else None
+                sought.objective = (
+                    sought.trial.outcomes[0].value.extended(sought.branch.algebra.value.values)(side)
+                    if sought.trial.outcomes
+                    else None
+                )
                 (rejected if sought.objection or sought.objective is None else held).append(sought)
         if held:
             break

@@ -50,9 +50,11 @@ class StageMaker:
     def velocities(self, targets: set[sp.Symbol], known: dict[sp.Symbol, Decimal]) -> Stage:
         """The velocities that are needed; `known`: those that are zero."""
         rates = [r for r, _ in self.system.scene.evaluator.motions.values() if isinstance(r, sp.Symbol)]
-        unknowns = [s for s in (*self.system.tree.velocity_unknowns(), *rates, *self._sought_speeds()) if s not in known]
+        unknowns = [
+            s for s in (*self.system.tree.velocity_unknowns(), *rates, *self._sought_speeds()) if s not in known
+        ]
         conditions = self.system.velocity_conditions()
-        zero = {s: sp.S.Zero for s in known}
+        zero = dict.fromkeys(known, sp.S.Zero)
         conditions = [_put_in(c, zero) for c in conditions]
         return self._make("velocity", unknowns, conditions, targets, kinetics=False)
 
@@ -61,9 +63,18 @@ class StageMaker:
 
     def accelerations(self, targets: set[sp.Symbol], kinetics: bool) -> Stage:
         """Accelerations and pushes."""
-        return self._make("acceleration", acceleration_unknowns(self.system), self.system.acceleration_conditions(), targets, kinetics)
+        return self._make(
+            "acceleration", acceleration_unknowns(self.system), self.system.acceleration_conditions(), targets, kinetics
+        )
 
-    def _make(self, level: str, unknowns: list[sp.Symbol], conditions: list[Condition], targets: set[sp.Symbol], kinetics: bool) -> Stage:
+    def _make(
+        self,
+        level: str,
+        unknowns: list[sp.Symbol],
+        conditions: list[Condition],
+        targets: set[sp.Symbol],
+        kinetics: bool,
+    ) -> Stage:
         offers, zero = self._offers(unknowns, conditions, targets, kinetics)
         candidates, columns = offers
         index = {x: j for j, x in enumerate(columns.unknowns)}
@@ -87,7 +98,17 @@ class StageMaker:
         algebra = Algebra(self.value, explicit, self.symbolic, frozenset(columns.unknowns))
         blocks = tuple(algebra.solve(b, w, columns.unknowns) for b, w in zip(plan.blocks, numbered, strict=True))  # type: ignore[arg-type]
         self.next_number = writer.next_number
-        return Stage(level, plan, blocks, tuple(writer.lines), dict(writer.centres), tuple(zero), tuple(missing), algebra, writer.named)
+        return Stage(
+            level,
+            plan,
+            blocks,
+            tuple(writer.lines),
+            dict(writer.centres),
+            tuple(zero),
+            tuple(missing),
+            algebra,
+            writer.named,
+        )
 
     def _motion_bits(self, index: dict[sp.Symbol, int]) -> int:
         """All accelerations: the equations without any reaction often determine them on their own."""
@@ -101,7 +122,9 @@ class StageMaker:
         while True:
             columns = Numbers(tuple(unknowns), frozenset(unknowns), self.value.extended({s: Decimal(0) for s in zero}))
             found = Offers(self.system, columns, conditions, kinetics).all()
-            idle = {unknowns[c.mask.bit_length() - 1] for c in found if c.mask.bit_count() == 1 and not c.row[-1]} - targets
+            idle = {
+                unknowns[c.mask.bit_length() - 1] for c in found if c.mask.bit_count() == 1 and not c.row[-1]
+            } - targets
             if not idle:
                 return (found, columns), zero
             zero += sorted(idle, key=lambda s: s.name)

@@ -33,7 +33,14 @@ from planar_cli.units import Unit
 Solver = Callable[..., tuple[InstantSolution, list[Answered]]]
 
 
-def solve_states(problem: Problem, case: str, always: tuple[Any, ...], units: dict[str, str], earlier: dict[str, Earlier], solver: Solver) -> PartSolution:
+def solve_states(
+    problem: Problem,
+    case: str,
+    always: tuple[Any, ...],
+    units: dict[str, str],
+    earlier: dict[str, Earlier],
+    solver: Solver,
+) -> PartSolution:
     """Solve each state that is asked about for the pieces of all finds in it, then put the finds together."""
     pieces: dict[str, list[Find]] = {s.name: [] for s in problem.states}
     rebuilt: dict[str, tuple[Find, Side | Relation]] = {}
@@ -46,7 +53,9 @@ def solve_states(problem: Problem, case: str, always: tuple[Any, ...], units: di
             continue
         _complete(state)
         part = replace(problem, find=tuple(pieces[state.name]))
-        solution, found = solver(part, always, state.relations, tuple(pieces[state.name]), units, earlier, False, state.name)
+        solution, found = solver(
+            part, always, state.relations, tuple(pieces[state.name]), units, earlier, False, state.name
+        )
         instants.append(solution)
         solved.update({f.name: f for f in found})
     answers = [_joined(find, what, solved, units, instants) for find, what in rebuilt.values()]
@@ -56,7 +65,12 @@ def solve_states(problem: Problem, case: str, always: tuple[Any, ...], units: di
 def _complete(state: State) -> None:
     for statement in state.relations:
         if isinstance(statement, JustAfter):
-            raise refuse(statement.mark, "PL590", "`just after` relates two states", "states that are each complete in themselves are solved now")
+            raise refuse(
+                statement.mark,
+                "PL590",
+                "`just after` relates two states",
+                "states that are each complete in themselves are solved now",
+            )
 
 
 def _split(find: Find, what: Any, pieces: dict[str, list[Find]], problem: Problem) -> Any:
@@ -84,11 +98,15 @@ def _split(find: Find, what: Any, pieces: dict[str, list[Find]], problem: Proble
         case Function():
             return replace(what, argument=_split(find, what.argument, pieces, problem))
         case Binary() | Relation():
-            return replace(what, left=_split(find, what.left, pieces, problem), right=_split(find, what.right, pieces, problem))
+            return replace(
+                what, left=_split(find, what.left, pieces, problem), right=_split(find, what.right, pieces, problem)
+            )
     return what
 
 
-def _joined(find: Find, what: Any, solved: dict[str, Answered], units: dict[str, str], instants: list[InstantSolution]) -> Answered:
+def _joined(
+    find: Find, what: Any, solved: dict[str, Answered], units: dict[str, str], instants: list[InstantSolution]
+) -> Answered:
     """The find from its pieces."""
     if isinstance(what, Name) and what.name in solved:
         return replace(solved[what.name], name=find.name, find=find)
@@ -97,8 +115,14 @@ def _joined(find: Find, what: Any, solved: dict[str, Answered], units: dict[str,
     sample = next(solved[n] for n in _names(what) if n in solved)
     unit: Unit = sample.unit
     numbers = instants[-1].value
-    values = tuple(numbers(p) for p in parts) if not any(p.free_symbols & set(instants[-1].instant.scene.ledger.letters) for p in parts) else None
-    return Answered(find.name, "vector" if vectors else "number", unit, values, tuple(simplified(p) for p in parts), "", find)
+    values = (
+        tuple(numbers(p) for p in parts)
+        if not any(p.free_symbols & set(instants[-1].instant.scene.ledger.letters) for p in parts)
+        else None
+    )
+    return Answered(
+        find.name, "vector" if vectors else "number", unit, values, tuple(simplified(p) for p in parts), "", find
+    )
 
 
 def _names(what: Any) -> list[str]:
@@ -143,5 +167,11 @@ def _combine(what: Any, solved: dict[str, Answered], index: int) -> sp.Expr:
             return FUNCTIONS[what.name](_combine(what.argument, solved, index))
         case Binary():
             a, b = _combine(what.left, solved, index), _combine(what.right, solved, index)
-            return {"+": a + b, "-": a - b, "*": a * b, "/": a / b if b != 0 else sp.nan, "^": a**b if what.operator == "^" else a}[what.operator]
+            return {
+                "+": a + b,
+                "-": a - b,
+                "*": a * b,
+                "/": a / b if b != 0 else sp.nan,
+                "^": a**b if what.operator == "^" else a,
+            }[what.operator]
     raise FileProblem([])

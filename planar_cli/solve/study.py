@@ -31,7 +31,9 @@ class Velocities:
     loose: dict[sp.Symbol, tuple[sp.Symbol, ...]] = field(default_factory=dict)
 
 
-def solve_velocities(system: System, value: Valuation, at_rest: bool, seek: bool = True, given: dict[sp.Symbol, Decimal] | None = None) -> Velocities:
+def solve_velocities(
+    system: System, value: Valuation, at_rest: bool, seek: bool = True, given: dict[sp.Symbol, Decimal] | None = None
+) -> Velocities:
     """All velocity conditions at once; what stays free is zero at rest.
 
     `seek`: constants that are sought may be columns too. `given`: velocities that are known already.
@@ -64,7 +66,11 @@ def solve_velocities(system: System, value: Valuation, at_rest: bool, seek: bool
         conflict = ([(c, f) for c, f in zip(sources, factors, strict=True) if f], rest)
     values = dict(zip(columns, solved.values, strict=True))
     free = () if (at_rest and not nonlinear) or given is not None else tuple(columns[j] for j in solved.null)
-    loose = {columns[j]: tuple(x for x, v in zip(columns, vector, strict=True) if v) for j, vector in solved.null.items()} if free else {}
+    loose = (
+        {columns[j]: tuple(x for x, v in zip(columns, vector, strict=True) if v) for j, vector in solved.null.items()}
+        if free
+        else {}
+    )
     if free:
         for j in range(len(columns)):
             if not solved.unique(j):
@@ -117,7 +123,9 @@ class Outcome:
         return self.solved.values[column] if self.solved.unique(column) else None
 
 
-def accelerate(system: System, velocities: Velocities, value: Valuation, free: Motion, constants: dict[sp.Symbol, Decimal]) -> Outcome:
+def accelerate(
+    system: System, velocities: Velocities, value: Valuation, free: Motion, constants: dict[sp.Symbol, Decimal]
+) -> Outcome:
     """Accelerations and pushes of a system whose velocities are settled.
 
     `free`: a motion in which no body hangs on another; the file's own relations are read in it. `constants`: sought
@@ -135,7 +143,10 @@ def accelerate(system: System, velocities: Velocities, value: Valuation, free: M
     for name, body in scene.bodies.items():
         v = system.motion.velocity(body.center, name)
         centers[name] = Vec(numbers(body.center.x), numbers(body.center.y))
-        twists[name] = (Vec(certain(v.x, numbers), certain(v.y, numbers)), certain(system.motion.velocities[name].angular, numbers))
+        twists[name] = (
+            Vec(certain(v.x, numbers), certain(v.y, numbers)),
+            certain(system.motion.velocities[name].angular, numbers),
+        )
     assembly = Assembly(numbers, centers, scene.rigid, twists)
     for mode in system.modes.values():
         for joining in mode.facts.joinings:
@@ -164,7 +175,9 @@ def add_loads(assembly: Assembly, system: System, wrenches: tuple[Wrench, ...], 
     for w in wrenches:
         force = w.force or Vec(sp.S.Zero, sp.S.Zero)
         forms = [linear_form(sp.sympify(e), sought) for e in (force.x, force.y, w.couple)]
-        known.append(Wrench(w.name, w.kind, w.body, w.point, Vec(forms[0].constant, forms[1].constant), forms[2].constant))
+        known.append(
+            Wrench(w.name, w.kind, w.body, w.point, Vec(forms[0].constant, forms[1].constant), forms[2].constant)
+        )
         for s in {s for f in forms for s in f.terms}:
             parts = [f.terms.get(s, sp.S.Zero) for f in forms]
             unknown.append((s.name, Wrench(w.name, w.kind, w.body, w.point, Vec(parts[0], parts[1]), parts[2])))
@@ -241,7 +254,9 @@ def _measure(test: Test, assembly: Assembly, solved: Solved) -> tuple[Decimal, d
         line = {j: test.sense * c for j, c in assembly.across(test.joining, normal).items()}
     size = max((abs(c * (solved.values[j] if j >= 0 else ONE)) for j, c in line.items()), default=ZERO) or ONE
     value = sum((c * solved.values[j] for j, c in line.items() if j >= 0), line.get(-1, ZERO))
-    slopes = {free: sum((c * vector[j] for j, c in line.items() if j >= 0), ZERO) for free, vector in solved.null.items()}
+    slopes = {
+        free: sum((c * vector[j] for j, c in line.items() if j >= 0), ZERO) for free, vector in solved.null.items()
+    }
     return value / size, {k: s / size for k, s in slopes.items() if abs(s) > CERTAIN * size}
 
 
@@ -256,7 +271,9 @@ def feasible(tests: list[tuple[Decimal, dict[int, Decimal], bool]]) -> bool:
         for low in lower:
             for up in upper:
                 a, b = low[1][variable], -up[1][variable]
-                slopes = {k: b * low[1].get(k, ZERO) + a * up[1].get(k, ZERO) for k in {*low[1], *up[1]} if k != variable}
+                slopes = {
+                    k: b * low[1].get(k, ZERO) + a * up[1].get(k, ZERO) for k in {*low[1], *up[1]} if k != variable
+                }
                 value = b * low[0] + a * up[0]
                 rest.append((value, {k: s for k, s in slopes.items() if abs(s) > CERTAIN}, low[2] or up[2]))
         current = rest

@@ -27,7 +27,8 @@ class Disagreement(Undecided):
 @dataclass(frozen=True, slots=True)
 class Checks:
     """`equations`: how many were put in; `residual`: the largest remainder relative to its terms; `agreement`: of the second
-    road."""
+    road.
+    """
 
     equations: int
     residual: Decimal
@@ -36,7 +37,10 @@ class Checks:
     def report(self) -> dict[str, object]:
         """For the document and the JSON: the phrases, and the digits to which the two roads agree."""
         noun = "equation" if self.equations == 1 else "equations"
-        lines = [f"residuals 0 in {self.equations} {noun}", f"multibody solution agrees to {self.agreement.digits} digits"]
+        lines = [
+            f"residuals 0 in {self.equations} {noun}",
+            f"multibody solution agrees to {self.agreement.digits} digits",
+        ]
         return {"lines": lines, "digits": self.agreement.digits}
 
 

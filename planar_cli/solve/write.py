@@ -149,7 +149,8 @@ class Writer:
 
     def _vector_parts(self, x: sp.Expr, y: sp.Expr) -> list[tuple[Vec, sp.Expr]]:
         """An acceleration as vectors drawn one by one: a part for each unknown (a slide, the tangential part r α), and
-        what is known (the normal parts r ω²)."""
+        what is known (the normal parts r ω²).
+        """
         form_x, form_y = self.numbers.form(x), self.numbers.form(y)
         parts = []
         for unknown in dict.fromkeys((*form_x.terms, *form_y.terms)):
@@ -179,7 +180,9 @@ class Writer:
         """a · t where a is parallel to t."""
         along = self.settled(a.dot(tangent))
         form = self.numbers.form(along)
-        return sp.Add(*(trigonometric(sp.expand(c)) * x for x, c in form.terms.items()), trigonometric(sp.expand(form.constant)))
+        return sp.Add(
+            *(trigonometric(sp.expand(c)) * x for x, c in form.terms.items()), trigonometric(sp.expand(form.constant))
+        )
 
     def _tangents(self, body: str) -> list[Vec]:
         found = []
@@ -201,7 +204,9 @@ class Writer:
         where = f" along {axis}" if axis else ""
         form = self.numbers.form(expr)
         expr = sp.Add(*(self.short(c) * x for x, c in form.terms.items()), self.shortened(form.constant))
-        self.lines.append(Explicit(self.number(), symbol, expr, f"acceleration of {name or 'the mass centre of ' + body}{where}"))
+        self.lines.append(
+            Explicit(self.number(), symbol, expr, f"acceleration of {name or 'the mass centre of ' + body}{where}")
+        )
         return symbol
 
     @property
@@ -228,7 +233,9 @@ class Writer:
         for body in bodies:
             mass = self.system.scene.bodies[body].mass
             if mass != 0:
-                right += [mass * component * self.short(direction.dot(d)) for direction, component in self.acceleration(body)]
+                right += [
+                    mass * component * self.short(direction.dot(d)) for direction, component in self.acceleration(body)
+                ]
         return self._written("force", bodies, choice.name, choice.words, left, self.kept_lines(right))
 
     def _moment(self, bodies: tuple[str, ...], choice: Choice) -> Written:
@@ -253,7 +260,10 @@ class Writer:
         terms = [] if model.inertia == 0 or alpha == 0 else [model.inertia * alpha]
         if model.mass != 0:
             arm = model.center - center
-            terms += [model.mass * component * self.short(arm.cross(direction)) for direction, component in self.acceleration(body)]
+            terms += [
+                model.mass * component * self.short(arm.cross(direction))
+                for direction, component in self.acceleration(body)
+            ]
         return terms
 
     def _fixed(self, body: str, center: Vec) -> bool:
@@ -286,7 +296,11 @@ class Writer:
         for name, (known, _) in self.centres.items():
             if all(self.numbers.value.is_zero(getattr(known, axis) - getattr(place, axis)) for axis in ("x", "y")):
                 return known, name
-        name = next(letter for letter in (*LETTERS, *(f"C_{i}" for i in range(99))) if letter not in self.system.scene.points and letter not in ledger.symbols and letter not in self.centres)
+        name = next(
+            letter
+            for letter in (*LETTERS, *(f"C_{i}" for i in range(99)))
+            if letter not in self.system.scene.points and letter not in ledger.symbols and letter not in self.centres
+        )
         place = Vec(self._short(place.x), self._short(place.y))
         self.centres[name] = (place, choice.through)
         return place, name
@@ -342,7 +356,9 @@ class Writer:
             return sides
         return [t for t in sides[0] if not cancelled(t)], [t for t in sides[1] if not cancelled(t)]
 
-    def _written(self, law: str, bodies: tuple[str, ...], lead: str, words: str, left: list[sp.Expr], right: list[sp.Expr]) -> Written:
+    def _written(
+        self, law: str, bodies: tuple[str, ...], lead: str, words: str, left: list[sp.Expr], right: list[sp.Expr]
+    ) -> Written:
         left, right = self._without_cancelled((left, right))
         return Written(self.number(), law, bodies, lead, words, sp.Add(*left), sp.Add(*right), "kinetics")
 
@@ -362,7 +378,9 @@ class Writer:
         if len(left) == 2 and right == 0:
             left, right = [left[0]], -left[1]
         datum = condition.kind == "given" and len(form.terms) == 1 and sp.Add(*left).is_Symbol
-        return Written(self.number(), "relation", (), condition.text, words, sp.Add(*left), right, condition.kind, datum)
+        return Written(
+            self.number(), "relation", (), condition.text, words, sp.Add(*left), right, condition.kind, datum
+        )
 
     def closing(self, condition: Condition) -> Joining | None:
         """The joint behind a closure."""
