@@ -113,12 +113,40 @@ def _conflict(rows: list[Row], width: int) -> tuple[list[Decimal], Decimal] | No
 
 def determines(rows: list[Row], width: int, targets: list[int]) -> bool:
     """Do the rows fix all the target columns?"""
+    fixed = determined(rows, width)
+    return all(t in fixed for t in targets)
+
+
+def determined(rows: list[Row], width: int) -> set[int]:
+    """The columns that the rows fix."""
     pivots, _ = eliminate(rows, width)
-    found = {column: row for column, row in pivots}
-    pivot_columns = set(found)
-    free = [j for j in range(width) if j not in pivot_columns]
-    return all(t in found and not any(found[t][j] for j in free) for t in targets)
+    leading = {column for column, _ in pivots}
+    free = [j for j in range(width) if j not in leading]
+    return {column for column, row in pivots if not any(row[j] for j in free)}
 
 
 def rank(rows: list[Row], width: int) -> int:
     return len(eliminate(rows, width)[0])
+
+
+class Span:
+    """Rows that grow one at a time, with the question whether the next one says anything new."""
+
+    def __init__(self, width: int) -> None:
+        self.width = width
+        self.pivots: list[tuple[int, Row]] = []
+
+    def grows(self, row: Row) -> bool:
+        """Take in a row; False when it follows from those before it."""
+        work = list(row)
+        for column, pivot in self.pivots:
+            factor = work[column]
+            if factor:
+                work = [clean(a - factor * b, a) if b else a for a, b in zip(work, pivot, strict=True)]
+                work[column] = ZERO
+        best = max(range(self.width), key=lambda j: abs(work[j]), default=-1)
+        if best < 0 or not work[best]:
+            return False
+        lead = work[best]
+        self.pivots.append((best, [a / lead if a else a for a in work]))
+        return True

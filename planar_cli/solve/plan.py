@@ -13,7 +13,8 @@ import time
 from dataclasses import dataclass
 
 from planar_cli.solve.candidates import Candidate
-from planar_cli.solve.linear import Row, determines, eliminate
+from planar_cli.solve import rough
+from planar_cli.solve.linear import Row, Span, determined, determines
 
 TEAR = 1.0
 NODES = 4000
@@ -77,28 +78,40 @@ class Planner:
 
     def __init__(self, candidates: list[Candidate], nonlinear: int = 0, seeds: tuple[int, ...] = ()) -> None:
         self.candidates = sorted(candidates, key=lambda c: c.cost)
+        self.masks = [c.mask for c in self.candidates]
+        self.floats = [[float(x) for x in c.row[:-1]] for c in self.candidates]
         self.nonlinear = nonlinear
         self.seeds = seeds
 
     def inside(self, allowed: int) -> list[Candidate]:
         """The candidates all of whose unknowns are allowed."""
-        return [c for c in self.candidates if not c.mask & ~allowed]
+        return [self.candidates[i] for i in self._inside(allowed)]
+
+    def _inside(self, allowed: int) -> list[int]:
+        outside = ~allowed
+        return [i for i, mask in enumerate(self.masks) if not mask & outside]
+
+    def determined(self) -> int:
+        """The unknowns that all candidates together fix, as bits."""
+        everything = 0
+        for mask in self.masks:
+            everything |= mask
+        chosen = bits(everything)
+        fixed = determined([columns(c.row, chosen) for c in self.candidates], len(chosen))
+        return sum(1 << chosen[i] for i in fixed)
 
     def plan(self, targets: int) -> Plan | None:
         """The cheapest plan found, or None when the candidates do not determine the targets."""
         if not targets:
             return Plan(())
-        everything = 0
-        for c in self.candidates:
-            everything |= c.mask
-        if not self.fixes(everything, targets):
+        if targets & ~self.determined():
             return None
         goals = self._search(targets)
         goals += [seed | targets for seed in self.seeds if seed and self.fixes(seed | targets, targets)]
         plans = [p for p in (self.order(goal, targets) for goal in goals) if p is not None]
         if plans:
             return min(plans, key=lambda p: (p.equations + TEAR * p.tear, p.cost))
-        found = self.order(self._shrunk(everything, targets), targets)
+        found = self.order(self._shrunk(targets), targets)
         return None if found is None else Plan(found.blocks, systematic=True)
 
     def fixes(self, allowed: int, targets: int) -> bool:
@@ -108,8 +121,14 @@ class Planner:
         wanted = bits(targets)
         if any(j not in place for j in wanted):
             return False
-        rows = [columns(c.row, chosen) for c in self.inside(allowed)]
-        return determines(rows, len(chosen), [place[j] for j in wanted])
+        inside = self._inside(allowed)
+        if len(inside) < len(wanted):
+            return False
+        aims = [place[j] for j in wanted]
+        answer = rough.fixes(([row[j] for j in chosen] for row in map(self.floats.__getitem__, inside)), len(chosen), aims)
+        if answer is not None:
+            return answer
+        return determines([columns(self.candidates[i].row, chosen) for i in inside], len(chosen), aims)
 
     def _search(self, targets: int) -> list[int]:
         """Sets of unknowns that determine the targets, the smallest first."""
@@ -125,23 +144,23 @@ class Planner:
             size, _, _, state = heapq.heappop(heap)
             if size > best + 1:
                 break
-            inside = self.inside(state)
-            if len(inside) >= targets.bit_count() and self.fixes(state, targets):
+            if self.fixes(state, targets):
                 goals.append(state)
                 best = min(best, size)
                 continue
-            for c in self.candidates:
-                fresh = c.mask & ~state
-                if not c.mask & state or not fresh or fresh.bit_count() > WIDEST:
+            for mask, c in zip(self.masks, self.candidates, strict=True):
+                new = state | mask
+                if new in seen or not mask & state or (mask & ~state).bit_count() > WIDEST:
                     continue
-                new = state | c.mask
-                if new not in seen:
-                    seen.add(new)
-                    heapq.heappush(heap, (new.bit_count(), c.cost, next(counter), new))
+                seen.add(new)
+                heapq.heappush(heap, (new.bit_count(), c.cost, next(counter), new))
         return goals
 
-    def _shrunk(self, everything: int, targets: int) -> int:
+    def _shrunk(self, targets: int) -> int:
         """Leave out unknowns one at a time while the targets stay determined."""
+        everything = 0
+        for mask in self.masks:
+            everything |= mask
         state = everything
         for j in reversed(bits(everything)):
             smaller = state & ~(1 << j)
@@ -203,12 +222,10 @@ class Planner:
 def _independent(usable: list[Candidate], state: int) -> list[Candidate]:
     """The cheapest independent equations for the unknowns of a set."""
     chosen_columns = bits(state)
+    span = Span(len(chosen_columns))
     pivots: list[Candidate] = []
-    rows: list[Row] = []
     for c in usable:
-        row = columns(c.row, chosen_columns)
-        if len(eliminate([*rows, row], len(chosen_columns))[0]) > len(rows):
-            rows.append(row)
+        if span.grows(columns(c.row, chosen_columns)):
             pivots.append(c)
             if len(pivots) == len(chosen_columns):
                 break
