@@ -16,6 +16,7 @@ from planar_cli.problem.expression import Name, Relation, Side, Statement
 from planar_cli.problem.facts import Skid, Wrench
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.keys import Table
+from planar_cli.problem.scene import GROUND
 from planar_cli.registry import members
 
 
@@ -110,4 +111,7 @@ def _skid(skid: Skid, setting: Moving, others: list[Wrench]) -> list[Wrench]:
             return []
         relative = pushing
     force = -relative * (skid.size / setting.length(relative))
-    return [Wrench(skid.joint, "skid", skid.body, skid.point, force, 0, skid.size)]
+    on_body = Wrench(skid.joint, "skid", skid.body, skid.point, force, 0, skid.size)
+    if skid.base == GROUND:
+        return [on_body]
+    return [on_body, Wrench(skid.joint, "skid", skid.base, skid.point, -force, 0, skid.size)]

@@ -66,6 +66,8 @@ def _surface(scene: Scene, surface: Surface, point: Vec, mark: Mark) -> Outline:
                 f"the point of contact is not on {surface.name}",
                 "its distance from the centre is the radius",
             )
+        if surface.speed is not None:
+            raise refuse(mark, "PL543", f"{surface.name}: a belt runs along a line", "give `speed:` to a line; let a disk turn instead")
         found = arc(scene, body, center, shape.center, point)
         return Outline(
             "arc", body, found.tangent, 1 / radius, center, shape.center, _drift(scene, surface, found.tangent)

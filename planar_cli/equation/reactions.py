@@ -53,9 +53,10 @@ class Reactions:
 
     def force(self, q: Quantity, kinds: tuple[str, ...] | None) -> Vec:
         """The sum of a joint's forces of these kinds (None: all) on the named body."""
-        for wrench in self.wrenches:
-            if wrench.kind == "skid" and self.joints.get(wrench.name) == q.things[0]:
-                return wrench.force or NONE
+        skids = [w for w in self.wrenches if w.kind == "skid" and self.joints.get(w.name) == q.things[0]]
+        for wrench in skids:
+            if wrench.force is not None and (len(q.things) == 1 or wrench.body == q.things[1]):
+                return wrench.force
         chosen = [(p, e) for p, e in self._of(q) if p.unit == "N" and (kinds is None or p.kind in kinds)]
         if not chosen:
             return NONE

@@ -12,6 +12,7 @@ from planar_cli.equation.conditions import (
     Condition,
     coordinate_conditions,
     joint_conditions,
+    order,
     stated,
 )
 from planar_cli.equation.evaluate import Evaluator
@@ -98,6 +99,20 @@ class System:
         self.motion = Motion(self.tree, self.scene.center, known)
         self.wrenches = wrenches
         self.reactions = self._reactions()
+
+    def hanging(self) -> set[sp.Symbol]:
+        """Velocities of bodies that only ropes hold, across them."""
+        ropes = {name for name, mode in self.modes.items() if mode.name in ("taut", "slack")}
+        found = set()
+        for edge in self.tree.edges:
+            if edge.joining is None or edge.joining.joint in ropes:
+                found |= {s for s in (edge.slide, edge.rise) if s is not None}
+        return found if ropes else set()
+
+    def states_accelerations(self) -> bool:
+        """Does the file state an acceleration or a force?"""
+        names = {s.name for s in self.scene.ledger.coordinates}
+        return any(order(relation, names) == ACCELERATION for relation, _ in self.statements.relations)
 
     def skids(self) -> tuple[Skid, ...]:
         """Bodies that slide on something flat."""

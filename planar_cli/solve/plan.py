@@ -92,13 +92,20 @@ class Planner:
         return [i for i, mask in enumerate(self.masks) if not mask & outside]
 
     def determined(self) -> int:
-        """The unknowns that all candidates together fix, as bits."""
+        """The unknowns that all candidates together fix, as bits. Groups add nothing to their bodies, as a rule: so late."""
         everything = 0
         for mask in self.masks:
             everything |= mask
         chosen = bits(everything)
-        fixed = determined([columns(c.row, chosen) for c in self.candidates], len(chosen))
-        return sum(1 << chosen[i] for i in fixed)
+        span = Span(len(chosen))
+        rows: list[Row] = []
+        for c in sorted(self.candidates, key=lambda c: len(c.bodies)):
+            row = columns(c.row, chosen)
+            if span.grows(row):
+                rows.append(row)
+                if len(rows) == len(chosen):
+                    return everything
+        return sum(1 << chosen[i] for i in determined(rows, len(chosen)))
 
     def plan(self, targets: int) -> Plan | None:
         """The cheapest plan found, or None when the candidates do not determine the targets."""

@@ -22,7 +22,7 @@ def fixes(rows: Iterable[FloatRow], width: int, targets: list[int]) -> bool | No
         return True
     leading = {column for column, _ in pivots}
     if any(t not in leading for t in targets):
-        # A target that leads no row is free, unless another column could have led: then it is free as well.
+        # A column that leads no row may have any value.
         return False
     return _follow(pivots, leading, targets)
 

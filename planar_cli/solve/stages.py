@@ -80,7 +80,8 @@ class StageMaker:
         index = {x: j for j, x in enumerate(columns.unknowns)}
         wanted = sum(1 << index[t] for t in targets if t in index)
         planner = Planner(candidates)
-        missing = [t for t in targets if t in index and not planner.fixes(_every(candidates), 1 << index[t])]
+        fixed = planner.determined()
+        missing = [t for t in targets if t in index and not fixed & (1 << index[t])]
         wanted &= ~sum(1 << index[t] for t in missing)
         if kinetics:
             wanted_columns = [index[t] for t in targets if t in index and t not in missing]
@@ -130,13 +131,6 @@ class StageMaker:
             zero += sorted(idle, key=lambda s: s.name)
             unknowns = [u for u in unknowns if u not in idle]
             self.value = self.value.extended({s: Decimal(0) for s in idle})
-
-
-def _every(candidates: list[Candidate]) -> int:
-    mask = 0
-    for c in candidates:
-        mask |= c.mask
-    return mask
 
 
 def _put_in(condition: Condition, known: dict[sp.Symbol, sp.Expr]) -> Condition:

@@ -60,6 +60,10 @@ def solve_velocities(
             rows.append([ONE if c == x else ZERO for c in columns] + [-number])
             sources.append(Condition("given", x.name, x))
     solved = solve(rows, len(columns))
+    for x in _swaying(system, columns, solved):
+        rows.append([ONE if c == x else ZERO for c in columns] + [ZERO])
+        sources.append(Condition("given", f"{x.name}: nothing makes it sway", x))
+    solved = solve(rows, len(columns))
     conflict = None
     if solved.conflict is not None:
         factors, rest = solved.conflict
@@ -76,6 +80,18 @@ def solve_velocities(
             if not solved.unique(j):
                 del values[columns[j]]
     return Velocities(values, free, conflict, tuple(nonlinear), loose)
+
+
+def _swaying(system: System, columns: list[sp.Symbol], solved: Solved) -> list[sp.Symbol]:
+    """Sideways velocities of what hangs on a rope, where nothing else moves with them and nothing tells them.
+
+    What hangs does not swing unless the file says so; where accelerations or forces are given, they may tell the speed.
+    """
+    if system.states_accelerations():
+        return []
+    hanging = system.hanging()
+    alone = [columns[j] for j, vector in solved.null.items() if sum(bool(c) for c in vector) == 1]
+    return [x for x in alone if x in hanging]
 
 
 def _linear_everywhere(symbol: sp.Symbol, conditions: list[Condition], unknowns: set[sp.Symbol]) -> bool:
