@@ -32,7 +32,7 @@ def longer(expr: sp.Expr, limit: int) -> bool:
 
 
 def _nodes_reach(expr: sp.Expr, most: int) -> bool:
-    """Are there so many operands? A sign or a reciprocal is an operand but no operation of its own, never more than two."""
+    """Are there so many operands? Signs and reciprocals are operands without being operations of their own."""
     seen, stack = 0, [expr]
     while stack:
         args = stack.pop().args
@@ -50,7 +50,7 @@ def trigonometric(expr: sp.Expr) -> sp.Expr:
     if _degree(expr) < 2:
         return expr
     short = _with_one(expr)
-    return short if _degree(short) < 2 else sp.trigsimp(short)
+    return short if _degree(short) < 2 or longer(short, MANY) else sp.trigsimp(short)
 
 
 @lru_cache(maxsize=_KEPT)
@@ -91,12 +91,26 @@ def _simplified(expr: sp.Expr) -> sp.Expr:
     forms = [expr, sp.powsimp(expr), sp.expand(expr)]
     forms += [sp.cancel(forms[1]), sp.together(forms[1])]
     if _degree(expr) >= 2:
-        forms += [trigonometric(f) for f in {forms[0], min(forms, key=operations)}]
-    best = min(forms, key=operations)
+        forms += [trigonometric(f) for f in {forms[0], min(forms, key=_effort)}]
+    best = min(forms, key=_effort)
     forms += [best, sp.factor_terms(best), sp.powsimp(best, combine="exp", deep=True)]
     if expr.is_number:
         forms += [sp.radsimp(best), sp.sqrtdenest(best)]
-    return min(forms, key=operations)
+    return min(forms, key=_effort)
+
+
+def _effort(expr: sp.Expr) -> int:
+    """What an expression costs its reader: its operations, and more for fractions inside a denominator."""
+    return operations(expr) + 3 * _nested(expr, inside=False)
+
+
+def _nested(expr: sp.Expr, inside: bool) -> int:
+    """Fractions that stand in a sum under a fraction stroke."""
+    if not expr.args:
+        return 0
+    below = expr.is_Pow and expr.exp.could_extract_minus_sign()
+    own = int(inside and below)
+    return own + sum(_nested(a, inside or (below and a.is_Add)) for a in expr.args)
 
 
 def tidy(expr: Any) -> sp.Expr:
@@ -121,4 +135,4 @@ def _tidied(expr: sp.Expr) -> sp.Expr:
 
 def rounded_inside(expr: sp.Expr) -> bool:
     """Does a number with very many digits stand in the expression, one that was put in for a long formula?"""
-    return any(r.q > MANY_DIGITS for r in expr.atoms(sp.Rational))
+    return any(r.q > MANY_DIGITS or abs(r.p) > MANY_DIGITS for r in expr.atoms(sp.Rational))

@@ -18,28 +18,23 @@ from planar_cli.equation.system import System
 from planar_cli.problem.geometry import Vec
 from planar_cli.solve.candidates import CONSTRUCTED, NAMED_SLANT, Candidate, Choice, combine, mask_of, priced
 from planar_cli.solve.linear import Row, eliminate
-from planar_cli.solve.offers import Numbers, Offers
+from planar_cli.solve.offers import Offers
 
 CLOSE = Decimal("1e-25")
 
 
-def adjoint_candidates(
-    system: System, numbers: Numbers, conditions: list[Condition], targets: list[int]
-) -> tuple[list[Candidate], int]:
+def adjoint_candidates(offers: Offers, targets: list[int]) -> tuple[list[Candidate], int]:
     """The group equations that the adjoint solution of each target names; and, as bits, all unknowns of these equations
     and of the loops that take part: a set that determines the targets.
     """
-    offers = Offers(system, numbers, conditions, kinetics=True)
+    system, numbers = offers.system, offers.numbers
     bodies = list(system.scene.bodies)
     single = {b: offers.body_rows(b) for b in bodies}
     rows: list[Row] = [row for b in bodies for row in single[b]]
-    rows += [numbers.row(expr) for c in conditions for expr in c.rows()]
+    rows += [numbers.row(expr) for c in offers.conditions for expr in c.rows()]
     found: list[Candidate] = []
     inside = 0
-    for target in targets:
-        y = _multipliers(rows, len(numbers.unknowns), target)
-        if y is None:
-            continue
+    for y in _multipliers(rows, len(numbers.unknowns), targets):
         twists = {b: (y[3 * i], y[3 * i + 1], y[3 * i + 2]) for i, b in enumerate(bodies)}
         named = _groups(offers, system, twists, single)
         found += named
@@ -57,20 +52,24 @@ def sum_masks(masks: Iterable[int]) -> int:
     return total
 
 
-def _multipliers(rows: list[Row], width: int, target: int) -> list[Decimal] | None:
-    """y with Σ y_i rows[i] = e_target in the unknown columns; None when the target is not determined."""
+def _multipliers(rows: list[Row], width: int, targets: list[int]) -> list[list[Decimal]]:
+    """For each target y with Σ y_i rows[i] = e_target in the unknown columns; targets that are not determined are left out."""
     count = len(rows)
     scales = [max((abs(c) for c in row[:-1]), default=ZERO) or ONE for row in rows]
     transposed = [
-        [*(rows[i][j] / scales[i] for i in range(count)), -(ONE if j == target else ZERO)] for j in range(width)
+        [*(rows[i][j] / scales[i] for i in range(count)), *(-(ONE if j == target else ZERO) for target in targets)]
+        for j in range(width)
     ]
     pivots, left = eliminate(transposed, count)
-    if any(row[-1] for row in left):
-        return None
-    y = [ZERO] * count
-    for column, row in pivots:
-        y[column] = -row[-1]
-    return [v / s for v, s in zip(y, scales, strict=True)]
+    found = []
+    for right in range(count, count + len(targets)):
+        if any(row[right] for row in left):
+            continue
+        y = [ZERO] * count
+        for column, row in pivots:
+            y[column] = -row[right]
+        found.append([v / s for v, s in zip(y, scales, strict=True)])
+    return found
 
 
 def _groups(

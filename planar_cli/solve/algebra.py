@@ -153,15 +153,15 @@ class Algebra:
         form = linear_form(expr, set(letters))
         if self.symbolic:
             return sp.Add(tidy(form.constant), *(tidy(c) * x for x, c in form.terms.items()))
-        return sp.Add(self._plain(form.constant), *(self._plain(c) * x for x, c in form.terms.items()))
+        whole = [tidy(e) for e in (form.constant, *form.terms.values())]
+        short = all(not longer(e, SHORT) for e in whole)
+        constant, *coefficients = whole if short else [self._plain(e) for e in whole]
+        return sp.Add(constant, *(c * x for c, x in zip(coefficients, form.terms, strict=True)))
 
     def _plain(self, expr: sp.Expr) -> sp.Expr:
-        """A number for an expression of knowns: exact where it is short, else rational to all digits."""
+        """A number for an expression of knowns, to all digits."""
         value = self.value(expr)
-        if not value or self.value.is_zero(expr):
-            return sp.S.Zero
-        short = tidy(expr)
-        return short if not longer(short, SHORT) else sp.Rational(str(value))
+        return sp.S.Zero if not value or self.value.is_zero(expr) else sp.Rational(str(value))
 
     def _letters(self, residuals: list[sp.Expr], letters: tuple[sp.Symbol, ...]) -> dict[sp.Symbol, sp.Expr]:
         """Solve the last equations for the letters by elimination with the largest pivot."""

@@ -7,7 +7,7 @@ unknowns it contains; its words and symbols are made only when the plan uses it.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from decimal import Decimal
 
@@ -27,14 +27,19 @@ class Choice:
     """Which member of a family: a direction, or a moment centre (`moment`), in symbols and in words.
 
     `name`: of the moment centre, or of the axis ("x", "y"); "" where it is constructed. `through`: the unknowns whose lines
-    of action meet in a constructed centre, or across whose line a direction is.
+    of action meet in a constructed centre, or across whose line a direction is. `place`: the vector, or what makes it
+    when the plan uses this candidate, as few ever are used.
     """
 
     moment: bool
-    vector: Vec
+    place: Vec | Callable[[], Vec]
     words: str
     through: tuple[sp.Symbol, ...] = ()
     name: str = ""
+
+    @property
+    def vector(self) -> Vec:
+        return self.place if isinstance(self.place, Vec) else self.place()
 
 
 @dataclass(frozen=True, slots=True)

@@ -252,7 +252,7 @@ class Finisher:
             if not inside:
                 break
             expr = expr.xreplace(inside)
-            if longer(expr, 4000):
+            if longer(expr, 4000 if self.symbolic else 4 * CLOSED_OPS):
                 return expr
         return self._simple(expr)
 

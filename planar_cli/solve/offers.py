@@ -8,73 +8,27 @@ product of two wrenches.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from decimal import Decimal
+from functools import cached_property, partial
 
 import sympy as sp
 
 from planar_cli.equation.conditions import Condition
-from planar_cli.equation.exact import CERTAIN, ONE, ZERO, Valuation
-from planar_cli.equation.form import Form, linear_form
+from planar_cli.equation.exact import CERTAIN, ONE, ZERO
+from planar_cli.equation.plain import longer
 from planar_cli.equation.system import System
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
 from planar_cli.solve import candidates as c
 from planar_cli.solve.candidates import Candidate, Choice, combine, cross3, priced
 from planar_cli.solve.linear import Row
+from planar_cli.solve.numbers import Numbers
 
 MOST_GROUPS = 72
+CLOSE = Decimal("1e-30")
+"""Points that lie so near each other, in units of the scene, are one."""
 Three = tuple[Decimal, Decimal, Decimal]
-
-
-@dataclass(slots=True)
-class Numbers:
-    """Expressions to rows of numbers: linear ones by their coefficients, others by their slopes at a generic place.
-
-    `unknowns`: the columns. `linear`: those of them in which everything is linear; the rest are moved by a tiny step to
-    find their slopes. `value`: the valuation, in which every unknown has a generic number as well.
-    """
-
-    unknowns: tuple[sp.Symbol, ...]
-    linear: frozenset[sp.Symbol]
-    value: Valuation
-    moved: dict[sp.Symbol, Valuation] = field(default_factory=dict)
-
-    STEP = Decimal(10) ** -22
-
-    def form(self, expr: sp.Expr) -> Form:
-        return linear_form(expr, self.linear)
-
-    def row(self, expr: sp.Expr) -> Row:
-        """Coefficients of the unknowns and the constant, as numbers."""
-        form = self.form(expr)
-        row = [self._coefficient(form.terms.get(x)) for x in self.unknowns]
-        constant = self._clean(form.constant)
-        if len(self.linear) < len(self.unknowns):
-            for j, x in enumerate(self.unknowns):
-                if x not in self.linear:
-                    row[j] = self._slope(expr, x)
-        return [*row, constant]
-
-    def _coefficient(self, expr: sp.Expr | None) -> Decimal:
-        return ZERO if expr is None else self._clean(expr)
-
-    def _clean(self, expr: sp.Expr) -> Decimal:
-        value = self.value(expr)
-        if value and abs(value) < Decimal("1e-20") and self.value.is_zero(expr):
-            return ZERO
-        return value
-
-    def _slope(self, expr: sp.Expr, x: sp.Symbol) -> Decimal:
-        if x not in expr.free_symbols and not self._through_definitions(expr, x):
-            return ZERO
-        if x not in self.moved:
-            self.moved[x] = self.value.extended({x: self.value(x) + self.STEP})
-        slope = (self.moved[x](expr) - self.value(expr)) / self.STEP
-        return ZERO if abs(slope) < Decimal("1e-15") * max(abs(self.value(expr)), ONE) else slope
-
-    def _through_definitions(self, expr: sp.Expr, x: sp.Symbol) -> bool:
-        return any(s in self.value.definitions for s in expr.free_symbols)
 
 
 @dataclass(frozen=True, slots=True)
@@ -96,6 +50,10 @@ class Offers:
         self.system, self.numbers, self.conditions, self.kinetics = system, numbers, conditions, kinetics
         self.scene = system.scene
         self.index = {x: j for j, x in enumerate(numbers.unknowns)}
+        self._residuals: dict[str, tuple[Row, Row, Row]] = {}
+        self._aside: dict[str, bool] = {}
+        self._spins = [self.index[e.spin_rate] for e in system.tree.edges if e.spin_rate in self.index]
+        self._moved: dict[sp.Symbol, set[str]] = {}
 
     def all(self) -> list[Candidate]:
         found: list[Candidate] = []
@@ -128,16 +86,17 @@ class Offers:
             across = Vec(-form_y.terms.get(symbol, sp.S.Zero), form_x.terms.get(symbol, sp.S.Zero))
             row = combine((x, y), (-y[j], x[j]))
             row[j] = ZERO
-            found.append(priced((), condition, self._direction(across, symbol, condition), row, c.ACROSS))
+            words = f"so that {symbol.name} drops out"
+            choice = Choice(False, partial(self._direction, across), words, (symbol,))
+            found.append(priced((), condition, choice, row, c.ACROSS))
         return c.cheapest(found)
 
-    def _direction(self, across: Vec, symbol: sp.Symbol, condition: Condition) -> Choice:
+    def _direction(self, across: Vec) -> Vec:
         """A projection that drops one unknown, scaled to a unit vector where its length is simple."""
-        words = f"so that {symbol.name} drops out"
         length = self.scene.length(across)
-        if sp.count_ops(length) <= 4:
-            across = Vec(*(sp.cancel(p) if p.free_symbols else p for p in (across.x / length, across.y / length)))
-        return Choice(False, across, words, (symbol,))
+        if longer(length, 4):
+            return across
+        return Vec(*(sp.cancel(p) if p.free_symbols else p for p in (across.x / length, across.y / length)))
 
     # --- groups of bodies --------------------------------------------------------------------------------------------
 
@@ -180,8 +139,10 @@ class Offers:
 
     def body_rows(self, body: str) -> tuple[Row, Row, Row]:
         """Σ F_x - m a_x, Σ F_y - m a_y, Σ M_O - (r_G × m a_G + I α) of one body, about the origin."""
-        x, y, m = body_residuals(self.system, body)
-        return self.numbers.row(x), self.numbers.row(y), self.numbers.row(m)
+        if body not in self._residuals:
+            x, y, m = body_residuals(self.system, body)
+            self._residuals[body] = (self.numbers.row(x), self.numbers.row(y), self.numbers.row(m))
+        return self._residuals[body]
 
     def _group(self, bodies: tuple[str, ...], single: dict[str, tuple[Row, Row, Row]]) -> Group:
         ones = [ONE] * len(bodies)
@@ -198,6 +159,11 @@ class Offers:
         """Does a force act on a particle elsewhere than at its place? It is then held by a couple that nobody asks for."""
         if self.scene.rigid(body):
             return False
+        if body not in self._aside:
+            self._aside[body] = self._asides(body)
+        return self._aside[body]
+
+    def _asides(self, body: str) -> bool:
         center = self.scene.center(body)
         points = [a.point for p in self.system.pushes for a in p.actions if a.body == body]
         return any(not self._same(p, center) for p in points)
@@ -221,12 +187,12 @@ class Offers:
 
     def _only_translation(self, symbol: sp.Symbol, bodies: tuple[str, ...]) -> bool:
         """Does the unknown move just one body of the group?"""
-        assert self.system.motion is not None
-        moved = 0
-        for body in bodies:
-            a = self.system.motion.acceleration(self.scene.center(body), body)
-            moved += symbol in a.x.free_symbols or symbol in a.y.free_symbols
-        return moved <= 1
+        if symbol not in self._moved:
+            assert self.system.motion is not None
+            center, motion = self.scene.center, self.system.motion
+            ways = {b: motion.acceleration(center(b), b) for b in self.scene.bodies}
+            self._moved[symbol] = {b for b, a in ways.items() if symbol in a.x.free_symbols | a.y.free_symbols}
+        return len(self._moved[symbol].intersection(bodies)) <= 1
 
     def of_group(self, group: Group) -> list[Candidate]:
         """Axes, named points, directions across a line, intersections of two lines."""
@@ -238,9 +204,10 @@ class Offers:
             found.append(self._force(group, direction, words, c.NAMED_SLANT))
         if not group.turning:
             return c.cheapest(found)
-        points = self._named_points(group)
-        for name, place in points.items():
+        named = self._named_points(group)
+        for name, place in named.items():
             found.append(self._moment(group, place, name, c.NAMED_POINT))
+        points = [(self.numbers.value(place.x), self.numbers.value(place.y)) for place in named.values()]
         lines = list(group.lines.items())
         for i, (j, a) in enumerate(lines):
             found.append(self._across(group, j, a))
@@ -264,8 +231,7 @@ class Offers:
 
     def _percussion(self, group: Group, row: Row) -> bool:
         """Does inertia cancel about this point? Nobody looks for a centre of percussion to be rid of α."""
-        spins = [self.index[e.spin_rate] for e in self.system.tree.edges if e.spin_rate in self.index]
-        return any(not row[j] and any(r[j] for r in group.rows) for j in spins)
+        return any(not row[j] and any(r[j] for r in group.rows) for j in self._spins)
 
     def _named_directions(self, group: Group) -> list[tuple[Vec, str]]:
         """Along and across the paths and contacts of the group's bodies."""
@@ -313,13 +279,13 @@ class Offers:
         return priced(
             group.bodies,
             None,
-            Choice(False, self._line_of(group, symbol)[1].turned(), f"across {symbol.name}", (symbol,)),
+            Choice(False, partial(self._across_line, group, symbol), f"across {symbol.name}", (symbol,)),
             row,
             c.ACROSS,
         )
 
     def _crossing(
-        self, group: Group, first: tuple[int, Three], second: tuple[int, Three], points: dict[str, Vec]
+        self, group: Group, first: tuple[int, Three], second: tuple[int, Three], points: list[tuple[Decimal, Decimal]]
     ) -> Candidate | None:
         """Moments about the intersection of two lines, or the force direction across two parallel ones."""
         (j, a), (k, b) = first, second
@@ -328,28 +294,26 @@ class Offers:
         if not size or not multiplier[2]:
             return None
         x, y = -multiplier[1] / multiplier[2], multiplier[0] / multiplier[2]
-        name = next((n for n, p in points.items() if self._at(p, x, y)), None)
-        if name is not None:
+        tiny = CLOSE * self._scale
+        if any(abs(px - x) <= tiny and abs(py - y) <= tiny for px, py in points):
             return None
         row = combine(group.rows, (y, -x, ONE))
         row[j] = row[k] = ZERO
         if self._percussion(group, row):
             return None
         symbols = (self.numbers.unknowns[j], self.numbers.unknowns[k])
-        form = c.CONSTRUCTED if max(abs(x), abs(y)) < 8 * self._scale() else c.FAR
+        form = c.CONSTRUCTED if max(abs(x), abs(y)) < 8 * self._scale else c.FAR
         return priced(group.bodies, None, Choice(True, Vec(None, None), "", symbols), row, form)
 
-    def _at(self, place: Vec, x: Decimal, y: Decimal) -> bool:
-        tiny = Decimal("1e-30") * max(self._scale(), Decimal("1e-20"))
-        return abs(self.numbers.value(place.x) - x) <= tiny and abs(self.numbers.value(place.y) - y) <= tiny
-
+    @cached_property
     def _scale(self) -> Decimal:
+        """The size of the scene: its largest coordinate."""
         places = [self.numbers.value(p) for v in self.scene.points.values() for p in (v.x, v.y)]
         return max((abs(p) for p in places), default=ONE) or ONE
 
-    def _line_of(self, group: Group, symbol: sp.Symbol) -> tuple[Vec, Vec]:
-        """A point on the line of an unknown on this group, and its direction, as expressions."""
-        return line_of(self.system, self.numbers, group.bodies, symbol)
+    def _across_line(self, group: Group, symbol: sp.Symbol) -> Vec:
+        """The direction across the line of an unknown on this group."""
+        return line_of(self.system, self.numbers, group.bodies, symbol)[1].turned()
 
 
 def line_of(system: System, numbers: Numbers, bodies: tuple[str, ...], symbol: sp.Symbol) -> tuple[Vec, Vec]:

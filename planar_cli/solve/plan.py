@@ -12,8 +12,8 @@ import itertools
 import time
 from dataclasses import dataclass
 
-from planar_cli.solve.candidates import Candidate
 from planar_cli.solve import rough
+from planar_cli.solve.candidates import Candidate
 from planar_cli.solve.linear import Row, Span, determined, determines
 
 TEAR = 1.0

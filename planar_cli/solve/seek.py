@@ -30,7 +30,8 @@ from planar_cli.solve.algebra import Algebra
 from planar_cli.solve.branches import Branch, Brancher
 from planar_cli.solve.candidates import Candidate
 from planar_cli.solve.instant import Instant, Trial
-from planar_cli.solve.offers import Numbers, Offers, body_residuals
+from planar_cli.solve.numbers import Numbers
+from planar_cli.solve.offers import Offers, body_residuals
 from planar_cli.solve.plan import Plan, Planner
 from planar_cli.solve.stages import _put_in, acceleration_unknowns
 from planar_cli.solve.study import solve_velocities
@@ -223,12 +224,25 @@ class Seeker:
         return found
 
 
+def at_the_limit(words: str) -> str:
+    """An assumption as it reads where it only just holds."""
+    for holds, just in (
+        ("within its limit", "reaches its limit"),
+        (" presses", " vanishes, the contact is about to part"),
+        ("acts inside the face", "acts at the edge of the face, it is about to tip"),
+        ("the tension pulls", "the tension vanishes, the rope is about to slacken"),
+    ):
+        words = words.replace(holds, just)
+    return words
+
+
 def _limit(test: Test, values: dict[str, sp.Expr]) -> Condition:
     if test.within:
         square = sp.Add(*(values[n] ** 2 for n in test.within)) - test.constant**2
-        return Condition("limit", f"at the limit: {test.words}", square)
+        return Condition("limit", f"at the limit: {at_the_limit(test.words)}", square)
+    words = f"at the limit: {at_the_limit(test.words)}"
     residual = sp.Add(*(factor * values[name] for name, factor in test.pushes if name in values), test.constant)
-    return Condition("limit", f"at the limit: {test.words}", sp.sympify(residual))
+    return Condition("limit", words, sp.sympify(residual))
 
 
 def seek(instant: Instant, targets_of: object) -> tuple[Sought, list[Sought]]:

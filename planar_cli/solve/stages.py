@@ -15,7 +15,8 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.solve.adjoint import adjoint_candidates
 from planar_cli.solve.algebra import Algebra, SolvedBlock
 from planar_cli.solve.candidates import Candidate
-from planar_cli.solve.offers import Numbers, Offers
+from planar_cli.solve.numbers import Numbers
+from planar_cli.solve.offers import Offers
 from planar_cli.solve.plan import Plan, Planner
 from planar_cli.solve.write import Explicit, Writer
 
@@ -75,8 +76,8 @@ class StageMaker:
         targets: set[sp.Symbol],
         kinetics: bool,
     ) -> Stage:
-        offers, zero = self._offers(unknowns, conditions, targets, kinetics)
-        candidates, columns = offers
+        offers, candidates, zero = self._offers(unknowns, conditions, targets, kinetics)
+        columns = offers.numbers
         index = {x: j for j, x in enumerate(columns.unknowns)}
         wanted = sum(1 << index[t] for t in targets if t in index)
         planner = Planner(candidates)
@@ -85,7 +86,7 @@ class StageMaker:
         wanted &= ~sum(1 << index[t] for t in missing)
         if kinetics:
             wanted_columns = [index[t] for t in targets if t in index and t not in missing]
-            extra, seed = adjoint_candidates(self.system, columns, conditions, wanted_columns)
+            extra, seed = adjoint_candidates(offers, wanted_columns)
             candidates += extra
             planner = Planner(candidates, seeds=(seed, self._motion_bits(index)))
         plan = planner.plan(wanted) or Plan(())
@@ -117,20 +118,20 @@ class StageMaker:
 
     def _offers(
         self, unknowns: list[sp.Symbol], conditions: list[Condition], targets: set[sp.Symbol], kinetics: bool
-    ) -> tuple[tuple[list[Candidate], Numbers], list[sp.Symbol]]:
+    ) -> tuple[Offers, list[Candidate], list[sp.Symbol]]:
         """All candidates; unknowns that an equation of their own says are zero leave first."""
         zero: list[sp.Symbol] = []
+        columns = Numbers(tuple(unknowns), frozenset(unknowns), self.value)
         while True:
-            columns = Numbers(tuple(unknowns), frozenset(unknowns), self.value.extended({s: Decimal(0) for s in zero}))
-            found = Offers(self.system, columns, conditions, kinetics).all()
-            idle = {
-                unknowns[c.mask.bit_length() - 1] for c in found if c.mask.bit_count() == 1 and not c.row[-1]
-            } - targets
+            offers = Offers(self.system, columns, conditions, kinetics)
+            found = offers.all()
+            single = {c.mask for c in found if c.mask.bit_count() == 1 and not c.row[-1]}
+            idle = {columns.unknowns[mask.bit_length() - 1] for mask in single} - targets
             if not idle:
-                return (found, columns), zero
+                return offers, found, zero
             zero += sorted(idle, key=lambda s: s.name)
-            unknowns = [u for u in unknowns if u not in idle]
             self.value = self.value.extended({s: Decimal(0) for s in idle})
+            columns = columns.without(idle, self.value)
 
 
 def _put_in(condition: Condition, known: dict[sp.Symbol, sp.Expr]) -> Condition:

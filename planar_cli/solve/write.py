@@ -15,7 +15,8 @@ from planar_cli.equation.system import System
 from planar_cli.problem.facts import Joining, Wrench
 from planar_cli.problem.geometry import Vec
 from planar_cli.solve.candidates import Candidate, Choice
-from planar_cli.solve.offers import Numbers, line_of
+from planar_cli.solve.numbers import Numbers
+from planar_cli.solve.offers import line_of
 from planar_cli.solve.plan import bits
 
 LETTERS = "CKQSWZHJ"
@@ -119,7 +120,9 @@ class Writer:
             if speeds & term.free_symbols:
                 rest, kept = term.as_independent(*speeds)
             parts.setdefault(kept, []).append(rest)
-        return sp.Add(*(self.short(sp.Add(*rest)) * kept for kept, rest in parts.items()))
+        values = {kept: self.numbers.value(sp.Add(*rest)) for kept, rest in parts.items()}
+        floor = max((abs(v) for v in values.values()), default=Decimal(0)) * SMALL
+        return sp.Add(*(self.short(sp.Add(*rest)) * kept for kept, rest in parts.items() if abs(values[kept]) > floor))
 
     # --- accelerations of mass centres -------------------------------------------------------------------------------
 

@@ -1,0 +1,153 @@
+"""Givens that contradict each other, or the drawing: which, and by how much, in the units of the file."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from decimal import Decimal
+
+import sympy as sp
+
+from planar_cli.equation.conditions import POSITION, order, vector_or_jet
+from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.equation.setup import Setup
+from planar_cli.errors import NOWHERE, Diagnostic, Mark, NoSolution, PlanarError
+from planar_cli.problem.expression import Relation
+from planar_cli.problem.geometry import Vec
+from planar_cli.solve.asked import names_anywhere
+from planar_cli.solve.diagnose_words import in_unit, left_of, listed, unit_of
+from planar_cli.solve.instant import Instant, Trial
+from planar_cli.solve.worked import unknowns_of
+
+NEGLIGIBLE = Decimal("1e-6")
+BLAMED = ("velocities", "contradiction")
+
+
+def sources(trial: Trial) -> list[str]:
+    """What takes part in the contradiction: texts of the file's relations, names of joints, equations of bodies."""
+    if trial.objection == "velocities":
+        found = next(v.conflict for v in trial.velocities if v.conflict is not None)
+        return list(dict.fromkeys(c.text for c, f in found[0] if f))
+    outcome = next(o for o in trial.outcomes if o.solved.conflict is not None)
+    assert outcome.solved.conflict is not None
+    factors, _ = outcome.solved.conflict
+    return list(dict.fromkeys(s for s, f in zip(outcome.assembly.sources, factors, strict=True) if f))
+
+
+def clash(instant: Instant, trial: Trial, mark: Mark) -> Diagnostic:
+    """The contradiction of one choice of modes."""
+    texts = sources(trial)
+    given = [r for r, _ in instant.statements.relations if r.text in texts]
+    for relation in reversed(given):
+        found = _left_out(instant, trial, relation, [r.text for r in given if r is not relation])
+        if found is not None:
+            return found
+    bodies, joints = _parts(instant, texts)
+    laws = [f"the equations of motion of {listed(bodies)}"] if bodies else []
+    held = [f"the joints {listed(joints)}" if len(joints) > 1 else f"the joint {joints[0]}"] if joints else []
+    words = [*laws, *held, *(f"`{r.text}`" for r in given)]
+    at = next((r.mark for r in given if r.mark != NOWHERE), mark)
+    hint = "leave one of these out, or make its value an unknown" if given else "a support or a load may be missing"
+    return Diagnostic(at, "PL602", f"these contradict each other: {'; '.join(words or texts)}", hint)
+
+
+def _parts(instant: Instant, texts: list[str]) -> tuple[list[str], list[str]]:
+    """The bodies whose equations take part, and the joints."""
+    bodies = [b for b in instant.scene.bodies if any(t.startswith(f"{b}, a") for t in texts)]
+    return bodies, list(dict.fromkeys(instant.aliases[t] for t in texts if t in instant.aliases))
+
+
+def _left_out(instant: Instant, trial: Trial, relation: Relation, others: list[str]) -> Diagnostic | None:
+    """What the rest says about the left side of a relation, when it is left out."""
+    statements = replace(
+        instant.statements, relations=tuple(p for p in instant.statements.relations if p[0] is not relation)
+    )
+    try:
+        twin = Instant(Setup(instant.scene.problem, statements, instant.setup.earlier, False))
+        twin.drivers = instant.drivers
+        again = twin.try_choice(trial.choice, twin.scene.valuations[:1])
+        numbers = _numbers(again)
+        if numbers is None:
+            return None
+        left, right = _sides(twin, again, relation, numbers)
+    except (PlanarError, Unvalued, ArithmeticError, KeyError):
+        return None
+    level = trial.objection == "velocities"
+    code = "PL607" if level else "PL608"
+    against = listed(f"`{t}`" for t in others)
+    if not level:
+        against = f"{against} and the equations of motion" if others else "the equations of motion"
+    reason = against or "the joints"
+    verb = "make" if len(others) > 1 or not level or not others else "makes"
+    hint = "leave one of them out, or declare its value under `unknowns`"
+    if instant.scene.ledger.symbolic:
+        return Diagnostic(relation.mark, code, f"`{relation.text}` contradicts what {reason} {verb} of {left_of(relation)}", hint)
+    unit = unit_of(instant, relation.right, relation.left)
+    gap = f"they differ by {in_unit(abs(left - right), unit)}"
+    return Diagnostic(
+        relation.mark, code, f"`{relation.text}`, but {reason} {verb} {left_of(relation)} = {in_unit(left, unit)}; {gap}", hint
+    )
+
+
+def _numbers(trial: Trial) -> Valuation | None:
+    """The values of all unknowns; None when they are not settled."""
+    if trial.outcomes and trial.outcomes[0].solved.conflict is None:
+        outcome = trial.outcomes[0]
+        return outcome.value.extended(unknowns_of(trial.system, outcome))
+    return None
+
+
+def _sides(instant: Instant, trial: Trial, relation: Relation, numbers: Valuation) -> tuple[Decimal, Decimal]:
+    quantities = trial.system.quantities()
+    found = []
+    for side in (relation.left, relation.right):
+        value = vector_or_jet(side, quantities, quantities.evaluator)
+        if isinstance(value, Vec):
+            x, y = numbers(value.x.value), numbers(value.y.value)
+            found.append((x * x + y * y).sqrt())
+        else:
+            found.append(numbers(value.value))
+    return found[0], found[1]
+
+
+# --- positions -------------------------------------------------------------------------------------------------------
+
+
+def check_positions(instant: Instant) -> None:
+    """Raise where a relation about places does not hold as drawn."""
+    names = {s.name for s in instant.scene.ledger.coordinates}
+    sought = {s.name for s in instant.scene.ledger.sought}
+    known = [r for r, _ in instant.statements.relations if r not in instant.setup.settled]
+    wrong = []
+    for relation in known:
+        if order(relation, names) != POSITION or (names_anywhere(relation.left) | names_anywhere(relation.right)) & sought:
+            continue
+        found = _as_drawn(instant, relation)
+        if found is not None:
+            wrong.append(found)
+    if wrong:
+        raise NoSolution(wrong)
+
+
+def _as_drawn(instant: Instant, relation: Relation) -> Diagnostic | None:
+    """What is wrong with one relation about places."""
+    system = instant.system(tuple(0 for _ in instant.modes))
+    quantities = system._quantities(system.first, None)
+    value = instant.scene.valuations[0]
+    try:
+        sides = [vector_or_jet(s, quantities, quantities.evaluator) for s in (relation.left, relation.right)]
+        if any(isinstance(s, Vec) for s in sides):
+            return None
+        left, right = (value(sp.sympify(s.value)) for s in sides)
+    except (PlanarError, Unvalued, ArithmeticError):
+        return None
+    if abs(left - right) <= NEGLIGIBLE * max(abs(left), abs(right), Decimal("1e-3")):
+        return None
+    hint = "draw the points at this instant, or write one of them with a coordinate"
+    if instant.scene.ledger.symbolic:
+        return Diagnostic(relation.mark, "PL609", f"`{relation.text}` does not hold in the drawn position", hint)
+    unit = unit_of(instant, relation.right, relation.left)
+    gap = f"it is off by {in_unit(abs(left - right), unit)}"
+    return Diagnostic(relation.mark, "PL609", f"`{relation.text}`, but as drawn {left_of(relation)} = {in_unit(left, unit)}; {gap}", hint)
+
+
+__all__ = ["check_positions", "clash", "sources"]
