@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 from typing import Any
 
 import sympy as sp
 
 from planar_cli.equation.evaluate import Evaluator, refuse
 from planar_cli.equation.motion import Motion
+from planar_cli.equation.plain import longer
 from planar_cli.equation.quantities import Quantities
 from planar_cli.equation.scene import Scene
 from planar_cli.errors import Mark, Undecided
@@ -94,7 +96,22 @@ def all_wrenches(scene: Scene, motion: Motion, numbers: Any, skids: Iterable[Ski
         found += load.wrenches(setting)  # type: ignore[arg-type]
     for skid in skids:
         found += _skid(skid, setting, found)
-    return tuple(found)
+    return tuple(_named(w, scene) for w in found)
+
+
+def _named(wrench: Wrench, scene: Scene) -> Wrench:
+    """A long magnitude gets a letter and a line of its own, F_s = k (l - l_0), so that equations stay short."""
+    magnitude = sp.sympify(wrench.magnitude)
+    if wrench.force is None or not longer(magnitude, 3) or scene.rests_on_sought(magnitude):
+        return wrench
+    titles = {"spring": "pull of the spring", "damper": "pull of the damper", "drag": "drag on"}
+    title = f"{titles.get(wrench.kind, 'magnitude of')} {wrench.name}"
+    ledger = scene.ledger
+    symbol = next((s for s, t in ledger.titles.items() if t == title and ledger.definitions[s] == magnitude), None)
+    if symbol is None:
+        symbol = ledger.define(f"F_{wrench.name}", magnitude, "N", title)
+    direction = wrench.force / magnitude
+    return replace(wrench, force=direction * symbol, magnitude=symbol)
 
 
 def _skid(skid: Skid, setting: Moving, others: list[Wrench]) -> list[Wrench]:

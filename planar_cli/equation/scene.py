@@ -109,15 +109,15 @@ class Scene:
 
     def _named(self, value: sp.Expr, name: str) -> sp.Expr:
         """A long coordinate gets a name, unless letters must stay visible in the answer."""
-        if self.ledger.symbolic or not longer(value, WORDY) or self._moves(value):
+        if self.ledger.symbolic or not longer(value, WORDY) or self.rests_on_sought(value):
             return value
         return self.ledger.define(name, value, "m", f"{name[0]} of {name[2:]}")
 
-    def _moves(self, expr: sp.Expr) -> bool:
+    def rests_on_sought(self, expr: sp.Expr) -> bool:
         """Does an expression rest on something that is sought?"""
         sought = set(self.ledger.sought)
         return any(
-            s in sought or (s in self.ledger.values and self._moves(self.ledger.values[s])) for s in expr.free_symbols
+            s in sought or (s in self.ledger.values and self.rests_on_sought(self.ledger.values[s])) for s in expr.free_symbols
         )
 
     def _mark(self, name: str) -> Mark:

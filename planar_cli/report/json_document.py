@@ -15,7 +15,7 @@ from planar_cli.equation.ledger import display
 from planar_cli.homework.answers import Verdict
 from planar_cli.report.effects import effects
 from planar_cli.report.narrate import phrases_of
-from planar_cli.report.words import answer_text, si_text
+from planar_cli.report.words import answer_text, rounded, si_text
 from planar_cli.solve.algebra import Line
 from planar_cli.solve.instant import Trial
 from planar_cli.solve.solution import Found, InstantSolution, PartSolution, Solution
@@ -23,6 +23,9 @@ from planar_cli.solve.stages import Stage
 from planar_cli.solve.write import Explicit, Written
 
 METHODS = {"newton": "newton-euler", "dalembert": "d'alembert", "energy": "work-energy", "momentum": "impulse-momentum"}
+
+STEP_DIGITS = 12
+"""Numbers put in for long formulas are given to so many figures."""
 
 
 def solution_data(solution: Solution, verdicts: Sequence[Verdict], figures: int, method: str | None) -> dict[str, Any]:
@@ -142,8 +145,8 @@ def _equation(written: Written) -> dict[str, Any]:
         "law": written.law,
         "bodies": list(written.bodies),
         "lead": str(written.lead),
-        "left": str(written.left),
-        "right": str(written.right),
+        "left": str(rounded(written.left, STEP_DIGITS)),
+        "right": str(rounded(written.right, STEP_DIGITS)),
         "words": written.words,
     }
 
@@ -153,7 +156,7 @@ def _explicit(named: Explicit) -> dict[str, Any]:
         "kind": "line",
         "number": named.number,
         "symbol": named.symbol.name,
-        "expression": str(named.expression),
+        "expression": str(rounded(named.expression, STEP_DIGITS)),
         "words": named.words,
     }
 
@@ -165,7 +168,7 @@ def _solved(solved: Line, instant: InstantSolution) -> dict[str, Any]:
     return {
         "kind": "solved",
         "symbol": solved.symbol.name,
-        "formula": str(solved.formula),
+        "formula": str(rounded(solved.formula, STEP_DIGITS)),
         "value": solved.value if numeric else None,
         "unit": si_text(unit) if unit is not None else "1",
         "equations": list(solved.equations),

@@ -2,43 +2,39 @@
 
 from __future__ import annotations
 
-from decimal import Decimal
-
-from planar_cli.errors import Diagnostic, NoSolution
+from planar_cli.errors import Diagnostic, Mark, NoSolution
 from planar_cli.problem.scene import Find
+from planar_cli.solve.diagnose_cases import no_case
+from planar_cli.solve.diagnose_clash import BLAMED, clash
+from planar_cli.solve.diagnose_open import at_change_point, at_dead_centre, open_velocities
 from planar_cli.solve.instant import Instant, Trial
+
+OPEN = "velocities are open"
+
+
+def place(instant: Instant, finds: tuple[Find, ...]) -> Mark:
+    """Where a diagnosis points when nothing nearer is to blame."""
+    return finds[0].mark if finds else instant.scene.problem.bodies[0].mark
 
 
 def explain_failure(instant: Instant, rejected: list[Trial], finds: tuple[Find, ...]) -> NoSolution:
-    """No choice of modes holds: say why for each, the first assumption in detail."""
-    mark = finds[0].mark if finds else instant.scene.problem.bodies[0].mark
-    clash = next((t for t in rejected if t.objection in ("velocities", "contradiction")), None)
-    if clash is not None and all(t.objection in ("velocities", "contradiction") for t in rejected):
-        return NoSolution(
-            [Diagnostic(mark, "PL602", _clash(clash), "leave one of these out, or make its value an unknown")]
-        )
-    reasons = "; ".join(dict.fromkeys(t.objection for t in rejected))
-    return NoSolution(
-        [
-            Diagnostic(
-                mark, "PL601", f"no consistent case: {reasons}", "rigid bodies with dry friction may have no solution"
-            )
-        ]
-    )
+    """No choice of modes holds: say why."""
+    mark = place(instant, finds)
+    still_open = next((t for t in rejected if t.objection == OPEN), None)
+    if still_open is not None:
+        return NoSolution([open_velocities(instant, still_open, mark)])
+    blamed = [t for t in rejected if t.objection in BLAMED]
+    if blamed and len(blamed) == len(rejected):
+        found: Diagnostic | None = None
+        if blamed[0].objection == "velocities":
+            found = at_dead_centre(instant, blamed[0], mark)
+        return NoSolution([found or at_change_point(instant, blamed[0], mark) or clash(instant, blamed[0], mark)])
+    return NoSolution([no_case(instant, rejected, mark)])
 
 
-def _clash(trial: Trial) -> str:
-    """The statements that contradict each other, and the remainder."""
-    if trial.objection == "velocities":
-        found = next(v.conflict for v in trial.velocities if v.conflict is not None)
-        texts = list(dict.fromkeys(c.text for c, _ in found[0]))
-        return f"these contradict each other: {'; '.join(texts)} (they differ by {_short(found[1])})"
-    outcome = trial.outcomes[0]
-    assert outcome.solved.conflict is not None
-    factors, rest = outcome.solved.conflict
-    texts = list(dict.fromkeys(s for s, f in zip(outcome.assembly.sources, factors, strict=True) if f))
-    return f"these contradict each other: {'; '.join(texts)} (they differ by {_short(rest)})"
-
-
-def _short(value: Decimal) -> str:
-    return f"{abs(value):.4g}"
+def singular_position(instant: Instant, rejected: list[Trial], finds: tuple[Find, ...]) -> None:
+    """Raise at a change point, where the velocities alone do not say how the linkage goes on."""
+    trial = next((t for t in rejected if t.objection == OPEN), None)
+    found = None if trial is None else at_change_point(instant, trial, place(instant, finds))
+    if found is not None:
+        raise NoSolution([found])

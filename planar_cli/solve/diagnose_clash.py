@@ -9,6 +9,7 @@ import sympy as sp
 
 from planar_cli.equation.conditions import POSITION, order, vector_or_jet
 from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.equation.quantities import Quantities
 from planar_cli.equation.setup import Setup
 from planar_cli.errors import NOWHERE, Diagnostic, Mark, NoSolution, PlanarError
 from planar_cli.problem.expression import Relation
@@ -65,10 +66,10 @@ def _left_out(instant: Instant, trial: Trial, relation: Relation, others: list[s
         twin = Instant(Setup(instant.scene.problem, statements, instant.setup.earlier, False))
         twin.drivers = instant.drivers
         again = twin.try_choice(trial.choice, twin.scene.valuations[:1])
-        numbers = _numbers(again)
-        if numbers is None:
+        settled = _settled(again, trial.objection == "velocities")
+        if settled is None:
             return None
-        left, right = _sides(twin, again, relation, numbers)
+        left, right = _sides(relation, *settled)
     except (PlanarError, Unvalued, ArithmeticError, KeyError):
         return None
     level = trial.objection == "velocities"
@@ -88,16 +89,22 @@ def _left_out(instant: Instant, trial: Trial, relation: Relation, others: list[s
     )
 
 
-def _numbers(trial: Trial) -> Valuation | None:
-    """The values of all unknowns; None when they are not settled."""
+def _settled(trial: Trial, velocities: bool) -> tuple[Quantities, Valuation] | None:
+    """The quantities of a trial and the values of its unknowns; None when they are not settled."""
+    system = trial.system
+    if velocities:
+        found = trial.velocities[0] if trial.velocities else None
+        if found is None or found.conflict is not None:
+            return None
+        return system._quantities(system.first, None), system.scene.valuations[0].extended(found.values)
     if trial.outcomes and trial.outcomes[0].solved.conflict is None:
         outcome = trial.outcomes[0]
-        return outcome.value.extended(unknowns_of(trial.system, outcome))
+        return system.quantities(), outcome.value.extended(unknowns_of(system, outcome))
     return None
 
 
-def _sides(instant: Instant, trial: Trial, relation: Relation, numbers: Valuation) -> tuple[Decimal, Decimal]:
-    quantities = trial.system.quantities()
+def _sides(relation: Relation, quantities: Quantities, numbers: Valuation) -> tuple[Decimal, Decimal]:
+    """Both sides in numbers; of vectors the size."""
     found = []
     for side in (relation.left, relation.right):
         value = vector_or_jet(side, quantities, quantities.evaluator)

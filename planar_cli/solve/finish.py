@@ -148,7 +148,7 @@ class Finisher:
             used += [w.residual for b in acceleration.blocks for w in b.equations] + [
                 x.expression for x in acceleration.lines
             ]
-        targets = needed(used, moving)
+        targets = needed([*used, *self._named_in(used)], moving)
         stages: list[Stage] = []
         if targets:
             known = {s: v for s, v in velocities.values.items() if not v}
@@ -157,6 +157,17 @@ class Finisher:
         if acceleration is not None:
             stages.append(acceleration)
         return stages
+
+    def _named_in(self, exprs: list[sp.Expr]) -> list[sp.Expr]:
+        """The named intermediates on which expressions rest, all the way down."""
+        found: dict[sp.Symbol, sp.Expr] = {}
+        left = list(exprs)
+        while left:
+            for s in left.pop().free_symbols:
+                if s in self.ledger.definitions and s not in found:
+                    found[s] = self.ledger.definitions[s]
+                    left.append(found[s])
+        return list(found.values())
 
     def _values(self, stages: list[Stage]) -> Valuation:
         outcome = self.trial.outcomes[0]

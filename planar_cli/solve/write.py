@@ -277,7 +277,7 @@ class Writer:
         """I_G + m d², named."""
         model = self.system.scene.bodies[body]
         arm = model.center - center
-        square = tidy(arm.dot(arm))
+        square = trigonometric(tidy(arm.dot(arm)))
         if square == 0:
             return model.inertia
         title = f"moment of inertia of {body} about {name}, parallel axes"
@@ -309,7 +309,7 @@ class Writer:
         return place, name
 
     def _short(self, expr: sp.Expr) -> sp.Expr:
-        if not longer(expr, 3) or not self.plain:
+        if not longer(expr, 5) or not self.plain:
             return expr
         return exact_number(self.numbers.value(expr))
 
