@@ -4,14 +4,19 @@ from __future__ import annotations
 
 import ast
 import inspect
+from dataclasses import is_dataclass
 from difflib import get_close_matches
 from functools import cache
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from planar_cli.errors import PlanarError
 
+if TYPE_CHECKING:
+    from planar_cli.problem.keys import KeySpec
+
 PAGES = Path(__file__).parent / "problem" / "pages"
-SHELVES = ("joints", "loads")
+SHELVES = ("joints", "loads", "principles")
 # The order in which a newcomer reads.
 ORDER = ("language", "sections", "names_units", "points_surfaces", "bodies", "joints", "loads", "quantities")
 AFTER = ("statements_motion_instant", "states_finds", "cases", "answers", "examples", "pitfalls")
@@ -57,36 +62,45 @@ def explanation(topic: str) -> str:
     """The page of a topic. Raises PlanarError, with the nearest topic, for an unknown one."""
     code = topic.upper()
     word = topic.lower()
-    if code in _codes():
-        return f"{code}\n\n{_codes()[code]}"
+    if code in codes():
+        return f"{code}\n\n{codes()[code]}"
     for shelf in SHELVES:
         if word in kinds(shelf):
             return kind_page(shelf, word)
     if word in pages():
         return pages()[word]
-    known = [*pages(), *(kind for shelf in SHELVES for kind in kinds(shelf)), *_codes()]
+    known = [*pages(), *(kind for shelf in SHELVES for kind in kinds(shelf)), *codes()]
     near = get_close_matches(topic, known, n=1, cutoff=0.5) or get_close_matches(code, known, n=1, cutoff=0.5)
     hint = f"did you mean '{near[0]}'?" if near else "`planar explain` lists the topics"
     raise PlanarError(f"there is no page '{topic}'; {hint}")
 
 
-def _codes() -> dict[str, str]:
+def codes() -> dict[str, str]:
+    """Every diagnostic code with its explanation."""
     from planar_cli.problem.codes import CODES
+    from planar_cli.problem.codes_scene import CODES_SCENE
+    from planar_cli.problem.codes_solve import CODES_SOLVE
     from planar_cli.problem.codes_structure import CODES_STRUCTURE
 
-    return {**CODES, **CODES_STRUCTURE}
+    return {**CODES, **CODES_STRUCTURE, **CODES_SCENE, **CODES_SOLVE}
 
 
 def kind_page(shelf: str, kind: str) -> str:
     """The manual page of a kind: its docstring, and its keys as they are declared."""
-    from planar_cli.problem.keys import keys_of
     from planar_cli.registry import members
 
     member = members(shelf)[kind]
-    keys = [f"    {spec.name:<16}{'' if spec.required else '(optional) '}{spec.doc}" for spec in keys_of(member)]
+    keys = [f"    {spec.name:<16}{'' if spec.required else '(optional) '}{spec.doc}" for spec in _keys(member)]
     common = [
         f"    {'name':<16}(optional) what to call it; else it is called by its point, else by its first body",
         f"    {'during':<16}(optional) `1->2`: acts only between these states",
     ]
     said = inspect.cleandoc(member.__doc__ or "")
     return f"{kind}: {said}" + ("\n\nKeys\n" + "\n".join(keys + common) if keys else "")
+
+
+def _keys(member: type) -> tuple[KeySpec, ...]:
+    """The YAML keys of a member; a principle has none."""
+    from planar_cli.problem.keys import keys_of
+
+    return keys_of(member) if is_dataclass(member) else ()

@@ -12,7 +12,7 @@ import click
 
 from planar_cli.manual import kinds
 
-SHELVES = ("joints", "loads")
+SHELVES = ("joints", "loads", "principles")
 
 
 @click.command(help=__doc__)

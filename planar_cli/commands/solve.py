@@ -25,7 +25,6 @@ if TYPE_CHECKING:
     from planar_cli.problem.scene import Problem
     from planar_cli.report.blocks import Document
 
-METHODS = ("newton", "dalembert", "energy", "momentum")
 LARGEST_FIGURES = 40
 OUTCOMES = {cli.DISAGREES: "no solution", cli.BAD: "bad file", cli.UNDECIDED: "undecided", cli.FAULT: "fault"}
 
@@ -64,7 +63,7 @@ FIGURES = click.IntRange(1, LARGEST_FIGURES)
 @click.argument("files", nargs=-1, required=True)
 @click.option("--format", "form", type=click.Choice(modules("formats")), default="terminal", help="How to print.")
 @click.option("-o", "--output", metavar="FILE", help="Write to FILE instead of standard output.")
-@click.option("--method", type=click.Choice(METHODS), help="The principle to use, whatever the file says.")
+@click.option("--method", type=click.Choice(modules("principles")), help="The principle to use, whatever the file says.")
 @click.option("--compare", is_flag=True, help="List the methods that reach the answers, instead of a solution.")
 @click.option("--why", metavar="NAME", help="Only what the answer NAME rests on.")
 @click.option("--figures", type=FIGURES, default=4, show_default=True, help="Significant figures of numbers.")
@@ -136,8 +135,7 @@ def _solved(problem: Problem, wanted: Wanted) -> Report:
     status = cli.SOLVED if all(v.agrees for v in verdicts) else cli.DISAGREES
     if wanted.json:
         return Report(status, data=solution_data(solution, verdicts, wanted.figures, wanted.method))
-    only: dict[str, str] = {"why": wanted.why} if wanted.why else {}
-    document = narrate(solution, wanted.figures, wanted.audience, **only)
+    document = narrate(solution, wanted.figures, wanted.audience, wanted.why)
     return Report(status, with_disagreements(document, verdicts))
 
 

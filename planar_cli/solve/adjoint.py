@@ -12,7 +12,6 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.conditions import Condition
 from planar_cli.equation.exact import CERTAIN, ONE, ZERO
 from planar_cli.equation.system import System
 from planar_cli.problem.geometry import Vec
@@ -30,8 +29,7 @@ def adjoint_candidates(offers: Offers, targets: list[int]) -> tuple[list[Candida
     system, numbers = offers.system, offers.numbers
     bodies = list(system.scene.bodies)
     single = {b: offers.body_rows(b) for b in bodies}
-    rows: list[Row] = [row for b in bodies for row in single[b]]
-    rows += [numbers.row(expr) for c in offers.conditions for expr in c.rows()]
+    rows = offers.base_rows()
     found: list[Candidate] = []
     inside = 0
     for y in _multipliers(rows, len(numbers.unknowns), targets):

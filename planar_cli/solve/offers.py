@@ -144,6 +144,11 @@ class Offers:
             self._residuals[body] = (self.numbers.row(x), self.numbers.row(y), self.numbers.row(m))
         return self._residuals[body]
 
+    def base_rows(self) -> list[Row]:
+        """The rows of which all candidates are made: three of each body in turn, then the relations of motion."""
+        rows = [row for b in self.scene.bodies for row in self.body_rows(b)] if self.kinetics else []
+        return [*rows, *(self.numbers.row(expr) for condition in self.conditions for expr in condition.rows())]
+
     def _group(self, bodies: tuple[str, ...], single: dict[str, tuple[Row, Row, Row]]) -> Group:
         ones = [ONE] * len(bodies)
         rows = tuple(combine([single[b][i] for b in bodies], ones) for i in range(3))

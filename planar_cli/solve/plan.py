@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import heapq
 import itertools
-import time
 from dataclasses import dataclass
 
 from planar_cli.solve import rough
@@ -18,7 +17,8 @@ from planar_cli.solve.linear import Row, Span, determined, determines
 
 TEAR = 1.0
 NODES = 4000
-SECONDS = 0.35
+VISITS = 600_000
+"""The search ends after so many looks at a candidate: a third of a second, yet the same plan on every machine."""
 GOALS = 12
 WIDEST = 4
 
@@ -76,12 +76,15 @@ class Planner:
     of unknowns that are likely to determine the targets.
     """
 
-    def __init__(self, candidates: list[Candidate], nonlinear: int = 0, seeds: tuple[int, ...] = ()) -> None:
+    def __init__(
+        self, candidates: list[Candidate], nonlinear: int = 0, seeds: tuple[int, ...] = (), fixed: int | None = None
+    ) -> None:
         self.candidates = sorted(candidates, key=lambda c: c.cost)
         self.masks = [c.mask for c in self.candidates]
         self.floats = [[float(x) for x in c.row[:-1]] for c in self.candidates]
         self.nonlinear = nonlinear
         self.seeds = seeds
+        self.fixed = fixed
 
     def inside(self, allowed: int) -> list[Candidate]:
         """The candidates all of whose unknowns are allowed."""
@@ -91,27 +94,36 @@ class Planner:
         outside = ~allowed
         return [i for i, mask in enumerate(self.masks) if not mask & outside]
 
-    def determined(self) -> int:
-        """The unknowns that all candidates together fix, as bits. Groups add nothing to their bodies, as a rule: so late."""
-        everything = 0
-        for mask in self.masks:
-            everything |= mask
+    def determined(self, most: int | None = None) -> int:
+        """The unknowns that all candidates together fix, as bits. `most`: the rank of what they are made from, if known."""
+        everything = self.everything
         chosen = bits(everything)
+        most = len(chosen) if most is None else most
         span = Span(len(chosen))
         rows: list[Row] = []
         for c in sorted(self.candidates, key=lambda c: len(c.bodies)):
             row = columns(c.row, chosen)
             if span.grows(row):
                 rows.append(row)
-                if len(rows) == len(chosen):
-                    return everything
+                if len(rows) >= most:
+                    break
+        if len(rows) == len(chosen):
+            return everything
         return sum(1 << chosen[i] for i in determined(rows, len(chosen)))
+
+    @property
+    def everything(self) -> int:
+        """All unknowns that occur."""
+        mask = 0
+        for m in self.masks:
+            mask |= m
+        return mask
 
     def plan(self, targets: int) -> Plan | None:
         """The cheapest plan found, or None when the candidates do not determine the targets."""
         if not targets:
             return Plan(())
-        if targets & ~self.determined():
+        if targets & ~(self.determined() if self.fixed is None else self.fixed):
             return None
         goals = self._search(targets)
         goals += [seed | targets for seed in self.seeds if seed and self.fixes(seed | targets, targets)]
@@ -144,9 +156,8 @@ class Planner:
         seen = {targets}
         goals: list[int] = []
         best = 10**6
-        started = time.perf_counter()
-        for _ in range(NODES):
-            if not heap or len(goals) >= GOALS or time.perf_counter() - started > SECONDS:
+        for _ in range(min(NODES, VISITS // max(len(self.masks), 1) + 1)):
+            if not heap or len(goals) >= GOALS:
                 break
             size, _, _, state = heapq.heappop(heap)
             if size > best + 1:
@@ -165,11 +176,8 @@ class Planner:
 
     def _shrunk(self, targets: int) -> int:
         """Leave out unknowns one at a time while the targets stay determined."""
-        everything = 0
-        for mask in self.masks:
-            everything |= mask
-        state = everything
-        for j in reversed(bits(everything)):
+        state = self.everything
+        for j in reversed(bits(state)):
             smaller = state & ~(1 << j)
             if not targets & (1 << j) and self.fixes(smaller, targets):
                 state = smaller

@@ -15,6 +15,7 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.solve.adjoint import adjoint_candidates
 from planar_cli.solve.algebra import Algebra, SolvedBlock
 from planar_cli.solve.candidates import Candidate
+from planar_cli.solve.linear import rank, scaled
 from planar_cli.solve.numbers import Numbers
 from planar_cli.solve.offers import Offers
 from planar_cli.solve.plan import Plan, Planner
@@ -81,14 +82,15 @@ class StageMaker:
         index = {x: j for j, x in enumerate(columns.unknowns)}
         wanted = sum(1 << index[t] for t in targets if t in index)
         planner = Planner(candidates)
-        fixed = planner.determined()
+        fixed = planner.determined(rank([scaled(row) for row in offers.base_rows()], len(columns.unknowns)))
         missing = [t for t in targets if t in index and not fixed & (1 << index[t])]
         wanted &= ~sum(1 << index[t] for t in missing)
+        planner.fixed = fixed
         if kinetics:
             wanted_columns = [index[t] for t in targets if t in index and t not in missing]
             extra, seed = adjoint_candidates(offers, wanted_columns)
             candidates += extra
-            planner = Planner(candidates, seeds=(seed, self._motion_bits(index)))
+            planner = Planner(candidates, 0, (seed, self._motion_bits(index)), fixed)
         plan = planner.plan(wanted) or Plan(())
         writer = Writer(self.system, columns, self.next_number)
         if level == "velocity":
