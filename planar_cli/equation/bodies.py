@@ -94,9 +94,16 @@ class MassReader:
     """Reads the mass properties of one problem's bodies, defining the symbols that the solution shows."""
 
     def __init__(
-        self, ledger: Ledger, evaluator: Evaluator, points: Callable[[str], Vec], gravity: sp.Expr, alone: bool
+        self,
+        ledger: Ledger,
+        evaluator: Evaluator,
+        points: Callable[[str], Vec],
+        span: Callable[[str, str], sp.Expr | None],
+        gravity: sp.Expr,
+        alone: bool,
     ) -> None:
         self.ledger, self.evaluator, self.points, self.gravity, self.alone = ledger, evaluator, points, gravity, alone
+        self.span = span
         self.cancelling: list[sp.Symbol] = []
 
     def read(self, body: Body) -> BodyModel:
@@ -106,6 +113,9 @@ class MassReader:
         shape = uniform(body.shape, self.points, self.evaluator)
         if isinstance(body.shape, Particle) and not shape.center_name:
             shape = replace(shape, center=self.points(body.name), center_name=body.name)
+        if isinstance(body.shape, Rod) and body.shape.end is not None:
+            length = self.span(body.shape.start, body.shape.end)
+            shape = shape if length is None else replace(shape, gyration_squared=length**2 / 12)
         mass = self._mass(body)
         rigid = not isinstance(body.shape, Particle)
         inertia = self._inertia(body, shape, mass) if rigid else ZERO

@@ -1,5 +1,5 @@
-"""The relations of an instant as equations: joints that close loops, rows, what the file states, differentiated where it
-holds all the time.
+"""The relations of an instant as equations: joints that close loops, rows, what the file states, differentiated where
+it holds all the time.
 
 A condition is a residual that vanishes: a vector one may be projected on any direction, a scalar one is as it is.
 """
@@ -43,8 +43,9 @@ ORDERS = {
 class Condition:
     """One relation between unknowns of one level.
 
-    `kind`: closure, row, given, coordinate. `residual`: an expression, or a Vec that vanishes. `normal`: the only direction
-    in which a vector residual counts (across a path), None: both. `text`: what it says, in words or as in the file.
+    `kind`: closure, row, given, coordinate. `residual`: an expression, or a Vec that vanishes. `normal`: the only
+    direction in which a vector residual counts (across a path), None: both. `text`: what it says, in words or as in the
+    file.
     """
 
     kind: str

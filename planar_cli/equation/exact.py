@@ -1,7 +1,7 @@
 """Values of expressions to sixty digits, and the decisions that rest on them: zero, sign, order.
 
-A decision is never taken on a machine float. An expression counts as zero when it vanishes to `CERTAIN` digits relative to
-the size of its own terms; where letters without a number occur, it must vanish for two independent draws of them.
+A decision is never taken on a machine float. An expression counts as zero when it vanishes to `CERTAIN` digits relative
+to the size of its own terms; where letters without a number occur, it must vanish for two independent draws of them.
 """
 
 from __future__ import annotations

@@ -1,4 +1,5 @@
-"""A quantity with its first and second time derivative, so that a relation that holds all the time can be differentiated.
+"""A quantity with its first and second time derivative, so that a relation that holds all the time can be
+differentiated.
 
 `rate` or `second` is None where the derivative is beyond what one instant knows (the rate of an acceleration).
 """

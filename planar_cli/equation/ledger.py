@@ -24,8 +24,8 @@ DRAWS = 2
 class Ledger:
     """Symbols and what is known of them.
 
-    `values`: exact expression of a known (a number, or a formula of other knowns). `definitions`: named intermediates in
-    the order in which they were made, with `titles` saying what each is. `letters`: knowns without a number.
+    `values`: exact expression of a known (a number, or a formula of other knowns). `definitions`: named intermediates
+    in the order in which they were made, with `titles` saying what each is. `letters`: knowns without a number.
     `sought`: unknown constants and coordinates. `units`: the unit for display, by symbol.
     """
 

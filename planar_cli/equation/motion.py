@@ -1,7 +1,7 @@
 """Velocities and accelerations of all bodies in terms of a few natural unknowns, along a tree of joints.
 
-Each body hangs on the tree by the joint that leaves it the least freedom: by a pin it adds its angular velocity, by a guide
-the speed of the slide, free bodies two components and a rotation. Joints that are left over close loops.
+Each body hangs on the tree by the joint that leaves it the least freedom: by a pin it adds its angular velocity, by a
+guide the speed of the slide, free bodies two components and a rotation. Joints that are left over close loops.
 
     v_P = v_A + ω k × r_P/A                          a_P = a_A + α k × r_P/A - ω² r_P/A
     slide along a path of the base b:  v = v_b + s t,  a = a_b + ṡ t + κ s² n + 2 ω_b s n     (n = k × t)
@@ -41,7 +41,8 @@ class Edge:
     """How a body hangs on the tree: by a joining (None: free), from which body, with which new unknowns.
 
     `backward`: the joining's base hangs on its mover. `spin`, `slide`: velocity unknowns; `spin_rate`, `slide_rate`:
-    acceleration unknowns. A free body has `slide` along x and `rise` along y. `particle`: it does not turn with its parent.
+    acceleration unknowns. A free body has `slide` along x and `rise` along y. `particle`: it does not turn with its
+    parent.
     """
 
     body: str
@@ -158,8 +159,8 @@ class TreeBuilder:
 class Motion:
     """Velocities and accelerations of any material point, as expressions in the unknowns of a tree.
 
-    `known`: values of velocity unknowns that are settled (zero above all); they are put in at once, so that accelerations
-    carry no terms that vanish.
+    `known`: values of velocity unknowns that are settled (zero above all); they are put in at once, so that
+    accelerations carry no terms that vanish.
     """
 
     def __init__(self, tree: Tree, center: Callable[[str], Vec], known: dict[sp.Symbol, sp.Expr]) -> None:
@@ -274,7 +275,8 @@ class Motion:
         return gap - joining.drift if joining.drift is not None else gap
 
     def closure_acceleration(self, joining: Joining) -> Vec:
-        """Relative acceleration less its bend and Coriolis part; what a closing joint forbids (along its path: free)."""
+        """Relative acceleration less its bend and Coriolis part; what a closing joint forbids (along its path: free).
+        """
         base, mover = self.velocities[joining.base].angular, self.velocities[joining.mover].angular
         bend = self.relative_acceleration(joining, self.slide_speed(joining), ZERO, base, mover)
         return self._gap(joining, self.acceleration) - bend

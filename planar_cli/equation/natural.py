@@ -1,7 +1,7 @@
 """Pin reactions in the components that say most: along and across the way their point can move.
 
-The pin at the end of a crank can only move across the crank, a slider's pin only along its guide. An ideal joint's reaction
-does its work through that one component; resolved so, the other one stays out of most equations.
+The pin at the end of a crank can only move across the crank, a slider's pin only along its guide. An ideal joint's
+reaction does its work through that one component; resolved so, the other one stays out of most equations.
 """
 
 from __future__ import annotations

@@ -17,7 +17,9 @@ Decide = Callable[[], Valuation]
 
 
 def place_jet(point: Point, evaluator: Evaluator, lookup: Lookup, decide: Decide) -> Vec:
-    """A point's place as a Vec of jets. `lookup`: the jets of other points; `decide`: numbers to choose between two places."""
+    """A point's place as a Vec of jets. `lookup`: the jets of other points; `decide`: numbers to choose between two
+    places.
+    """
     place = point.place
     match place:
         case At():

@@ -17,6 +17,8 @@ SOME = 30
 """Beyond so many operations only common factors are looked for."""
 MANY_DIGITS = 10**15
 """A denominator beyond this is one of a number that was put in for a long formula."""
+FEW = 2
+"""So short an expression is left alone."""
 _KEPT = 50_000
 
 
@@ -88,20 +90,28 @@ def simplified(expr: Any) -> sp.Expr:
 def _simplified(expr: sp.Expr) -> sp.Expr:
     if not expr.args:
         return expr
-    forms = [expr, sp.powsimp(expr), sp.expand(expr)]
-    forms += [sp.cancel(forms[1]), sp.together(forms[1])]
+    forms = [expr, sp.expand(expr)]
     if _degree(expr) >= 2:
-        forms += [trigonometric(f) for f in {forms[0], min(forms, key=_effort)}]
+        forms += [trigonometric(f) for f in {expr, min(forms, key=_effort)}]
     best = min(forms, key=_effort)
-    forms += [best, sp.factor_terms(best), sp.powsimp(best, combine="exp", deep=True)]
+    if operations(best) <= FEW:
+        return best
+    cancelled = sp.cancel(sp.powsimp(best))
+    forms += [cancelled, sp.together(best)]
+    if _degree(cancelled) >= 2:
+        forms.append(trigonometric(cancelled))
+    best = min(forms, key=_effort)
+    last = [sp.signsimp(best), sp.factor_terms(best), sp.powsimp(best, combine="exp", deep=True), best]
     if expr.is_number:
-        forms += [sp.radsimp(best), sp.sqrtdenest(best)]
-    return min(forms, key=_effort)
+        last += [sp.radsimp(best), sp.sqrtdenest(best)]
+    # Of forms that read equally well, the factored one comes before the others.
+    return min([*last, *forms], key=_effort)
 
 
 def _effort(expr: sp.Expr) -> int:
-    """What an expression costs its reader: its operations, and more for fractions inside a denominator."""
-    return operations(expr) + 3 * _nested(expr, inside=False)
+    """What an expression costs its reader: its operations, more for fractions inside a denominator and -a - b."""
+    reversed_signs = sum(all(a.could_extract_minus_sign() for a in s.args) for s in expr.atoms(sp.Add))
+    return operations(expr) + 3 * _nested(expr, inside=False) + 2 * reversed_signs
 
 
 def _nested(expr: sp.Expr, inside: bool) -> int:
@@ -116,8 +126,10 @@ def _nested(expr: sp.Expr, inside: bool) -> int:
 def tidy(expr: Any) -> sp.Expr:
     """A short expression in its plainest form; a long one as it is."""
     expr = sp.sympify(expr)
+    if expr.is_Float:
+        return sp.nsimplify(expr)
     if expr.is_number or expr.is_Symbol:
-        return sp.nsimplify(expr) if expr.is_Float else expr
+        return trigonometric(expr) if expr.is_Add and not longer(expr, SOME) else expr
     return _tidied(expr)
 
 

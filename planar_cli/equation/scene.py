@@ -1,4 +1,6 @@
-"""One instant of a problem with its geometry settled: symbols, places, bodies. What joints and loads ask when they state facts."""
+"""One instant of a problem with its geometry settled: symbols, places, bodies. What joints and loads ask when they
+state facts.
+"""
 
 from __future__ import annotations
 
@@ -18,17 +20,19 @@ from planar_cli.problem.expression import Name, Side
 from planar_cli.problem.facts import Outline
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import (
-    GROUND,
     Curve,
+    GROUND,
     Line,
     Particle,
     Plate,
     Point,
+    Polar,
     Problem,
     Rod,
     Round,
     Sector,
     Surface,
+    TwoFacts,
 )
 from planar_cli.problem.scene import Outline as OutlineShape
 
@@ -59,7 +63,7 @@ class Scene:
             self.formula(point.name)
         self.bodies: dict[str, BodyModel] = {}
         alone = len([b for b in problem.bodies if b.mass is not None or b.weight is not None or b.any_mass]) == 1
-        reader = MassReader(ledger, evaluator, self.point, self.gravity or ledger.symbols.get("g", sp.S.Zero), alone)
+        reader = MassReader(ledger, evaluator, self.point, self.span, self.gravity or ledger.symbols.get("g", sp.S.Zero), alone)
         for body in problem.bodies:
             self.bodies[body.name] = reader.read(body)
         self.cancelling = reader.cancelling
@@ -157,6 +161,19 @@ class Scene:
             self.formula(name)
             return self.points[name]
         return self.bodies[name].center
+
+    def span(self, a: str, b: str) -> sp.Expr | None:
+        """The distance of two points where the file gives it as such; None where it follows from coordinates."""
+        for one, other in ((a, b), (b, a)):
+            point = self._places.get(one)
+            place = point.place if point is not None else None
+            if isinstance(place, Polar) and place.origin == other:
+                return self.value(place.distance)
+            if isinstance(place, TwoFacts):
+                for name, distance in place.distances:
+                    if name == other:
+                        return self.value(distance)
+        return None
 
     def value(self, side: Side) -> sp.Expr:
         return self.evaluator.value(side)

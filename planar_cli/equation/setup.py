@@ -26,7 +26,9 @@ class Earlier:
 
 
 class Setup:
-    """Makes ledger, evaluator and scene; `open_form`: coordinates stay letters of the answer (a formula that holds throughout)."""
+    """Makes ledger, evaluator and scene; `open_form`: coordinates stay letters of the answer (a formula that holds
+    throughout).
+    """
 
     def __init__(
         self, problem: Problem, statements: Statements, earlier: Mapping[str, Earlier], open_form: bool

@@ -18,7 +18,8 @@ if TYPE_CHECKING:
 class Stop:
     """One stop: the body that it is on, its centre (or point), its radius, and on which side of the rope the centre is.
 
-    `side`: +1 when the centre lies to the left of the running rope. `rim`: the point where a wound rope leaves the drum.
+    `side`: +1 when the centre lies to the left of the running rope. `rim`: the point where a wound rope leaves the
+    drum.
     """
 
     body: str
@@ -33,8 +34,8 @@ def free_parts(
 ) -> tuple[tuple[Segment, ...], tuple[tuple[str, Any], ...], tuple[Action, ...]]:
     """Segments between stops, spins of drums, and the actions of a unit of tension.
 
-    The rate of the rope's length is Σ direction · (v_end - v_start) over the segments, plus what drums give out; a pulley
-    on which the rope only turns adds nothing beyond the motion of its centre.
+    The rate of the rope's length is Σ direction · (v_end - v_start) over the segments, plus what drums give out; a
+    pulley on which the rope only turns adds nothing beyond the motion of its centre.
     """
     stops = stops_of(rope, scene)
     segments, actions = [], []

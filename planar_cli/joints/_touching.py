@@ -66,7 +66,8 @@ class Touching:
         return self.mover.kind == "straight" and self.base.kind == "straight"
 
     def _roles(self) -> tuple[Outline, Outline]:
-        """Mover and base: a corner or rim slides on the other outline; of two rims, the moving body on the fixed one."""
+        """Mover and base: a corner or rim slides on the other outline; of two rims, the moving body on the fixed one.
+        """
         scene, contact = self.scene, self.contact
         a, b = (scene.outline(p, self.place, contact.mark) for p in contact.between)
         if (
@@ -112,7 +113,8 @@ class Touching:
         return 1
 
     def _away_from_base(self) -> Vec:
-        """From the mass centre of the base; a round wall named beside its body, about the same centre, is the inside."""
+        """From the mass centre of the base; a round wall named beside its body, about the same centre, is the inside.
+        """
         base = self.base
         if base.body == "ground":
             return Vec(0, 0)
@@ -323,8 +325,8 @@ class Touching:
 def away(mover: Outline, base: Outline, place: Vec, scene: Setting) -> Vec:
     """The side of the contact on which the mover is, where the shapes tell: else zero.
 
-    A rim lies towards its own centre, except that a rim which encloses the other (a drum round a wheel, a ring on a peg)
-    lies outside; a straight edge lies off the rim that it touches.
+    A rim lies towards its own centre, except that a rim which encloses the other (a drum round a wheel, a ring on a
+    peg) lies outside; a straight edge lies off the rim that it touches.
     """
     own, other = center_of(mover, place), center_of(base, place)
     if mover.kind == "straight" and base.kind == "arc" and other is not None:

@@ -49,8 +49,8 @@ class Rope(Joint):
         find: {a: a(A).y, T: tension(rope)}
 
     Equations
-        The sum of the lengths of all parts (free, on pulleys, wound) is constant. One reaction, the tension, the same in
-        all parts.
+        The sum of the lengths of all parts (free, on pulleys, wound) is constant. One reaction, the tension, the same
+        in all parts.
 
     Signs
         `tension(j)` > 0 pulls; a rope cannot push: `mode(j)` is taut or slack.

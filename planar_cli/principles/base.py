@@ -1,8 +1,8 @@
 """The contract of the shelf of principles: how the equations of kinetics are put on paper.
 
-All principles at one instant are the same families of equations (equation/, solve/offers.py): every force direction and moment
-centre of every group of bodies. A principle says whether it applies, on which side of the equation inertia stands, and
-what is drawn. A member is one file with one final class; its docstring is its manual page.
+All principles at one instant are the same families of equations (equation/, solve/offers.py): every force direction and
+moment centre of every group of bodies. A principle says whether it applies, on which side of the equation inertia
+stands, and what is drawn. A member is one file with one final class; its docstring is its manual page.
 """
 
 from __future__ import annotations

@@ -12,10 +12,10 @@ class DAlembert(Principle):
     """Inertial forces -m a_G and couples -I_G alpha are added; then all forces are in equilibrium.
 
     Meaning
-        To the free-body diagram of every body the inertial force, opposite to its acceleration, and the inertial couple,
-        opposite to its angular acceleration, are added at the mass centre. Where a body slides on a moving one the
-        inertial force has its parts one by one: of the entrained, the relative and the Coriolis acceleration. This is
-        motion as it is seen from the moving body.
+        To the free-body diagram of every body the inertial force, opposite to its acceleration, and the inertial
+        couple, opposite to its angular acceleration, are added at the mass centre. Where a body slides on a moving one
+        the inertial force has its parts one by one: of the entrained, the relative and the Coriolis acceleration. This
+        is motion as it is seen from the moving body.
 
     YAML
         method: dalembert

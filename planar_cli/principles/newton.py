@@ -12,8 +12,8 @@ class Newton(Principle):
     """Forces equal inertia: about the mass centre, a fixed axis, or any point.
 
     Meaning
-        The free-body diagram equals the kinetic diagram: m a_G at the mass centre and the couple I_G alpha. Any direction
-        and any point may be taken; best a point through which unknown forces pass.
+        The free-body diagram equals the kinetic diagram: m a_G at the mass centre and the couple I_G alpha. Any
+        direction and any point may be taken; best a point through which unknown forces pass.
 
     YAML
         method: newton

@@ -1,9 +1,9 @@
 """What joints and loads may state about a scene: the closed vocabulary from which principles make equations.
 
-A joint says which relative motion it forbids (`Joining`, `Row`), through which unknown pushes it forbids it (`Push`), and
-in which modes it may be (`Mode`: stick or slip, taut or slack, touching or apart), each with the tests that its
-assumption must pass. A load says what it does (`Wrench`). Numbers here are exact expressions in SI units; vectors are in
-the fixed frame, x right, y up, rotation positive counterclockwise.
+A joint says which relative motion it forbids (`Joining`, `Row`), through which unknown pushes it forbids it (`Push`),
+and in which modes it may be (`Mode`: stick or slip, taut or slack, touching or apart), each with the tests that its
+assumption must pass. A load says what it does (`Wrench`). Numbers here are exact expressions in SI units; vectors are
+in the fixed frame, x right, y up, rotation positive counterclockwise.
 """
 
 from __future__ import annotations
@@ -46,10 +46,10 @@ class Rolling:
 class Joining:
     """How `mover` is carried by `base` at one point.
 
-    The mover's material point at `point` has the velocity of the base's point there, plus a slide along `path` (None: no
-    slide), plus `drift` (a vector: the speed of a running belt's surface). `turns`: may the mover turn relative to the base?
-    `place`: the point's name in print. `rolling`: contact without slip between outlines, whose points of contact differ in
-    their normal acceleration.
+    The mover's material point at `point` has the velocity of the base's point there, plus a slide along `path` (None:
+    no slide), plus `drift` (a vector: the speed of a running belt's surface). `turns`: may the mover turn relative to
+    the base? `place`: the point's name in print. `rolling`: contact without slip between outlines, whose points of
+    contact differ in their normal acceleration.
     """
 
     joint: str
@@ -162,8 +162,8 @@ class Skid:
 class Test:
     """A condition that an assumption must pass: Σ coefficient · push + constant ≥ 0, or > 0 when strict.
 
-    `within`: pushes at right angles whose resultant may not exceed the constant. Instead of pushes it may measure an acceleration: sense · (that of the row), or sense · (that across the path of the
-    joining, along k × tangent).
+    `within`: pushes at right angles whose resultant may not exceed the constant. Instead of pushes it may measure an
+    acceleration: sense · (that of the row), or sense · (that across the path of the joining, along k × tangent).
     """
 
     joint: str
@@ -192,10 +192,10 @@ class Facts:
 class Mode:
     """One way in which a joint may act.
 
-    `name`: stick, slip, apart, tip, taut, slack, or "" where there is only one. `sliding`: the row that measures the speed
-    of slip; `direction`: 0 when it must be zero, ±1 the sign that it has or is about to take. `words`: the assumption as a
-    sentence. `touching`: what still holds of the velocities at this instant where a contact is about to part, a face to
-    tip, a rope to slacken.
+    `name`: stick, slip, apart, tip, taut, slack, or "" where there is only one. `sliding`: the row that measures the
+    speed of slip; `direction`: 0 when it must be zero, ±1 the sign that it has or is about to take. `words`: the
+    assumption as a sentence. `touching`: what still holds of the velocities at this instant where a contact is about to
+    part, a face to tip, a rope to slacken.
     """
 
     name: str
@@ -211,9 +211,10 @@ class Mode:
 class Outline:
     """The shape of a body or surface at a point of contact.
 
-    `kind`: corner, straight or arc (also a curve, by its circle of curvature). `tangent`: unit vector (None at a corner).
-    `curvature`: signed along the tangent. `center`: of the arc, None otherwise. `body`: who carries it. `drift`: the belt's
-    surface velocity or None. `extent`: for a straight edge the distances of its ends from the point, behind and ahead.
+    `kind`: corner, straight or arc (also a curve, by its circle of curvature). `tangent`: unit vector (None at a
+    corner). `curvature`: signed along the tangent. `center`: of the arc, None otherwise. `body`: who carries it.
+    `drift`: the belt's surface velocity or None. `extent`: for a straight edge the distances of its ends from the
+    point, behind and ahead.
     """
 
     kind: str

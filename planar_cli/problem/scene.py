@@ -126,7 +126,9 @@ class Particle:
 
 @dataclass(frozen=True, slots=True)
 class Rod:
-    """Uniform slender rod: from `start` to `end`, or from `start` in the direction `angle`; `length` if a place is open."""
+    """Uniform slender rod: from `start` to `end`, or from `start` in the direction `angle`; `length` if a place is
+    open.
+    """
 
     start: str
     end: str | None

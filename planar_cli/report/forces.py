@@ -15,7 +15,9 @@ from planar_cli.solve.stages import Stage
 
 
 def force_rows(instant: InstantSolution, stage: Stage, phrases: Phrases, inertia_as_force: bool) -> list[Forces]:
-    """One row for each body that takes part in the kinetic equations; with D'Alembert's inertial forces among the forces."""
+    """One row for each body that takes part in the kinetic equations; with D'Alembert's inertial forces among the
+    forces.
+    """
     bodies: list[str] = []
     for block in stage.blocks:
         for w in block.equations:

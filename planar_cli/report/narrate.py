@@ -52,7 +52,8 @@ def part_blocks(
             blocks.append(Answer(found.name, answer_line(found, phrases), ":" if found.word else "="))
     for instant in part.instants:
         blocks += check_blocks(instant, phrases_of(instant, figures))
-    blocks += [Note("Discussion", remark) for remark in discussion_lines(part.found, phrases)]
+    if not any(mode.tests for instant in part.instants for mode in instant.trial.system.modes.values()):
+        blocks += [Note("Discussion", remark) for remark in discussion_lines(part.found, phrases)]
     return blocks
 
 

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.plain import longer
 from planar_cli.registry import members
 from planar_cli.report.blocks import Block, Equation, Heading, Line, Math, Name, Note, Paragraph, Text, line
 from planar_cli.report.forces import force_rows
@@ -16,6 +18,10 @@ from planar_cli.solve.solution import InstantSolution
 from planar_cli.solve.stages import Stage
 from planar_cli.solve.used import used_blocks
 from planar_cli.solve.write import Explicit, Written
+
+
+LONG_FORMULA = 16
+"""A named intermediate with a longer formula is given by its value alone, except in a lesson."""
 
 
 class Telling:
@@ -115,11 +121,10 @@ class Telling:
                 and is_length == (kind == "m")
                 and not (expr.is_number and ledger.titles[symbol].startswith("mass"))
             ):
-                blocks.append(
-                    Equation(
-                        self._chain(symbol, expr, self.phrases.shown(symbol)), None, line(ledger.titles[symbol] + ":")
-                    )
-                )
+                value = self.phrases.shown(symbol)
+                hidden = longer(expr, LONG_FORMULA) and self.audience == "exam" and not self.phrases.symbolic
+                sides = (self.phrases.math(symbol), value) if hidden else self._chain(symbol, expr, value)
+                blocks.append(Equation(sides, None, line(ledger.titles[symbol] + ":")))
         return blocks
 
     def _used(self) -> set[sp.Symbol]:
@@ -189,7 +194,7 @@ class Telling:
             return [Equation((self.phrases.math(w.left), value), number, line("given:"))]
         sides = (self.phrases.math(w.left), self.phrases.math(w.right))
         if w.law == "relation":
-            return [Paragraph(line(self._relation_words(w))), Equation(sides, number)]
+            return [Paragraph(self._named(self._relation_words(w))), Equation(sides, number)]
         left, right = self.principle.sides(w.left, w.right)
         sides = (self.phrases.math(left), self.phrases.math(right))
         group = ", ".join(w.bodies)
@@ -200,7 +205,15 @@ class Telling:
             ]
         arrow = {"x": "→ ", "y": "↑ "}.get(w.lead, "↗ ")
         lead = line(arrow, Name(f"ΣF_{w.lead}") if w.lead else Text("ΣF"), ":")
-        return [Paragraph(line(f"{group}:" if w.lead else f"{group}, {w.words}:")), Equation(sides, number, lead)]
+        return [Paragraph(self._named(f"{group}:" if w.lead else f"{group}, {w.words}:")), Equation(sides, number, lead)]
+
+    def _named(self, words: str) -> Line:
+        """Words in which the names of symbols are set as mathematics."""
+        parts: list[Any] = []
+        for piece in re.split(r"(\b[A-Za-z]+(?:_\w+)+\b)", words):
+            known = piece in self.scene.ledger.symbols or piece in self.system.symbols
+            parts.append(Name(piece) if known else piece)
+        return line(*(p for p in parts if p != ""))
 
     def _relation_words(self, w: Written) -> str:
         if w.source == "given":

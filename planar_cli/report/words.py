@@ -44,7 +44,8 @@ _PLAIN = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
 
 @dataclass(frozen=True, slots=True)
 class Phrases:
-    """Phrases for one ledger and valuation. `figures`: significant figures. `symbolic`: letters remain, so no numbers."""
+    """Phrases for one ledger and valuation. `figures`: significant figures. `symbolic`: letters remain, so no numbers.
+    """
 
     ledger: Ledger
     value: Valuation

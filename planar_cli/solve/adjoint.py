@@ -1,8 +1,8 @@
 """The fewest equations for one target, from one exact linear solve.
 
-Stack all rows of single bodies and all relations of motion as C; multipliers y with yᵀ C = e_target combine them into one
-equation for the target. Restricted to a body, y is a virtual twist: bodies of equal twist that touch are the group to
-draw, the twist's centre is the moment centre, a pure translation is a force direction.
+Stack all rows of single bodies and all relations of motion as C; multipliers y with yᵀ C = e_target combine them into
+one equation for the target. Restricted to a body, y is a virtual twist: bodies of equal twist that touch are the group
+to draw, the twist's centre is the moment centre, a pure translation is a force direction.
 """
 
 from __future__ import annotations
@@ -51,7 +51,9 @@ def sum_masks(masks: Iterable[int]) -> int:
 
 
 def _multipliers(rows: list[Row], width: int, targets: list[int]) -> list[list[Decimal]]:
-    """For each target y with Σ y_i rows[i] = e_target in the unknown columns; targets that are not determined are left out."""
+    """For each target y with Σ y_i rows[i] = e_target in the unknown columns; targets that are not determined are left
+    out.
+    """
     count = len(rows)
     scales = [max((abs(c) for c in row[:-1]), default=ZERO) or ONE for row in rows]
     transposed = [

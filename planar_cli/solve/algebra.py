@@ -1,7 +1,7 @@
 """The plan carried out: every block solved, line by line, in symbols and in sixty-digit numbers at once.
 
-The lines of the elimination are the lines of the solution. Each result is a formula in names (knowns, earlier results) and a
-number; closed formulas are put together from them at the end, where they are asked for.
+The lines of the elimination are the lines of the solution. Each result is a formula in names (knowns, earlier results)
+and a number; closed formulas are put together from them at the end, where they are asked for.
 """
 
 from __future__ import annotations
@@ -73,7 +73,9 @@ class Algebra:
         return SolvedBlock(written, order, letters, tuple(lines))
 
     def _residual(self, equation: Written, unknowns: tuple[sp.Symbol, ...]) -> sp.Expr:
-        """Left minus right side; explicit lines are put in where they hold an unknown of the block, else they have values."""
+        """Left minus right side; explicit lines are put in where they hold an unknown of the block, else they have
+        values.
+        """
         residual = equation.residual
         inside = {}
         for symbol in residual.free_symbols:

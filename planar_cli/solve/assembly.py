@@ -1,7 +1,7 @@
 """One instant as a plain linear system in numbers: accelerations of every body and all pushes at once.
 
-No tree, no choice of unknowns: each body has a_x, a_y (of its mass centre) and α. It decides which modes are possible, which
-values are unique, and every sign, before anything is planned or printed.
+No tree, no choice of unknowns: each body has a_x, a_y (of its mass centre) and α. It decides which modes are possible,
+which values are unique, and every sign, before anything is planned or printed.
 """
 
 from __future__ import annotations

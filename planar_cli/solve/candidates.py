@@ -1,8 +1,8 @@
 """Equations that could be written: every family of equations with the multipliers that a teacher would choose.
 
-A family is the space of all equations of one law: of a group of bodies (force along a direction, moment about a point), of a
-vector loop (projection on a direction), of a single relation. A candidate is a member of it: its numbers decide which
-unknowns it contains; its words and symbols are made only when the plan uses it.
+A family is the space of all equations of one law: of a group of bodies (force along a direction, moment about a point),
+of a vector loop (projection on a direction), of a single relation. A candidate is a member of it: its numbers decide
+which unknowns it contains; its words and symbols are made only when the plan uses it.
 """
 
 from __future__ import annotations
@@ -26,9 +26,9 @@ PER_BODY, PER_UNKNOWN = 0.6, 0.15
 class Choice:
     """Which member of a family: a direction, or a moment centre (`moment`), in symbols and in words.
 
-    `name`: of the moment centre, or of the axis ("x", "y"); "" where it is constructed. `through`: the unknowns whose lines
-    of action meet in a constructed centre, or across whose line a direction is. `place`: the vector, or what makes it
-    when the plan uses this candidate, as few ever are used.
+    `name`: of the moment centre, or of the axis ("x", "y"); "" where it is constructed. `through`: the unknowns whose
+    lines of action meet in a constructed centre, or across whose line a direction is. `place`: the vector, or what
+    makes it when the plan uses this candidate, as few ever are used.
     """
 
     moment: bool

@@ -16,17 +16,24 @@ from planar_cli.solve.solution import Found
 from planar_cli.units import parse_unit
 
 MOST_TOLD = 4
+OTHER_WAY = "it slides the other way"
+WRONG_WAY = {"normal": "pull", "tension": "push"}
 
 
 def no_case(instant: Instant, rejected: list[Trial], mark: Mark) -> Diagnostic:
     """Every choice of modes contradicts its own assumption."""
-    told = list(dict.fromkeys(_why(t) for t in rejected))
-    steady = [w for w in told if w]
+    tried = [t for t in rejected if t.objection not in ("velocities", OTHER_WAY)] or rejected
+    steady = list(dict.fromkeys(_why(t) for t in tried))
     more = f"; and {len(steady) - MOST_TOLD} more" if len(steady) > MOST_TOLD else ""
     joint = next((j for j, m in instant.modes if len(m) > 1), None)
     at = joint.mark if joint is not None and len(instant.modes) and _rough(instant) == 1 else mark
     text = f"no consistent rigid solution: {'; '.join(steady[:MOST_TOLD])}{more}"
-    return Diagnostic(at, "PL601", text, "with dry friction rigid bodies may have none (they jam): lower the friction, or give other velocities")
+    return Diagnostic(
+        at,
+        "PL601",
+        text,
+        "with dry friction rigid bodies may have none (they jam): lower the friction, or give other velocities",
+    )
 
 
 def _rough(instant: Instant) -> int:
@@ -41,34 +48,30 @@ def assumption(trial: Trial) -> str:
 
 
 def _why(trial: Trial) -> str:
-    """One rejected choice: `if A slips, N(A) = -49.41 N`; nothing for a slip that the velocities rule out."""
-    if trial.objection in ("it slides the other way",):
-        return ""
+    """One rejected choice, such as `if rod at A slips, N(A) = -49.41 N would pull`."""
     if trial.objection == "velocities":
         return f"that {assumption(trial)} contradicts the velocities"
     if trial.objection == "contradiction":
         return f"if {assumption(trial)}, the equations contradict each other"
     if trial.tests:
         return f"if {assumption(trial)}, {_failed(trial, *trial.tests[0])}"
-    return f"if {assumption(trial)}: {trial.objection}"
+    return f"if {assumption(trial)}, {trial.objection}"
 
 
 def _failed(trial: Trial, test: Test, value: Decimal | None) -> str:
+    """What the failed test measures."""
     outcome, system = trial.outcomes[0], trial.system
     pushes = {p.name: p for p in system.pushes}
-    named = [(pushes[n], outcome.push(n)) for n, _ in test.pushes if n in pushes]
-    numbers = [f"{push_name(system, p)} = {in_unit(v, parse_unit(p.unit))}" for p, v in named if v is not None]
-    if numbers and not system.scene.ledger.symbolic:
-        return f"then {listed(numbers)}, and it fails that {test.words.replace(_own(test), _plain(system, test))}"
-    return f"it fails that {test.words}"
-
-
-def _own(test: Test) -> str:
-    return f"N_{test.joint}"
-
-
-def _plain(system: object, test: Test) -> str:
-    return f"N({test.joint})"
+    named = [(pushes[n], v) for n, _ in test.pushes if n in pushes and (v := outcome.push(n)) is not None]
+    told = system.scene.ledger.symbolic or not named
+    if test.joining is not None:
+        return "its point moves into the partner at once"
+    if told:
+        return f"it fails that {test.words}"
+    numbers = [f"{push_name(system, p)} = {in_unit(v, parse_unit(p.unit))}" for p, v in named]
+    if len(named) == 1 and named[0][0].kind in WRONG_WAY and not test.constant:
+        return f"{numbers[0]} would {WRONG_WAY[named[0][0].kind]}"
+    return f"{listed(numbers)}: it fails that {test.words}"
 
 
 # --- several ---------------------------------------------------------------------------------------------------------
@@ -78,7 +81,11 @@ def several(instant: Instant, held: list[Trial]) -> list[Trial]:
     """The outcomes that hold at once and differ in motion, told apart."""
     if len(held) < 2:
         return held
-    pressing = [t for t in held if not any(_apart_of_either_side(m, i) for (_, m), i in zip(instant.modes, t.choice, strict=True))]
+    pressing = [
+        t
+        for t in held
+        if not any(_apart_of_either_side(m, i) for (_, m), i in zip(instant.modes, t.choice, strict=True))
+    ]
     return pressing or held
 
 
@@ -98,7 +105,11 @@ def several_cases(instant: Instant, held: list[Trial], values: list[list[Found]]
         told.append(f"({number}) {assumption(trial)}" + (f": {', '.join(answers)}" if answers else ""))
     text = f"{len(held)} consistent solutions: {'; '.join(told)}"
     joint = next((j for j, _ in instant.modes if any(t.system.modes[j.name].words for t in held)), None)
-    wanted = f"say which, such as `mode({instant.aliases[joint.name]}) = {held[0].system.modes[joint.name].name}`" if joint is not None else "say which"
+    wanted = (
+        f"say which, such as `mode({instant.aliases[joint.name]}) = {held[0].system.modes[joint.name].name}`"
+        if joint is not None
+        else "say which"
+    )
     return NoSolution([Diagnostic(mark, "PL612", text, wanted)])
 
 

@@ -15,8 +15,9 @@ from planar_cli.errors import NOWHERE, Diagnostic, Mark, NoSolution, PlanarError
 from planar_cli.problem.expression import Relation
 from planar_cli.problem.geometry import Vec
 from planar_cli.solve.asked import names_anywhere
-from planar_cli.solve.diagnose_words import in_unit, left_of, listed, unit_of
+from planar_cli.solve.diagnose_words import in_unit, left_of, listed, short, unit_of
 from planar_cli.solve.instant import Instant, Trial
+from planar_cli.solve.poses import NearPoses
 from planar_cli.solve.worked import unknowns_of
 
 NEGLIGIBLE = Decimal("1e-6")
@@ -81,11 +82,16 @@ def _left_out(instant: Instant, trial: Trial, relation: Relation, others: list[s
     verb = "make" if len(others) > 1 or not level or not others else "makes"
     hint = "leave one of them out, or declare its value under `unknowns`"
     if instant.scene.ledger.symbolic:
-        return Diagnostic(relation.mark, code, f"`{relation.text}` contradicts what {reason} {verb} of {left_of(relation)}", hint)
+        return Diagnostic(
+            relation.mark, code, f"`{relation.text}` contradicts what {reason} {verb} of {left_of(relation)}", hint
+        )
     unit = unit_of(instant, relation.right, relation.left)
     gap = f"they differ by {in_unit(abs(left - right), unit)}"
     return Diagnostic(
-        relation.mark, code, f"`{relation.text}`, but {reason} {verb} {left_of(relation)} = {in_unit(left, unit)}; {gap}", hint
+        relation.mark,
+        code,
+        f"`{relation.text}`, but {reason} {verb} {left_of(relation)} = {in_unit(left, unit)}; {gap}",
+        hint,
     )
 
 
@@ -126,7 +132,10 @@ def check_positions(instant: Instant) -> None:
     known = [r for r, _ in instant.statements.relations if r not in instant.setup.settled]
     wrong = []
     for relation in known:
-        if order(relation, names) != POSITION or (names_anywhere(relation.left) | names_anywhere(relation.right)) & sought:
+        if (
+            order(relation, names) != POSITION
+            or (names_anywhere(relation.left) | names_anywhere(relation.right)) & sought
+        ):
             continue
         found = _as_drawn(instant, relation)
         if found is not None:
@@ -154,7 +163,30 @@ def _as_drawn(instant: Instant, relation: Relation) -> Diagnostic | None:
         return Diagnostic(relation.mark, "PL609", f"`{relation.text}` does not hold in the drawn position", hint)
     unit = unit_of(instant, relation.right, relation.left)
     gap = f"it is off by {in_unit(abs(left - right), unit)}"
-    return Diagnostic(relation.mark, "PL609", f"`{relation.text}`, but as drawn {left_of(relation)} = {in_unit(left, unit)}; {gap}", hint)
+    return Diagnostic(
+        relation.mark,
+        "PL609",
+        f"`{relation.text}`, but as drawn {left_of(relation)} = {in_unit(left, unit)}; {gap}",
+        hint,
+    )
 
 
-__all__ = ["check_positions", "clash", "sources"]
+def demand_drawn(instant: Instant, trial: Trial) -> None:
+    """Raise where a joint does not fit the drawn position: a link of another length, a contact that does not touch."""
+    poses = NearPoses(instant.scene.valuations[0], {})
+    wrong = []
+    for joint in instant.joints:
+        for residual in joint.residuals(instant.scene, trial.system.modes[joint.name]):
+            found = residual.of(poses)
+            parts = (found.x, found.y) if isinstance(found, Vec) else (found,)
+            off = max((abs(p.value) for p in parts), default=Decimal(0))
+            if off > NEGLIGIBLE:
+                gap = "" if instant.scene.ledger.symbolic else f" by {short(off)} (SI units)"
+                text = f"the {joint.kind} {instant.aliases[joint.name]} does not fit the drawing: {residual.title} is off{gap}"
+                hint = "correct the length or a point, or leave the length out"
+                wrong.append(Diagnostic(joint.mark, "PL615", text, hint))
+    if wrong:
+        raise NoSolution(wrong)
+
+
+__all__ = ["check_positions", "clash", "demand_drawn", "sources"]

@@ -36,8 +36,12 @@ NUMBERS = ("no", "one", "two", "three", "four", "five", "six")
 
 def demand(count: int) -> str:
     """`one datum is missing`, `two data are missing`."""
-    word = NUMBERS[count] if count < len(NUMBERS) else str(count)
-    return f"{word} datum is missing" if count == 1 else f"{word} data are missing"
+    return "one datum is missing" if count == 1 else f"{counted(count)} data are missing"
+
+
+def counted(count: int) -> str:
+    """A small number as a word."""
+    return NUMBERS[count] if count < len(NUMBERS) else str(count)
 
 
 # --- velocities ------------------------------------------------------------------------------------------------------
@@ -98,9 +102,15 @@ def _ways(instant: Instant, found: ChangePoint) -> list[str]:
     for branch in found.branches:
         ratios = {body: branch[s] / branch[leader] for s, body in spins.items() if s != leader}
         parts = [_ratio(body, r, spins[leader]) for body, r in ratios.items()]
-        kind = "as a parallelogram" if ratios and all(r in (0, 1) or abs(r - 1) < FAINT for r in ratios.values()) else "crossed"
+        kind = (
+            "as a parallelogram"
+            if ratios and all(r in (0, 1) or abs(r - 1) < FAINT for r in ratios.values())
+            else "crossed"
+        )
         ways.append(f"{kind} with {listed(parts)}")
-    return ways if any(w.startswith("as a") for w in ways) else [w.removeprefix("crossed ") for w in ways]
+    if not any(w.startswith("as a") for w in ways):
+        return [w.removeprefix("crossed ") for w in ways]
+    return sorted(ways, key=lambda w: w.startswith("crossed"))
 
 
 def _edges(instant: Instant) -> tuple[Edge, ...]:
@@ -190,7 +200,8 @@ def _open(instant: Instant, trial: Trial, find: Find, changes: list[dict[Any, De
         return Diagnostic(find.mark, "PL606", text, one_of([*closing, *dict.fromkeys(others)][:8]))
     text = f"the accelerations are open: nothing determines {listed(motions)}; {demand(len(changes))}"
     why = "bodies without mass do not resist; give them masses, or " if _massless(instant, changes) else ""
-    return Diagnostic(find.mark, "PL605", text, why + one_of(motions))
+    constant = "; a speed that stays constant belongs under `motion`" if instant.statements.relations else ""
+    return Diagnostic(find.mark, "PL605", text, why + one_of(motions) + constant)
 
 
 def _massless(instant: Instant, changes: list[dict[Any, Decimal]]) -> bool:
@@ -209,7 +220,8 @@ def _redundant(trial: Trial, find: Find, changes: list[dict[Push, Decimal]]) -> 
     text = f"{find.name} is not unique: {listed(names)} can change together without changing the motion"
     unique = [*sure, *partly]
     text += f"; unique: {listed(unique)}" if unique else "; no reaction is unique"
-    hint = f"{len(whole)} support{'' if len(whole) == 1 else 's'} more than equations: leave one out"
+    extra = "one support more" if len(whole) == 1 else f"{counted(len(whole))} supports more"
+    hint = f"{extra} than there are equations: leave {'one' if len(whole) == 1 else 'some'} out"
     return Diagnostic(find.mark, "PL603", text, hint + (", or ask for what is unique" if unique else ""))
 
 
@@ -234,7 +246,9 @@ def _bodies(push: Push) -> list[str]:
     return [a.body for a in push.actions]
 
 
-def _direction(trial: Trial, pair: tuple[Push, Push], changes: list[Mapping[str, Decimal]] | list[dict[str, Decimal]]) -> str | None:
+def _direction(
+    trial: Trial, pair: tuple[Push, Push], changes: list[Mapping[str, Decimal]] | list[dict[str, Decimal]]
+) -> str | None:
     """The direction in which a reaction is unique though both components are loose."""
     value = trial.outcomes[0].value
     action = next((a for a in pair[0].actions if a.body != GROUND), None)

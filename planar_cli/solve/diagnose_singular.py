@@ -1,11 +1,11 @@
 """Singular positions, decided exactly at the drawn position: dead centres and change points.
 
-Dead centre: a given speed whose coefficient on every motion that the joints allow is zero, though not in the positions next
-to it (its rate along that motion is not zero): 0 · ω = v.
+Dead centre: a given speed whose coefficient on every motion that the joints allow is zero, though not in the positions
+next to it (its rate along that motion is not zero): 0 · ω = v.
 
 Change point: the joints lose an equation. A combination ν of their velocity equations vanishes, ν J = 0. Where supports
-are merely redundant it does so all the way; here its rate, ν · γ(v), a quadratic form in the motions v that J allows, is
-not zero. The motions for which it is zero are the ways in which the linkage can leave.
+are merely redundant it does so all the way; here its rate, ν · γ(v), a quadratic form in the motions v that J allows,
+is not zero. The motions for which it is zero are the ways in which the linkage can leave.
 """
 
 from __future__ import annotations
@@ -39,7 +39,9 @@ class DeadCentre:
 
 @dataclass(frozen=True, slots=True)
 class ChangePoint:
-    """The motions that the joints' velocities allow, and those with which the linkage can leave (() when not worked out)."""
+    """The motions that the joints' velocities allow, and those with which the linkage can leave (() when not worked
+    out).
+    """
 
     motions: tuple[dict[sp.Symbol, Decimal], ...]
     branches: tuple[dict[sp.Symbol, Decimal], ...]
@@ -66,7 +68,9 @@ class Joints:
         found = joint_conditions(system.tree, rows, system.first, level, rigid)
         if level == VELOCITY:
             closures = tuple(j for t in touching for j in t.joinings)
-            found += joint_conditions(Tree((), closures), [r for t in touching for r in t.rows], system.first, level, rigid)
+            found += joint_conditions(
+                Tree((), closures), [r for t in touching for r in t.rows], system.first, level, rigid
+            )
         return found
 
     @property
@@ -173,8 +177,6 @@ def _mixed(null: list[Vector]) -> list[Vector]:
 def _silent(joints: Joints, expr: sp.Expr) -> bool:
     """Is an equation about velocities without a word on every free motion?"""
     inside = set(joints.columns)
-    if not inside & expr.free_symbols:
-        return False
     row = number_row(linear_form(expr, inside), joints.columns, joints.value)
     return all(abs(sum((a * b for a, b in zip(row, v, strict=False)), ZERO)) <= SMALL for v in joints.null)
 

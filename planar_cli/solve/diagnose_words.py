@@ -177,5 +177,3 @@ def unknown_name(system: System, symbol: sp.Symbol) -> str:
         if system.symbols.get(push.name) == symbol:
             return push_name(system, push)
     return symbol.name
-
-

@@ -65,7 +65,9 @@ class Instant:
         return None in self.statements.rest
 
     def add_drivers(self) -> bool:
-        """Let every prescribed motion bring the unknown force or torque that keeps it going. False: there is none to add."""
+        """Let every prescribed motion bring the unknown force or torque that keeps it going. False: there is none to
+        add.
+        """
         if self.drivers:
             return False
         system = self.system(tuple(0 for _ in self.modes))
@@ -234,8 +236,8 @@ def search_modes(instant: Instant, valuations: tuple[Valuation, ...]) -> tuple[l
 
 
 def begins(instant: Instant, trial: Trial, other: Trial) -> bool:
-    """Would a slip have to begin in `trial` where friction can hold in `other`? From rest it begins only beyond the static
-    limit, so that the other one counts.
+    """Would a slip have to begin in `trial` where friction can hold in `other`? From rest it begins only beyond the
+    static limit, so that the other one counts.
     """
     differs = False
     for (joint, modes), i, j in zip(instant.modes, trial.choice, other.choice, strict=True):

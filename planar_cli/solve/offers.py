@@ -1,9 +1,9 @@
-"""All candidates of one instant: every connected group of bodies, every loop and relation, with the multipliers that free
-an equation of unknown pushes.
+"""All candidates of one instant: every connected group of bodies, every loop and relation, with the multipliers that
+free an equation of unknown pushes.
 
-Killed are only lines that a teacher draws: reactions, edges of friction cones, m a of known direction; never a couple of
-inertia. Two killed lines give a moment centre, or a direction when they are parallel; both are one operation, the cross
-product of two wrenches.
+Killed are only lines that a teacher draws: reactions, edges of friction cones, m a of known direction; never a couple
+of inertia. Two killed lines give a moment centre, or a direction when they are parallel; both are one operation, the
+cross product of two wrenches.
 """
 
 from __future__ import annotations
@@ -161,7 +161,8 @@ class Offers:
         return Group(bodies, rows, lines, turning)  # type: ignore[arg-type]
 
     def _pressed_aside(self, body: str) -> bool:
-        """Does a force act on a particle elsewhere than at its place? It is then held by a couple that nobody asks for."""
+        """Does a force act on a particle elsewhere than at its place? It is then held by a couple that nobody asks for.
+        """
         if self.scene.rigid(body):
             return False
         if body not in self._aside:

@@ -1,8 +1,8 @@
 """The plan: the fewest equations that determine what is asked, in the order in which they are solved.
 
-A state of the search is a set of unknowns; the equations inside it are all candidates whose unknowns lie in it. Best first
-by size, so that the first set that determines the targets needs the fewest equations. Sets up to one larger are ordered
-and priced as well: cost = Σ equations + tear, the unknowns that must be carried as letters.
+A state of the search is a set of unknowns; the equations inside it are all candidates whose unknowns lie in it. Best
+first by size, so that the first set that determines the targets needs the fewest equations. Sets up to one larger are
+ordered and priced as well: cost = Σ equations + tear, the unknowns that must be carried as letters.
 """
 
 from __future__ import annotations
@@ -95,7 +95,9 @@ class Planner:
         return [i for i, mask in enumerate(self.masks) if not mask & outside]
 
     def determined(self, most: int | None = None) -> int:
-        """The unknowns that all candidates together fix, as bits. `most`: the rank of what they are made from, if known."""
+        """The unknowns that all candidates together fix, as bits. `most`: the rank of what they are made from, if
+        known.
+        """
         everything = self.everything
         chosen = bits(everything)
         most = len(chosen) if most is None else most

@@ -1,7 +1,8 @@
 """All real roots of one equation in one unknown: polynomial, trigonometric, or anything that can be evaluated.
 
-Polynomials (after clearing fractions, or after the half-angle substitution u = tan(x/2)) give all their roots, to fifty digits;
-other equations are searched over a wide range for changes of sign. Letters without numbers allow closed forms only.
+Polynomials (after clearing fractions, or after the half-angle substitution u = tan(x/2)) give all their roots, to fifty
+digits; other equations are searched over a wide range for changes of sign. Letters without numbers allow closed forms
+only.
 """
 
 from __future__ import annotations

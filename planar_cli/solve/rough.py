@@ -1,8 +1,8 @@
 """A first look at a linear system in machine floats: sure, or left to sixty digits.
 
 A search asks of thousands of sets of equations whether they determine something. Nearly all of them answer clearly in
-floats; where a pivot is neither clearly zero nor clearly not, the answer is None and the caller asks in Decimals. What a
-search finds is checked in Decimals in any case.
+floats; where a pivot is neither clearly zero nor clearly not, the answer is None and the caller asks in Decimals. What
+a search finds is checked in Decimals in any case.
 """
 
 from __future__ import annotations

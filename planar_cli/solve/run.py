@@ -14,16 +14,22 @@ from planar_cli.equation.system import System
 from planar_cli.errors import Mark, NoSolution
 from planar_cli.problem.scene import Find, Problem
 from planar_cli.registry import members
-from planar_cli.solve.diagnose import explain_failure
+from planar_cli.solve.diagnose import OPEN, explain_failure, place, singular_position
+from planar_cli.solve.diagnose_cases import demand_cancelled, several, several_cases
+from planar_cli.solve.diagnose_clash import check_positions, demand_drawn
+from planar_cli.solve.diagnose_open import demand_determined
 from planar_cli.solve.finish import Finisher
 from planar_cli.solve.instant import Instant, Trial, make_instant, search_modes
 from planar_cli.solve.seek import seek
 from planar_cli.solve.solution import Found, InstantSolution, PartSolution, Solution
 from planar_cli.solve.states import solve_states
+from planar_cli.solve.verify import Disagreement
 
 
 def solve_problem(problem: Problem, method: str | None = None) -> Solution:
-    """All finds of a problem, told by a method (None: the file's own, else newton). Raises FileProblem, NoSolution or Undecided."""
+    """All finds of a problem, told by a method (None: the file's own, else newton). Raises FileProblem, NoSolution or
+    Undecided.
+    """
     started = time.perf_counter()
     chosen = method or problem.method or "newton"
     objection = members("principles")[chosen]().objection(problem)
@@ -90,14 +96,43 @@ def solve_instant(
 def _solve(
     instant: Instant, finds: tuple[Find, ...], units: dict[str, str], state: str
 ) -> tuple[InstantSolution, list[Found]]:
+    if not state or state == instant.scene.problem.states[0].name:
+        check_positions(instant)
     if instant.must_seek():
         return _seek(instant, finds, units, state)
     held, rejected = search_modes(instant, instant.scene.valuations)
-    if not held and any(t.objection == "velocities are open" for t in rejected):
-        return _seek(instant, finds, units, state)
+    if not held and any(t.objection == OPEN for t in rejected):
+        singular_position(instant, rejected, finds)
+        try:
+            return _seek(instant, finds, units, state)
+        except NoSolution as error:
+            raise explain_failure(instant, rejected, finds) from error
     if not held:
         raise explain_failure(instant, rejected, finds)
-    return Finisher(instant, held[0], tuple(rejected), units, state).solve(finds)
+    return _held(instant, several(instant, held), tuple(rejected), finds, units, state)
+
+
+def _held(
+    instant: Instant,
+    held: list[Trial],
+    rejected: tuple[Trial, ...],
+    finds: tuple[Find, ...],
+    units: dict[str, str],
+    state: str,
+) -> tuple[InstantSolution, list[Found]]:
+    """The one outcome that holds, worked out; of several all are reported."""
+    demand_determined(instant, held[0], finds)
+    solutions = []
+    for trial in held:
+        try:
+            solutions.append(Finisher(instant, trial, rejected, units, state).solve(finds))
+        except Disagreement:
+            demand_drawn(instant, trial)
+            raise
+    if len(held) > 1:
+        raise several_cases(instant, held, [found for _, found in solutions], place(instant, finds))
+    demand_cancelled(instant, finds, solutions[0][1])
+    return solutions[0]
 
 
 def _seek(

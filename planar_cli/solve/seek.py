@@ -1,9 +1,10 @@
-"""Unknown constants, angles, speeds and extremes: one system of all levels at once, planned by slopes, solved by branches.
+"""Unknown constants, angles, speeds and extremes: one system of all levels at once, planned by slopes, solved by
+branches.
 
-Every unknown (a sought constant, a velocity that nothing fixes yet, accelerations, pushes) gets a generic number; an equation
-contains an unknown when its residual moves with it. The plan is made as for linear unknowns; blocks that are nonlinear
-are reduced to one equation in one unknown, whose real roots are all followed. What is left is tested: the assumptions of
-the modes, the inequalities of the file, signs that a mass or a coefficient must have.
+Every unknown (a sought constant, a velocity that nothing fixes yet, accelerations, pushes) gets a generic number; an
+equation contains an unknown when its residual moves with it. The plan is made as for linear unknowns; blocks that are
+nonlinear are reduced to one equation in one unknown, whose real roots are all followed. What is left is tested: the
+assumptions of the modes, the inequalities of the file, signs that a mass or a coefficient must have.
 
 `X is largest`: the freedom that is left is used up by assumptions at their limit (|F| = mu N, N = 0, …), one for each
 freedom; of all points that satisfy every other assumption the largest X counts.
@@ -13,7 +14,7 @@ from __future__ import annotations
 
 import itertools
 import random
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
 from decimal import Decimal
 
@@ -29,6 +30,7 @@ from planar_cli.problem.facts import Test
 from planar_cli.solve.algebra import Algebra
 from planar_cli.solve.branches import Branch, Brancher
 from planar_cli.solve.candidates import Candidate
+from planar_cli.solve.diagnose_seek import loose_limit, not_found, open_symbols
 from planar_cli.solve.instant import Instant, Trial
 from planar_cli.solve.numbers import Numbers
 from planar_cli.solve.offers import Offers, body_residuals
@@ -185,6 +187,7 @@ class Seeker:
             self.choice, (base,), given={s: v for s, v in solved.items() if s in self.unknowns}
         )
         objection = self._wrong_sign(constants) or trial.objection or self._inequalities(trial, solved)
+        objection = objection or loose_limit(self.instant, trial, constants)
         return Sought(branch, plan, writer, trial, unknowns, limits, objection)
 
     def _wrong_sign(self, constants: dict[sp.Symbol, Decimal]) -> str:
@@ -245,7 +248,7 @@ def _limit(test: Test, values: dict[str, sp.Expr]) -> Condition:
     return Condition("limit", words, sp.sympify(residual))
 
 
-def seek(instant: Instant, targets_of: object) -> tuple[Sought, list[Sought]]:
+def seek(instant: Instant, targets_of: Callable[[System], set[sp.Symbol]]) -> tuple[Sought, list[Sought]]:
     """The branch that holds, over all choices of modes in natural order, and those that do not.
 
     `targets_of(system)`: the symbols that the finds need.
@@ -257,7 +260,7 @@ def seek(instant: Instant, targets_of: object) -> tuple[Sought, list[Sought]]:
         if seeker.conflict:
             continue
         try:
-            found = _best(seeker, targets_of(seeker.system), rejected)  # type: ignore[operator]
+            found = _best(seeker, targets_of(seeker.system), rejected)
         except Undecided as error:
             undecided = error
             continue
@@ -265,18 +268,21 @@ def seek(instant: Instant, targets_of: object) -> tuple[Sought, list[Sought]]:
             return found, rejected
     if undecided is not None:
         raise undecided
-    mark = instant.scene.problem.find[0].mark
-    reasons = "; ".join(dict.fromkeys(s.objection for s in rejected))
-    raise NoSolution(
-        [
-            Diagnostic(
-                mark,
-                "PL601",
-                "no solution is consistent" + (f": {reasons}" if reasons else ""),
-                "one more datum may be needed",
-            )
-        ]
-    )
+    raise NoSolution([_nothing(instant, targets_of, [s.objection for s in rejected])])
+
+
+def _nothing(instant: Instant, targets_of: Callable[[System], set[sp.Symbol]], objections: list[str]) -> Diagnostic:
+    """Why nothing was found, by the first choice of modes whose velocities fit."""
+    seekers = (Seeker(instant, c) for c in itertools.islice(instant.choices(), MOST_CHOICES))
+    seeker = next((s for s in seekers if not s.conflict), None) or Seeker(instant, next(instant.choices()))
+    targets = targets_of(seeker.system)
+    loose: list[sp.Symbol] = []
+    if not seeker.conflict and not objections:
+        found, numbers = seeker.candidates((), targets)
+        bits = {x: 1 << j for j, x in enumerate(numbers.unknowns)}
+        nonlinear = sum(bit for x, bit in bits.items() if x not in seeker.linear)
+        loose = open_symbols(found, nonlinear, {x: bit for x, bit in bits.items() if x in targets})
+    return not_found(instant, Trial((), seeker.system, (), (), ""), objections, loose)
 
 
 def _best(seeker: Seeker, targets: set[sp.Symbol], rejected: list[Sought]) -> Sought | None:

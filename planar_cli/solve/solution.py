@@ -1,4 +1,6 @@
-"""A problem solved: every find of the file and of its cases, with the stages that show how, and the checks that were made."""
+"""A problem solved: every find of the file and of its cases, with the stages that show how, and the checks that were
+made.
+"""
 
 from __future__ import annotations
 
@@ -20,9 +22,9 @@ from planar_cli.units import Unit
 class Found:
     """One find with its answer.
 
-    `kind`: number, vector, truth or word. `values`: SI numbers (None while letters remain), one or two. `expressions`: closed
-    formulas in the file's names, where they are short or letters remain. `word`: of a truth value or mode. `asked`: the
-    find in the unknowns of the instant.
+    `kind`: number, vector, truth or word. `values`: SI numbers (None while letters remain), one or two. `expressions`:
+    closed formulas in the file's names, where they are short or letters remain. `word`: of a truth value or mode.
+    `asked`: the find in the unknowns of the instant.
     """
 
     name: str

@@ -28,7 +28,7 @@ class Velocities:
     free: tuple[sp.Symbol, ...]
     conflict: tuple[list[tuple[Condition, Decimal]], Decimal] | None
     nonlinear: tuple[Condition, ...]
-    loose: dict[sp.Symbol, tuple[sp.Symbol, ...]] = field(default_factory=dict)
+    loose: dict[sp.Symbol, dict[sp.Symbol, Decimal]] = field(default_factory=dict)
 
 
 def solve_velocities(
@@ -70,11 +70,11 @@ def solve_velocities(
         conflict = ([(c, f) for c, f in zip(sources, factors, strict=True) if f], rest)
     values = dict(zip(columns, solved.values, strict=True))
     free = () if (at_rest and not nonlinear) or given is not None else tuple(columns[j] for j in solved.null)
-    loose = (
-        {columns[j]: tuple(x for x, v in zip(columns, vector, strict=True) if v) for j, vector in solved.null.items()}
-        if free
-        else {}
-    )
+    loose: dict[sp.Symbol, dict[sp.Symbol, Decimal]] = {}
+    if free:
+        loose = {
+            columns[j]: {x: v for x, v in zip(columns, vector, strict=True) if v} for j, vector in solved.null.items()
+        }
     if free:
         for j in range(len(columns)):
             if not solved.unique(j):
@@ -122,8 +122,8 @@ def certain(expr: sp.Expr, value: Valuation) -> Decimal:
 class Outcome:
     """Numbers of one choice of modes for one valuation.
 
-    `solved` over the columns of `assembly`; `failed`: the tests that do not hold, with their values; `open_tests`: tests
-    whose value is free, but which can hold together.
+    `solved` over the columns of `assembly`; `failed`: the tests that do not hold, with their values; `open_tests`:
+    tests whose value is free, but which can hold together.
     """
 
     assembly: Assembly
@@ -202,7 +202,9 @@ def add_loads(assembly: Assembly, system: System, wrenches: tuple[Wrench, ...], 
 
 
 def add_given(assembly: Assembly, system: System, free: Motion, sought: set[sp.Symbol]) -> None:
-    """The file's own acceleration relations, over body accelerations, pushes, sought constants and rates of coordinates."""
+    """The file's own acceleration relations, over body accelerations, pushes, sought constants and rates of
+    coordinates.
+    """
     conditions = system.stated_accelerations(free)
     if not conditions:
         return
@@ -233,7 +235,9 @@ def add_given(assembly: Assembly, system: System, free: Motion, sought: set[sp.S
 
 
 def failing(system: System, assembly: Assembly, solved: Solved) -> tuple[tuple[Test, Decimal | None], ...]:
-    """The tests that fail. Tests that depend on what is not unique may hold for some distribution: that is decided exactly."""
+    """The tests that fail. Tests that depend on what is not unique may hold for some distribution: that is decided
+    exactly.
+    """
     affine: list[tuple[Test, Decimal, dict[int, Decimal]]] = []
     for mode in system.modes.values():
         for test in mode.tests:

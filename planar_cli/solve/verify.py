@@ -1,4 +1,6 @@
-"""Checks of a finished instant: its own equations at sixty digits, the independent multibody road, the tests of its modes."""
+"""Checks of a finished instant: its own equations at sixty digits, the independent multibody road, the tests of its
+modes.
+"""
 
 from __future__ import annotations
 
@@ -26,8 +28,8 @@ class Disagreement(Undecided):
 
 @dataclass(frozen=True, slots=True)
 class Checks:
-    """`equations`: how many were put in; `residual`: the largest remainder relative to its terms; `agreement`: of the second
-    road.
+    """`equations`: how many were put in; `residual`: the largest remainder relative to its terms; `agreement`: of the
+    second road.
     """
 
     equations: int
@@ -45,7 +47,8 @@ class Checks:
 
 
 def verify(trial: Trial, solved: dict[sp.Symbol, Decimal]) -> Checks:
-    """All equations of the instant at the solution, and the scene assembled once more. Disagreement: they do not fit."""
+    """All equations of the instant at the solution, and the scene assembled once more. Disagreement: they do not fit.
+    """
     system, outcome = trial.system, trial.outcomes[0]
     numbers = outcome.value.extended({**unknowns_of(system, outcome), **solved})
     count, residual = residuals(system, numbers, outcome)

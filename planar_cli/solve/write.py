@@ -29,8 +29,8 @@ LONGEST = 8
 class Written:
     """One numbered equation, left = right.
 
-    `law`: relation, force or moment. `bodies`: the group. `lead`: what is equated, such as ("moment", "C"). `words`: why
-    this one. `unknowns`: the symbols still unknown in it.
+    `law`: relation, force or moment. `bodies`: the group. `lead`: what is equated, such as ("moment", "C"). `words`:
+    why this one. `unknowns`: the symbols still unknown in it.
     """
 
     number: int
@@ -50,7 +50,8 @@ class Written:
 
 @dataclass(frozen=True, slots=True)
 class Explicit:
-    """A line that only names something: symbol = expression (the acceleration of a mass centre, a moment of inertia)."""
+    """A line that only names something: symbol = expression (the acceleration of a mass centre, a moment of inertia).
+    """
 
     number: int
     symbol: sp.Symbol

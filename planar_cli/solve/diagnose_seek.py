@@ -1,0 +1,69 @@
+"""Why constants, angles, speeds or extremes that are sought are not found."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from decimal import Decimal
+
+import sympy as sp
+
+from planar_cli.errors import Diagnostic
+from planar_cli.solve.candidates import Candidate
+from planar_cli.solve.diagnose_open import demand
+from planar_cli.solve.diagnose_words import listed, one_of, unknown_name
+from planar_cli.solve.instant import Instant, Trial
+from planar_cli.solve.plan import Planner
+
+LOOSE = "is open"
+
+
+def loose_limit(instant: Instant, trial: Trial, known: Iterable[sp.Symbol]) -> str:
+    """A constant that stayed open and on which an assumption rests that the file does not state; "" for none."""
+    loose = set(instant.scene.ledger.sought) - set(known)
+    if not loose or not trial.outcomes:
+        return ""
+    stated = {joint for joint, _ in instant.statements.modes}
+    outcome = trial.outcomes[0]
+    for joint, mode in trial.system.modes.items():
+        if instant.aliases[joint] in stated:
+            continue
+        for test in mode.tests:
+            hanging = {s for _, f in test.pushes for s in sp.sympify(f).free_symbols & loose}
+            sure = [(n, f) for n, f in test.pushes if not sp.sympify(f).free_symbols & loose]
+            rest = sum((outcome.value(f) * (outcome.push(n) or Decimal(0)) for n, f in sure), Decimal(0))
+            if hanging and rest < Decimal("-1e-25"):
+                names = listed(sorted(s.name for s in hanging))
+                return f"{names} {LOOSE}: whether {mode.words} depends on it"
+    return ""
+
+
+def open_symbols(candidates: list[Candidate], nonlinear: int, bits: dict[sp.Symbol, int]) -> list[sp.Symbol]:
+    """The targets that no plan reaches."""
+    return [s for s, bit in bits.items() if Planner(candidates, nonlinear).plan(bit) is None]
+
+
+def not_found(instant: Instant, trial: Trial, objections: list[str], loose: list[sp.Symbol]) -> Diagnostic:
+    """The diagnosis of a search that came to nothing. `loose`: targets that no equations determine."""
+    find = instant.scene.problem.find[0]
+    extremes = instant.statements.extremes
+    said = list(dict.fromkeys(o for o in objections if o))
+    names = [unknown_name(trial.system, s) for s in loose]
+    hanging = [o for o in said if LOOSE in o]
+    if extremes and not said:
+        wanted = extremes[0].text.split(" is ")[0]
+        text = (
+            f"{wanted} has no extreme value: no contact, rope or guide reaches its limit, however far {wanted} is taken"
+        )
+        return Diagnostic(
+            extremes[0].mark, "PL613", text, "state what must hold, such as `mode(C) = stick`, or give a limit"
+        )
+    if hanging:
+        name = hanging[0].split(f" {LOOSE}")[0]
+        hint = f"give {name}, or state the case: `mode(C) = stick`, or ask for the limit: `{name} is smallest`"
+        mark = next((s.mark for s in instant.scene.problem.unknowns if s.name == name), find.mark)
+        return Diagnostic(mark, "PL606", f"{hanging[0]}; {demand(1)}", hint)
+    if loose and not said:
+        text = f"{find.name} is open: the equations do not determine {listed(names)}; {demand(1)}"
+        return Diagnostic(find.mark, "PL606", text, one_of(names))
+    text = "no solution is consistent" + (f": {'; '.join(said)}" if said else "")
+    return Diagnostic(find.mark, "PL601", text, "change a given, or state one thing less")
