@@ -37,7 +37,7 @@ def command(files: tuple[str, ...], worked: bool, output: str | None, figures: i
         try:
             with time_limit(timeout):
                 document, status = _section(path, worked, figures)
-            sections.append(markdown.render(document))
+                sections.append(markdown.render(document))
         except PlanarError as error:
             status = cli.tell(error)
         except Exception as error:

@@ -49,10 +49,10 @@ class Wanted:
 
 @dataclass(frozen=True, slots=True)
 class Report:
-    """What came of one file: its exit status, and a document for people or data for programs."""
+    """What came of one file: its exit status, and a text for people or data for programs."""
 
     status: int
-    document: Document | None = None
+    text: str = ""
     data: Mapping[str, Any] | None = None
 
 
@@ -63,7 +63,7 @@ FIGURES = click.IntRange(1, LARGEST_FIGURES)
 @click.argument("files", nargs=-1, required=True)
 @click.option("--format", "form", type=click.Choice(modules("formats")), default="terminal", help="How to print.")
 @click.option("-o", "--output", metavar="FILE", help="Write to FILE instead of standard output.")
-@click.option("--method", type=click.Choice(modules("principles")), help="The principle to use, whatever the file says.")
+@click.option("--method", type=click.Choice(modules("principles")), help="The principle to use, not that of the file.")
 @click.option("--compare", is_flag=True, help="List the methods that reach the answers, instead of a solution.")
 @click.option("--why", metavar="NAME", help="Only what the answer NAME rests on.")
 @click.option("--figures", type=FIGURES, default=4, show_default=True, help="Significant figures of numbers.")
@@ -78,22 +78,27 @@ def command(files: tuple[str, ...], digits: int | None, **options: Any) -> int:
     if wanted.compare and (wanted.why or wanted.method):
         raise click.UsageError("--compare looks at all methods; leave --method and --why out")
     reports = [_report(path, wanted) for path in files]
-    text = _rendered(reports, wanted)
+    text = _joined(reports, wanted)
     if text:
         write(text, wanted.output)
     return max(report.status for report in reports)
 
 
-def _rendered(reports: list[Report], wanted: Wanted) -> str:
-    if wanted.json:
-        from planar_cli.formats.json import dumps
+def _joined(reports: list[Report], wanted: Wanted) -> str:
+    """All reports as one output; of several files, JSON has a list."""
+    if not wanted.json:
+        return "\n".join(report.text for report in reports if report.text)
+    from planar_cli.formats.json import dumps
 
-        data = [report.data for report in reports if report.data is not None]
-        return dumps(data[0] if len(reports) == 1 and data else {"solutions": data})
+    data = [report.data for report in reports if report.data is not None]
+    return dumps(data[0] if len(reports) == 1 and data else {"solutions": data})
+
+
+def _printed(document: Document, wanted: Wanted) -> str:
     form: Any = members("formats")[wanted.form]
     on_screen = wanted.output in (None, "-")
-    printer = form.on(sys.stdout) if on_screen else form()
-    return "\n".join(printer.render(report.document) for report in reports if report.document is not None)
+    rendered: str = (form.on(sys.stdout) if on_screen else form()).render(document)
+    return rendered
 
 
 def _report(path: str, wanted: Wanted) -> Report:
@@ -136,7 +141,7 @@ def _solved(problem: Problem, wanted: Wanted) -> Report:
     if wanted.json:
         return Report(status, data=solution_data(solution, verdicts, wanted.figures, wanted.method))
     document = narrate(solution, wanted.figures, wanted.audience, wanted.why)
-    return Report(status, with_disagreements(document, verdicts))
+    return Report(status, _printed(with_disagreements(document, verdicts), wanted))
 
 
 def _demand_find(problem: Problem, name: str | None) -> None:
@@ -156,4 +161,4 @@ def _compared(problem: Problem, wanted: Wanted) -> Report:
     rows = compare_methods(problem)
     if wanted.json:
         return Report(cli.SOLVED, data=comparison_data(problem, rows))
-    return Report(cli.SOLVED, comparison_document(problem, rows))
+    return Report(cli.SOLVED, _printed(comparison_document(problem, rows), wanted))

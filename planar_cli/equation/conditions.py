@@ -35,7 +35,8 @@ POSITION, VELOCITY, ACCELERATION = 0, 1, 2
 ORDERS = {
     "r": 0, "x": 0, "y": 0, "theta": 0, "mass": 0, "I": 0, "PE": 0,
     "v": 1, "omega": 1, "coriolis": 1, "IC": 1, "KE": 1, "momentum": 1, "H": 1, "hodograph": 1,
-    "a": 2, "alpha": 2, "rho": 2, "N": 2, "friction": 2, "reaction": 2, "moment": 2, "tension": 2, "force": 2, "power": 2,
+    "a": 2, "alpha": 2, "rho": 2, "N": 2, "friction": 2, "reaction": 2, "moment": 2, "tension": 2, "force": 2,
+    "power": 2,
 }  # fmt: skip
 
 
@@ -56,6 +57,7 @@ class Condition:
     body: str = ""
     base: str = ""
     mark: Mark = NOWHERE
+    always: bool = False
 
     def rows(self) -> tuple[sp.Expr, ...]:
         """The scalar residuals: one, or two along x and y."""
@@ -126,7 +128,7 @@ def stated(
             residual = _difference(relation, quantities, evaluator, level - own)
         except ValueError:
             continue
-        found.append(Condition("given", relation.text, residual, mark=relation.mark))
+        found.append(Condition("given", relation.text, residual, mark=relation.mark, always=always))
     return found
 
 

@@ -18,14 +18,14 @@ def driving_pushes(system: System, free: Motion) -> tuple[Push, ...]:
     `free`: a motion in which no body hangs on another; the law's coefficients there are the push's components.
     """
     system.settle({}, ())
-    quantities = system._quantities(free, system.reactions)
+    quantities = system.quantities_of(free, system.reactions)
     names = {s.name for s in system.scene.ledger.coordinates}
     parts: dict[sp.Symbol, tuple[str, str]] = {}
     for edge in free.tree.edges:
         for symbol, part in ((edge.slide_rate, "x"), (edge.rise_rate, "y"), (edge.spin_rate, "turn")):
             if symbol is not None:
                 parts[symbol] = (edge.body, part)
-    found = []
+    found: list[Push] = []
     for relation, always in system.statements.relations:
         if not always or order(relation, names) > 2:
             continue

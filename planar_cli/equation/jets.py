@@ -99,10 +99,11 @@ def vector_jet(r: Vec, v: Vec | None, a: Vec | None) -> Vec:
 
 def magnitude(v: Vec) -> Jet:
     """|v| of a Vec of jets."""
-    square = v.x * v.x + v.y * v.y
+    one: Jet
     if v.x.value == 0 and v.y.value == 0:
         return Jet(sp.S.Zero, None, None)
     for one, other in ((v.x, v.y), (v.y, v.x)):
         if other.value == 0 and other.rate == 0 and other.second == 0:
             return one.through(sp.Abs) if not one.value.is_positive else one
+    square: Jet = v.x * v.x + v.y * v.y
     return square.power(sp.Rational(1, 2))

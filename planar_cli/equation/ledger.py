@@ -77,7 +77,7 @@ class Ledger:
         """A new symbol of ours, named apart from every name of the file."""
         free = name
         while free in self.symbols:
-            free += "_"
+            free += "′"
         symbol = self.symbols[free] = sp.Symbol(free, positive=True) if positive else sp.Symbol(free, real=True)
         self.units[symbol] = parse_unit(unit)
         return symbol

@@ -204,14 +204,16 @@ class Motion:
         """Relative and Coriolis acceleration of the mover's point over the base's, or that of rolling outlines."""
         if joining.path is not None:
             t = joining.path.tangent
-            return t * pace + t.turned() * (joining.path.curvature * speed**2 + 2 * base_spin * speed)
+            along: Vec = t * pace + t.turned() * (joining.path.curvature * speed**2 + 2 * base_spin * speed)
+            return along
         carried = joining.drift.turned() * (2 * base_spin) if joining.drift is not None and base_spin != 0 else STILL
         if joining.rolling is not None:
             roll = joining.rolling
             difference = base_spin - mover_spin
             if roll.mover - roll.base == 0 or difference == 0:
                 return carried
-            return carried + roll.tangent.turned() * (difference**2 / (roll.mover - roll.base))
+            rolled: Vec = carried + roll.tangent.turned() * (difference**2 / (roll.mover - roll.base))
+            return rolled
         return carried
 
     # --- what principles and quantities ask --------------------------------------------------------------------------
@@ -221,7 +223,8 @@ class Motion:
         twist = self.velocities[body]
         if twist.angular == 0:
             return twist.linear
-        return twist.linear + (point - twist.point).turned() * twist.angular
+        found: Vec = twist.linear + (point - twist.point).turned() * twist.angular
+        return found
 
     def acceleration(self, point: Vec, body: str) -> Vec:
         """a of the material point of `body` at `point`."""
@@ -275,8 +278,7 @@ class Motion:
         return gap - joining.drift if joining.drift is not None else gap
 
     def closure_acceleration(self, joining: Joining) -> Vec:
-        """Relative acceleration less its bend and Coriolis part; what a closing joint forbids (along its path: free).
-        """
+        """Relative acceleration less its bend and Coriolis part, which a closing joint forbids (but along its path)."""
         base, mover = self.velocities[joining.base].angular, self.velocities[joining.mover].angular
         bend = self.relative_acceleration(joining, self.slide_speed(joining), ZERO, base, mover)
         return self._gap(joining, self.acceleration) - bend

@@ -50,9 +50,6 @@ class Moving:
     def velocity(self, point: Vec, body: str) -> Vec:
         return self._motion.velocity(point, body)
 
-    def turn(self, body: str) -> sp.Expr:
-        return self._motion.velocities[body].angular
-
     def mass(self, body: str) -> sp.Expr:
         return self._scene.bodies[body].mass
 
@@ -93,7 +90,7 @@ def all_wrenches(scene: Scene, motion: Motion, numbers: Any, skids: Iterable[Ski
     for body in scene.problem.bodies:
         found += weight(name=body.name, during=None, mark=body.mark).wrenches(setting)
     for load in scene.problem.loads:
-        found += load.wrenches(setting)  # type: ignore[arg-type]
+        found += load.wrenches(setting)
     for skid in skids:
         found += _skid(skid, setting, found)
     return tuple(_named(w, scene) for w in found)

@@ -67,7 +67,12 @@ def _surface(scene: Scene, surface: Surface, point: Vec, mark: Mark) -> Outline:
                 "its distance from the centre is the radius",
             )
         if surface.speed is not None:
-            raise refuse(mark, "PL543", f"{surface.name}: a belt runs along a line", "give `speed:` to a line; let a disk turn instead")
+            raise refuse(
+                mark,
+                "PL543",
+                f"{surface.name}: a belt runs along a line",
+                "give `speed:` to a line; let a disk turn instead",
+            )
         found = arc(scene, body, center, shape.center, point)
         return Outline(
             "arc", body, found.tangent, 1 / radius, center, shape.center, _drift(scene, surface, found.tangent)
@@ -78,7 +83,8 @@ def _surface(scene: Scene, surface: Surface, point: Vec, mark: Mark) -> Outline:
 def _drift(scene: Scene, surface: Surface, tangent: Vec | None) -> Vec | None:
     if surface.speed is None or tangent is None:
         return None
-    return tangent * scene.value(surface.speed)
+    found: Vec = tangent * scene.value(surface.speed)
+    return found
 
 
 def _curve(scene: Scene, surface: Surface, shape: Curve, point: Vec, mark: Mark) -> Outline:

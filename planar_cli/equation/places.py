@@ -78,7 +78,8 @@ def _two_lines(point: Point, lines: list[tuple[Vec, Vec]]) -> Vec:
     determinant = d.cross(e)
     if determinant.value == 0:
         raise refuse(point.mark, "PL512", f"{point.name}: the two lines are parallel")
-    return p + d * ((q - p).cross(e) / determinant)
+    found: Vec = p + d * ((q - p).cross(e) / determinant)
+    return found
 
 
 def _line_and_circle(base: Vec, direction: Vec, center: Vec, radius: Jet) -> tuple[Vec, Vec]:

@@ -42,6 +42,17 @@ def only(value: sp.Expr) -> Jet:
     return Jet(value, None, None)
 
 
+def parts_of(v: Vec) -> tuple[Jet, Jet]:
+    """The components of a Vec of jets."""
+    return v.x, v.y
+
+
+def resolved(v: Vec, unit: Vec, along: bool) -> Jet:
+    """The part of a Vec of jets along a unit vector, or across it (turned by 90 deg counterclockwise)."""
+    found: Jet = v.dot(unit if along else unit.turned())
+    return found
+
+
 @dataclass(frozen=True, slots=True)
 class Quantities:
     """Evaluates quantities in one scene, motion and set of reactions."""
@@ -82,17 +93,14 @@ class Quantities:
             )
         if q.word in ("dot", "ddot"):
             return self._dotted(q)
-        handler: Callable[[Quantity], Jet | Vec] = getattr(self, f"_q_{q.word}")
+        handler: Callable[[Quantity], Jet | Vec] = getattr(self, f"_q_{q.word.lower()}")
         return handler(q)
 
     def _dotted(self, q: Quantity) -> Jet | Vec:
         times = 1 if q.word == "dot" else 2
         argument = q.argument
-        found: Jet | Vec
-        if isinstance(argument, Quantity):
-            found = self.any(argument)
-        else:
-            found = self.evaluator.jet(argument)  # type: ignore[arg-type]
+        assert argument is not None
+        found = self.any(argument) if isinstance(argument, Quantity) else self.evaluator.jet(argument)
         try:
             for _ in range(times):
                 found = Vec(found.x.dotted(), found.y.dotted()) if isinstance(found, Vec) else found.dotted()
@@ -111,10 +119,7 @@ class Quantities:
         """r, v and a of a point (or a body's mass centre), as jets."""
         scene = self.scene
         body = scene.owner(name) if name not in scene.bodies or name in scene.points else name
-        if name in scene.bodies and name not in scene.points:
-            at = scene.bodies[name].center
-        else:
-            at = scene.point(name)
+        at = scene.bodies[name].center if name in scene.bodies and name not in scene.points else scene.point(name)
         if body == GROUND:
             formula = scene.formulas.get(name)
             return formula if formula is not None else vector_jet(at, None, None)
@@ -142,10 +147,10 @@ class Quantities:
         return vector_jet(value, velocity, acceleration)
 
     def _q_x(self, q: Quantity) -> Jet:
-        return self._q_r(q).x  # type: ignore[no-any-return]
+        return parts_of(self._q_r(q))[0]
 
     def _q_y(self, q: Quantity) -> Jet:
-        return self._q_r(q).y  # type: ignore[no-any-return]
+        return parts_of(self._q_r(q))[1]
 
     def seen_from(self, name: str, body: str) -> tuple[Vec, Vec]:
         """Relative velocity and acceleration of a point seen from a body: v - v', a - a' - 2 ω k × v_rel."""
@@ -201,7 +206,7 @@ class Quantities:
         v, a = Vec(jets.x.rate, jets.y.rate), Vec(jets.x.second, jets.y.second)
         return only(v.dot(v) ** sp.Rational(3, 2) / sp.Abs(v.cross(a)))
 
-    def _q_IC(self, q: Quantity) -> Vec:
+    def _q_ic(self, q: Quantity) -> Vec:
         """r_G + k × v_G / ω; at infinity when ω is zero."""
         center = self.scene.bodies[q.things[0]].center
         omega = self.motion.velocities[q.things[0]].angular
@@ -217,7 +222,7 @@ class Quantities:
     def _q_mass(self, q: Quantity) -> Jet:
         return constant(sp.Add(*(self.scene.bodies[b].mass for b in self._bodies(q))))
 
-    def _q_I(self, q: Quantity) -> Jet:
+    def _q_i(self, q: Quantity) -> Jet:
         parts = []
         for name in self._bodies(q):
             body = self.scene.bodies[name]
@@ -226,7 +231,7 @@ class Quantities:
             parts.append(body.inertia + body.mass * arm.dot(arm))
         return constant(sp.Add(*parts))
 
-    def _q_KE(self, q: Quantity) -> Jet:
+    def _q_ke(self, q: Quantity) -> Jet:
         """Σ m v_G²/2 + I_G ω²/2."""
         parts = []
         for name in self._bodies(q):
@@ -235,7 +240,7 @@ class Quantities:
             parts.append(body.mass * v.dot(v) / 2 + body.inertia * self.motion.velocities[name].angular ** 2 / 2)
         return only(sp.Add(*parts))
 
-    def _q_PE(self, q: Quantity) -> Jet:
+    def _q_pe(self, q: Quantity) -> Jet:
         """m g y_G, from y = 0."""
         return only(
             sp.Add(
@@ -252,7 +257,7 @@ class Quantities:
             total = total + self.motion.velocity(self.scene.bodies[name].center, name) * self.scene.bodies[name].mass
         return vector_jet(total, None, None)
 
-    def _q_H(self, q: Quantity) -> Jet:
+    def _q_h(self, q: Quantity) -> Jet:
         """Σ r_G × m v_G + I_G ω about the point, by default the mass centre."""
         parts = []
         for name in self._bodies(q):
@@ -273,7 +278,7 @@ class Quantities:
             )
         return self.reactions
 
-    def _q_N(self, q: Quantity) -> Jet:
+    def _q_n(self, q: Quantity) -> Jet:
         return only(self._forces(q).number(q, "normal"))
 
     def _q_tension(self, q: Quantity) -> Jet:
@@ -302,20 +307,18 @@ class Quantities:
     def _part(self, v: Vec, part: Part, q: Quantity) -> Jet | Vec:
         match part.kind:
             case "x":
-                return v.x  # type: ignore[no-any-return]
+                return parts_of(v)[0]
             case "y":
-                return v.y  # type: ignore[no-any-return]
+                return parts_of(v)[1]
             case "mag":
                 return magnitude(v)
             case "angle":
                 return only(sp.atan2(v.y.value, v.x.value))
             case "along" | "across":
-                along = self.direction(part)
-                return v.dot(along) if part.kind == "along" else v.dot(Vec(-along.y, along.x))
+                return resolved(v, self.direction(part), part.kind == "along")
             case "r" | "theta":
                 reach = self._q_r(Quantity("r", q.things, None, (), None, q.mark))
-                along = reach * (constant(1) / magnitude(reach))
-                return v.dot(along) if part.kind == "r" else v.dot(Vec(-along.y, along.x))
+                return resolved(v, reach * (constant(1) / magnitude(reach)), part.kind == "r")
         return self._natural(v, part, q)
 
     def _natural(self, v: Vec, part: Part, q: Quantity) -> Jet:
@@ -344,8 +347,8 @@ class Quantities:
         if isinstance(named, PointPair):
             reach = self.place(named.to) - self.place(named.origin)
             return reach * (constant(1) / magnitude(reach))
-        side: Side = named  # type: ignore[assignment]
-        angle = self.evaluator.jet(side)
+        assert named is not None
+        angle = self.evaluator.jet(named)
         return Vec(angle.through(sp.cos), angle.through(sp.sin))
 
     def _turning_unit(self, unit: Vec, body: str) -> Vec:

@@ -20,8 +20,8 @@ from planar_cli.problem.expression import Name, Side
 from planar_cli.problem.facts import Outline
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import (
-    Curve,
     GROUND,
+    Curve,
     Line,
     Particle,
     Plate,
@@ -63,7 +63,9 @@ class Scene:
             self.formula(point.name)
         self.bodies: dict[str, BodyModel] = {}
         alone = len([b for b in problem.bodies if b.mass is not None or b.weight is not None or b.any_mass]) == 1
-        reader = MassReader(ledger, evaluator, self.point, self.span, self.gravity or ledger.symbols.get("g", sp.S.Zero), alone)
+        reader = MassReader(
+            ledger, evaluator, self.point, self.span, self.gravity or ledger.symbols.get("g", sp.S.Zero), alone
+        )
         for body in problem.bodies:
             self.bodies[body.name] = reader.read(body)
         self.cancelling = reader.cancelling
@@ -121,11 +123,16 @@ class Scene:
         """Does an expression rest on something that is sought?"""
         sought = set(self.ledger.sought)
         return any(
-            s in sought or (s in self.ledger.values and self.rests_on_sought(self.ledger.values[s])) for s in expr.free_symbols
+            s in sought or (s in self.ledger.values and self.rests_on_sought(self.ledger.values[s]))
+            for s in expr.free_symbols
         )
 
     def _mark(self, name: str) -> Mark:
         return next((b.mark for b in self.problem.bodies if b.name == name), Mark(self.problem.file, 1, 1))
+
+    def forget_valuations(self) -> None:
+        """Draw the numbers anew when they are asked for again: symbols were added."""
+        self._valuations = None
 
     @property
     def valuations(self) -> tuple[Valuation, ...]:
@@ -211,11 +218,13 @@ class Scene:
             return self.unit(along)
         if along in self.surfaces:
             shape = self.surfaces[along].shape
-            return self.unit(shape.angle)  # type: ignore[union-attr]
+            assert isinstance(shape, Line)
+            return self.unit(shape.angle)
         body = self.bodies[along]
         if isinstance(body.shape, Rod) and body.shape.end is not None:
             reach = self.point(body.shape.end) - self.point(body.shape.start)
-            return reach / self.length(reach)
+            found: Vec = reach / self.length(reach)
+            return found
         return Vec(sp.cos(body.theta), sp.sin(body.theta))
 
     def curve_formula(self, curve: Curve) -> tuple[sp.Symbol, sp.Expr]:
@@ -275,12 +284,8 @@ class Scene:
         """The disk that a rope passes at a stop, named itself or by its centre; "" for a bare point."""
         if stop in self.bodies and isinstance(self.bodies[stop].shape, Round):
             return stop
-        found = [
-            b
-            for b in self.owners.get(stop, ())
-            if isinstance(self.bodies[b].shape, Round) and self.bodies[b].shape.center == stop
-        ]
-        return found[0] if found else ""
+        shapes = ((b, self.bodies[b].shape) for b in self.owners.get(stop, ()))
+        return next((b for b, shape in shapes if isinstance(shape, Round) and shape.center == stop), "")
 
     def radius(self, body: str) -> sp.Expr:
         """The radius of a round body."""

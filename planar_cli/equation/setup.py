@@ -111,9 +111,10 @@ class Setup:
 
     def _settle_coordinates(self, open_form: bool) -> None:
         """`theta = 30 deg` gives a coordinate its value; with `motion`, its rates as well."""
-        for relation, always in self.statements.relations:
-            if isinstance(relation.right, Name) and not isinstance(relation.left, Name):
-                relation = Relation(relation.right, "=", relation.left, relation.text, relation.mark)
+        for stated, always in self.statements.relations:
+            relation = stated
+            if isinstance(stated.right, Name) and not isinstance(stated.left, Name):
+                relation = Relation(stated.right, "=", stated.left, stated.text, stated.mark)
             symbol = self.ledger.symbols.get(relation.left.name) if isinstance(relation.left, Name) else None
             if symbol is None or symbol not in self.ledger.sought or has_quantity(relation.right):
                 continue

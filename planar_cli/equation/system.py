@@ -84,7 +84,7 @@ class System:
 
     def velocity_conditions(self) -> list[Condition]:
         """Everything that velocities must satisfy (rest is applied afterwards)."""
-        quantities = self._quantities(self.first, None)
+        quantities = self.quantities_of(self.first, None)
         return [*self._conditions(quantities, VELOCITY), *self._touching()]
 
     def _touching(self) -> list[Condition]:
@@ -135,13 +135,14 @@ class System:
 
     def stated_accelerations(self, motion: Motion) -> list[Condition]:
         """What the file itself states of accelerations and forces, in some other motion's unknowns."""
-        return self._file_conditions(self._quantities(motion, self.reactions), ACCELERATION)
+        return self._file_conditions(self.quantities_of(motion, self.reactions), ACCELERATION)
 
     def quantities(self) -> Quantities:
         assert self.motion is not None
-        return self._quantities(self.motion, self.reactions)
+        return self.quantities_of(self.motion, self.reactions)
 
-    def _quantities(self, motion: Motion, reactions: Reactions | None) -> Quantities:
+    def quantities_of(self, motion: Motion, reactions: Reactions | None) -> Quantities:
+        """Quantities in some motion, with these reactions."""
         quantities: list[Quantities] = []
         evaluator = Evaluator(self.scene.ledger, self.scene.evaluator.motions, lambda q: quantities[0].scalar(q))
         quantities.append(Quantities(self.scene, motion, reactions, evaluator))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 from planar_cli.problem.facts import Action, Anchor, Segment
@@ -40,7 +41,7 @@ def free_parts(
     stops = stops_of(rope, scene)
     segments, actions = [], []
     spins: list[tuple[str, Any]] = []
-    for start, end in zip(stops, stops[1:], strict=False):
+    for start, end in pairwise(stops):
         direction, length = _tangent(rope, scene, start, end)
         segments.append(Segment(Anchor(start.body, start.center), Anchor(end.body, end.center), direction, length))
         for stop, pull in ((start, direction), (end, -direction)):

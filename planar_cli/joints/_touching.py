@@ -66,8 +66,7 @@ class Touching:
         return self.mover.kind == "straight" and self.base.kind == "straight"
 
     def _roles(self) -> tuple[Outline, Outline]:
-        """Mover and base: a corner or rim slides on the other outline; of two rims, the moving body on the fixed one.
-        """
+        """Mover and base: a corner or rim slides on the other outline; of two rims, the moving one on the fixed one."""
         scene, contact = self.scene, self.contact
         a, b = (scene.outline(p, self.place, contact.mark) for p in contact.between)
         if (
@@ -78,9 +77,9 @@ class Touching:
             a, b = b, a
         if a.kind == "corner" and b.kind != "corner" and scene.contacts(*contact.between) == 1:
             a = self._flush_edge(a, b)
-        if a.kind == "straight" and b.kind == "straight":
-            if not scene.is_zero(a.tangent.cross(b.tangent)) or scene.contacts(*contact.between) > 1:  # type: ignore[union-attr]
-                a = replace(a, kind="corner", tangent=None)
+        both_straight = a.kind == "straight" and b.kind == "straight"
+        if both_straight and (not self._parallel(a, b) or scene.contacts(*contact.between) > 1):
+            a = replace(a, kind="corner", tangent=None)
         if a.kind == b.kind == "corner":
             raise scene.refuse(
                 contact.mark,
@@ -95,9 +94,13 @@ class Touching:
     def _flush_edge(self, corner: Outline, base: Outline) -> Outline:
         """The edge that lies flush on the base when the contact is named at its corner."""
         for edge in self.scene.edges(corner.body, self.place):
-            if base.kind == "straight" and self.scene.is_zero(edge.tangent.cross(base.tangent)):  # type: ignore[union-attr]
+            if base.kind == "straight" and self._parallel(edge, base):
                 return edge
         return corner
+
+    def _parallel(self, a: Outline, b: Outline) -> bool:
+        """Do two straight edges run along the same line?"""
+        return a.tangent is not None and b.tangent is not None and self.scene.is_zero(a.tangent.cross(b.tangent))
 
     def _outward(self, left: Vec) -> int:
         """+1 when the mover is on the left of the base's tangent.
@@ -113,8 +116,7 @@ class Touching:
         return 1
 
     def _away_from_base(self) -> Vec:
-        """From the mass centre of the base; a round wall named beside its body, about the same centre, is the inside.
-        """
+        """From the mass centre of the base; a round wall named beside its body, about its centre, is the inside."""
         base = self.base
         if base.body == "ground":
             return Vec(0, 0)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import Any, ClassVar
 
 from planar_cli.joints._outline_residuals import center_of, same_turn, together, touching
 from planar_cli.joints.base import Joint
@@ -125,8 +125,8 @@ class Guide(Joint):
         joining: Joining,
         turning: tuple[Row, ...],
         pushes: tuple[Push, ...],
-        static: object,
-        kinetic: object,
+        static: Any,
+        kinetic: Any,
     ) -> tuple[Mode, ...]:
         """A two-sided guide presses on one side or the other: each mode has a sign of N."""
         normal, friction = f"N_{self.name}", f"F_{self.name}"
@@ -142,7 +142,7 @@ class Guide(Joint):
             pressed = Test(self.name, "the side of the guide that is pressed", ((normal, side),))
             limits = tuple(
                 Test(self.name, "friction within its limit", ((normal, side * static), (friction, s))) for s in (1, -1)
-            )  # type: ignore[operator]
+            )
             held = Facts((joining,), (*turning, sliding), pushes)
             modes.append(
                 Mode("stick", f"{joining.place} does not slide in its guide", held, (pressed, *limits), sliding)
@@ -151,7 +151,7 @@ class Guide(Joint):
             for side in (1, -1):
                 pressed = Test(self.name, "the side of the guide that is pressed", ((normal, side),))
                 moves = Test(self.name, "it slides as assumed", row=sliding, sense=direction, strict=True)
-                law = Law(friction, -direction * side * kinetic, normal)  # type: ignore[operator]
+                law = Law(friction, -direction * side * kinetic, normal)
                 facts = Facts((joining,), turning, pushes, (law,))
                 modes.append(
                     Mode("slip", f"{joining.place} slides in its guide", facts, (pressed, moves), sliding, direction)
@@ -172,7 +172,7 @@ class Guide(Joint):
         center = center_of(track, point)
         if center is None or mode.name == "stick":
             return (*found, same_turn(f"{self.name}: angle", mover, base))
-        # On a curved track the body turns with the tangent, which stands across the radius from the centre of curvature.
+        # On a curved track the body turns with the tangent, across the radius from the centre of curvature.
         radius = Residual(
             f"{self.name}: angle",
             lambda poses: poses.angle(mover) - poses.turned(poses.point(mover, point) - poses.point(base, center)),

@@ -84,9 +84,9 @@ class Pin(Joint):
         modes = []
         for direction, words in ((1, "counterclockwise"), (-1, "clockwise")):
             slipping = Facts(facts.joinings, (), (*facts.pushes, push), (Law(couple, -direction * limit, None),))
-            tests = (Test(self.name, f"{mover} turns {words}", row=turning, sense=direction, strict=True),)
+            turns = Test(self.name, f"{mover} turns {words}", row=turning, sense=direction, strict=True)
             modes.append(
-                Mode("slip", f"{mover} turns {words} on its axle at {self.at}", slipping, tests, turning, direction)
+                Mode("slip", f"{mover} turns {words} on its axle at {self.at}", slipping, (turns,), turning, direction)
             )
         held = Facts(facts.joinings, (turning,), (*facts.pushes, push))
         tests = (

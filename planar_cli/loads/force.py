@@ -82,7 +82,8 @@ class Force(Load):
     def _direction(self, scene: MovingSetting, point: Vec) -> Vec:
         if self.towards is not None:
             reach = scene.point(self.towards) - point
-            return reach / scene.length(reach)
+            found: Vec = reach / scene.length(reach)
+            return found
         if self.angle is None:
             raise scene.refuse(
                 self.mark, "PL540", f"the direction of {self.name} is missing", "write `angle: 30 deg` or `towards: P`"
@@ -90,5 +91,6 @@ class Force(Load):
         if self.relative_to is not None:
             along = scene.direction(self.relative_to)
             turn = scene.unit(self.angle)
-            return along * turn.x + along.turned() * turn.y
+            turned: Vec = along * turn.x + along.turned() * turn.y
+            return turned
         return scene.unit(self.angle)

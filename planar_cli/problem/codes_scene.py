@@ -61,6 +61,7 @@ _QUANTITIES = {
     "PL559": "The joint joins two moving bodies; say on which its force is meant: reaction(B/AB).",
     "PL560": "In a file with `states` a find says at which state: v(P) @ 2.",
     "PL570": "The method relates two states and can not answer a question about one instant.",
+    "PL571": "The file has no `find`, neither of its own nor in a case: there is nothing to solve for.",
     "PL590": "This part of the language speaks of a motion over time or of what happens between two states. At one instant, "
     "ask for places, velocities, accelerations and forces.",
 }

@@ -2,12 +2,20 @@
 
 from __future__ import annotations
 
+from decimal import Decimal
+
+import sympy as sp
+
+from planar_cli.equation.exact import ZERO
+from planar_cli.problem.facts import Test
 from planar_cli.report.blocks import Check, Line, Math, Relation, Value, line
 from planar_cli.report.words import Phrases
+from planar_cli.solve.instant import Trial
 from planar_cli.solve.solution import InstantSolution
 from planar_cli.solve.worked import unknowns_of
 
 MOST_PRESSES = 4
+TINY = Decimal("1e-30")
 
 
 def check_blocks(instant: InstantSolution, phrases: Phrases) -> list[Check]:
@@ -38,4 +46,44 @@ def _presses(instant: InstantSolution, phrases: Phrases) -> list[Line]:
                 found.append(
                     line(Relation(Math(symbol), "=", Value(values[symbol], push.unit, phrases.figures)), " > 0")
                 )
-    return found[:MOST_PRESSES]
+    return [*found[:MOST_PRESSES], *_friction(instant, phrases)]
+
+
+def _friction(instant: InstantSolution, phrases: Phrases) -> list[Line]:
+    """|F| against its limit where a contact sticks: the decision of the exercise."""
+    outcome, found = instant.trial.outcomes[0], []
+    for mode in instant.trial.system.modes.values():
+        limits = [t for t in mode.tests if not t.strict and any(n.startswith("F_") for n, _ in t.pushes)]
+        if mode.name == "stick" and limits:
+            compared = friction_against_limit(instant.trial, limits[0], phrases)
+            if compared and outcome.value is not None:
+                found.append(compared)
+    return found
+
+
+def friction_against_limit(trial: Trial, test: Test, phrases: Phrases) -> Line:
+    """|F| = 29 N ≤ μ_s N = 76 N, with the sign that the numbers have; nothing where they are not unique."""
+    outcome = trial.outcomes[0]
+    values = {name: outcome.push(name) for name, _ in test.pushes}
+    if any(v is None for v in values.values()):
+        return ()
+    name = next(n for n, _ in test.pushes if n.startswith("F_"))
+    size = abs(values[name] or ZERO)
+    limit = outcome.value(sp.sympify(test.constant))
+    formula = sp.sympify(test.constant)
+    for other, factor in test.pushes:
+        if other != name:
+            limit += outcome.value(factor) * (values[other] or ZERO)
+            formula += factor * trial.system.symbols[other]
+    relation = "≤" if size <= limit * (1 + TINY) else ">"
+    shown = abs(limit)
+    return line(
+        "|",
+        Math(trial.system.symbols[name]),
+        "| = ",
+        Value(size, "N", phrases.figures),
+        f" {relation} ",
+        phrases.math(formula),
+        " = ",
+        Value(shown, "N", phrases.figures),
+    )

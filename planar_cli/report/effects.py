@@ -34,6 +34,8 @@ def effects(instant: InstantSolution) -> tuple[list[str], list[str]]:
             present.append(words)
     if has_mass:
         present += _contacts(instant)
+    driven = [p.place for p in system.pushes if p.kind == "drive"]
+    present += [f"what keeps {place}" for place in driven]
     turning = [n for n, b in scene.bodies.items() if b.rigid and b.inertia != 0]
     if turning and has_mass:
         present.append("rotational inertia of " + ", ".join(turning))
@@ -49,6 +51,8 @@ def _contacts(instant: InstantSolution) -> list[str]:
     system = instant.trial.system
     found: dict[str, list[str]] = {}
     for push in system.pushes:
+        if push.kind == "drive":
+            continue
         words = {
             "normal": "normal force",
             "friction": "friction",
@@ -60,10 +64,10 @@ def _contacts(instant: InstantSolution) -> list[str]:
         if words not in found.setdefault(place, []):
             found[place].append(words)
     lines = []
-    for place, words in found.items():
+    for place, listed in found.items():
         joint = next(m for j, m in system.modes.items() if system.aliases[j] == place)
-        rolling = any(j.rolling is not None for j in joint.facts.joinings)
-        lines.append(" and ".join(words) + f" at {place}" + (" (rolling, no slip)" if rolling else ""))
+        rolling = not joint.name and any(j.rolling is not None for j in joint.facts.joinings)
+        lines.append(" and ".join(listed) + f" at {place}" + (" (rolling, no slip)" if rolling else ""))
     return lines
 
 
@@ -75,7 +79,8 @@ def _coriolis(instant: InstantSolution) -> bool:
         return False
     for mode in system.modes.values():
         for j in mode.facts.joinings:
-            if j.path is not None and motion.velocities[j.base].angular != 0 and motion.slide_speed(j) != 0:
-                if not value.is_zero(motion.slide_speed(j)):
-                    return True
+            if j.path is None or motion.velocities[j.base].angular == 0 or motion.slide_speed(j) == 0:
+                continue
+            if not value.is_zero(motion.slide_speed(j)):
+                return True
     return False

@@ -45,23 +45,24 @@ def _acting(instant: InstantSolution, body: str, phrases: Phrases) -> Line:
                 parts.append([phrases.math(w.couple), Text(" ↺")])
     assert system.reactions is not None
     for push, expr in system.reactions.pushes:
-        for action in push.actions:
-            if action.body == body:
-                parts.append(_push(push, expr, action, phrases))
+        own = (a for a in push.actions if a.body == body)
+        parts.extend(_push(push, expr, a, phrases, _at(instant, a.point)) for a in own)
     joined: list[Any] = []
     for i, part in enumerate(parts):
         joined += [Text(",  ")] * bool(i) + part
     return tuple(joined)
 
 
-def _push(push: Push, expr: sp.Expr, action: Any, phrases: Phrases) -> list[Any]:
+def _push(push: Push, expr: sp.Expr, action: Any, phrases: Phrases, place: str) -> list[Any]:
+    """One reaction on a body. `place`: "at P" where its point has a name."""
     if action.force is None:
         sign = phrases.value(sp.sympify(action.couple))
         return [Math(expr), Text(" ↺" if sign > 0 else " ↻")]
+    where = f"at {push.place}" if push.kind != "tension" else place
     if expr.could_extract_minus_sign():
-        return [phrases.math(-expr), Text(f" {phrases.arrow(-action.force.x, -action.force.y)} at {push.place}")]
+        return [phrases.math(-expr), Text(f" {phrases.arrow(-action.force.x, -action.force.y)} {where}")]
     assumed = " (assumed)" if push.kind == "friction" and expr.is_Symbol else ""
-    return [Math(expr), Text(f" {phrases.arrow(action.force.x, action.force.y)} at {push.place}{assumed}")]
+    return [Math(expr), Text(f" {phrases.arrow(action.force.x, action.force.y)} {where}{assumed}")]
 
 
 def _at(instant: InstantSolution, point: Any) -> str:

@@ -10,6 +10,7 @@ import sympy as sp
 from planar_cli.equation.plain import longer
 from planar_cli.registry import members
 from planar_cli.report.blocks import Block, Equation, Heading, Line, Math, Name, Note, Paragraph, Text, line
+from planar_cli.report.checks import friction_against_limit
 from planar_cli.report.forces import force_rows
 from planar_cli.report.words import Phrases
 from planar_cli.solve.algebra import Line as SolvedLine
@@ -18,7 +19,6 @@ from planar_cli.solve.solution import InstantSolution
 from planar_cli.solve.stages import Stage
 from planar_cli.solve.used import used_blocks
 from planar_cli.solve.write import Explicit, Written
-
 
 LONG_FORMULA = 16
 """A named intermediate with a longer formula is given by its value alone, except in a lesson."""
@@ -80,9 +80,9 @@ class Telling:
         return [Note("Assume", line("; ".join(words)))] if words else []
 
     def _objection(self, trial: Any) -> Line:
-        words = {"velocities": "the velocities contradict it", "contradiction": "the equations contradict it"}
+        reasons = {"velocities": "the velocities contradict it", "contradiction": "the equations contradict it"}
         if not trial.tests:
-            return line(words.get(trial.objection, trial.objection))
+            return line(reasons.get(trial.objection, trial.objection))
         test, value = trial.tests[0]
         if value is None:
             words = list(dict.fromkeys(t.words for t, v in trial.tests if v is None and len(t.pushes) > 1)) or [
@@ -92,17 +92,18 @@ class Telling:
         return line(f"this would not hold: {test.words}", self._by_how_much(trial, test))
 
     def _by_how_much(self, trial: Any, test: Any) -> Line:
-        """The pushes that the failed test compares."""
+        """What the failed test compares: friction with its limit, or the push that should press."""
         if self.phrases.symbolic or not test.pushes:
             return ()
-        parts: list[Any] = [" ("]
-        for name, _ in test.pushes:
-            value = trial.outcomes[0].push(name)
-            if value is None or name not in trial.system.symbols:
-                return ()
-            symbol = trial.system.symbols[name]
-            parts += [", " if len(parts) > 1 else "", Math(symbol), " = ", self.phrases.shown(symbol, value)]
-        return line(*parts, ")")
+        if len(test.pushes) == 2 and any(n.startswith("F_") for n, _ in test.pushes):
+            compared = friction_against_limit(trial, test, self.phrases)
+            return line(" (", compared, ")") if compared else ()
+        name = test.pushes[0][0]
+        value = trial.outcomes[0].push(name)
+        if value is None or name not in trial.system.symbols:
+            return ()
+        symbol = trial.system.symbols[name]
+        return line(" (", Math(symbol), " = ", self.phrases.shown(symbol, value), ")")
 
     # --- step 1 ------------------------------------------------------------------------------------------------------
 
@@ -205,7 +206,10 @@ class Telling:
             ]
         arrow = {"x": "→ ", "y": "↑ "}.get(w.lead, "↗ ")
         lead = line(arrow, Name(f"ΣF_{w.lead}") if w.lead else Text("ΣF"), ":")
-        return [Paragraph(self._named(f"{group}:" if w.lead else f"{group}, {w.words}:")), Equation(sides, number, lead)]
+        return [
+            Paragraph(self._named(f"{group}:" if w.lead else f"{group}, {w.words}:")),
+            Equation(sides, number, lead),
+        ]
 
     def _named(self, words: str) -> Line:
         """Words in which the names of symbols are set as mathematics."""
@@ -224,7 +228,9 @@ class Telling:
             joint = next((j for j in self.system.tree.closures if j.joint == w.lead), None)
             if joint is not None:
                 base = "the ground" if joint.base == "ground" else joint.base
-                return f"Point {joint.place} of {joint.mover} moves with {base}, {w.words}:"
+                if joint.path is not None:
+                    return f"{joint.place} stays on its path on {base}, across which nothing moves:"
+                return f"{joint.place} is a point of {joint.mover} and of {base}; {w.words}:"
         return f"{w.lead[:1].upper()}{w.lead[1:]}{', ' + w.words if w.words and w.source != 'row' else ''}:"
 
     def _moment_words(self, w: Written, group: str, stage: Stage) -> Line:
@@ -240,7 +246,7 @@ class Telling:
             ", ",
             self.phrases.math(place.y),
             ")",
-        ]  # type: ignore[attr-defined]
+        ]
         if through:
             parts += [", where ", Math(through[0]), " and ", Math(through[1]), " meet, so that neither enters:"]
         else:
@@ -259,7 +265,8 @@ class Telling:
         equations = sum(len(b.equations) for b in blocks)
         unknowns = [u for b in blocks for u in b.unknowns]
         parts: list[Any] = [
-            f"{equations} equation{'s' if equations != 1 else ''}, {len(unknowns)} unknown{'s' if len(unknowns) != 1 else ''}: "
+            f"{equations} equation{'s' if equations != 1 else ''}, "
+            f"{len(unknowns)} unknown{'s' if len(unknowns) != 1 else ''}: ",
         ]
         for i, u in enumerate(unknowns):
             parts += [", " if i else "", Math(u)]

@@ -44,8 +44,7 @@ _PLAIN = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
 
 @dataclass(frozen=True, slots=True)
 class Phrases:
-    """Phrases for one ledger and valuation. `figures`: significant figures. `symbolic`: letters remain, so no numbers.
-    """
+    """Phrases for one ledger and valuation. `figures`: significant figures. `symbolic`: letters remain, no numbers."""
 
     ledger: Ledger
     value: Valuation
@@ -113,14 +112,19 @@ def answer_line(found: Found, phrases: Phrases) -> Line:
     numbers = [display(v, found.unit) for v in found.values]
     unit = "J" if found.energy and found.unit.text == "N*m" else found.unit.text
     if found.kind == "vector":
-        return _vector_line(numbers, unit, phrases.figures)
+        what = found.find.found.what if found.find is not None else None
+        place = isinstance(what, Quantity) and what.word in ("IC", "r")
+        return _vector_line(numbers, unit, phrases.figures, place)
     words = direction_words(found, numbers[0])
     shown = abs(numbers[0]) if words else numbers[0]
     return (Value(shown, unit, phrases.figures), Text(f" {words}" if words else ""))
 
 
-def _vector_line(numbers: list[Decimal], unit: str, figures: int) -> Line:
+def _vector_line(numbers: list[Decimal], unit: str, figures: int, place: bool) -> Line:
+    """Components, then magnitude and direction; a place has components only."""
     x, y = numbers
+    if x.is_infinite() or y.is_infinite():
+        return (Text("at infinity"),)
     size = (x * x + y * y).sqrt()
     words = vector_words(x, y)
     parts = (
@@ -158,7 +162,7 @@ def answer_word(found: Found) -> str:
 
 
 def direction_words(found: Found, number: Decimal) -> str:
-    """ "clockwise", "to the right", "upward": for rotations and for x and y parts."""
+    """Words such as "clockwise", "to the right", "upward": for rotations and for x and y parts."""
     what = found.find.found.what if found.find is not None else None
     if not isinstance(what, Quantity) or not number or found.values is None:
         return ""

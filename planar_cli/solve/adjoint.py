@@ -78,7 +78,7 @@ def _groups(
     twists: dict[str, tuple[Decimal, Decimal, Decimal]],
     single: dict[str, tuple[Row, Row, Row]],
 ) -> list[Candidate]:
-    neighbours = offers._neighbours()
+    neighbours = offers.neighbours()
     size = max((abs(p) for t in twists.values() for p in t), default=ZERO)
     if not size:
         return []

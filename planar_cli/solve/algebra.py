@@ -61,7 +61,7 @@ class Algebra:
         if len(order) == 1:
             lines = [self._single(written[0], order[0])]
         else:
-            lines = self._together([self._residual(w, order) for w in written], written, order, letters)
+            lines = self._together([self.in_unknowns(w, order) for w in written], written, order, letters)
         for line in lines:
             if not line.letters:
                 self.value = (
@@ -72,7 +72,7 @@ class Algebra:
                 self.formulas[line.symbol] = line.formula
         return SolvedBlock(written, order, letters, tuple(lines))
 
-    def _residual(self, equation: Written, unknowns: tuple[sp.Symbol, ...]) -> sp.Expr:
+    def in_unknowns(self, equation: Written, unknowns: tuple[sp.Symbol, ...]) -> sp.Expr:
         """Left minus right side; explicit lines are put in where they hold an unknown of the block, else they have
         values.
         """
@@ -114,7 +114,7 @@ class Algebra:
             return True
 
     def _single(self, equation: Written, x: sp.Symbol) -> Line:
-        formula = self._solve_for(self._residual(equation, (x,)), x)
+        formula = self._solve_for(self.in_unknowns(equation, (x,)), x)
         return Line(x, formula, self.value(formula), (equation.number,))
 
     def _together(

@@ -178,7 +178,7 @@ class Assembly:
         sought: tuple[tuple[str, Wrench], ...] = (),
     ) -> None:
         """Σ F - m a = 0 and Σ M_G - I α = 0 of every body. `sought`: what a unit of an unknown load does."""
-        rows = {body: [{}, {}, {}] for body in self.centers}  # type: ignore[var-annotated]
+        rows: dict[str, tuple[dict[int, Decimal], ...]] = {body: ({}, {}, {}) for body in self.centers}
         for push in pushes:
             for action in push.actions:
                 self._act(rows, self.column(push.name), action.body, action.point, action.force, action.couple)

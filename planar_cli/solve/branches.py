@@ -58,7 +58,7 @@ class Brancher:
         self, algebra: Algebra, block: Block, written: tuple[Written, ...]
     ) -> Iterator[tuple[Algebra, SolvedBlock, tuple[Choice, ...]]]:
         order = tuple(self.unknowns[j] for j in block.unknowns)
-        residuals = [self._opened(algebra._residual(w, order), algebra, order) for w in written]
+        residuals = [self._opened(algebra.in_unknowns(w, order), algebra, order) for w in written]
         if self._linear(residuals, order):
             after = copied(algebra)
             yield after, after.solve(block, written, self.unknowns), ()
@@ -121,12 +121,14 @@ class Brancher:
             left.remove(x)
         residual, equation = pool[0]
         x = left[0]
+        if vanishes(residual, x, algebra.value):
+            return
         roots = real_roots(residual, x, algebra.value, self.symbolic, x in self.angles)
         for taken, root in enumerate(roots):
             after = copied(algebra)
             found = self._back(after, x, root, lines, equation.number)
             choice = Choice(x, residual, tuple(roots), taken, equation.number)
-            yield after, SolvedBlock(written, order, (x,) if len(order) > 1 else (), tuple([*lines, *found])), (choice,)
+            yield after, SolvedBlock(written, order, (x,) if len(order) > 1 else (), (*lines, *found)), (choice,)
 
     def _eliminate(
         self, pool: list[tuple[sp.Expr, Written]], left: list[sp.Symbol], letters: tuple[sp.Symbol, ...]
@@ -157,6 +159,15 @@ class Brancher:
         return found
 
 
+def vanishes(residual: sp.Expr, x: sp.Symbol, value: Valuation) -> bool:
+    """Does an equation hold for every value of its unknown? Then it follows from the others and says nothing of it."""
+    tried = (value.extended({x: Decimal(n)}) for n in ("0.73205", "1.31607", "0.27915"))
+    try:
+        return all(v.is_zero(residual) for v in tried)
+    except (ArithmeticError, LookupError):
+        return False
+
+
 def holds(definitions: Mapping[sp.Symbol, sp.Expr], symbol: sp.Symbol, unknowns: set[sp.Symbol]) -> bool:
     """Does a named intermediate rest on one of the unknowns?"""
     expr = definitions.get(symbol)
@@ -175,6 +186,3 @@ def copied(algebra: Algebra) -> Algebra:
     )
     twin.formulas = dict(algebra.formulas)
     return twin
-
-
-__all__ = ["Branch", "Brancher", "Choice", "Decimal"]

@@ -1,5 +1,4 @@
-"""Why an instant has no solution, by name: what contradicts what and by how much, what is open and what would close it.
-"""
+"""Why an instant has no solution, by name: what contradicts what and how much, what is open and what would close it."""
 
 from __future__ import annotations
 

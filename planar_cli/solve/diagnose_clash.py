@@ -102,7 +102,7 @@ def _settled(trial: Trial, velocities: bool) -> tuple[Quantities, Valuation] | N
         found = trial.velocities[0] if trial.velocities else None
         if found is None or found.conflict is not None:
             return None
-        return system._quantities(system.first, None), system.scene.valuations[0].extended(found.values)
+        return system.quantities_of(system.first, None), system.scene.valuations[0].extended(found.values)
     if trial.outcomes and trial.outcomes[0].solved.conflict is None:
         outcome = trial.outcomes[0]
         return system.quantities(), outcome.value.extended(unknowns_of(system, outcome))
@@ -147,7 +147,7 @@ def check_positions(instant: Instant) -> None:
 def _as_drawn(instant: Instant, relation: Relation) -> Diagnostic | None:
     """What is wrong with one relation about places."""
     system = instant.system(tuple(0 for _ in instant.modes))
-    quantities = system._quantities(system.first, None)
+    quantities = system.quantities_of(system.first, None)
     value = instant.scene.valuations[0]
     try:
         sides = [vector_or_jet(s, quantities, quantities.evaluator) for s in (relation.left, relation.right)]
@@ -182,7 +182,8 @@ def demand_drawn(instant: Instant, trial: Trial) -> None:
             off = max((abs(p.value) for p in parts), default=Decimal(0))
             if off > NEGLIGIBLE:
                 gap = "" if instant.scene.ledger.symbolic else f" by {short(off)} (SI units)"
-                text = f"the {joint.kind} {instant.aliases[joint.name]} does not fit the drawing: {residual.title} is off{gap}"
+                name = f"the {joint.kind} {instant.aliases[joint.name]}"
+                text = f"{name} does not fit the drawing: {residual.title} is off{gap}"
                 hint = "correct the length or a point, or leave the length out"
                 wrong.append(Diagnostic(joint.mark, "PL615", text, hint))
     if wrong:

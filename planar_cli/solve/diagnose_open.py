@@ -22,8 +22,8 @@ from planar_cli.solve.diagnose_words import (
     listed,
     moved_accelerations,
     moved_velocities,
-    one_of,
     on_whom,
+    one_of,
     push_name,
     short,
 )
@@ -81,7 +81,7 @@ def at_change_point(instant: Instant, trial: Trial, mark: Mark) -> Diagnostic | 
     found = change_point(instant, trial.system)
     if found is None:
         return None
-    text = "change point: as drawn, the joints lose an equation, and the velocities alone do not say how the linkage goes on"
+    text = "change point: as drawn, the joints lose an equation, and velocities do not say how the linkage goes on"
     ways = _ways(instant, found)
     if ways:
         text += f": {', or '.join(ways)}"
@@ -102,11 +102,8 @@ def _ways(instant: Instant, found: ChangePoint) -> list[str]:
     for branch in found.branches:
         ratios = {body: branch[s] / branch[leader] for s, body in spins.items() if s != leader}
         parts = [_ratio(body, r, spins[leader]) for body, r in ratios.items()]
-        kind = (
-            "as a parallelogram"
-            if ratios and all(r in (0, 1) or abs(r - 1) < FAINT for r in ratios.values())
-            else "crossed"
-        )
+        parallel = ratios and all(not r or abs(r - 1) < FAINT for r in ratios.values())
+        kind = "as a parallelogram" if parallel else "crossed"
         ways.append(f"{kind} with {listed(parts)}")
     if not any(w.startswith("as a") for w in ways):
         return [w.removeprefix("crossed ") for w in ways]
@@ -146,13 +143,13 @@ def _depends(instant: Instant, trial: Trial, find: Find, null: list[Decimal]) ->
     if isinstance(what, Quantity) and what.word == "mode":
         return False
     system, outcome = trial.system, trial.outcomes[0]
-    quantities = system._quantities(instant.free, system.reactions)
+    quantities = system.quantities_of(instant.free, system.reactions)
     sides = (what.left, what.right) if isinstance(what, Relation) else (what,)
     try:
         values = [vector_or_jet(s, quantities, quantities.evaluator) for s in sides if not _is_mode(s)]
         exprs = [p.value for v in values for p in ((v.x, v.y) if isinstance(v, Vec) else (v,)) if p.value is not None]
         before, after = (_with(instant, trial, outcome, step, null) for step in (ZERO, Decimal("1.37")))
-        return any(abs(after(e) - before(e)) > FAINT * max(abs(before(e)), 1) for e in exprs)
+        return any(abs(after(e) - before(e)) > FAINT * (abs(before(e)) + 1) for e in exprs)
     except (Unvalued, ArithmeticError, ValueError, KeyError):
         return False
 

@@ -156,7 +156,7 @@ def dead_centre(instant: Instant, system: System) -> DeadCentre | None:
     if not joints.null or not joints.steady:
         return None
     names = {s.name for s in instant.scene.ledger.coordinates}
-    quantities = system._quantities(system.first, None)
+    quantities = system.quantities_of(system.first, None)
     for relation, _ in instant.statements.relations:
         conditions = stated([(relation, True)], quantities, quantities.evaluator, names, VELOCITY)
         try:
@@ -193,7 +193,7 @@ def _changes(joints: Joints, relation: Relation, names: set[str], vector: Vector
     solved = solve(rows, len(rates))
     if solved.conflict is not None:
         return False
-    quantities = system._quantities(system.first, None)
+    quantities = system.quantities_of(system.first, None)
     settled = numbers.extended(dict(zip(rates, solved.values, strict=True)))
     conditions = stated([(relation, True)], quantities, quantities.evaluator, names, ACCELERATION)
     return any(abs(certain(e, settled)) > SMALL for c in conditions for e in c.rows())

@@ -96,10 +96,8 @@ def moved_velocities(instant: Instant, system: System, change: Change) -> list[s
     def changes(expr: sp.Expr) -> bool:
         return abs(moving(expr) - zero(expr)) > Decimal("1e-25")
 
-    found = []
-    for body in instant.scene.bodies:
-        if instant.scene.rigid(body) and changes(system.first.velocities[body].angular):
-            found.append(f"omega({body})")
+    rigid = [b for b in instant.scene.bodies if instant.scene.rigid(b)]
+    found = [f"omega({b})" for b in rigid if changes(system.first.velocities[b].angular)]
     for body, model in instant.scene.bodies.items():
         if not instant.scene.rigid(body):
             v = system.first.velocity(model.center, body)
@@ -117,10 +115,7 @@ def moved_velocities(instant: Instant, system: System, change: Change) -> list[s
 
 def moved_accelerations(instant: Instant, system: System, change: Mapping[object, Decimal]) -> list[str]:
     """The accelerations that a freedom changes; `change` by (body, part) and by names."""
-    found = []
-    for body in instant.scene.bodies:
-        if change.get((body, "turn"), ZERO):
-            found.append(f"alpha({body})")
+    found = [f"alpha({b})" for b in instant.scene.bodies if change.get((b, "turn"), ZERO)]
     for body in instant.scene.bodies:
         axes = [axis for axis in ("x", "y") if change.get((body, axis), ZERO)]
         free = any(e.body == body and e.joining is None for e in system.tree.edges)
@@ -176,4 +171,4 @@ def unknown_name(system: System, symbol: sp.Symbol) -> str:
     for push in system.pushes:
         if system.symbols.get(push.name) == symbol:
             return push_name(system, push)
-    return symbol.name
+    return str(symbol.name)

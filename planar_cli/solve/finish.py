@@ -249,9 +249,7 @@ class Finisher:
         for stage in stages:
             formulas.update(stage.algebra.explicit)
             formulas.update(stage.algebra.formulas)
-        for s, v in self.trial.velocities[0].values.items():
-            if not v:
-                formulas[s] = sp.S.Zero
+        formulas.update({s: sp.S.Zero for s, v in self.trial.velocities[0].values.items() if not v})
         for stage in stages:
             formulas.update(dict.fromkeys(stage.zero, sp.S.Zero))
         for _ in range(80):
@@ -276,8 +274,7 @@ class Finisher:
 
 
 def _number(expr: Any, value: Valuation) -> Decimal:
+    if expr in (sp.oo, -sp.oo):
+        return Decimal("Infinity") if expr == sp.oo else Decimal("-Infinity")
     number = value(expr)
     return Decimal(0) if number and value.is_zero(expr) else number
-
-
-__all__ = ["Finisher", "replace"]

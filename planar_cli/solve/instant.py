@@ -51,7 +51,7 @@ class Instant:
         self.joints = distinct(self.scene.problem.joints)
         self.aliases = alias_of(self.scene.problem.joints, self.joints)
         self.modes: list[tuple[Joint, tuple[Mode, ...]]] = [(j, j.modes(self.scene)) for j in self.joints]
-        self.scene._valuations = None
+        self.scene.forget_valuations()
         names = [b.name for b in self.scene.problem.bodies]
         self.builder = TreeBuilder(self.scene.ledger, self.scene.rigid, self.scene.center_name, names)
         self.symbols: dict[str, sp.Symbol] = {}
@@ -240,7 +240,7 @@ def begins(instant: Instant, trial: Trial, other: Trial) -> bool:
     static limit, so that the other one counts.
     """
     differs = False
-    for (joint, modes), i, j in zip(instant.modes, trial.choice, other.choice, strict=True):
+    for (_, modes), i, j in zip(instant.modes, trial.choice, other.choice, strict=True):
         if i != j:
             differs = True
             if modes[j].name != "stick" or modes[i].name != "slip":
@@ -258,7 +258,7 @@ def same_motion(a: Trial, b: Trial) -> bool:
     for key, column in one.assembly.columns.items():
         if isinstance(key, tuple):
             x, y = one.solved.values[column], other.solved.values[other.assembly.columns[key]]
-            if abs(x - y) > TINY * max(abs(x), abs(y), 1):
+            if abs(x - y) > TINY * max(abs(x), abs(y), Decimal(1)):
                 return False
     return True
 
@@ -268,6 +268,3 @@ def make_instant(
 ) -> Instant:
     """The instant of a problem with what holds always and what holds now."""
     return Instant(Setup(problem, Statements.of(always, now), earlier, open_form))
-
-
-__all__ = ["Instant", "Scene", "Trial", "make_instant", "search_modes"]

@@ -102,8 +102,8 @@ class Offers:
 
     def groups(self) -> list[Group]:
         """Connected groups, the smallest first; all of them where they are few."""
-        neighbours = self._neighbours()
-        bodies = [b for b in self.scene.bodies]
+        neighbours = self.neighbours()
+        bodies = list(self.scene.bodies)
         found: list[frozenset[str]] = [frozenset([b]) for b in bodies]
         seen, layer = set(found), list(found)
         while layer and len(found) < MOST_GROUPS:
@@ -122,7 +122,7 @@ class Offers:
         single = {b: self.body_rows(b) for b in bodies}
         return [self._group(tuple(b for b in bodies if b in g), single) for g in found]
 
-    def _neighbours(self) -> dict[str, set[str]]:
+    def neighbours(self) -> dict[str, set[str]]:
         found: dict[str, set[str]] = {b: set() for b in self.scene.bodies}
         for push in self.system.pushes:
             bodies = {a.body for a in push.actions if a.body != GROUND}
@@ -151,18 +151,17 @@ class Offers:
 
     def _group(self, bodies: tuple[str, ...], single: dict[str, tuple[Row, Row, Row]]) -> Group:
         ones = [ONE] * len(bodies)
-        rows = tuple(combine([single[b][i] for b in bodies], ones) for i in range(3))
+        x, y, m = (combine([single[b][i] for b in bodies], ones) for i in range(3))
         lines: dict[int, Three] = {}
         for j in self._killable(bodies):
-            wrench = (rows[0][j], rows[1][j], rows[2][j])
+            wrench = (x[j], y[j], m[j])
             if wrench[0] or wrench[1]:
                 lines[j] = wrench
         turning = any(self.scene.rigid(b) for b in bodies) and not any(self._pressed_aside(b) for b in bodies)
-        return Group(bodies, rows, lines, turning)  # type: ignore[arg-type]
+        return Group(bodies, (x, y, m), lines, turning)
 
     def _pressed_aside(self, body: str) -> bool:
-        """Does a force act on a particle elsewhere than at its place? It is then held by a couple that nobody asks for.
-        """
+        """Does a force act on a particle elsewhere than at its place? Then a couple that nobody asks for holds it."""
         if self.scene.rigid(body):
             return False
         if body not in self._aside:
@@ -207,7 +206,9 @@ class Offers:
             self._force(group, Vec(sp.S.Zero, sp.S.One), "y", c.AXIS),
         ]
         for direction, words in self._named_directions(group):
-            found.append(self._force(group, direction, words, c.NAMED_SLANT))
+            found.append(
+                self._force(group, direction, words, c.ALONG_CONTACT if words.startswith("along") else c.NAMED_SLANT)
+            )
         if not group.turning:
             return c.cheapest(found)
         named = self._named_points(group)
@@ -357,7 +358,8 @@ def _inertia_line(system: System, bodies: tuple[str, ...], symbol: sp.Symbol, nu
 
 def body_residuals(system: System, body: str) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
     """Force and moment residuals of one body about the origin: Σ F - m a, Σ M - (r × m a + I α)."""
-    assert system.motion is not None and system.reactions is not None
+    assert system.motion is not None
+    assert system.reactions is not None
     model = system.scene.bodies[body]
     x: list[sp.Expr] = []
     y: list[sp.Expr] = []

@@ -146,7 +146,9 @@ class Planner:
         if len(inside) < len(wanted):
             return False
         aims = [place[j] for j in wanted]
-        answer = rough.fixes(([row[j] for j in chosen] for row in map(self.floats.__getitem__, inside)), len(chosen), aims)
+        answer = rough.fixes(
+            ([row[j] for j in chosen] for row in map(self.floats.__getitem__, inside)), len(chosen), aims
+        )
         if answer is not None:
             return answer
         return determines([columns(self.candidates[i].row, chosen) for i in inside], len(chosen), aims)

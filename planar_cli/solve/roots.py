@@ -7,6 +7,7 @@ only.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from decimal import Decimal
 
@@ -75,7 +76,7 @@ def _distinct(roots: list[Root], angle: bool) -> list[Root]:
                 v -= 2 * PI
             while v <= -PI + TINY:
                 v += 2 * PI
-        if not any(abs(v - o.value) <= TINY * max(abs(v), 1) for o in found):
+        if not any(abs(v - o.value) <= TINY * max(abs(v), Decimal(1)) for o in found):
             found.append(Root(root.expression, v))
     return sorted(found, key=lambda r: r.value)
 
@@ -194,11 +195,13 @@ def _scan(expr: sp.Expr, x: sp.Symbol, value: Valuation, angle: bool) -> list[De
     return found
 
 
-def _refine(f: object, a: Decimal, b: Decimal) -> Decimal | None:
-    fa, fb = f(a), f(b)  # type: ignore[operator]
+def _refine(f: Callable[[Decimal], Decimal | None], a: Decimal, b: Decimal) -> Decimal | None:
+    fa, fb = f(a), f(b)
+    if fa is None or fb is None:
+        return None
     for _ in range(220):
         middle = (a + b) / 2
-        fm = f(middle)  # type: ignore[operator]
+        fm = f(middle)
         if fm is None:
             return None
         if fm == 0 or abs(b - a) <= Decimal("1e-45") * max(abs(a), abs(b)):

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import time
-from dataclasses import replace
 from typing import Any
 
 import sympy as sp
@@ -31,6 +30,8 @@ def solve_problem(problem: Problem, method: str | None = None) -> Solution:
     Undecided.
     """
     started = time.perf_counter()
+    if not problem.find and not any(case.problem.find for case in problem.cases):
+        raise refuse(Mark(problem.file, 1, 1), "PL571", "nothing is asked", "write `find: {a: a(G)}`")
     chosen = method or problem.method or "newton"
     objection = members("principles")[chosen]().objection(problem)
     if objection:
@@ -155,6 +156,3 @@ def _answer_unit(value: Any) -> str | None:
     if isinstance(value, bool | str):
         return None
     return first_unit(value)
-
-
-__all__ = ["replace", "solve_problem"]

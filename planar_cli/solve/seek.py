@@ -35,7 +35,7 @@ from planar_cli.solve.instant import Instant, Trial
 from planar_cli.solve.numbers import Numbers
 from planar_cli.solve.offers import Offers, body_residuals
 from planar_cli.solve.plan import Plan, Planner
-from planar_cli.solve.stages import _put_in, acceleration_unknowns
+from planar_cli.solve.stages import acceleration_unknowns, with_zeros
 from planar_cli.solve.study import solve_velocities
 from planar_cli.solve.write import Writer
 from planar_cli.units import MASS, PURE
@@ -91,7 +91,7 @@ class Seeker:
         quantities = self.system.quantities()
         names = {s.name for s in self.ledger.coordinates}
         places = stated(list(self.instant.statements.relations), quantities, quantities.evaluator, names, POSITION)
-        velocities = [_put_in(c, self.still) for c in self.system.velocity_conditions()]
+        velocities = [with_zeros(c, self.still) for c in self.system.velocity_conditions()]
         return [*places, *velocities, *self.system.acceleration_conditions()]
 
     def _linear(self) -> frozenset[sp.Symbol]:
@@ -111,7 +111,7 @@ class Seeker:
     def _hidden(self) -> set[sp.Symbol]:
         """Symbols on which geometry or named intermediates depend."""
         exprs = [e for p in self.scene.points.values() for e in (p.x, p.y)]
-        exprs += list(self.ledger.definitions.values()) + [v for v in self.ledger.values.values()]
+        exprs += list(self.ledger.definitions.values()) + list(self.ledger.values.values())
         return set().union(*(sp.sympify(e).free_symbols for e in exprs)) if exprs else set()
 
     @staticmethod
@@ -288,8 +288,8 @@ def _nothing(instant: Instant, targets_of: Callable[[System], set[sp.Symbol]], o
 def _best(seeker: Seeker, targets: set[sp.Symbol], rejected: list[Sought]) -> Sought | None:
     """The branch of one choice of modes that holds (and is extreme, where that is asked)."""
     extremes = seeker.instant.statements.extremes
+    held: list[Sought] = []
     if not extremes:
-        held = []
         for sought in seeker.branches(targets, ()):
             (rejected if sought.objection else held).append(sought)
         return _preferred(held)
@@ -297,7 +297,6 @@ def _best(seeker: Seeker, targets: set[sp.Symbol], rejected: list[Sought]) -> So
     side = quantities.evaluator.value(extremes[0].side)
     targets = targets | {s for s in side.free_symbols if s in seeker.unknowns}
     limits = seeker.limit_conditions()
-    held = []
     for count in range(1, MOST_LIMITS + 1):
         for chosen in itertools.combinations(limits, count):
             for sought in seeker.branches(targets, chosen):

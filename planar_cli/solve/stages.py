@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from decimal import Decimal
 
 import sympy as sp
@@ -33,7 +33,7 @@ class Stage:
     plan: Plan
     blocks: tuple[SolvedBlock, ...]
     lines: tuple[Explicit, ...]
-    centres: dict[str, tuple[object, tuple[sp.Symbol, ...]]]
+    centres: dict[str, tuple[Vec, tuple[sp.Symbol, ...]]]
     zero: tuple[sp.Symbol, ...]
     undetermined: tuple[sp.Symbol, ...]
     algebra: Algebra
@@ -57,7 +57,7 @@ class StageMaker:
         ]
         conditions = self.system.velocity_conditions()
         zero = dict.fromkeys(known, sp.S.Zero)
-        conditions = [_put_in(c, zero) for c in conditions]
+        conditions = [with_zeros(c, zero) for c in conditions]
         return self._make("velocity", unknowns, conditions, targets, kinetics=False)
 
     def _sought_speeds(self) -> list[sp.Symbol]:
@@ -93,14 +93,10 @@ class StageMaker:
             planner = Planner(candidates, 0, (seed, self._motion_bits(index)), fixed)
         plan = planner.plan(wanted) or Plan(())
         writer = Writer(self.system, columns, self.next_number)
-        if level == "velocity":
-            writer.system = self.system
-        numbered: list[tuple[object, ...]] = []
-        for block in plan.blocks:
-            numbered.append(tuple(writer.write(e) for e in block.equations))
+        numbered = [tuple(writer.write(e) for e in block.equations) for block in plan.blocks]
         explicit = {line.symbol: line.expression for line in writer.lines}
         algebra = Algebra(self.value, explicit, self.symbolic, frozenset(columns.unknowns))
-        blocks = tuple(algebra.solve(b, w, columns.unknowns) for b, w in zip(plan.blocks, numbered, strict=True))  # type: ignore[arg-type]
+        blocks = tuple(algebra.solve(b, w, columns.unknowns) for b, w in zip(plan.blocks, numbered, strict=True))
         self.next_number = writer.next_number
         return Stage(
             level,
@@ -136,15 +132,13 @@ class StageMaker:
             columns = columns.without(idle, self.value)
 
 
-def _put_in(condition: Condition, known: dict[sp.Symbol, sp.Expr]) -> Condition:
+def with_zeros(condition: Condition, known: dict[sp.Symbol, sp.Expr]) -> Condition:
     """A condition with known zeros put in."""
     if not known:
         return condition
-    from dataclasses import replace
-
     residual = condition.residual
-    if hasattr(residual, "x"):
-        return replace(condition, residual=type(residual)(residual.x.xreplace(known), residual.y.xreplace(known)))
+    if isinstance(residual, Vec):
+        return replace(condition, residual=Vec(residual.x.xreplace(known), residual.y.xreplace(known)))
     return replace(condition, residual=sp.sympify(residual).xreplace(known))
 
 

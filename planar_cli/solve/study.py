@@ -240,14 +240,13 @@ def failing(system: System, assembly: Assembly, solved: Solved) -> tuple[tuple[T
     """
     affine: list[tuple[Test, Decimal, dict[int, Decimal]]] = []
     for mode in system.modes.values():
-        for test in mode.tests:
-            affine.append((test, *_measure(test, assembly, solved)))
+        affine.extend((test, *_measure(test, assembly, solved)) for test in mode.tests)
     failed: list[tuple[Test, Decimal | None]] = []
     open_tests = [(t, v, n) for t, v, n in affine if n]
     for test, value, null in affine:
         if not null and not _holds(value, test.strict):
             failed.append((test, value))
-    if open_tests and not feasible([(v, n, t.strict) for t, v, n in affine if n or True]):
+    if open_tests and not feasible([(v, n, t.strict) for t, v, n in affine]):
         failed += [(t, None) for t, _, _ in open_tests]
     return tuple(failed)
 

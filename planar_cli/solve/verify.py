@@ -47,8 +47,7 @@ class Checks:
 
 
 def verify(trial: Trial, solved: dict[sp.Symbol, Decimal]) -> Checks:
-    """All equations of the instant at the solution, and the scene assembled once more. Disagreement: they do not fit.
-    """
+    """All equations of the instant at the solution, and the scene assembled anew. Disagreement: they do not fit."""
     system, outcome = trial.system, trial.outcomes[0]
     numbers = outcome.value.extended({**unknowns_of(system, outcome), **solved})
     count, residual = residuals(system, numbers, outcome)

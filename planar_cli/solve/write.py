@@ -50,8 +50,7 @@ class Written:
 
 @dataclass(frozen=True, slots=True)
 class Explicit:
-    """A line that only names something: symbol = expression (the acceleration of a mass centre, a moment of inertia).
-    """
+    """A line that only names something: symbol = expression (acceleration of a mass centre, moment of inertia)."""
 
     number: int
     symbol: sp.Symbol
@@ -156,9 +155,10 @@ class Writer:
         what is known (the normal parts r ω²).
         """
         form_x, form_y = self.numbers.form(x), self.numbers.form(y)
-        parts = []
-        for unknown in dict.fromkeys((*form_x.terms, *form_y.terms)):
-            parts.append((Vec(form_x.terms.get(unknown, sp.S.Zero), form_y.terms.get(unknown, sp.S.Zero)), unknown))
+        parts = [
+            (Vec(form_x.terms.get(unknown, sp.S.Zero), form_y.terms.get(unknown, sp.S.Zero)), unknown)
+            for unknown in dict.fromkeys((*form_x.terms, *form_y.terms))
+        ]
         if form_x.constant != 0 or form_y.constant != 0:
             parts.append(self._normal_part(Vec(form_x.constant, form_y.constant)))
         return [self._unit_part(Vec(self.short(v.x), self.short(v.y)) if size != 1 else v, size) for v, size in parts]
@@ -316,11 +316,8 @@ class Writer:
 
     def _loads(self, bodies: tuple[str, ...], part: Any) -> list[sp.Expr]:
         """Every outer force and couple of a group, taken by `part`."""
-        terms: list[sp.Expr] = []
         assert self.system.reactions is not None
-        for wrench in self.system.wrenches:
-            if wrench.body in bodies:
-                terms.append(self._load_term(wrench, part))
+        terms = [self._load_term(wrench, part) for wrench in self.system.wrenches if wrench.body in bodies]
         pulled: dict[frozenset[sp.Symbol], list[sp.Expr]] = {}
         for push, expr in self.system.reactions.pushes:
             inside = [a for a in push.actions if a.body in bodies]
