@@ -8,10 +8,10 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.equation.evaluate import Evaluator, refuse
+from planar_cli.equation.evaluate import refuse
 from planar_cli.equation.motion import Motion
 from planar_cli.equation.plain import longer
-from planar_cli.equation.quantities import Quantities
+from planar_cli.equation.quantities import quantities_of
 from planar_cli.equation.scene import Scene
 from planar_cli.errors import Mark, Undecided
 from planar_cli.problem.expression import Name, Relation, Side, Statement
@@ -27,7 +27,6 @@ class Moving:
 
     def __init__(self, scene: Scene, motion: Motion, numbers: Any) -> None:
         self._scene, self._motion, self._numbers = scene, motion, numbers
-        self._quantities: Quantities | None = None
 
     def __getattr__(self, name: str) -> Any:
         return getattr(self._scene, name)
@@ -50,6 +49,9 @@ class Moving:
     def velocity(self, point: Vec, body: str) -> Vec:
         return self._motion.velocity(point, body)
 
+    def turn(self, body: str) -> sp.Expr:
+        return self._motion.velocities[body].angular
+
     def mass(self, body: str) -> sp.Expr:
         return self._scene.bodies[body].mass
 
@@ -62,9 +64,7 @@ class Moving:
                 "a table over time belongs to a motion over time",
                 "at one instant write the value that acts then",
             )
-        evaluator = Evaluator(self._scene.ledger, self._scene.evaluator.motions, lambda q: quantities.scalar(q))
-        quantities = Quantities(self._scene, self._motion, None, evaluator)
-        return evaluator.value(magnitude)
+        return quantities_of(self._scene, self._motion, None).evaluator.value(magnitude)
 
     def with_relations(self, relations: tuple[Statement, ...], expr: sp.Expr) -> sp.Expr:
         """An expression at other values of the coordinates: `relaxed_at: [theta = 30 deg]`."""

@@ -110,7 +110,12 @@ def _choose(point: Point, place: TwoFacts, candidates: tuple[Vec, Vec], decide: 
         dx, dy = valuation(one.x.value - other.x.value), valuation(one.y.value - other.y.value)
         apart = not (valuation.is_zero(one.x.value - other.x.value) and valuation.is_zero(one.y.value - other.y.value))
     except ArithmeticError:
-        raise refuse(point.mark, "PL513", f"{point.name}: there is no such place, the distances do not reach") from None
+        raise refuse(
+            point.mark,
+            "PL513",
+            f"{point.name}: there is no such place, the distances do not reach",
+            "make a distance larger, or move a point: a link cannot be shorter than the gap that it spans",
+        ) from None
     if not apart:
         return one
     if place.side is None:

@@ -17,6 +17,8 @@ SOME = 30
 """Beyond so many operations only common factors are looked for."""
 MANY_DIGITS = 10**15
 """A denominator beyond this is one of a number that was put in for a long formula."""
+PRINTABLE = 1000
+"""A formula of more operations than this is not printed as one: its lines are, step by step."""
 FEW = 2
 """So short an expression is left alone."""
 _KEPT = 50_000

@@ -12,7 +12,7 @@ from planar_cli.equation.evaluate import Evaluator, refuse
 from planar_cli.equation.jets import Jet, constant, magnitude, vector_jet
 from planar_cli.equation.motion import Motion
 from planar_cli.equation.scene import Scene
-from planar_cli.problem.expression import Name, Part, PointPair, Quantity, Side
+from planar_cli.problem.expression import Name, Part, PointPair, Quantity, Relation
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
 
@@ -100,6 +100,7 @@ class Quantities:
         times = 1 if q.word == "dot" else 2
         argument = q.argument
         assert argument is not None
+        assert not isinstance(argument, Relation)
         found = self.any(argument) if isinstance(argument, Quantity) else self.evaluator.jet(argument)
         try:
             for _ in range(times):
@@ -232,13 +233,15 @@ class Quantities:
         return constant(sp.Add(*parts))
 
     def _q_ke(self, q: Quantity) -> Jet:
-        """Σ m v_G²/2 + I_G ω²/2."""
-        parts = []
+        """Σ m v_G²/2 + I_G ω²/2, with its rate."""
+        parts, rates = [], []
         for name in self._bodies(q):
             body = self.scene.bodies[name]
-            v = self.motion.velocity(body.center, name)
-            parts.append(body.mass * v.dot(v) / 2 + body.inertia * self.motion.velocities[name].angular ** 2 / 2)
-        return only(sp.Add(*parts))
+            v, a = self.motion.velocity(body.center, name), self.motion.acceleration(body.center, name)
+            omega, alpha = self.motion.velocities[name].angular, self.motion.accelerations[name].angular
+            parts.append(body.mass * v.dot(v) / 2 + body.inertia * omega**2 / 2)
+            rates.append(body.mass * v.dot(a) + body.inertia * omega * alpha)
+        return Jet(sp.Add(*parts), sp.Add(*rates), None)
 
     def _q_pe(self, q: Quantity) -> Jet:
         """m g y_G, from y = 0."""
@@ -354,3 +357,13 @@ class Quantities:
     def _turning_unit(self, unit: Vec, body: str) -> Vec:
         omega, alpha = self.motion.velocities[body].angular, self.motion.accelerations[body].angular
         return vector_jet(unit, unit.turned() * omega, unit.turned() * alpha - unit * omega**2)
+
+
+def quantities_of(scene: Scene, motion: Motion, reactions: Reactions | None) -> Quantities:
+    """Quantities whose own arguments are evaluated in the same motion."""
+
+    def scalar(quantity: Quantity) -> Jet:
+        return found.scalar(quantity)
+
+    found = Quantities(scene, motion, reactions, Evaluator(scene.ledger, scene.evaluator.motions, scalar))
+    return found

@@ -15,10 +15,9 @@ from planar_cli.equation.conditions import (
     order,
     stated,
 )
-from planar_cli.equation.evaluate import Evaluator
 from planar_cli.equation.motion import Motion, Tree, TreeBuilder
 from planar_cli.equation.natural import natural_pushes
-from planar_cli.equation.quantities import Quantities
+from planar_cli.equation.quantities import Quantities, quantities_of
 from planar_cli.equation.reactions import Reactions
 from planar_cli.equation.scene import Scene
 from planar_cli.problem.expression import AtRest, Equilibrium, Extreme, Quantity, Relation, Statement, Word
@@ -75,7 +74,6 @@ class System:
     laws: tuple[Law, ...]
     symbols: dict[str, sp.Symbol]
     first: Motion
-    evaluator: Evaluator
     aliases: dict[str, str]
     motion: Motion | None = None
     reactions: Reactions | None = None
@@ -109,10 +107,10 @@ class System:
                 found |= {s for s in (edge.slide, edge.rise) if s is not None}
         return found if ropes else set()
 
-    def states_accelerations(self) -> bool:
-        """Does the file state an acceleration or a force?"""
+    def states(self, level: int) -> bool:
+        """Does the file state anything of this level: a velocity, or an acceleration or force?"""
         names = {s.name for s in self.scene.ledger.coordinates}
-        return any(order(relation, names) == ACCELERATION for relation, _ in self.statements.relations)
+        return any(order(relation, names) == level for relation, _ in self.statements.relations)
 
     def skids(self) -> tuple[Skid, ...]:
         """Bodies that slide on something flat."""
@@ -143,10 +141,7 @@ class System:
 
     def quantities_of(self, motion: Motion, reactions: Reactions | None) -> Quantities:
         """Quantities in some motion, with these reactions."""
-        quantities: list[Quantities] = []
-        evaluator = Evaluator(self.scene.ledger, self.scene.evaluator.motions, lambda q: quantities[0].scalar(q))
-        quantities.append(Quantities(self.scene, motion, reactions, evaluator))
-        return quantities[0]
+        return quantities_of(self.scene, motion, reactions)
 
     def _conditions(self, quantities: Quantities, level: int) -> list[Condition]:
         motion = quantities.motion
@@ -207,7 +202,6 @@ def make_system(
         laws,
         symbols,
         first,
-        scene.evaluator,
         aliases,
         titles=builder.titles,
     )

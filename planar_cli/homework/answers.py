@@ -16,6 +16,7 @@ import sympy as sp
 from planar_cli.equation.evaluate import Evaluator
 from planar_cli.equation.exact import PI, Unvalued
 from planar_cli.equation.ledger import Ledger, display
+from planar_cli.equation.plain import PRINTABLE, longer
 from planar_cli.homework.curves import same_curve
 from planar_cli.problem.expression import Number, Quantity, Side, Word
 from planar_cli.problem.scene import Answer, Problem
@@ -29,6 +30,7 @@ FLOOR = Decimal("0.001")
 """Share of tolerance times scale that is allowed on top: at one per cent, 1e-5 of the scale for a true zero."""
 
 LONGEST = 160
+TOO_LONG = f"a formula of more than {PRINTABLE} operations"
 """Longer formulas are cut in messages."""
 
 
@@ -181,7 +183,7 @@ def _is_rounded(side: Side) -> bool:
 
 
 def _joined(exprs: tuple[Any, ...]) -> str:
-    return _listed([_cut(str(e)) for e in exprs])
+    return _listed([_cut(str(e)) if not longer(e, PRINTABLE) else TOO_LONG for e in exprs])
 
 
 def _cut(text: str) -> str:

@@ -6,6 +6,7 @@ from decimal import Decimal
 
 import sympy as sp
 
+from planar_cli.equation.plain import longer
 from planar_cli.report.blocks import Line, Math, Name, Relation, Value, line
 from planar_cli.report.words import Phrases
 from planar_cli.solve.roots import linear_or_square_roots
@@ -30,7 +31,7 @@ def discussion_lines(found: tuple[Found, ...], phrases: Phrases) -> list[Line]:
 def _sign_change(answer: Found, phrases: Phrases) -> Line | None:
     """The first given at whose positive value the answer passes through zero."""
     expr = (answer.expressions or (sp.S.Zero,))[0]
-    if sp.count_ops(expr) > LONGEST:
+    if longer(expr, LONGEST):
         return None
     numerator = sp.fraction(sp.together(expr))[0]
     factors = [f for f in sp.Mul.make_args(sp.factor_terms(sp.expand(numerator))) if f.is_Add]

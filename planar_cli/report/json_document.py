@@ -12,6 +12,7 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.ledger import display
+from planar_cli.equation.plain import PRINTABLE, longer
 from planar_cli.homework.answers import Verdict
 from planar_cli.report.effects import effects
 from planar_cli.report.narrate import phrases_of
@@ -85,7 +86,7 @@ def _value(found: Found) -> Any:
 
 
 def _expression(found: Found) -> Any:
-    if not found.expressions:
+    if not found.expressions or any(longer(e, PRINTABLE) for e in found.expressions):
         return None
     texts = [text_of(e) for e in found.expressions]
     return texts if found.kind == "vector" else texts[0]

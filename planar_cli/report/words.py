@@ -10,6 +10,7 @@ import sympy as sp
 
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.equation.ledger import Ledger, display
+from planar_cli.equation.plain import PRINTABLE, longer
 from planar_cli.problem.expression import Quantity
 from planar_cli.report.blocks import Line, Math, Text, Value
 from planar_cli.report.numbers import rotation_words, significant, vector_arrow, vector_words
@@ -105,6 +106,8 @@ def answer_line(found: Found, phrases: Phrases) -> Line:
     if found.word:
         return (Text(answer_word(found)),)
     if found.values is None:
+        if any(longer(expr, PRINTABLE) for expr in found.expressions or ()):
+            return (Text(f"more than {PRINTABLE} operations as one formula; the lines give it step by step"),)
         parts: list[Any] = []
         for i, expr in enumerate(found.expressions or ()):
             parts += [Text("[" if i == 0 and found.kind == "vector" else ", " if i else ""), Math(expr)]

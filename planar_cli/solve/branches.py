@@ -84,11 +84,10 @@ class Brancher:
     @staticmethod
     def _linear(residuals: list[sp.Expr], order: tuple[sp.Symbol, ...]) -> bool:
         try:
-            for r in residuals:
-                linear_form(r, set(order))
+            forms = [linear_form(r, set(order)) for r in residuals]
         except Nonlinear:
             return False
-        return True
+        return all(any(x in f.terms for f in forms) for x in order)
 
     def _nonlinear(
         self,

@@ -18,6 +18,7 @@ from planar_cli.solve.asked import names_anywhere
 from planar_cli.solve.diagnose_words import in_unit, left_of, listed, short, unit_of
 from planar_cli.solve.instant import Instant, Trial
 from planar_cli.solve.poses import NearPoses
+from planar_cli.solve.study import solve_velocities
 from planar_cli.solve.worked import unknowns_of
 
 NEGLIGIBLE = Decimal("1e-6")
@@ -49,7 +50,17 @@ def clash(instant: Instant, trial: Trial, mark: Mark) -> Diagnostic:
     words = [*laws, *held, *(f"`{r.text}`" for r in given)]
     at = next((r.mark for r in given if r.mark != NOWHERE), mark)
     hint = "leave one of these out, or make its value an unknown" if given else "a support or a load may be missing"
+    light = [b for b in bodies if instant.scene.bodies[b].mass == 0]
+    if bodies and light == bodies and not given:
+        text = f"the forces on {listed(bodies)} cannot balance, and without mass nothing else can hold them"
+        return Diagnostic(
+            _body_mark(instant, light[0], mark), "PL602", text, f"give {listed(light)} a mass, or a support"
+        )
     return Diagnostic(at, "PL602", f"these contradict each other: {'; '.join(words or texts)}", hint)
+
+
+def _body_mark(instant: Instant, name: str, otherwise: Mark) -> Mark:
+    return next((b.mark for b in instant.scene.problem.bodies if b.name == name), otherwise)
 
 
 def _parts(instant: Instant, texts: list[str]) -> tuple[list[str], list[str]]:
@@ -60,20 +71,19 @@ def _parts(instant: Instant, texts: list[str]) -> tuple[list[str], list[str]]:
 
 def _left_out(instant: Instant, trial: Trial, relation: Relation, others: list[str]) -> Diagnostic | None:
     """What the rest says about the left side of a relation, when it is left out."""
+    level = trial.objection == "velocities"
     statements = replace(
         instant.statements, relations=tuple(p for p in instant.statements.relations if p[0] is not relation)
     )
     try:
         twin = Instant(Setup(instant.scene.problem, statements, instant.setup.earlier, False))
         twin.drivers = instant.drivers
-        again = twin.try_choice(trial.choice, twin.scene.valuations[:1])
-        settled = _settled(again, trial.objection == "velocities")
-        if settled is None:
-            return None
-        left, right = _sides(relation, *settled)
+        found = _by_velocities(twin, trial, relation) if level else _by_motion(twin, trial, relation)
     except (PlanarError, Unvalued, ArithmeticError, KeyError):
         return None
-    level = trial.objection == "velocities"
+    if found is None:
+        return None
+    left, right = found
     code = "PL607" if level else "PL608"
     against = listed(f"`{t}`" for t in others)
     if not level:
@@ -95,18 +105,29 @@ def _left_out(instant: Instant, trial: Trial, relation: Relation, others: list[s
     )
 
 
-def _settled(trial: Trial, velocities: bool) -> tuple[Quantities, Valuation] | None:
-    """The quantities of a trial and the values of its unknowns; None when they are not settled."""
-    system = trial.system
-    if velocities:
-        found = trial.velocities[0] if trial.velocities else None
-        if found is None or found.conflict is not None:
+def _by_velocities(instant: Instant, trial: Trial, relation: Relation) -> tuple[Decimal, Decimal] | None:
+    """Both sides by the velocities alone; None when these leave them open."""
+    system, value = instant.system(trial.choice), instant.scene.valuations[0]
+    quantities = system.quantities_of(system.first, None)
+    first = solve_velocities(system, value, False)
+    found = []
+    for moving in ({}, *({x: Decimal("1.37")} for x in first.free)):
+        velocities = solve_velocities(system, value, True, True, moving)
+        if velocities.conflict is not None:
             return None
-        return system.quantities_of(system.first, None), system.scene.valuations[0].extended(found.values)
-    if trial.outcomes and trial.outcomes[0].solved.conflict is None:
-        outcome = trial.outcomes[0]
-        return system.quantities(), outcome.value.extended(unknowns_of(system, outcome))
-    return None
+        found.append(_sides(relation, quantities, value.extended(velocities.values)))
+    steady = all(abs(a - b) < NEGLIGIBLE for other in found for a, b in zip(found[0], other, strict=True))
+    return found[0] if steady else None
+
+
+def _by_motion(instant: Instant, trial: Trial, relation: Relation) -> tuple[Decimal, Decimal] | None:
+    """Both sides by velocities, accelerations and forces; None when these leave them open."""
+    again = instant.try_choice(trial.choice, instant.scene.valuations[:1])
+    if not again.outcomes or again.outcomes[0].solved.conflict is not None:
+        return None
+    outcome = again.outcomes[0]
+    numbers = outcome.value.extended(unknowns_of(again.system, outcome))
+    return _sides(relation, again.system.quantities(), numbers)
 
 
 def _sides(relation: Relation, quantities: Quantities, numbers: Valuation) -> tuple[Decimal, Decimal]:

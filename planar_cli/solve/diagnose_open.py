@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from decimal import Decimal
 from typing import Any
 
@@ -16,7 +17,7 @@ from planar_cli.problem.expression import Quantity, Relation
 from planar_cli.problem.facts import Push
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND, Find
-from planar_cli.solve.diagnose_singular import ChangePoint, change_point, dead_centre
+from planar_cli.solve.diagnose_singular import ChangePoint, blocked, change_point, dead_centre
 from planar_cli.solve.diagnose_words import (
     left_of,
     listed,
@@ -29,6 +30,7 @@ from planar_cli.solve.diagnose_words import (
 )
 from planar_cli.solve.instant import Instant, Trial
 from planar_cli.solve.study import Outcome
+from planar_cli.solve.worked import unknowns_of
 
 FAINT = Decimal("1e-25")
 NUMBERS = ("no", "one", "two", "three", "four", "five", "six")
@@ -73,7 +75,9 @@ def at_dead_centre(instant: Instant, trial: Trial, mark: Mark) -> Diagnostic | N
         text += f", so that `{found.relation.text}` cannot hold"
     else:
         text += f"; `{found.relation.text}` leaves them open"
-    return Diagnostic(found.relation.mark, "PL610", text, f"{one_of(turning)} instead, or draw another position")
+    count = len(found.motions)
+    wanted = one_of(turning) if count == 1 else f"give {counted(count)} of {', '.join(dict.fromkeys(turning))}"
+    return Diagnostic(found.relation.mark, "PL610", text, f"{wanted} instead, or draw another position")
 
 
 def at_change_point(instant: Instant, trial: Trial, mark: Mark) -> Diagnostic | None:
@@ -105,8 +109,8 @@ def _ways(instant: Instant, found: ChangePoint) -> list[str]:
         parallel = ratios and all(not r or abs(r - 1) < FAINT for r in ratios.values())
         kind = "as a parallelogram" if parallel else "crossed"
         ways.append(f"{kind} with {listed(parts)}")
-    if not any(w.startswith("as a") for w in ways):
-        return [w.removeprefix("crossed ") for w in ways]
+    if sum(w.startswith("as a") for w in ways) != 1:
+        return [w.removeprefix("crossed ").removeprefix("as a parallelogram ") for w in ways]
     return sorted(ways, key=lambda w: w.startswith("crossed"))
 
 
@@ -119,6 +123,24 @@ def _ratio(body: str, ratio: Decimal, leader: str) -> str:
         return f"omega({body}) = 0"
     factor = "" if abs(ratio - 1) < FAINT else "-" if abs(ratio + 1) < FAINT else f"{short(ratio)}*"
     return f"omega({body}) = {factor}omega({leader})"
+
+
+def demand_passable(instant: Instant, trial: Trial, finds: tuple[Find, ...]) -> None:
+    """Raise at a change point at rest, when the linkage does not begin to move in one of the ways that it can."""
+    outcome = trial.outcomes[0]
+    if not trial.system.tree.closures or any(trial.velocities[0].values.values()):
+        return
+    rates = unknowns_of(trial.system, outcome)
+    starts = {
+        speed: rates.get(rate, ZERO)
+        for e in trial.system.tree.edges
+        for speed, rate in ((e.spin, e.spin_rate), (e.slide, e.slide_rate), (e.rise, e.rise_rate))
+        if speed is not None and rate is not None
+    }
+    if blocked(instant, trial.system, starts):
+        found = at_change_point(instant, trial, finds[0].mark)
+        if found is not None:
+            raise NoSolution([replace(found, hint="draw it a little before or after this position")])
 
 
 # --- accelerations, constants, reactions -----------------------------------------------------------------------------

@@ -94,6 +94,23 @@ class Joints:
         return [certain(e, numbers) for c in self.conditions(ACCELERATION) for e in c.rows()]
 
 
+def blocked(instant: Instant, system: System, starts: dict[sp.Symbol, Decimal]) -> bool:
+    """Do the joints forbid, to the second order, a motion that their velocities allow?"""
+    joints = Joints(instant, system)
+    vector = [starts.get(x, ZERO) for x in joints.columns]
+    if not joints.steady or not any(vector):
+        return False
+    bends = joints.bends(vector)
+    if len(bends) != len(joints.rows):
+        return False
+    size = max((abs(b) for b in bends), default=ZERO)
+    across = [[*(r[j] for r in joints.rows), ZERO] for j in range(len(joints.columns))]
+    for nu in solve(across, len(joints.rows)).null.values():
+        if abs(sum((a * b for a, b in zip(nu, bends, strict=True)), ZERO)) > SMALL * max(size, ONE):
+            return True
+    return False
+
+
 def change_point(instant: Instant, system: System) -> ChangePoint | None:
     """Is the drawn position a change point?"""
     joints = Joints(instant, system)

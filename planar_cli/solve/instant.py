@@ -14,7 +14,6 @@ from planar_cli.equation.driving import driving_pushes
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.motion import Motion, TreeBuilder
-from planar_cli.equation.scene import Scene
 from planar_cli.equation.setup import Setup, names_in
 from planar_cli.equation.system import Statements, System, make_system
 from planar_cli.joints.base import Joint

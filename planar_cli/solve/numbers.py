@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.exact import ONE, ZERO, Valuation
+from planar_cli.equation.exact import ZERO, Valuation
 from planar_cli.equation.form import Form, linear_form
 from planar_cli.solve.linear import Row
 
@@ -16,17 +17,14 @@ from planar_cli.solve.linear import Row
 class Numbers:
     """Expressions to rows of numbers: linear ones by their coefficients, others by their slopes at a generic place.
 
-    `unknowns`: the columns. `linear`: those of them in which everything is linear; the rest are moved by a tiny step to
-    find their slopes. `value`: the valuation, in which every unknown has a generic number as well.
+    `unknowns`: the columns. `linear`: those of them in which everything is linear; for the rest
+    their slopes are taken. `value`: the valuation, in which every unknown has a generic number as well.
     """
 
     unknowns: tuple[sp.Symbol, ...]
     linear: frozenset[sp.Symbol]
     value: Valuation
-    moved: dict[sp.Symbol, Valuation] = field(default_factory=dict)
     rows: dict[sp.Expr, Row] = field(default_factory=dict)
-
-    STEP = Decimal(10) ** -22
 
     def form(self, expr: sp.Expr) -> Form:
         return linear_form(expr, self.linear)
@@ -42,7 +40,7 @@ class Numbers:
         """The same numbers when some unknowns, all of them linear, are zero: their columns are left out."""
         kept = [j for j, x in enumerate(self.unknowns) if x not in idle]
         rows = {expr: [*(row[j] for j in kept), row[-1]] for expr, row in self.rows.items()}
-        return Numbers(tuple(self.unknowns[j] for j in kept), self.linear - idle, value, {}, rows)
+        return Numbers(tuple(self.unknowns[j] for j in kept), self.linear - idle, value, rows)
 
     def _row(self, expr: sp.Expr) -> Row:
         form = self.form(expr)
@@ -64,12 +62,22 @@ class Numbers:
         return value
 
     def _slope(self, expr: sp.Expr, x: sp.Symbol) -> Decimal:
-        if x not in expr.free_symbols and not self._through_definitions(expr, x):
-            return ZERO
-        if x not in self.moved:
-            self.moved[x] = self.value.extended({x: self.value(x) + self.STEP})
-        slope = (self.moved[x](expr) - self.value(expr)) / self.STEP
-        return ZERO if abs(slope) < Decimal("1e-15") * max(abs(self.value(expr)), ONE) else slope
+        """The exact derivative in numbers; a difference quotient would leave traces where terms cancel."""
+        opened = opened_for(expr, x, self.value.definitions)
+        return self._clean(sp.diff(opened, x)) if x in opened.free_symbols else ZERO
 
-    def _through_definitions(self, expr: sp.Expr, x: sp.Symbol) -> bool:
-        return any(s in self.value.definitions for s in expr.free_symbols)
+
+def opened_for(expr: sp.Expr, x: sp.Symbol, definitions: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
+    """The expression with those named intermediates put in that rest on x."""
+    while True:
+        inside = {s: definitions[s] for s in expr.free_symbols if rests_on(s, x, definitions)}
+        if not inside:
+            return expr
+        expr = expr.xreplace(inside)
+
+
+def rests_on(symbol: sp.Symbol, x: sp.Symbol, definitions: Mapping[sp.Symbol, sp.Expr]) -> bool:
+    """Does a named intermediate rest on x, directly or through others?"""
+    expr = definitions.get(symbol)
+    return expr is not None and any(s == x or rests_on(s, x, definitions) for s in expr.free_symbols)
+

@@ -16,7 +16,7 @@ from planar_cli.registry import members
 from planar_cli.solve.diagnose import OPEN, explain_failure, place, singular_position
 from planar_cli.solve.diagnose_cases import demand_cancelled, several, several_cases
 from planar_cli.solve.diagnose_clash import check_positions, demand_drawn
-from planar_cli.solve.diagnose_open import demand_determined
+from planar_cli.solve.diagnose_open import demand_determined, demand_passable
 from planar_cli.solve.finish import Finisher
 from planar_cli.solve.instant import Instant, Trial, make_instant, search_modes
 from planar_cli.solve.seek import seek
@@ -123,6 +123,7 @@ def _held(
 ) -> tuple[InstantSolution, list[Found]]:
     """The one outcome that holds, worked out; of several all are reported."""
     demand_determined(instant, held[0], finds)
+    demand_passable(instant, held[0], finds)
     solutions = []
     for trial in held:
         try:

@@ -42,6 +42,7 @@ from planar_cli.units import MASS, PURE
 
 MOST_CHOICES = 40
 MOST_LIMITS = 2
+CLOSE = Decimal("1e-25")
 
 
 @dataclass(slots=True)
@@ -193,9 +194,15 @@ class Seeker:
     def _wrong_sign(self, constants: dict[sp.Symbol, Decimal]) -> str:
         for s, v in constants.items():
             unit = self.ledger.units[s]
-            if v < 0 and (unit.dimension == MASS or (unit.dimension == PURE and not unit.angle) or self._is_size(s)):
+            if v < 0 and (unit.dimension == MASS or self._is_friction(s) or self._is_size(s)):
                 return f"{s.name} can not be negative"
         return ""
+
+    def _is_friction(self, s: sp.Symbol) -> bool:
+        """Does the constant stand in a law or limit of friction?"""
+        factors = [law.factor for _, found in self.instant.modes for mode in found for law in mode.facts.laws]
+        factors += [f for _, found in self.instant.modes for mode in found for t in mode.tests for _, f in t.pushes]
+        return any(s in sp.sympify(f).free_symbols for f in factors)
 
     def _is_size(self, s: sp.Symbol) -> bool:
         """Does the constant stand for a radius of gyration or a radius?"""
@@ -215,16 +222,18 @@ class Seeker:
 
     # --- extremes ----------------------------------------------------------------------------------------------------
 
+    def compared(self) -> set[sp.Symbol]:
+        """Unknowns that the inequalities of the file need."""
+        evaluator = self.system.quantities().evaluator
+        sides = [s for r in self.instant.statements.inequalities for s in (r.left, r.right)]
+        return {x for s in sides for x in evaluator.value(s).free_symbols if x in self.unknowns}
+
     def limit_conditions(self) -> list[Condition]:
         """Every assumption that could be at its limit, as an equation."""
-        found = []
         assert self.system.reactions is not None
         values = {p.name: e for p, e in self.system.reactions.pushes}
-        for mode in self.system.modes.values():
-            for test in mode.tests:
-                if (test.pushes or test.within) and not test.strict:
-                    found.append(_limit(test, values))
-        return found
+        tests = [test for mode in self.system.modes.values() for test in mode.tests]
+        return [_limit(test, values) for test in tests if (test.pushes or test.within) and not test.strict]
 
 
 def at_the_limit(words: str) -> str:
@@ -255,20 +264,32 @@ def seek(instant: Instant, targets_of: Callable[[System], set[sp.Symbol]]) -> tu
     """
     rejected: list[Sought] = []
     undecided: Undecided | None = None
+    best: Sought | None = None
+    extremes = instant.statements.extremes
     for choice in itertools.islice(instant.choices(), MOST_CHOICES):
         seeker = Seeker(instant, choice)
-        if seeker.conflict:
+        if seeker.conflict and not instant.scene.ledger.sought:
             continue
         try:
             found = _best(seeker, targets_of(seeker.system), rejected)
         except Undecided as error:
             undecided = error
             continue
-        if found is not None:
+        if found is not None and not extremes:
             return found, rejected
+        if found is not None and (best is None or _better(found, best, extremes[0].sense)):
+            best = found
+    if best is not None:
+        return best, rejected
     if undecided is not None:
         raise undecided
     raise NoSolution([_nothing(instant, targets_of, [s.objection for s in rejected])])
+
+
+def _better(one: Sought, other: Sought, sense: int) -> bool:
+    """Is the objective of one choice of modes beyond that of another? Equal ones leave the more natural choice."""
+    a, b = one.objective or Decimal(0), other.objective or Decimal(0)
+    return sense * (a - b) > CLOSE * max(abs(a), abs(b))
 
 
 def _nothing(instant: Instant, targets_of: Callable[[System], set[sp.Symbol]], objections: list[str]) -> Diagnostic:
@@ -289,6 +310,7 @@ def _best(seeker: Seeker, targets: set[sp.Symbol], rejected: list[Sought]) -> So
     """The branch of one choice of modes that holds (and is extreme, where that is asked)."""
     extremes = seeker.instant.statements.extremes
     held: list[Sought] = []
+    targets = targets | seeker.compared()
     if not extremes:
         for sought in seeker.branches(targets, ()):
             (rejected if sought.objection else held).append(sought)

@@ -8,7 +8,7 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.equation.conditions import Condition
+from planar_cli.equation.conditions import ACCELERATION, VELOCITY, Condition
 from planar_cli.equation.exact import CERTAIN, ONE, ZERO, Valuation
 from planar_cli.equation.form import Form, Nonlinear, linear_form
 from planar_cli.equation.motion import Motion
@@ -87,7 +87,7 @@ def _swaying(system: System, columns: list[sp.Symbol], solved: Solved) -> list[s
 
     What hangs does not swing unless the file says so; where accelerations or forces are given, they may tell the speed.
     """
-    if system.states_accelerations():
+    if system.states(ACCELERATION) and not system.states(VELOCITY):
         return []
     hanging = system.hanging()
     alone = [columns[j] for j, vector in solved.null.items() if sum(bool(c) for c in vector) == 1]
