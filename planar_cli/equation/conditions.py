@@ -57,7 +57,6 @@ class Condition:
     body: str = ""
     base: str = ""
     mark: Mark = NOWHERE
-    always: bool = False
 
     def rows(self) -> tuple[sp.Expr, ...]:
         """The scalar residuals: one, or two along x and y."""
@@ -128,7 +127,7 @@ def stated(
             residual = _difference(relation, quantities, evaluator, level - own)
         except ValueError:
             continue
-        found.append(Condition("given", relation.text, residual, mark=relation.mark, always=always))
+        found.append(Condition("given", relation.text, residual, mark=relation.mark))
     return found
 
 

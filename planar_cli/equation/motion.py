@@ -19,7 +19,7 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.ledger import Ledger
-from planar_cli.problem.facts import Anchor, Joining, Row
+from planar_cli.problem.facts import Joining, Row
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
 
@@ -283,5 +283,3 @@ class Motion:
         bend = self.relative_acceleration(joining, self.slide_speed(joining), ZERO, base, mover)
         return self._gap(joining, self.acceleration) - bend
 
-    def anchor_velocity(self, anchor: Anchor) -> Vec:
-        return self.velocity(anchor.point, anchor.body)

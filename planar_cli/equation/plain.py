@@ -139,6 +139,8 @@ def tidy(expr: Any) -> sp.Expr:
 def _tidied(expr: sp.Expr) -> sp.Expr:
     if longer(expr, MANY) or rounded_inside(expr):
         return expr
+    if _degree(expr) >= 2 and longer(expr, SOME):
+        expr = _with_one(expr)
     found = sp.factor_terms(expr)
     if not longer(expr, SOME) and not expr.is_polynomial(*expr.free_symbols):
         trial = trigonometric(expr) if expr.has(sp.sin, sp.cos) else sp.cancel(sp.together(expr))

@@ -19,8 +19,6 @@ from planar_cli.problem.scene import GROUND
 if TYPE_CHECKING:
     from planar_cli.equation.reactions import Reactions
 
-HALF = sp.Rational(1, 2)
-ORIGIN = Vec(constant(0), constant(0))
 LATER = {
     "path",
     "hodograph",

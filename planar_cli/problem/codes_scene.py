@@ -8,10 +8,15 @@ from types import MappingProxyType
 _FORMULAS = {
     "PL501": "A quantity such as v(B) stands where only numbers and names of `given` can: in `given`, points or sizes. "
     "Write its value, or state the relation in `instant` or `motion`.",
-    "PL502": "mode(C) is a word (stick, slip, apart, tip, taut, slack), no number. Compare it: `mode(C) = stick`, or ask "
-    "it alone in `find`.",
+    "PL502": (
+        "mode(C) is a word (stick, slip, apart, tip, taut, slack), no number. Compare it: `mode(C) = stick`, "
+        "or ask it alone in `find`."
+    ),
     "PL503": "`@ state` stands in a relation that is at its own instant. Leave it out; it belongs into `find`.",
-    "PL504": "A name has no value here. Give it in `given`, keep it as a letter in `symbols`, or seek it in `unknowns`.",
+    "PL504": (
+        "A name has no value here. Give it in `given`, keep it as a letter in `symbols`, or seek it in "
+        "`unknowns`."
+    ),
     "PL505": "A formula divides by zero.",
     "PL506": "An exponent varies with time; only constant exponents can be differentiated.",
 }
@@ -21,8 +26,10 @@ _PLACES = {
     "PL511": "A point by conditions needs just two facts of x, y, line and distances; each distance is one fact. "
     "Example: `B: {y: 0, distances: {A: l}, side: right}`.",
     "PL512": "The two lines that should meet in the point are parallel.",
-    "PL514": "A line and a circle, or two circles, meet twice. Say which place is meant: `side: left`, right, above or below, "
-    "that is left, right, above or below the other place.",
+    "PL514": (
+        "A line and a circle, or two circles, meet twice. Say which place is meant: `side: left`, right, "
+        "above or below, that is left, right, above or below the other place."
+    ),
     "PL515": "Both places are equally far along the named side. Choose by the other axis.",
     "PL530": "The name is no point with a place.",
     "PL531": "The place of a point is given through itself, by way of others.",
@@ -32,15 +39,21 @@ _PLACES = {
 
 _SCENE = {
     "PL520": "The parts of a composite body have no mass. Give each part its `mass:`; a hole has minus mass.",
-    "PL521": "The point of contact is not on the surface. Let the line go through the point, or the circle have its distance "
-    "as radius.",
-    "PL522": "The point of contact is not on the rim or edge of the body: its distance from the centre is neither the radius "
-    "nor the hub, or it is inside the rectangle.",
+    "PL521": (
+        "The point of contact is not on the surface. Let the line go through the point, or the circle have "
+        "its distance as radius."
+    ),
+    "PL522": (
+        "The point of contact is not on the rim or edge of the body: its distance from the centre is neither "
+        "the radius nor the hub, or it is inside the rectangle."
+    ),
     "PL523": "A corner can not roll. Rolling needs a round rim on a rim, a rack or a surface.",
     "PL524": "The point of a guide belongs to no body that could slide. Name it among the points of its body.",
     "PL525": "A rope can not end over or under a pulley; it ends at a point, or wound: `T on drum`.",
-    "PL526": "The stops before and after a pulley lie one above the other, so that `over` and `under` mean nothing. Move them, "
-    "or write `along: 90 deg`.",
+    "PL526": (
+        "The stops before and after a pulley lie one above the other, so that `over` and `under` mean "
+        "nothing. Move them, or write `along: 90 deg`."
+    ),
     "PL527": "Two corners touch: the direction of the contact is open. One side needs a rim, an edge or a surface.",
     "PL540": "The direction of a force is missing. Write `angle: 30 deg` or `towards: P`.",
     "PL541": "The ends of a spring are at the same place, so that its pull has no direction.",
@@ -55,15 +68,20 @@ _QUANTITIES = {
     "PL553": "The thing named has no rotation.",
     "PL554": "The Coriolis acceleration is seen from a turning body: coriolis(P/b).",
     "PL555": "Forces are not known before the motion is; a relation between velocities can not use them.",
-    "PL556": ".t and .n are along and across the velocity; where the speed is zero they mean nothing. On a circle use .across.",
+    "PL556": (
+        ".t and .n are along and across the velocity; where the speed is zero they mean nothing. On a circle "
+        "use .across."
+    ),
     "PL557": "N, friction, reaction, moment and tension take the name of a joint.",
     "PL558": "The joint does not act on the body after the slash.",
     "PL559": "The joint joins two moving bodies; say on which its force is meant: reaction(B/AB).",
     "PL560": "In a file with `states` a find says at which state: v(P) @ 2.",
     "PL570": "The method relates two states and can not answer a question about one instant.",
     "PL571": "The file has no `find`, neither of its own nor in a case: there is nothing to solve for.",
-    "PL590": "This part of the language speaks of a motion over time or of what happens between two states. At one instant, "
-    "ask for places, velocities, accelerations and forces.",
+    "PL590": (
+        "This part of the language speaks of a motion over time or of what happens between two states. At one "
+        "instant, ask for places, velocities, accelerations and forces."
+    ),
 }
 
 CODES_SCENE: Mapping[str, str] = MappingProxyType({**_FORMULAS, **_PLACES, **_SCENE, **_QUANTITIES})

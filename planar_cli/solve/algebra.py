@@ -6,6 +6,7 @@ and a number; closed formulas are put together from them at the end, where they 
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from decimal import Decimal
 
@@ -17,6 +18,8 @@ from planar_cli.equation.plain import longer, tidy
 from planar_cli.solve.plan import Block
 from planar_cli.solve.write import Written
 
+NAMED = 24
+"""A longer coefficient gets a name where several letters are carried."""
 SHORT = 6
 """A coefficient of at most so many operations stays a formula while a block is solved."""
 
@@ -46,12 +49,22 @@ class SolvedBlock:
 
 
 class Algebra:
-    """Solves blocks one after the other. `value`: numbers of everything known, extended as results come in."""
+    """Solves blocks one after the other. `value`: numbers of everything known, extended as results come in.
+
+    `fresh`: makes symbols for long coefficients that several letters share, lest formulas grow beyond any page.
+    """
 
     def __init__(
-        self, value: Valuation, explicit: dict[sp.Symbol, sp.Expr], symbolic: bool, unknowns: frozenset[sp.Symbol]
+        self,
+        value: Valuation,
+        explicit: dict[sp.Symbol, sp.Expr],
+        symbolic: bool,
+        unknowns: frozenset[sp.Symbol],
+        fresh: Callable[[str], sp.Symbol] | None = None,
     ) -> None:
         self.value, self.explicit, self.symbolic, self.unknowns = value, explicit, symbolic, unknowns
+        self.fresh = fresh
+        self.named: dict[sp.Expr, sp.Symbol] = {}
         self.formulas: dict[sp.Symbol, sp.Expr] = {}
 
     def solve(self, block: Block, written: tuple[Written, ...], unknowns: tuple[sp.Symbol, ...]) -> SolvedBlock:
@@ -125,6 +138,8 @@ class Algebra:
         letters: tuple[sp.Symbol, ...],
     ) -> list[Line]:
         """Express the unknowns in the letters one at a time; the equations left over give the letters."""
+        if self.symbolic and self.fresh is not None and len(letters) > 1:
+            return self._by_names(residuals, written, order, letters)
         lines: list[Line] = []
         inside: dict[sp.Symbol, sp.Expr] = {}
         chained = order[: len(order) - len(letters)]
@@ -160,6 +175,69 @@ class Algebra:
         constant, *coefficients = whole if short else [self._plain(e) for e in whole]
         return sp.Add(constant, *(c * x for c, x in zip(coefficients, form.terms, strict=True)))
 
+    def _by_names(
+        self,
+        residuals: list[sp.Expr],
+        written: tuple[Written, ...],
+        order: tuple[sp.Symbol, ...],
+        letters: tuple[sp.Symbol, ...],
+    ) -> list[Line]:
+        """As `_together` with symbols and several letters: long coefficients get names, and each letter its own line."""
+        lines: list[Line] = []
+        inside: dict[sp.Symbol, sp.Expr] = {}
+        chained = order[: len(order) - len(letters)]
+        for residual, equation, x in zip(residuals, written, chained, strict=False):
+            formula = self._in_names(self._solve_for(residual.xreplace(inside), x), letters, lines)
+            inside[x] = formula
+            held = tuple(s for s in letters if s in formula.free_symbols)
+            lines.append(Line(x, formula, None if held else self.value(formula), (equation.number,), held))
+        rest = [self._in_names(r.xreplace(inside), letters, lines) for r in residuals[len(chained) :]]
+        numbers = tuple(e.number for e in written[len(chained) :])
+        for s, formula in self._in_steps(rest, letters, lines):
+            lines.append(Line(s, formula, self.value(formula), numbers))
+            self.value = self.value.extended({s: self.value(formula)})
+        back = [Line(x.symbol, x.formula, self.value(x.formula), x.equations) for x in lines if x.letters]
+        return [*lines, *back]
+
+    def _in_names(self, expr: sp.Expr, letters: tuple[sp.Symbol, ...], lines: list[Line]) -> sp.Expr:
+        form = linear_form(expr, set(letters))
+        return sp.Add(self._name(form.constant, lines), *(self._name(c, lines) * x for x, c in form.terms.items()))
+
+    def _name(self, expr: sp.Expr, lines: list[Line]) -> sp.Expr:
+        """The expression, or where it is long a symbol with a line of its own."""
+        if self.value.is_zero(expr):
+            return sp.S.Zero
+        found = tidy(expr)
+        if self.fresh is None or not longer(found, NAMED):
+            return found
+        if found not in self.named:
+            symbol = self.named[found] = self.fresh(f"k_{len(self.named) + 1}")
+            value = self.value(found)
+            self.value = self.value.extended({symbol: value})
+            lines.append(Line(symbol, found, value, ()))
+        return self.named[found]
+
+    def _in_steps(
+        self, residuals: list[sp.Expr], letters: tuple[sp.Symbol, ...], lines: list[Line]
+    ) -> list[tuple[sp.Symbol, sp.Expr]]:
+        """The letters one after the other, the last one first, by elimination with the largest pivot."""
+        forms = [linear_form(r, set(letters)) for r in residuals]
+        rows = [[f.terms.get(s, sp.S.Zero) for s in letters] + [f.constant] for f in forms]
+        size = len(letters)
+        for k in range(size):
+            best = max(range(k, size), key=lambda i: abs(self.value(rows[i][k])))
+            rows[k], rows[best] = rows[best], rows[k]
+            for i in range(k + 1, size):
+                if rows[i][k] != 0:
+                    factor = self._name(rows[i][k] / rows[k][k], lines)
+                    ahead = zip(rows[i][k + 1 :], rows[k][k + 1 :], strict=True)
+                    rows[i][k:] = [sp.S.Zero, *(self._name(a - factor * b, lines) if b != 0 else a for a, b in ahead)]
+        found = []
+        for k in reversed(range(size)):
+            known = sp.Add(rows[k][size], *(rows[k][j] * letters[j] for j in range(k + 1, size)))
+            found.append((letters[k], tidy(-known / rows[k][k])))
+        return found
+
     def _plain(self, expr: sp.Expr) -> sp.Expr:
         """A number for an expression of knowns, to all digits."""
         value = self.value(expr)
@@ -182,16 +260,3 @@ class Algebra:
                         for j, (a, b) in enumerate(zip(rows[i], rows[k], strict=True))
                     ]
         return {s: tidy(-rows[k][size] / rows[k][k]) for k, s in enumerate(letters)}
-
-    def closed(self, expr: sp.Expr) -> sp.Expr:
-        """An expression with every result and line put in, down to what the file gives."""
-        for _ in range(60):
-            inside = {
-                s: self.formulas.get(s, self.explicit.get(s))
-                for s in expr.free_symbols
-                if s in self.formulas or s in self.explicit
-            }
-            if not inside:
-                return expr
-            expr = expr.xreplace(inside)
-        return expr

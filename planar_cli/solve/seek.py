@@ -54,7 +54,6 @@ class Sought:
     writer: Writer
     trial: Trial
     unknowns: tuple[sp.Symbol, ...]
-    limits: tuple[Condition, ...]
     objection: str
     objective: Decimal | None = None
     others: list[Sought] = field(default_factory=list)
@@ -173,13 +172,11 @@ class Seeker:
             s for s in numbers.unknowns if self.ledger.units[s].angle and self.ledger.units[s].dimension == PURE
         )
         for branch in Brancher(numbers.unknowns, angles, self.ledger.symbolic).run(algebra, work):
-            yield self._judge(branch, plan, writer, numbers.unknowns, limits)
+            yield self._judge(branch, plan, writer, numbers.unknowns)
 
     # --- tests -------------------------------------------------------------------------------------------------------
 
-    def _judge(
-        self, branch: Branch, plan: Plan, writer: Writer, unknowns: tuple[sp.Symbol, ...], limits: tuple[Condition, ...]
-    ) -> Sought:
+    def _judge(self, branch: Branch, plan: Plan, writer: Writer, unknowns: tuple[sp.Symbol, ...]) -> Sought:
         """Solve the instant again with the constants known, and test everything."""
         solved = branch.algebra.value.values
         constants = {s: solved[s] for s in self.ledger.sought if s in solved}
@@ -189,7 +186,7 @@ class Seeker:
         )
         objection = self._wrong_sign(constants) or trial.objection or self._inequalities(trial, solved)
         objection = objection or loose_limit(self.instant, trial, constants)
-        return Sought(branch, plan, writer, trial, unknowns, limits, objection)
+        return Sought(branch, plan, writer, trial, unknowns, objection)
 
     def _wrong_sign(self, constants: dict[sp.Symbol, Decimal]) -> str:
         for s, v in constants.items():

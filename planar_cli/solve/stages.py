@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from decimal import Decimal
+from functools import partial
 
 import sympy as sp
 
@@ -95,7 +96,9 @@ class StageMaker:
         writer = Writer(self.system, columns, self.next_number)
         numbered = [tuple(writer.write(e) for e in block.equations) for block in plan.blocks]
         explicit = {line.symbol: line.expression for line in writer.lines}
-        algebra = Algebra(self.value, explicit, self.symbolic, frozenset(columns.unknowns))
+        ledger = self.system.scene.ledger
+        fresh = partial(ledger.fresh, unit="1")
+        algebra = Algebra(self.value, explicit, self.symbolic, frozenset(columns.unknowns), fresh)
         blocks = tuple(algebra.solve(b, w, columns.unknowns) for b, w in zip(plan.blocks, numbered, strict=True))
         self.next_number = writer.next_number
         return Stage(

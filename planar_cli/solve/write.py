@@ -12,7 +12,7 @@ from planar_cli.equation.conditions import Condition
 from planar_cli.equation.motion import Motion
 from planar_cli.equation.plain import longer, rounded_inside, tidy, trigonometric
 from planar_cli.equation.system import System
-from planar_cli.problem.facts import Joining, Wrench
+from planar_cli.problem.facts import Wrench
 from planar_cli.problem.geometry import Vec
 from planar_cli.solve.candidates import Candidate, Choice
 from planar_cli.solve.numbers import Numbers
@@ -82,9 +82,6 @@ class Writer:
     def vanishes(self, expr: sp.Expr) -> bool:
         """Is a form in the unknowns zero, coefficient by coefficient?"""
         return expr == 0 or not any(self.numbers.row(expr))
-
-    def kept(self, terms: list[sp.Expr]) -> list[sp.Expr]:
-        return [t for t in terms if not self.vanishes(t)]
 
     def settled(self, expr: sp.Expr) -> sp.Expr:
         """The expression without unknowns whose coefficients cancel."""
@@ -382,10 +379,6 @@ class Writer:
         return Written(
             self.number(), "relation", (), condition.text, words, sp.Add(*left), right, condition.kind, datum
         )
-
-    def closing(self, condition: Condition) -> Joining | None:
-        """The joint behind a closure."""
-        return next((j for j in self.system.tree.closures if j.joint == condition.text), None)
 
 
 def exact_number(value: Decimal) -> sp.Expr:
