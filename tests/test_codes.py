@@ -11,5 +11,6 @@ SOURCE = Path(__file__).parent.parent / "planar_cli"
 
 
 def test_every_code_is_explained() -> None:
-    used = {code for path in SOURCE.rglob("*.py") for code in re.findall(r'"(PL[0-9]{3})"', path.read_text(encoding="utf-8"))}
+    texts = [path.read_text(encoding="utf-8") for path in SOURCE.rglob("*.py")]
+    used = {code for text in texts for code in re.findall(r'"(PL[0-9]{3})"', text)}
     assert used - set(codes()) == set()

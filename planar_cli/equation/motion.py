@@ -282,4 +282,3 @@ class Motion:
         base, mover = self.velocities[joining.base].angular, self.velocities[joining.mover].angular
         bend = self.relative_acceleration(joining, self.slide_speed(joining), ZERO, base, mover)
         return self._gap(joining, self.acceleration) - bend
-

@@ -14,7 +14,7 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.evaluate import Evaluator
-from planar_cli.equation.exact import PI, Unvalued
+from planar_cli.equation.exact import PI, Unvalued, Valuation
 from planar_cli.equation.ledger import Ledger, display
 from planar_cli.equation.plain import PRINTABLE, longer
 from planar_cli.homework.curves import same_curve
@@ -67,7 +67,7 @@ class _Comparison:
     def __init__(self, problem: Problem, answer: Answer, found: Found, part: PartSolution) -> None:
         self.problem, self.answer, self.found = problem, answer, found
         last = part.instants[-1]
-        self.scene, self.value = last.instant.scene, last.value
+        self.scene, self.value, self.stages = last.instant.scene, last.value, last.stages
         self.ledger: Ledger = self.scene.ledger
         self.evaluator: Evaluator = self.scene.evaluator
 
@@ -155,7 +155,8 @@ class _Comparison:
         solved = self.found.expressions or ()
         texts = _joined(exprs), self._formulas()
         errors = []
-        for draw in self.scene.valuations:
+        for valuation in self.scene.valuations:
+            draw = self._with_lines(valuation)
             try:
                 wanted = tuple(draw(e) for e in exprs)
                 off = _size(tuple(draw(a) - w for a, w in zip(solved, wanted, strict=True)))
@@ -163,6 +164,13 @@ class _Comparison:
             except (Unvalued, ArithmeticError):
                 return self._told(*texts, False, None)
         return self._told(*texts, max(errors) <= tolerance, max(errors))
+
+    def _with_lines(self, draw: Valuation) -> Valuation:
+        """The draw with the solution's lines: a long formula still holds names of intermediates."""
+        lines: dict[sp.Symbol, sp.Expr] = {}
+        for stage in self.stages:
+            lines |= {**stage.algebra.explicit, **stage.algebra.formulas}
+        return Valuation(draw.values, {**lines, **draw.definitions})
 
     def _formulas(self) -> str:
         return _joined(self.found.expressions or ())

@@ -14,8 +14,7 @@ _FORMULAS = {
     ),
     "PL503": "`@ state` stands in a relation that is at its own instant. Leave it out; it belongs into `find`.",
     "PL504": (
-        "A name has no value here. Give it in `given`, keep it as a letter in `symbols`, or seek it in "
-        "`unknowns`."
+        "A name has no value here. Give it in `given`, keep it as a letter in `symbols`, or seek it in `unknowns`."
     ),
     "PL505": "A formula divides by zero.",
     "PL506": "An exponent varies with time; only constant exponents can be differentiated.",

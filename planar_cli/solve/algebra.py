@@ -182,7 +182,7 @@ class Algebra:
         order: tuple[sp.Symbol, ...],
         letters: tuple[sp.Symbol, ...],
     ) -> list[Line]:
-        """As `_together` with symbols and several letters: long coefficients get names, and each letter its own line."""
+        """As `_together` with symbols and several letters: long coefficients get names, each letter its own line."""
         lines: list[Line] = []
         inside: dict[sp.Symbol, sp.Expr] = {}
         chained = order[: len(order) - len(letters)]

@@ -80,4 +80,3 @@ def rests_on(symbol: sp.Symbol, x: sp.Symbol, definitions: Mapping[sp.Symbol, sp
     """Does a named intermediate rest on x, directly or through others?"""
     expr = definitions.get(symbol)
     return expr is not None and any(s == x or rests_on(s, x, definitions) for s in expr.free_symbols)
-

@@ -70,7 +70,8 @@ class Seeker:
         base = self.scene.valuations[0]
         second = self.scene.valuations[-1]
         found = [solve_velocities(self.system, v, instant.at_rest, seek=False) for v in (base, second)]
-        self.conflict = any(v.conflict for v in found)
+        # What is sought may be the very number that lets the stated velocities fit.
+        self.conflict = any(solve_velocities(self.system, v, instant.at_rest).conflict for v in (base, second))
         still = [s for s in found[0].values if all(not v.values.get(s, Decimal(1)) for v in found)]
         self.still = dict.fromkeys(still, sp.S.Zero)
         self.system.settle(self.still, ())
@@ -265,7 +266,7 @@ def seek(instant: Instant, targets_of: Callable[[System], set[sp.Symbol]]) -> tu
     extremes = instant.statements.extremes
     for choice in itertools.islice(instant.choices(), MOST_CHOICES):
         seeker = Seeker(instant, choice)
-        if seeker.conflict and not instant.scene.ledger.sought:
+        if seeker.conflict:
             continue
         try:
             found = _best(seeker, targets_of(seeker.system), rejected)
