@@ -20,6 +20,8 @@ from planar_cli.solve.write import Written
 
 NAMED = 24
 """A longer coefficient gets a name where several letters are carried."""
+FEW_LETTERS = 5
+"""With so few letters the exact coefficients of a block stay short enough to be written out."""
 SHORT = 6
 """A coefficient of at most so many operations stays a formula while a block is solved."""
 
@@ -130,6 +132,21 @@ class Algebra:
         formula = self._solve_for(self.in_unknowns(equation, (x,)), x)
         return Line(x, formula, self.value(formula), (equation.number,))
 
+    def _collected(self, residual: sp.Expr, order: tuple[sp.Symbol, ...]) -> sp.Expr:
+        """The residual with moments of inertia and other named intermediates put in, collected in the block's unknowns."""
+        definitions = self.value.definitions
+        for _ in range(20):
+            inside = {s: e for s in residual.free_symbols if (e := definitions.get(s)) is not None and e.free_symbols}
+            if not inside:
+                break
+            residual = residual.xreplace(inside)
+        form = linear_form(residual, set(order))
+        return sp.Add(sp.factor(form.constant), *(sp.factor(c) * x for x, c in form.terms.items()))
+
+    def _letters_of(self, exprs: list[sp.Expr]) -> set[sp.Symbol]:
+        """The letters in which coefficients are written."""
+        return set().union(*(e.free_symbols for e in exprs)) - self.unknowns
+
     def _together(
         self,
         residuals: list[sp.Expr],
@@ -139,7 +156,11 @@ class Algebra:
     ) -> list[Line]:
         """Express the unknowns in the letters one at a time; the equations left over give the letters."""
         if self.symbolic and self.fresh is not None and len(letters) > 1:
-            return self._by_names(residuals, written, order, letters)
+            opened = [self._collected(r, order) for r in residuals]
+            if opened is not None and len(self._letters_of(opened)) <= FEW_LETTERS:
+                residuals = opened
+            else:
+                return self._by_names(residuals, written, order, letters)
         lines: list[Line] = []
         inside: dict[sp.Symbol, sp.Expr] = {}
         chained = order[: len(order) - len(letters)]
