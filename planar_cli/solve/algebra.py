@@ -133,7 +133,7 @@ class Algebra:
         return Line(x, formula, self.value(formula), (equation.number,))
 
     def _collected(self, residual: sp.Expr, order: tuple[sp.Symbol, ...]) -> sp.Expr:
-        """The residual with moments of inertia and other named intermediates put in, collected in the block's unknowns."""
+        """The residual with moments of inertia and other named intermediates put in, collected in unknowns."""
         definitions = self.value.definitions
         for _ in range(20):
             inside = {s: e for s in residual.free_symbols if (e := definitions.get(s)) is not None and e.free_symbols}
@@ -157,7 +157,7 @@ class Algebra:
         """Express the unknowns in the letters one at a time; the equations left over give the letters."""
         if self.symbolic and self.fresh is not None and len(letters) > 1:
             opened = [self._collected(r, order) for r in residuals]
-            if opened is not None and len(self._letters_of(opened)) <= FEW_LETTERS:
+            if len(self._letters_of(opened)) <= FEW_LETTERS:
                 residuals = opened
             else:
                 return self._by_names(residuals, written, order, letters)

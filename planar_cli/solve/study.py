@@ -68,6 +68,8 @@ def solve_velocities(
     if solved.conflict is not None:
         factors, rest = solved.conflict
         conflict = ([(c, f) for c, f in zip(sources, factors, strict=True) if f], rest)
+    if conflict is None and at_rest and given is None:
+        conflict = _moves_at_rest(system, rows, sources, len(columns))
     values = dict(zip(columns, solved.values, strict=True))
     free = () if (at_rest and not nonlinear) or given is not None else tuple(columns[j] for j in solved.null)
     loose: dict[sp.Symbol, dict[sp.Symbol, Decimal]] = {}
@@ -80,6 +82,22 @@ def solve_velocities(
             if not solved.unique(j):
                 del values[columns[j]]
     return Velocities(values, free, conflict, tuple(nonlinear), loose)
+
+
+def _moves_at_rest(
+    system: System, rows: list[Row], sources: list[Condition], width: int
+) -> tuple[list[tuple[Condition, Decimal]], Decimal] | None:
+    """A velocity stated for this instant that is not the one at rest: only `motion` moves what is at rest."""
+    now = {relation.text for relation, always in system.statements.relations if not always}
+    stated = [(r, c) for r, c in zip(rows, sources, strict=True) if c.kind == "given" and c.text in now]
+    if not stated:
+        return None
+    rest = solve([r for r, c in zip(rows, sources, strict=True) if c.kind != "given" or c.text not in now], width)
+    for row, condition in stated:
+        remainder = sum((a * v for a, v in zip(row, rest.values, strict=False)), row[-1])
+        if abs(remainder) > CERTAIN * 10**15:
+            return [(condition, ONE), (Condition("given", "at rest", condition.residual), ONE)], remainder
+    return None
 
 
 def _swaying(system: System, columns: list[sp.Symbol], solved: Solved) -> list[sp.Symbol]:
