@@ -24,6 +24,7 @@ from planar_cli.solve.worked import Worked, unknowns_of
 
 SOUGHT_MASSES = {"particles/unknown-counterweight.yaml"}
 """Files that ask for a mass: the numbers of one choice of modes are linear and know no sought mass."""
+KNOWN = [p for p in PROBLEMS if str(p.relative_to(ROOT / "problems")) not in SOUGHT_MASSES]
 
 
 def held_trials(problem: Problem) -> list[Trial]:
@@ -45,10 +46,8 @@ def parts(path: Path) -> Iterator[Problem]:
             yield case.problem
 
 
-@pytest.mark.parametrize("path", PROBLEMS, ids=lambda p: str(p.relative_to(ROOT / "problems")))
+@pytest.mark.parametrize("path", KNOWN, ids=lambda p: str(p.relative_to(ROOT / "problems")))
 def test_second_road_agrees(path: Path) -> None:
-    if str(path.relative_to(ROOT / "problems")) in SOUGHT_MASSES:
-        pytest.skip("its mass is sought")
     for problem in parts(path):
         for trial in held_trials(problem):
             for outcome in trial.outcomes:
