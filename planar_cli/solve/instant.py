@@ -16,6 +16,7 @@ from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.motion import Motion, TreeBuilder
 from planar_cli.equation.setup import Setup, names_in
 from planar_cli.equation.system import Statements, System, make_system
+from planar_cli.errors import Undecided
 from planar_cli.joints.base import Joint
 from planar_cli.problem.facts import Mode, Push, Test
 from planar_cli.problem.keys import keys_of
@@ -225,6 +226,8 @@ def search_modes(instant: Instant, valuations: tuple[Valuation, ...]) -> tuple[l
     rejected: list[Trial] = []
     for count, choice in enumerate(instant.choices()):
         if count >= MOST_MODES:
+            if not held:
+                raise Undecided(f"none of the first {MOST_MODES} combinations of contact modes holds; there are more")
             break
         trial = instant.try_choice(choice, valuations)
         if trial.objection:

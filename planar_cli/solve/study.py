@@ -14,10 +14,14 @@ from planar_cli.equation.form import Form, Nonlinear, linear_form
 from planar_cli.equation.motion import Motion
 from planar_cli.equation.moving import all_wrenches
 from planar_cli.equation.system import System
+from planar_cli.errors import Undecided
 from planar_cli.problem.facts import Test, Wrench
 from planar_cli.problem.geometry import Vec
 from planar_cli.solve.assembly import Assembly, Twist
 from planar_cli.solve.linear import Row, Solved, solve
+
+MOST_INEQUALITIES = 4000
+"""Beyond so many the elimination of what is not unique is given up, and said so."""
 
 
 @dataclass(slots=True)
@@ -314,6 +318,8 @@ def feasible(tests: list[tuple[Decimal, dict[int, Decimal], bool]]) -> bool:
                 value = b * low[0] + a * up[0]
                 rest.append((value, {k: s for k, s in slopes.items() if abs(s) > CERTAIN}, low[2] or up[2]))
         current = rest
-        if len(current) > 4000:
-            return True
+        if len(current) > MOST_INEQUALITIES:
+            raise Undecided(
+                "whether some distribution of the reactions satisfies every contact is too large a question"
+            )
     return all(_holds(value, strict) for value, _, strict in current)
