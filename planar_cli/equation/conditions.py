@@ -15,6 +15,7 @@ import sympy as sp
 from planar_cli.equation.evaluate import Evaluator
 from planar_cli.equation.motion import Motion, Tree
 from planar_cli.equation.quantities import Quantities
+from planar_cli.equation.scene import Scene
 from planar_cli.errors import NOWHERE, Mark
 from planar_cli.problem.expression import (
     Binary,
@@ -164,6 +165,14 @@ def vector_or_jet(side: Side, quantities: Quantities, evaluator: Evaluator) -> A
     return evaluator.jet(side)
 
 
+def _moves_with(scene: Scene, origin: str, coordinates: set[sp.Symbol]) -> bool:
+    """Is the origin of a place written with a coordinate, without being a point of a body itself?"""
+    if origin in scene.own_points or origin not in scene.formulas:
+        return False
+    formula = scene.formulas[origin]
+    return bool(coordinates & (formula.x.value.free_symbols | formula.y.value.free_symbols))
+
+
 def coordinate_conditions(quantities: Quantities, coordinates: set[sp.Symbol], level: int) -> list[Condition]:
     """Points of bodies that are written with a coordinate move as their formula says."""
     scene = quantities.scene
@@ -174,14 +183,16 @@ def coordinate_conditions(quantities: Quantities, coordinates: set[sp.Symbol], l
         if owner == "ground" or not isinstance(place, At | Polar) or point.name not in scene.own_points:
             continue
         parts = (place.x, place.y) if isinstance(place, At) else (place.distance, place.angle)
-        if not any(coordinates & scene.value(p).free_symbols for p in parts):
+        written = any(coordinates & scene.value(p).free_symbols for p in parts)
+        if not written and not (isinstance(place, Polar) and _moves_with(scene, place.origin, coordinates)):
             continue
         if isinstance(place, At):
             formula = Vec(scene.evaluator.jet(place.x), scene.evaluator.jet(place.y))
         else:
             angle = scene.evaluator.jet(place.angle)
             reach = Vec(angle.through(sp.cos), angle.through(sp.sin)) * scene.evaluator.jet(place.distance)
-            formula = quantities.place(place.origin) + reach
+            own = place.origin in scene.own_points
+            formula = quantities.place(place.origin) + reach if own else scene.formulas[point.name]
         moving = quantities.place(point.name)
         difference = moving - formula
         pick = "rate" if level == VELOCITY else "second"

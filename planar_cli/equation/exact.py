@@ -7,13 +7,17 @@ to the size of its own terms; where letters without a number occur, it must vani
 from __future__ import annotations
 
 import decimal
+import operator
 from collections.abc import Callable, Mapping
 from decimal import Decimal
-from functools import lru_cache
+from functools import lru_cache, partial
+from itertools import combinations, pairwise
 from typing import Any
 
 import mpmath
 import sympy as sp
+
+from planar_cli.equation.quadrature import breaks, quad
 
 DIGITS = 60
 CERTAIN = Decimal(10) ** -40
@@ -22,6 +26,9 @@ ZERO = Decimal(0)
 ONE = Decimal(1)
 REMEMBERED = 10_000
 """So many sines and the like are kept: the same few angles are asked again and again."""
+
+OF_INTEGRAL, AT_TURNING = 44, 25
+"""Certain digits of an integral, and of one whose integrand grows without bound at an end."""
 
 PI = Decimal("3.14159265358979323846264338327950288419716939937510582097494459230781640628620899862803")
 
@@ -49,12 +56,28 @@ FUNCTIONS: dict[type, Callable[..., Decimal]] = {
     sp.acos: _through_mpmath("acos"),
     sp.atan: _through_mpmath("atan"),
     sp.atan2: _atan2,
+    sp.sinh: _through_mpmath("sinh"),
+    sp.cosh: _through_mpmath("cosh"),
+    sp.tanh: _through_mpmath("tanh"),
+    sp.asinh: _through_mpmath("asinh"),
+    sp.acosh: _through_mpmath("acosh"),
+    sp.atanh: _through_mpmath("atanh"),
     sp.exp: Decimal.exp,
     sp.log: Decimal.ln,
     sp.Abs: abs,
     sp.sign: lambda x: ZERO if not x else ONE.copy_sign(x),
     sp.Max: max,
     sp.Min: min,
+}
+
+
+COMPARISONS: dict[type, Callable[[Decimal, Decimal], bool]] = {
+    sp.StrictLessThan: operator.lt,
+    sp.LessThan: operator.le,
+    sp.StrictGreaterThan: operator.gt,
+    sp.GreaterThan: operator.ge,
+    sp.Equality: operator.eq,
+    sp.Unequality: operator.ne,
 }
 
 
@@ -108,6 +131,10 @@ class Valuation:
             return ONE.exp()
         function = FUNCTIONS.get(expr.func)
         if function is None:
+            if isinstance(expr, sp.Piecewise):
+                return self(next((e for e, c in expr.args if self.holds(c)), sp.nan))
+            if isinstance(expr, sp.Integral):
+                return integral(expr, self)
             raise ArithmeticError(f"{expr.func.__name__} has no real value here")
         return function(*(self(a) for a in expr.args))
 
@@ -119,6 +146,19 @@ class Valuation:
                 raise Unvalued(str(symbol))
             return self(definition)
         return value
+
+    def holds(self, condition: Any) -> bool:
+        """Does a condition of comparisons hold?"""
+        if condition in (sp.true, sp.false):
+            return bool(condition)
+        if isinstance(condition, sp.And | sp.Or):
+            return (all if isinstance(condition, sp.And) else any)(self.holds(a) for a in condition.args)
+        if isinstance(condition, sp.Not):
+            return not self.holds(condition.args[0])
+        compare = COMPARISONS.get(condition.func)
+        if compare is None:
+            raise ArithmeticError(f"{condition} is no comparison")
+        return compare(self(condition.lhs), self(condition.rhs))
 
     def size(self, expr: Any) -> Decimal:
         """The size of the terms of an expression: what a remainder is measured against."""
@@ -152,3 +192,35 @@ def power(base: Decimal, exponent: Any, value: Valuation) -> Decimal:
     if base < 0:
         raise ArithmeticError("root of a negative number")
     return base ** value(exponent)
+
+
+def integral(expr: sp.Integral, value: Valuation) -> Decimal:
+    """The value of a definite integral over one variable, with `OF_INTEGRAL` digits, or `AT_TURNING` at least."""
+    if len(expr.limits) != 1 or len(expr.limits[0]) != 3:
+        raise ArithmeticError("an integral without two limits")
+    x, start, end = expr.limits[0]
+    inside = {s: value(s) for s in expr.function.free_symbols - {x}}
+
+    def at(e: sp.Expr, point: Decimal) -> Decimal:
+        return Valuation({**inside, x: +point})(e)
+
+    def f(point: Any) -> Any:
+        return mpmath.mpf(str(at(expr.function, Decimal(mpmath.nstr(point, DIGITS + 10)))))
+
+    switches = [partial(at, s) for s in switching(expr.function) if s.has(x)]
+    places = breaks(switches, value(start), value(end))
+    for digits in (OF_INTEGRAL, AT_TURNING):
+        try:
+            return sum((quad(f, a, b, digits) for a, b in pairwise(places)), ZERO)
+        except ArithmeticError:
+            if digits == AT_TURNING:
+                raise
+    return ZERO
+
+
+def switching(expr: sp.Expr) -> list[sp.Expr]:
+    """Where one of these changes its sign, an expression may have a corner or a jump."""
+    found = [a.args[0] for a in expr.atoms(sp.Abs, sp.sign)]
+    found += [a - b for m in expr.atoms(sp.Max, sp.Min) for a, b in combinations(m.args, 2)]
+    found += [c.lhs - c.rhs for p in expr.atoms(sp.Piecewise) for c in p.atoms(sp.core.relational.Relational)]
+    return found

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import random
 from collections import ChainMap
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from decimal import Decimal
 from fractions import Fraction
@@ -26,7 +26,8 @@ class Ledger:
 
     `values`: exact expression of a known (a number, or a formula of other knowns). `definitions`: named intermediates
     in the order in which they were made, with `titles` saying what each is. `letters`: knowns without a number.
-    `sought`: unknown constants and coordinates. `units`: the unit for display, by symbol.
+    `sought`: unknown constants and coordinates. `units`: the unit for display, by symbol. `ranges`: from where to where
+    a letter is drawn, where the usual range would not do. `project`: moves drawn coordinates to where loops close.
     """
 
     symbols: dict[str, sp.Symbol] = field(default_factory=dict)
@@ -38,6 +39,8 @@ class Ledger:
     coordinates: list[sp.Symbol] = field(default_factory=list)
     units: dict[sp.Symbol, Unit] = field(default_factory=dict)
     us: bool = False
+    ranges: dict[str, tuple[Decimal, Decimal]] = field(default_factory=dict)
+    project: Callable[[Valuation], Mapping[sp.Symbol, Decimal]] | None = None
 
     def known(self, name: str, value: sp.Expr, unit: str) -> sp.Symbol:
         """A name with a value; positive when its number is."""
@@ -104,14 +107,26 @@ class Ledger:
         rng = random.Random(20)
         for _ in range(tries):
             candidate = Valuation({s: self._draw(s, rng) for s in free}, ChainMap(self.values, self.definitions))
-            if _holds(holds, candidate):
-                found.append(candidate)
+            placed = self._projected(candidate)
+            if placed is not None and _holds(holds, placed):
+                found.append(placed)
             if len(found) == (DRAWS if free else 1) or not free:
                 break
         return tuple(found)
 
+    def _projected(self, candidate: Valuation) -> Valuation | None:
+        if self.project is None:
+            return candidate
+        try:
+            return candidate.extended(self.project(candidate))
+        except ArithmeticError:
+            return None
+
     def _draw(self, symbol: sp.Symbol, rng: random.Random) -> Decimal:
         number = Decimal(rng.randrange(10**30, 10**31)) / Decimal(10**31)
+        if symbol.name in self.ranges:
+            low, high = self.ranges[symbol.name]
+            return low + (high - low) * number
         if self.units[symbol].angle and self.units[symbol].dimension == PURE:
             return PI * (Decimal("0.08") + Decimal("0.36") * number)
         return Decimal("0.5") + Decimal("1.5") * number

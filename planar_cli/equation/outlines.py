@@ -50,7 +50,7 @@ def _surface(scene: Scene, surface: Surface, point: Vec, mark: Mark) -> Outline:
     body = surface.body or "ground"
     shape = surface.shape
     if isinstance(shape, Line):
-        tangent = scene.unit(shape.angle)
+        tangent = scene.surface_angle(surface)
         off = (point - scene.point(shape.through)).cross(tangent)
         if not scene.is_zero(off):
             raise refuse(
@@ -143,7 +143,8 @@ def _plate(scene: Scene, body: str, shape: Plate, point: Vec, mark: Mark) -> Out
 
 def edges_at(scene: Scene, body: str, shape: Plate, point: Vec) -> list[Outline]:
     """The edges of a plate that pass through a point (two at a corner)."""
-    along = scene.unit(shape.angle) if shape.angle is not None else Vec(sp.S.One, sp.S.Zero)
+    angle = (scene.value(shape.angle) if shape.angle is not None else sp.S.Zero) + scene.turn(body)
+    along = Vec(sp.cos(angle), sp.sin(angle))
     out = point - scene.point(shape.center)
     found = []
     for direction, half, depth in (

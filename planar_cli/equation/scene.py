@@ -4,7 +4,8 @@ state facts.
 
 from __future__ import annotations
 
-from typing import Any
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
@@ -36,6 +37,9 @@ from planar_cli.problem.scene import (
 )
 from planar_cli.problem.scene import Outline as OutlineShape
 
+if TYPE_CHECKING:
+    from planar_cli.equation.displaced import Displacement
+
 WORDY = 4
 """An expression of more operations than this gets a name of its own where it is a coordinate of a point."""
 
@@ -47,8 +51,12 @@ class Scene:
     belongs to, the most intimate first. `gravity`: the symbol g, or 0 in a horizontal plane.
     """
 
-    def __init__(self, problem: Problem, ledger: Ledger, evaluator: Evaluator) -> None:
+    def __init__(
+        self, problem: Problem, ledger: Ledger, evaluator: Evaluator, displacement: Displacement | None = None
+    ) -> None:
         self.problem, self.ledger, self.evaluator = problem, ledger, evaluator
+        self.open_places: set[sp.Symbol] = set()
+        self._turns: dict[str, sp.Expr] = {}
         self.surfaces: dict[str, Surface] = {s.name: s for s in problem.surfaces}
         self._places = {p.name: p for p in problem.points}
         self.formulas: dict[str, Vec] = {}
@@ -71,6 +79,36 @@ class Scene:
         self.cancelling = reader.cancelling
         self._valuations = None
         self.owners = self._owners()
+        if displacement is not None:
+            self._displace(displacement)
+
+    def _displace(self, displacement: Displacement) -> None:
+        """Put every body, and what it carries, where its pose says."""
+        for name, place in self.points.items():
+            if name in displacement.spots:
+                self.points[name] = displacement.spots[name]
+                continue
+            pose = displacement.poses.get(self.owner(name))
+            if pose is not None:
+                self.points[name] = pose.point(place)
+        for name, body in self.bodies.items():
+            pose = displacement.poses[name]
+            theta = body.theta + pose.turn
+            self.bodies[name] = replace(body, center=pose.point(body.center), theta=theta)
+            if pose.turn != 0:
+                self._turns[name] = pose.turn
+        self._lengths.clear()
+        self._outlines.clear()
+
+    def turn(self, body: str) -> sp.Expr:
+        """The angle by which a body has turned from where it was drawn."""
+        return self._turns.get(body, sp.S.Zero)
+
+    def surface_angle(self, surface: Surface) -> Vec:
+        """The direction of a straight surface, which turns with the body that carries it."""
+        assert isinstance(surface.shape, Line)
+        angle = self.value(surface.shape.angle) + self.turn(surface.body or GROUND)
+        return Vec(sp.cos(angle), sp.sin(angle))
 
     def _gravity(self) -> sp.Expr:
         if "g" not in self.ledger.symbols:
@@ -87,6 +125,7 @@ class Scene:
                 if body.shape.place is None:
                     x, y = (self.ledger.seek(f"{axis}_{body.name}", "m") for axis in ("x", "y"))
                     self.points[body.name] = Vec(x, y)
+                    self.open_places |= {x, y}
                 else:
                     self._places[body.name] = Point(body.name, body.shape.place, body.mark)
                     self.formula(body.name)
@@ -217,9 +256,7 @@ class Scene:
         if not isinstance(along, str):
             return self.unit(along)
         if along in self.surfaces:
-            shape = self.surfaces[along].shape
-            assert isinstance(shape, Line)
-            return self.unit(shape.angle)
+            return self.surface_angle(self.surfaces[along])
         body = self.bodies[along]
         if isinstance(body.shape, Rod) and body.shape.end is not None:
             reach = self.point(body.shape.end) - self.point(body.shape.start)

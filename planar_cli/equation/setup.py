@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from decimal import Decimal
 
 import sympy as sp
 
+from planar_cli.equation.displaced import Displacement
+from planar_cli.equation.exact import Valuation
 from planar_cli.equation.evaluate import Evaluator, refuse
 from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.scene import Scene
@@ -25,13 +28,29 @@ class Earlier:
     unit: str
 
 
+@dataclass(frozen=True, slots=True)
+class Course:
+    """A scene in a general position: how it is displaced (None: as drawn), within which ranges letters are drawn, and how
+    draws of coordinates are moved to where loops close.
+    """
+
+    displacement: Displacement | None
+    ranges: Mapping[str, tuple[Decimal, Decimal]]
+    project: Callable[[Valuation], Mapping[sp.Symbol, Decimal]] | None = None
+
+
 class Setup:
     """Makes ledger, evaluator and scene; `open_form`: coordinates stay letters of the answer (a formula that holds
     throughout).
     """
 
     def __init__(
-        self, problem: Problem, statements: Statements, earlier: Mapping[str, Earlier], open_form: bool
+        self,
+        problem: Problem,
+        statements: Statements,
+        earlier: Mapping[str, Earlier],
+        open_form: bool,
+        course: Course | None = None,
     ) -> None:
         self.problem, self.statements, self.earlier = problem, statements, earlier
         self.ledger = Ledger(us=problem.us)
@@ -42,7 +61,28 @@ class Setup:
         self._names()
         self.settled: list[Relation] = []
         self._settle_coordinates(open_form)
-        self.scene = Scene(problem, self.ledger, self.evaluator)
+        displacement = None
+        if course is not None:
+            displacement = course.displacement
+            self._open_course(course)
+        self.scene = Scene(problem, self.ledger, self.evaluator, displacement)
+        if course is not None:
+            for symbol in list(self.ledger.sought):
+                self.ledger.release(symbol)
+
+    def _open_course(self, course: Course) -> None:
+        """Time, coordinates and speeds stay letters; their draws lie where the file says."""
+        time = self.ledger.symbols["t"]
+        if time not in self.ledger.letters:
+            self.ledger.letters.append(time)
+        if course.displacement is not None:
+            for c in course.displacement.coordinates:
+                if c.symbol.name not in self.ledger.symbols:
+                    self.ledger.symbols[c.symbol.name] = c.symbol
+                    self.ledger.units[c.symbol] = parse_unit(c.unit)
+                    self.ledger.letters.append(c.symbol)
+        self.ledger.ranges = dict(course.ranges)
+        self.ledger.project = course.project
 
     # --- names -------------------------------------------------------------------------------------------------------
 

@@ -56,8 +56,8 @@ def _rim(poses: Poses, stops: Sequence[Stop], index: int, along: Vec | None) -> 
     running = reach if index == 0 else -reach
     if along is not None:
         direction = poses.vector(along)
-        running = direction if running.dot(direction) >= 0 else -direction
-    left = arm.cross(running) > 0
+        running = direction if poses.positive(running.dot(direction)) else -direction
+    left = poses.positive(arm.cross(running))
     return _Rim(stop.body, center, radius if left else -radius, True)
 
 
@@ -67,7 +67,7 @@ def _free(poses: Poses, a: _Rim, b: _Rim, along: Vec | None) -> tuple[Any, Any]:
     if along is not None:
         direction = poses.vector(along)
         length = reach.dot(direction)
-        return (length if length.value >= 0 else -length), poses.angle("ground")
+        return (length if poses.positive(length) else -length), poses.angle("ground")
     offset = b.rho - a.rho
     length = poses.root(reach.dot(reach) - offset * offset)
     return length, poses.turned(reach * length - reach.turned() * offset)

@@ -47,6 +47,9 @@ class Poses(Protocol):
     def turned(self, v: Vec) -> Any:
         """The angle by which a direction has turned since it was drawn, counterclockwise."""
 
+    def positive(self, number: Any) -> bool:
+        """Is a number, as drawn, not negative?"""
+
     def change(self, number: Any) -> Any:
         """A number less its value as drawn."""
 

@@ -47,12 +47,19 @@ class Finisher:
         self.ledger = self.scene.ledger
         self.answer_units = answer_units
         self.symbolic = self.ledger.symbolic
+        self.letters: frozenset[sp.Symbol] = frozenset()
 
     def solve(self, finds: tuple[Find, ...]) -> tuple[InstantSolution, list[Found]]:
         """The stages, and the answers of these finds."""
         quantities = self.system.quantities()
         sides = {f.name: self._expressions(f, quantities) for f in finds}
-        exprs = [e for es in sides.values() for e in es]
+        solution, stages, value = self.work([e for es in sides.values() for e in es], finds)
+        return solution, [self._found(f, sides[f.name], value, stages, quantities) for f in finds]
+
+    def work(
+        self, exprs: list[sp.Expr], finds: tuple[Find, ...]
+    ) -> tuple[InstantSolution, list[Stage], Valuation]:
+        """The stages that expressions need, carried out and checked."""
         base = self.trial.outcomes[0].value
         unknowns = set(acceleration_unknowns(self.system))
         kinetics = self._has_forces()
@@ -66,7 +73,7 @@ class Finisher:
         lines = tuple(line for s in stages for line in s.lines)
         solution = InstantSolution(self.state, self.instant, self.trial, self.rejected, tuple(stages), lines, value)
         solution.checks = verify(self.trial, value.values).report()
-        return solution, [self._found(f, sides[f.name], value, stages, quantities) for f in finds]
+        return solution, stages, value
 
     def sought_targets(self, finds: tuple[Find, ...]) -> set[sp.Symbol]:
         """The symbols that stand in the finds."""
@@ -141,7 +148,7 @@ class Finisher:
     def _with_velocities(self, maker: StageMaker, exprs: list[sp.Expr], acceleration: Stage | None) -> list[Stage]:
         """The velocity stage that the acceleration stage and the finds rest on comes first."""
         velocities = self.trial.velocities[0]
-        moving = {s for s, v in velocities.values.items() if v}
+        moving = {s for s, v in velocities.values.items() if v} - self.letters
         used = list(exprs)
         if acceleration is not None:
             used += [w.residual for b in acceleration.blocks for w in b.equations] + [
@@ -152,7 +159,8 @@ class Finisher:
         if targets:
             known = {s: v for s, v in velocities.values.items() if not v}
             plain = Valuation({s: v for s, v in maker.value.values.items() if s not in moving}, maker.value.definitions)
-            stages.append(StageMaker(self.system, plain, self.symbolic).velocities(targets, known))
+            maker_of_velocities = StageMaker(self.system, plain, self.symbolic, letters=self.letters)
+            stages.append(maker_of_velocities.velocities(targets, known))
         if acceleration is not None:
             stages.append(acceleration)
         return stages
@@ -225,7 +233,7 @@ class Finisher:
         if isinstance(what, Quantity) and what.word == "mode":
             return Found(find.name, "word", pure, None, None, self._mode_name(what.things[0]), find)
         unit = self.unit_of(find, what)
-        closed = tuple(self._closed(e, stages) for e in exprs)
+        closed = tuple(self.closed(e, stages) for e in exprs)
         symbolic = any(set(self.ledger.letters) & c.free_symbols for c in closed)
         values = None if symbolic else tuple(_number(e, value) for e in exprs)
         short = all(not longer(c, CLOSED_OPS) and not rounded_inside(c) for c in closed)
@@ -242,7 +250,7 @@ class Finisher:
         kind: Kind = dimension_of(what, self.instant.setup.lookup)
         return self.instant.setup.unit_for(kind)
 
-    def _closed(self, expr: sp.Expr, stages: list[Stage]) -> sp.Expr:
+    def closed(self, expr: sp.Expr, stages: list[Stage]) -> sp.Expr:
         """The formula of a find down to the names of the file."""
         formulas: dict[sp.Symbol, sp.Expr] = {}
         for stage in stages:

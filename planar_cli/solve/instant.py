@@ -164,7 +164,8 @@ class Instant:
     def _speeds(system: System, given: dict[sp.Symbol, Decimal] | None) -> dict[sp.Symbol, Decimal] | None:
         if given is None:
             return None
-        names = {s.name for s in system.tree.velocity_unknowns()}
+        rates = (r for r, _ in system.scene.evaluator.motions.values() if isinstance(r, sp.Symbol))
+        names = {s.name for s in (*system.tree.velocity_unknowns(), *rates)}
         return {s: v for s, v in given.items() if s.name in names}
 
     @staticmethod

@@ -86,6 +86,10 @@ class NearPoses:
         found: TimeJet = drawn.cross(v) / drawn.dot(v)
         return found
 
+    def positive(self, number: Any) -> bool:
+        """Is a number or jet, as drawn, not negative?"""
+        return bool((number if isinstance(number, Decimal) else number.value) >= 0)
+
     def change(self, number: Any) -> Any:
         """The number less its value as drawn."""
         return number - number.value

@@ -43,18 +43,23 @@ class Stage:
 
 @dataclass(slots=True)
 class StageMaker:
-    """Makes a stage of one system. `value`: numbers of everything that is known before it."""
+    """Makes a stage of one system. `value`: numbers of everything that is known before it. `letters`: velocities that
+    stay letters, as in a position that is left general.
+    """
 
     system: System
     value: Valuation
     symbolic: bool
     next_number: int = 1
+    letters: frozenset[sp.Symbol] = frozenset()
 
     def velocities(self, targets: set[sp.Symbol], known: dict[sp.Symbol, Decimal]) -> Stage:
         """The velocities that are needed; `known`: those that are zero."""
         rates = [r for r, _ in self.system.scene.evaluator.motions.values() if isinstance(r, sp.Symbol)]
         unknowns = [
-            s for s in (*self.system.tree.velocity_unknowns(), *rates, *self._sought_speeds()) if s not in known
+            s
+            for s in (*self.system.tree.velocity_unknowns(), *rates, *self._sought_speeds())
+            if s not in known and s not in self.letters
         ]
         conditions = self.system.velocity_conditions()
         zero = dict.fromkeys(known, sp.S.Zero)

@@ -1,0 +1,76 @@
+"""Signs and zeros of expressions by their letters or their values, and closed forms confirmed at drawn points."""
+
+from __future__ import annotations
+
+import random
+from decimal import Decimal
+
+import sympy as sp
+
+from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.equation.plain import MANY, longer, simplified
+
+CONFIRMED, DRAWS = 2, 16
+"""So many points must confirm a closed form, of so many that are tried."""
+_NUMBERS = Valuation({})
+
+
+def sign(expr: sp.Expr, value: Valuation | None = None) -> int | None:
+    """-1, 0 or 1: by the assumptions on its letters, else by its value; None: undecided."""
+    if expr.is_zero or vanishes(expr):
+        return 0
+    if expr.is_positive:
+        return 1
+    if expr.is_negative:
+        return -1
+    try:
+        known = value or _NUMBERS
+        return 0 if known.is_zero(expr) else int(Decimal(1).copy_sign(known(expr)))
+    except (Unvalued, ArithmeticError):
+        return None
+
+
+def vanishes(expr: sp.Expr, value: Valuation | None = None) -> bool:
+    """Is the expression zero, identically or with the values at hand?"""
+    if expr.is_zero:
+        return True
+    if expr.is_Symbol or expr.is_Rational:
+        if value is None or expr.is_Rational:
+            return False
+    elif not longer(expr, MANY) and simplified(expr).is_zero:
+        return True
+    try:
+        return value is not None and value.is_zero(expr)
+    except (Unvalued, ArithmeticError):
+        return False
+
+
+def confirmed(difference: sp.Expr, value: Valuation | None = None, free: tuple[sp.Symbol, ...] = ()) -> bool:
+    """Does the difference vanish at drawn points? The letters `free` are drawn even if they have values."""
+    if difference == 0:
+        return True
+    draw = random.Random(7)
+    found = 0
+    for trial in range(DRAWS):
+        numbers = {}
+        for symbol in sorted(difference.free_symbols, key=lambda s: s.name):
+            drawn = Decimal(draw.randint(2000, 19999)) / 10000
+            if symbol in free and not symbol.is_positive and trial % 3 == 2:
+                drawn = -drawn
+            numbers[symbol] = drawn if symbol in free else _value(symbol, value, drawn)
+        try:
+            if not Valuation(numbers).is_zero(difference):
+                return False
+            found += 1
+        except ArithmeticError:
+            continue
+        if found == CONFIRMED:
+            return True
+    return False
+
+
+def _value(symbol: sp.Symbol, value: Valuation | None, drawn: Decimal) -> Decimal:
+    try:
+        return drawn if value is None else value(symbol)
+    except (Unvalued, ArithmeticError):
+        return -drawn if symbol.is_negative else drawn

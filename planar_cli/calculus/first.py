@@ -1,0 +1,404 @@
+"""The first instant at which a function of time vanishes or is largest, and all such instants.
+
+A root counts strictly after the beginning: where the function vanishes at `after` itself (to rounding, that is 1e-12
+of its scale), the next zero is sought. A function that is zero all along from `after` on has its root there ("stays").
+An extreme that reaches zero without crossing it is a root ("touch") if it misses by no more than 1e-9 of the scale, the
+largest value nearby; one that goes through by more than 1e-12 makes two crossings. `polish` decides in many digits.
+A change of sign across a jump or a pole is no root.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+
+from planar_cli.calculus.panels import EPS, Panel, Scan
+from planar_cli.calculus.polish import polish, polish_extreme
+
+__all__ = [
+    "Extreme",
+    "Root",
+    "all_roots",
+    "first_common",
+    "first_extreme",
+    "first_root",
+    "polish",
+    "polish_extreme",
+    "roots",
+]
+
+MISS = 1e-9
+THROUGH = 1e-12
+TIE = 1e-12
+MOST = 400_000
+"""Evaluations spent where an end is given; beyond them the question is refused."""
+
+Function = Callable[[float], float]
+
+
+@dataclass(frozen=True, slots=True)
+class Root:
+    """A root and a bracket about it.
+
+    `kind`: "crossing"; "touch", where `miss` is the value of the extreme; "edge", where the function reaches zero at
+    the last instant of its domain; "stays", where it is zero from there to `high`. `sense`: the sign of g after
+    a crossing, the sign of g about a touch.
+    """
+
+    value: float
+    low: float
+    high: float
+    kind: str = "crossing"
+    sense: int = 0
+    miss: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class Extreme:
+    """The largest or smallest value and the first instant at which it is attained, with a bracket.
+
+    `kind`: "interior", "start", "end", or "limit": approached for ever and not attained (`at` is infinite).
+    `again`: without an end, the motion was seen to repeat itself.
+    """
+
+    value: float
+    at: float
+    low: float
+    high: float
+    kind: str
+    again: bool = False
+
+
+def first_root(
+    g: Function,
+    after: float,
+    horizon: float | None = None,
+    scale: float | None = None,
+    size: float = 0.0,
+    evaluations: int = 20_000,
+) -> Root | None:
+    """The first root after `after`, until `horizon` (a time) or, without one, for as long as `evaluations` last.
+
+    None: there is none up to the horizon; without one, none in 20,000 evaluations (over a thousand periods of
+    a swinging motion), or g goes away, dies out, or repeats itself without a root. With a horizon that could not be
+    reached: ArithmeticError.
+    """
+    return next(roots(g, after, horizon, scale, size, evaluations), None)
+
+
+def all_roots(g: Function, after: float, until: float, limit: int = 200, scale: float | None = None) -> list[Root]:
+    """All roots in (after, until], the first `limit` of them."""
+    found: list[Root] = []
+    for root in roots(g, after, until, scale):
+        found.append(root)
+        if len(found) >= limit:
+            break
+    return found
+
+
+def first_common(
+    gs: Sequence[Function], after: float, horizon: float | None = None, scale: float | None = None
+) -> Root | None:
+    """The first root of gs[0] at which the others vanish too, to 1e-9 of the size they have nearby."""
+    for root in roots(gs[0], after, horizon, scale):
+        if all(_vanishes(g, root, after) for g in gs[1:]):
+            return root
+    return None
+
+
+def _vanishes(g: Function, root: Root, after: float) -> bool:
+    """Is there a root of g as near to this one as two roots of the same instant are found?"""
+    about = max(abs(root.value - after), abs(root.value), EPS)
+    reach = 1e-8 * about if root.kind == "touch" else 1e-10 * about
+    try:
+        here = abs(g(root.value))
+        sizes = [abs(g(root.value - f * about)) for f in (0.01, 0.03, 0.1)]
+        near = max(abs(g(root.value - reach) - g(root.value)), abs(g(root.value + reach) - g(root.value)))
+    except (ArithmeticError, ValueError):
+        return False
+    return here <= max(MISS * max(sizes), near)
+
+
+def roots(
+    g: Function,
+    after: float,
+    horizon: float | None = None,
+    scale: float | None = None,
+    size: float = 0.0,
+    evaluations: int = 20_000,
+) -> Iterator[Root]:
+    """The roots after `after`, one by one; see first_root."""
+    if horizon is not None and not horizon > after:
+        return
+    scan = Scan(g, after, horizon, scale, size, evaluations if horizon is None else MOST)
+    if scan.first[1] <= 4 * scan.noise + 1e-300 and (panel := scan.fit(after, after + scan.first[0])[0]) is not None:
+        yield Root(after, after, panel.hi, "stays")
+        return
+    walk = _Walk(scan)
+    for panel in scan.panels():
+        yield from walk.through(panel)
+        if horizon is None and walk.repeats():
+            return
+    yield from walk.finish()
+    if not walk.clear and scan.largest > 0:
+        raise ArithmeticError("the values of the function are rounding noise: the size of its terms is needed")
+    if scan.exhausted and horizon is not None:
+        raise ArithmeticError(f"the function changes too fast: not searched beyond {walk.reached}")
+
+
+class _Walk:
+    """Goes through the panels from one clearly non-zero point to the next."""
+
+    def __init__(self, scan: Scan) -> None:
+        self.scan = scan
+        self.before: tuple[float, float] | None = None
+        self.touch: Root | None = None
+        self.near_end: Root | None = None
+        self.last: Panel | None = None
+        self.reached = scan.after
+        self.size = 0.0
+        self.clear = False
+        self.extremes: list[tuple[float, float]] = []
+
+    def through(self, panel: Panel) -> Iterator[Root]:
+        self.near_end = None
+        if panel.hole:
+            yield from self._edge()
+            self.before, self.touch, self.last, self.reached = None, None, None, panel.hi
+            return
+        self.size = max(panel.size, self.size / 2)
+        start = panel.lo == self.scan.after
+        size = max(self.size, self.scan.first[1]) if start else self.size
+        for t, v, stationary in self._points(panel):
+            if stationary:
+                self.extremes.append((t, v))
+            if t == self.scan.after and abs(v) <= max(THROUGH * size, 4 * panel.noise):
+                continue
+            yield from self._point(panel, t, v, stationary)
+        self.last, self.reached = panel, panel.hi
+
+    def _points(self, panel: Panel) -> list[tuple[float, float, bool]]:
+        """The ends and the stationary points, the latter refined where they come near zero."""
+        points = [(panel.lo, panel.values[0], False)] if self.last is None else []
+        if not panel.bernstein:
+            low = min(range(len(panel.times)), key=lambda i: abs(panel.values[i]))
+            points += [(t, v, i == low) for i, (t, v) in enumerate(zip(panel.times, panel.values, strict=True)) if i]
+            return points
+        for t in panel.critical():
+            v = panel.at(t)
+            points.append((*self.scan.refined(panel, t), True) if abs(v) <= 1e-5 * self.size else (t, v, True))
+        points.append((panel.hi, panel.values[-1], False))
+        return points
+
+    def _point(self, panel: Panel, t: float, v: float, stationary: bool) -> Iterator[Root]:
+        zero = 4 * panel.noise
+        before = self.before
+        same = before is None or (v > 0) == (before[1] > 0)
+        closeness = max(zero, (MISS if same else THROUGH) * self.size) if stationary else zero
+        if abs(v) <= closeness:
+            if stationary and before is not None and self.touch is None and self.size > 10 * zero:
+                reach = min((panel.hi - panel.lo) / 8, (t - before[0]) / 2)
+                sense = 1 if before[1] > 0 else -1
+                self.touch = Root(t, t - reach, t + reach, "touch", sense, v)
+            elif t == self.scan.end and before is not None:
+                self.near_end = Root(t, t - 64 * EPS * abs(t), t)
+            return
+        if before is not None and not same:
+            root = self._crossing(before, (t, v), panel)
+            self.touch = None
+            if root is not None:
+                yield root
+        elif self.touch is not None and abs(v) > 100 * (abs(self.touch.miss) + zero + EPS * self.scan.largest):
+            yield self.touch
+            self.touch = None
+        self.before, self.clear = (t, v), True
+
+    def _crossing(self, a: tuple[float, float], b: tuple[float, float], panel: Panel) -> Root | None:
+        """The root between two points of opposite sign; None: a jump or a pole."""
+        closed = _closed_in(self.scan.value, a, b)
+        if closed is None:
+            return None
+        lo, hi = closed
+        value = lo[0] if abs(lo[1]) <= abs(hi[1]) else hi[0]
+        size = max(abs(a[1]), abs(b[1]), self.size)
+        if min(abs(lo[1]), abs(hi[1])) > 0 and max(abs(lo[1]), abs(hi[1])) > 1e-6 * size:
+            return None
+        low, high = self._bracket(value, a[0], b[0], 1 if b[1] > 0 else -1, panel)
+        return Root(value, low, high, "crossing", 1 if b[1] > 0 else -1)
+
+    def _bracket(self, root: float, least: float, most: float, sense: int, panel: Panel) -> tuple[float, float]:
+        """How far to either side g is clearly not zero: there the sign is certain whatever the rounding."""
+        size = self.scan.first[1] if root - self.scan.after < self.scan.unit else 0.0
+        clear = 16 * max(panel.noise, EPS * self.size, EPS * size)
+        ends = []
+        for side, limit in ((-1, least), (1, most)):
+            step = 4 * EPS * max(abs(root), abs(self.scan.after))
+            while (t := root + side * step) * side < limit * side:
+                v = self.scan.value(t)
+                if v is not None and v * side * sense >= clear:
+                    break
+                step *= 4
+            ends.append(t if t * side < limit * side else limit)
+        return ends[0], ends[1]
+
+    def _edge(self) -> Iterator[Root]:
+        """Does g run into zero at the very edge of its domain, as a square root does?"""
+        if self.last is None or self.before is None:
+            return
+        edge = self.scan.edge(self.reached)
+        if edge is None:
+            return
+        inside, outside = edge
+        step = 1e4 * max(outside - inside, EPS * abs(inside))
+        here, back = self.scan.value(inside), self.scan.value(inside - step)
+        if here is not None and back is not None and abs(here) <= min(0.05 * abs(back), 1e-6 * self.size):
+            yield Root(inside, inside - step, inside, "edge", 0, here)
+
+    def finish(self) -> Iterator[Root]:
+        """A touch or zero at the very end."""
+        if self.touch is not None and self.scan.until is not None and self.touch.value <= self.scan.until:
+            yield self.touch
+        elif self.near_end is not None:
+            yield self.near_end
+
+    def repeats(self) -> bool:
+        """Have the extremes so far repeated themselves without coming near zero?"""
+        return (
+            period_of(self.extremes, self.size) is not None
+            and min(abs(v) for _, v in self.extremes[-13:]) > 1e-5 * self.size
+        )
+
+
+def period_of(extremes: list[tuple[float, float]], size: float) -> float | None:
+    """The period, if the last extremes repeat earlier ones in value and spacing four times over."""
+    for n in (2, 4, 6, 8, 12):
+        if len(extremes) < 5 * n:
+            break
+        tail = extremes[-5 * n :]
+        period = (tail[-1][0] - tail[n - 1][0]) / 4
+        pairs = list(zip(tail, tail[n:], strict=False))
+        if all(abs(b[1] - a[1]) <= MISS * size and abs(b[0] - a[0] - period) <= 1e-6 * period for a, b in pairs):
+            return period
+    return None
+
+
+def _closed_in(
+    g: Callable[[float], float | None], a: tuple[float, float], b: tuple[float, float]
+) -> tuple[tuple[float, float], tuple[float, float]] | None:
+    """The bracket shrunk to neighbouring floats: inverse quadratic steps or halving, after Chandrupatla (1997).
+
+    None: no value in between, a pole.
+    """
+    (xa, fa), (xb, fb) = a, b
+    x = (xa + xb) / 2
+    for _ in range(200):
+        f = g(x)
+        if f is None:
+            return None
+        if f == 0:
+            return (x, 0.0), (x, 0.0)
+        if (f > 0) == (fa > 0):
+            xc, fc, xa, fa = xa, fa, x, f
+        else:
+            xc, fc, xb, fb, xa, fa = xb, fb, xa, fa, x, f
+        width = abs(xb - xa)
+        if width <= 2 * EPS * max(abs(xa), abs(xb)) or (xa + xb) / 2 in {xa, xb}:
+            break
+        xi, phi = (xa - xb) / (xc - xb), (fa - fb) / (fc - fb)
+        share = 0.5
+        if phi**2 < xi and (1 - phi) ** 2 < 1 - xi:
+            share = fa / (fb - fa) * fc / (fb - fc) + (xc - xa) / (xb - xa) * fa / (fc - fa) * fb / (fc - fb)
+        least = EPS * max(abs(xa), abs(xb)) / width
+        x = xa + min(max(share, least), 1 - least) * (xb - xa)
+    pair = sorted([(xa, fa), (xb, fb)])
+    return pair[0], pair[1]
+
+
+def first_extreme(
+    g: Function,
+    after: float,
+    until: float | None = None,
+    sense: int = 1,
+    scale: float | None = None,
+    evaluations: int = 20_000,
+) -> Extreme | None:
+    """The largest (`sense` = 1) or smallest (-1) value on [after, until], or over the whole motion.
+
+    Ties within 1e-12 of the largest |g|: the first. Without an end: until the motion repeats itself or dies out, or for
+    as long as `evaluations` last if the extreme lies in the first half of the time searched; None: no value is settled
+    in that time, as where the function grows without end.
+    """
+    if until is not None and not until > after:
+        value = g(after)
+        return Extreme(value, after, after, after, "start")
+    scan = Scan(lambda t: sense * g(t), after, until, scale, 0.0, evaluations if until is None else MOST)
+    highest: list[Extreme] = []
+    extremes: list[tuple[float, float]] = []
+    again, best, last = False, -math.inf, Extreme(-math.inf, after, after, after, "start")
+    for panel in scan.panels():
+        margin = TIE * scan.largest
+        for spot in _candidates(scan, panel, extremes, best - 1e-8 * scan.largest, last):
+            if spot.value > best + margin:
+                highest = [spot]
+            elif spot.value >= best - margin:
+                highest.append(spot)
+            best = max(best, spot.value)
+            last = spot
+        if until is None and period_of(extremes, scan.largest) is not None:
+            again = max(v for _, v in extremes[-12:]) >= best - 1e-8 * scan.largest
+            last = Extreme(-math.inf, math.inf, math.inf, math.inf, "limit")
+            break
+    if not highest:
+        raise ArithmeticError("the function has no value in the time asked for")
+    if scan.exhausted and until is not None:
+        raise ArithmeticError(f"the function changes too fast: not searched beyond {last.at}")
+    found = next(e for e in highest if e.value >= best - TIE * scan.largest)
+    if until is None and not _attained(found, after, last):
+        return _limit(g, after, last.at, scan.largest)
+    return Extreme(sense * found.value, found.at, found.low, found.high, found.kind, again)
+
+
+def _candidates(
+    scan: Scan, panel: Panel, extremes: list[tuple[float, float]], enough: float, last: Extreme
+) -> list[Extreme]:
+    """The points of a panel at which the largest value may be; those that matter are refined."""
+    found: list[Extreme] = []
+    if panel.hole:
+        edge = scan.edge(last.at) if last.at == panel.lo else None
+        value = scan.value(edge[0]) if edge is not None else None
+        if edge is not None and value is not None:
+            found.append(Extreme(value, edge[0], panel.lo, edge[0], "end"))
+        return found
+    if panel.lo == scan.after:
+        found.append(Extreme(panel.values[0], panel.lo, panel.lo, panel.lo, "start"))
+    if panel.bernstein:
+        reach = (panel.hi - panel.lo) / 8
+        for t in panel.critical():
+            v = panel.at(t)
+            extremes.append((t, v))
+            if v > enough:
+                at, v = scan.refined(panel, t)
+                found.append(Extreme(v, at, max(scan.after, at - reach), min(scan.end, at + reach), "interior"))
+    else:
+        inner = list(zip(panel.times, panel.values, strict=True))[1:-1]
+        found += [Extreme(v, t, panel.lo, panel.hi, "interior") for t, v in inner]
+    end = scan.until is not None and panel.hi == scan.until
+    found.append(Extreme(panel.values[-1], panel.hi, panel.lo, panel.hi, "end" if end else "interior"))
+    return found
+
+
+def _attained(found: Extreme, after: float, last: Extreme) -> bool:
+    """Was it the start, or not improved upon for as long again as it took to reach it, or did the motion end there?"""
+    if found.kind == "start" or last.kind in {"end", "limit"}:
+        return True
+    return found.at - after <= (last.at - after) / 2 and found.value > last.value
+
+
+def _limit(g: Function, after: float, last: float, size: float) -> Extreme | None:
+    """The value approached at the end of the search, if the last three quarters of it changed nothing."""
+    run = last - after
+    ends = [g(after + run * part) for part in (0.25, 0.5, 0.75, 1.0)]
+    if max(ends) - min(ends) <= TIE * size:
+        return Extreme(ends[-1], math.inf, last, math.inf, "limit")
+    return None

@@ -1,0 +1,322 @@
+"""The scene in a general position: every body is carried along the tree of joints by one coordinate for each freedom.
+
+A body hung by a pin turns by its angle, one in a guide slides by a length (on a circle by an arc, on a curve by the
+abscissa), one that rolls advances by the arc that it unrolls; a free body has x, y and an angle. What closes a loop is
+left to conditions between coordinates. (An Introduction to Planar Dynamics, 1.3, 2.2, 2.3.)
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+import sympy as sp
+
+from planar_cli.equation.motion import Edge, Tree
+from planar_cli.equation.plain import simplified
+from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scene import GROUND, Circle, Curve, Line, Round
+
+if TYPE_CHECKING:
+    from planar_cli.equation.scene import Scene
+
+ZERO = sp.S.Zero
+
+
+@dataclass(frozen=True, slots=True)
+class Coordinate:
+    """One freedom of the tree. `drawn`: its value as drawn (None: open). `speed`: the velocity unknown that goes with
+    it; its rate is factor · speed. `unit`: "m" or "rad". `words`: what it is.
+    """
+
+    symbol: sp.Symbol
+    unit: str
+    drawn: sp.Expr | None
+    speed: sp.Symbol
+    factor: sp.Expr
+    words: str
+    body: str
+
+
+@dataclass(frozen=True, slots=True)
+class Pose:
+    """Where a body is: what was drawn at `drawn` is at `place`; its angle was `before` and is `now`."""
+
+    drawn: Vec
+    place: Vec
+    before: sp.Expr = ZERO
+    now: sp.Expr = ZERO
+
+    @property
+    def turn(self) -> sp.Expr:
+        return self.now - self.before
+
+    def point(self, p: Vec) -> Vec:
+        """Where the material point is that was drawn at p."""
+        found: Vec = self.place + self.vector(p - self.drawn)
+        return found
+
+    def vector(self, v: Vec) -> Vec:
+        """A vector that turns with the body."""
+        if self.turn == 0 or (v.x == 0 and v.y == 0):
+            return v
+        c, s = sp.cos(self.before), sp.sin(self.before)
+        along, across = simplified(c * v.x + s * v.y), simplified(c * v.y - s * v.x)
+        c, s = sp.cos(self.now), sp.sin(self.now)
+        return Vec(along * c - across * s, along * s + across * c)
+
+
+HERE = Pose(Vec(ZERO, ZERO), Vec(ZERO, ZERO))
+
+
+@dataclass(frozen=True, slots=True)
+class Displacement:
+    """Poses by body, places of points that no body carries along (points of contact), all coordinates;
+    `formula`: bodies whose places the file itself writes with coordinates.
+    """
+
+    poses: Mapping[str, Pose]
+    spots: Mapping[str, Vec]
+    coordinates: tuple[Coordinate, ...]
+    formula: frozenset[str]
+
+
+@dataclass(slots=True)
+class Displacer:
+    """Displaces the bodies of one scene along one tree. `surface_of`: the surface on which a joint slides, by name;
+    `time`: the time since the drawn instant; `formula`: bodies whose places the file itself writes with coordinates;
+    `still`: names of velocity unknowns that stay zero; `made`: symbols of earlier displacements of the same scene.
+    """
+
+    scene: Scene
+    tree: Tree
+    surface_of: Callable[[str], str]
+    time: sp.Expr
+    formula: frozenset[str]
+    still: frozenset[str]
+    made: dict[str, sp.Symbol]
+    poses: dict[str, Pose] = field(default_factory=lambda: {GROUND: HERE})
+    coordinates: list[Coordinate] = field(default_factory=list)
+
+    def run(self) -> Displacement:
+        """All bodies in the order of the tree, then the points of contact."""
+        for edge in self.tree.edges:
+            self.poses[edge.body] = self._fixed(edge) if edge.body in self.formula else self._pose(edge)
+        return Displacement(self.poses, self._spots(), tuple(self.coordinates), self.formula)
+
+    # --- bodies ------------------------------------------------------------------------------------------------------
+
+    def _coordinate(
+        self, name: str, unit: str, drawn: sp.Expr | None, speed: sp.Symbol, factor: sp.Expr, words: str, body: str
+    ) -> sp.Expr:
+        if speed.name in self.still and drawn is not None:
+            return drawn
+        symbol = self.made.get(name)
+        if symbol is None:
+            symbol = self.made[name] = self.scene.ledger.fresh(name, unit)
+        self.coordinates.append(Coordinate(symbol, unit, drawn, speed, factor, words, body))
+        return symbol
+
+    def _angle(self, edge: Edge) -> tuple[sp.Expr, sp.Expr]:
+        """The body's angle as drawn and now."""
+        body = self.scene.bodies[edge.body]
+        if edge.spin is None:
+            turn = ZERO if edge.particle else self.poses[edge.parent].turn
+            return (body.theta, body.theta + turn) if turn != 0 else (ZERO, ZERO)
+        name = "theta" if sum(e.spin is not None for e in self.tree.edges) == 1 else f"theta_{edge.body}"
+        now = self._coordinate(name, "rad", body.theta, edge.spin, sp.S.One, f"angle of {edge.body}", edge.body)
+        return body.theta, now
+
+    def _fixed(self, edge: Edge) -> Pose:
+        """The file says where the body is; only an angle that it does not say may be left."""
+        body = self.scene.bodies[edge.body]
+        coordinates = set(self.scene.ledger.coordinates)
+        if edge.spin is None or body.theta.free_symbols & coordinates:
+            return Pose(body.center, body.center, body.theta, body.theta)
+        before, now = self._angle(edge)
+        return Pose(body.center, body.center, before, now)
+
+    def _pose(self, edge: Edge) -> Pose:
+        joining, body = edge.joining, self.scene.bodies[edge.body]
+        if joining is None:
+            return self._free(edge)
+        before, now = self._angle(edge)
+        own = Pose(body.center, body.center, before, now)
+        parent = self.poses[edge.parent]
+        if joining.rolling is not None:
+            return Pose(body.center, self._rolled(edge, now - before), before, now)
+        start = joining.point
+        if joining.path is None:
+            meeting = parent.point(start)
+            if joining.drift is not None:
+                meeting = meeting + parent.vector(joining.drift) * (-self.time if edge.backward else self.time)
+            return Pose(body.center, meeting + own.vector(body.center - start), before, now)
+        track = self._track(edge)
+        if edge.backward:
+            return Pose(body.center, parent.point(start) + own.vector(body.center - track), before, now)
+        return Pose(body.center, parent.point(track) + own.vector(body.center - start), before, now)
+
+    def _free(self, edge: Edge) -> Pose:
+        body = self.scene.bodies[edge.body]
+        name = self.scene.center_name(edge.body) or edge.body
+        assert edge.slide is not None
+        assert edge.rise is not None
+        open_place = body.center.x.is_Symbol and body.center.x in self.scene.open_places
+        parts = []
+        for axis, speed in (("x", edge.slide), ("y", edge.rise)):
+            drawn = getattr(body.center, axis)
+            words = f"{axis} of {name}"
+            if open_place:
+                self.coordinates.append(Coordinate(drawn, "m", None, speed, sp.S.One, words, edge.body))
+                parts.append(drawn)
+            else:
+                parts.append(self._coordinate(f"{axis}_{name}", "m", drawn, speed, sp.S.One, words, edge.body))
+        before, now = self._angle(edge)
+        return Pose(body.center, Vec(*parts), before, now)
+
+    def _track(self, edge: Edge) -> Vec:
+        """Where the sliding point is on its track, the track taken as drawn."""
+        joining = edge.joining
+        assert joining is not None
+        assert joining.path is not None
+        assert edge.slide is not None
+        start, path, place = joining.point, joining.path, joining.place
+        surface = self.scene.surfaces.get(self.surface_of(joining.joint))
+        shape = surface.shape if surface is not None else None
+        drift = joining.drift * self.time if joining.drift is not None else Vec(ZERO, ZERO)
+        if isinstance(shape, Curve):
+            return self._on_curve(edge, shape)
+        if isinstance(shape, Circle) or not self.scene.is_zero(path.curvature):
+            radius = 1 / path.curvature
+            words = f"angle of {place} on its circle"
+            out = (start - self._center(shape, start, path)) if isinstance(shape, Circle) else -path.tangent.turned()
+            before = simplified(sp.atan2(out.y, out.x))
+            name = f"phi_{place}"
+            now = self._coordinate(name, "rad", before, edge.slide, 1 / radius, words, edge.body)
+            center = start + path.tangent.turned() * radius
+            return center + Pose(start, start, before, now).vector(start - center)
+        words = f"way of {place} along its path"
+        t = path.tangent
+        if self.scene.is_zero(t.y) and self.scene.is_zero(t.x - 1) and edge.parent == GROUND and not edge.backward:
+            x = self._coordinate(f"x_{place}", "m", start.x, edge.slide, sp.S.One, f"x of {place}", edge.body)
+            return Vec(x, start.y) + drift
+        if self.scene.is_zero(t.x) and self.scene.is_zero(t.y - 1) and edge.parent == GROUND and not edge.backward:
+            y = self._coordinate(f"y_{place}", "m", start.y, edge.slide, sp.S.One, f"y of {place}", edge.body)
+            return Vec(start.x, y) + drift
+        s = self._coordinate(f"s_{place}", "m", ZERO, edge.slide, sp.S.One, words, edge.body)
+        return start + t * (-s if edge.backward else s) + drift
+
+    def _center(self, shape: Circle, start: Vec, path: object) -> Vec:
+        return self.scene.point(shape.center)
+
+    def _on_curve(self, edge: Edge, shape: Curve) -> Vec:
+        joining = edge.joining
+        assert joining is not None
+        assert joining.path is not None
+        assert edge.slide is not None
+        variable, formula = self.scene.curve_formula(shape)
+        start, place = joining.point, joining.place
+        if shape.kind == "y":
+            name, unit, drawn, words = f"x_{place}", "m", start.x, f"x of {place}"
+            at = Vec(variable, formula)
+        else:
+            name, unit, words = f"phi_{place}", "rad", f"angle of {place}"
+            drawn = simplified(sp.atan2(start.y, start.x))
+            at = Vec(formula * sp.cos(variable), formula * sp.sin(variable))
+        slope = Vec(sp.diff(at.x, variable), sp.diff(at.y, variable))
+        speed = sp.sqrt(simplified(slope.dot(slope)))
+        symbol = self._coordinate(name, unit, drawn, edge.slide, ZERO, words, edge.body)
+        if isinstance(symbol, sp.Symbol) and self.coordinates and self.coordinates[-1].symbol == symbol:
+            rate = (1 / speed).subs(variable, symbol)
+            self.coordinates[-1] = Coordinate(symbol, unit, drawn, edge.slide, rate, words, edge.body)
+        return Vec(at.x.subs(variable, symbol), at.y.subs(variable, symbol))
+
+    def _rolled(self, edge: Edge, turn: sp.Expr) -> Vec:
+        """The centre of a disk that has unrolled its arc on a line or on another rim."""
+        joining = edge.joining
+        assert joining is not None
+        assert joining.rolling is not None
+        roll, parent, start = joining.rolling, self.poses[edge.parent], joining.point
+        center = self.scene.bodies[edge.body].center
+        own, other = (roll.base, roll.mover) if edge.backward else (roll.mover, roll.base)
+        relative = turn - parent.turn
+        drift = joining.drift or Vec(ZERO, ZERO)
+        way = drift.dot(roll.tangent) * self.time * (-1 if edge.backward else 1)
+        if other == 0:
+            height = roll.tangent.cross(center - start)
+            return parent.point(center + roll.tangent * (way - height * relative))
+        if own == 0:
+            raise self.scene.refuse(
+                self.scene.problem.bodies[0].mark,
+                "PL591",
+                f"{edge.body} rocks on a round rim: its places are not followed over time",
+                "ask at one instant",
+            )
+        # Same arc on both rims: (ψ - θ_b) ρ_b = (ψ - θ_a) ρ_a, ψ the direction of the line of centres.
+        hub = start + roll.tangent.turned() / other
+        own_center = start + roll.tangent.turned() / own
+        rho_own, rho_other = 1 / own, 1 / other
+        psi = simplified((rho_other * parent.turn - rho_own * turn) / (rho_other - rho_own))
+        arm = own_center - hub
+        pose = Pose(hub, parent.point(hub), ZERO, psi)
+        return pose.point(hub + arm) + (pose.vector(center - own_center) if own_center != center else Vec(ZERO, ZERO))
+
+    # --- points of contact -------------------------------------------------------------------------------------------
+
+    def _spots(self) -> dict[str, Vec]:
+        """Points where round outlines touch, and where ropes leave rims, stay with the centre, not with the rim."""
+        found: dict[str, Vec] = {}
+        for joint in self.scene.problem.joints:
+            at, between = getattr(joint, "at", None), getattr(joint, "between", ())
+            if joint.kind in ("contact", "rolling", "impact") and at is not None and len(between) == 2:
+                spot = self._touching(at, between)
+                if spot is not None:
+                    found[at] = spot
+            for stop in getattr(joint, "path", ()) if joint.kind == "rope" else ():
+                if stop.way == "on":
+                    found[stop.name] = self._with_center(stop.name, stop.body or "")
+        for load in self.scene.problem.loads:
+            wound = getattr(load, "wound_at", None)
+            if wound is not None:
+                found[wound] = self._with_center(wound, load.body)
+        return found
+
+    def _with_center(self, point: str, body: str) -> Vec:
+        """A point of a rim that keeps its direction from the centre."""
+        center = self.scene.bodies[body].center
+        place: Vec = self.poses[body].point(center) + (self.scene.point(point) - center)
+        return place
+
+    def _touching(self, at: str, between: tuple[str, ...]) -> Vec | None:
+        place = self.scene.point(at)
+        rounds = [(p, c) for p in between if (c := self._round(p)) is not None]
+        if len(rounds) == 2:
+            (a, ca), (b, cb) = rounds
+            reach = cb - ca
+            share = simplified((place - ca).dot(reach) / reach.dot(reach))
+            now_a, now_b = (self._carried(p, c) for p, c in ((a, ca), (b, cb)))
+            return now_a + (now_b - now_a) * share
+        if len(rounds) == 1:
+            (name, center), other = rounds[0], next(p for p in between if p != rounds[0][0])
+            if self._straight(other):
+                carrier = self.poses[self.scene.carrier(other)]
+                return self._carried(name, center) + carrier.vector(place - center)
+        return None
+
+    def _carried(self, partner: str, center: Vec) -> Vec:
+        return self.poses[self.scene.carrier(partner)].point(center)
+
+    def _round(self, partner: str) -> Vec | None:
+        """The centre of a disk or of a circular surface."""
+        surface = self.scene.surfaces.get(partner)
+        if surface is not None:
+            return self.scene.point(surface.shape.center) if isinstance(surface.shape, Circle) else None
+        body = self.scene.bodies.get(partner)
+        if body is not None and isinstance(body.shape, Round):
+            return self.scene.point(body.shape.center)
+        return None
+
+    def _straight(self, partner: str) -> bool:
+        surface = self.scene.surfaces.get(partner)
+        return surface is None or isinstance(surface.shape, Line)

@@ -1,0 +1,291 @@
+"""The equations of a motion solved in numbers, one small block after the other, along every branch of roots.
+
+A block is one equation in one unknown, or two or three equations in as many unknowns that eliminate to one. Roots of
+times are looked for in order from the state before.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from decimal import Decimal
+
+import sympy as sp
+
+from planar_cli.calculus.first import all_roots, polish
+from planar_cli.equation.exact import PI, Unvalued, Valuation
+from planar_cli.equation.form import Nonlinear, linear_form
+from planar_cli.equation.plain import tidy
+from planar_cli.errors import Undecided
+from planar_cli.solve.course.equations import Equation
+from planar_cli.solve.course.regime import number_function
+from planar_cli.solve.roots import Root, real_roots
+
+LARGEST = 3
+MOST_ROOTS = 6
+MOST_BRANCHES = 200
+AGREES = Decimal("1e-18")
+LATER = Decimal("1e-20")
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """unknown = formula = value. `roots`: all that were found for it, `taken` the one of this branch."""
+
+    unknown: sp.Symbol
+    formula: sp.Expr | None
+    value: Decimal
+    equations: tuple[Equation, ...]
+    roots: tuple[Root, ...] = ()
+    taken: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """One block: its equations, the unknowns that were eliminated and the one that was left, line by line."""
+
+    equations: tuple[Equation, ...]
+    unknowns: tuple[sp.Symbol, ...]
+    lines: tuple[Line, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Branch:
+    """One way through all blocks."""
+
+    values: dict[sp.Symbol, Decimal]
+    formulas: dict[sp.Symbol, sp.Expr]
+    steps: tuple[Step, ...]
+    left: tuple[Equation, ...]
+
+
+@dataclass(slots=True)
+class Chain:
+    """`unknowns` in the order of their states. `times`: of them, each with the time before it (None: the first).
+
+    `angles`: unknowns that are angles; `near`: from where an angle's turns are counted.
+    """
+
+    unknowns: frozenset[sp.Symbol]
+    times: dict[sp.Symbol, sp.Symbol | None]
+    angles: dict[sp.Symbol, sp.Symbol | None]
+    value: Valuation
+    symbolic: bool
+    accept: Callable[[dict[sp.Symbol, Decimal]], bool] = lambda values: True
+
+    def branches(self, equations: Sequence[Equation]) -> Iterator[Branch]:
+        """All branches, those with earlier times first where the order tells."""
+        start = {s: v for s, v in self.value.values.items() if s in self.unknowns}
+        yield from itertools.islice(self._advance(dict(start), {}, (), tuple(equations)), MOST_BRANCHES)
+
+    # --- search ------------------------------------------------------------------------------------------------------
+
+    def _open(self, equation: Equation, values: dict[sp.Symbol, Decimal]) -> frozenset[sp.Symbol]:
+        return frozenset(s for s in equation.residual.free_symbols if s in self.unknowns and s not in values)
+
+    def _advance(
+        self,
+        values: dict[sp.Symbol, Decimal],
+        formulas: dict[sp.Symbol, sp.Expr],
+        steps: tuple[Step, ...],
+        left: tuple[Equation, ...],
+    ) -> Iterator[Branch]:
+        if not self.accept(values):
+            return
+        here = self.value.extended(values)
+        rest: list[tuple[Equation, frozenset[sp.Symbol]]] = []
+        for e in left:
+            unknowns = self._open(e, values)
+            if unknowns:
+                rest.append((e, unknowns))
+            elif not self._holds(e, here):
+                return
+        if not rest:
+            yield Branch(values, formulas, steps, ())
+            return
+        tried = False
+        for block, unknowns in self._blocks(rest):
+            found = list(self._solve(block, unknowns, values, formulas))
+            if found is None:
+                continue
+            tried = True
+            others = tuple(e for e in left if e not in block)
+            for after, forms, step in found:
+                yield from self._advance(after, forms, (*steps, step), others)
+            break
+        if not tried:
+            yield Branch(values, formulas, steps, tuple(e for e, _ in rest))
+
+    @staticmethod
+    def _holds(equation: Equation, value: Valuation) -> bool:
+        try:
+            number = value(equation.residual)
+            if abs(number) > AGREES * max(value.size(equation.residual), Decimal("1e-20")):
+                return False
+            return equation.trend is None or value(equation.trend) >= -AGREES
+        except ArithmeticError:
+            return equation.kind == "given" and False
+        except Unvalued:
+            return True
+
+    def _blocks(
+        self, rest: list[tuple[Equation, frozenset[sp.Symbol]]]
+    ) -> Iterator[tuple[tuple[Equation, ...], tuple[sp.Symbol, ...]]]:
+        """Blocks that could be solved now, the smallest and plainest first."""
+        for size in range(1, LARGEST + 1):
+            found = []
+            small = [(e, u) for e, u in rest if len(u) <= size]
+            if len(small) > 40 and size > 2:
+                small = sorted(small, key=lambda x: x[0].cost)[:40]
+            for group in itertools.combinations(small, size):
+                union = frozenset().union(*(u for _, u in group))
+                if len(union) != size:
+                    continue
+                members = tuple(e for e, _ in group)
+                if not independent(members):
+                    continue
+                cost = sum(e.cost for e in members)
+                found.append((cost, self._order(union), members, union))
+            found.sort(key=lambda x: (x[0], x[1]))
+            for _, _, members, union in found:
+                yield members, tuple(sorted(union, key=lambda s: s.name))
+
+    def _order(self, union: frozenset[sp.Symbol]) -> int:
+        """States are solved in their order where there is a choice."""
+        names = list(self.times)
+        return max((names.index(s) for s in union if s in self.times), default=0)
+
+    # --- one block ---------------------------------------------------------------------------------------------------
+
+    def _solve(
+        self,
+        block: tuple[Equation, ...],
+        unknowns: tuple[sp.Symbol, ...],
+        values: dict[sp.Symbol, Decimal],
+        formulas: dict[sp.Symbol, sp.Expr],
+    ) -> Iterator[tuple[dict[sp.Symbol, Decimal], dict[sp.Symbol, sp.Expr], Step]]:
+        """Eliminate all unknowns but one; then all its roots."""
+        here = self.value.extended(values)
+        pool = [e.residual for e in block]
+        left = list(unknowns)
+        back: list[tuple[sp.Symbol, sp.Expr]] = []
+        while len(pool) > 1:
+            found = _eliminate(pool, left, self.times)
+            if found is None:
+                raise Undecided("equations of the motion are nonlinear in several unknowns at once")
+            index, x, formula = found
+            pool.pop(index)
+            pool = [tidy(r.xreplace({x: formula})) for r in pool]
+            back.append((x, formula))
+            left.remove(x)
+        x, residual = left[0], pool[0]
+        if x not in residual.free_symbols:
+            return
+        roots = self._roots(residual, x, here)
+        for taken, root in enumerate(roots):
+            after = {**values, x: root.value}
+            forms = dict(formulas)
+            if root.expression is not None:
+                forms[x] = root.expression
+            lines = [Line(x, root.expression, root.value, block, tuple(roots), taken)]
+            number = self.value.extended(after)
+            try:
+                for y, formula in reversed(back):
+                    after[y] = number(formula)
+                    number = self.value.extended(after)
+                    forms[y] = formula
+                    lines.append(Line(y, formula, after[y], block))
+            except ArithmeticError:
+                continue
+            yield after, forms, Step(block, unknowns, tuple(lines))
+
+    def _roots(self, residual: sp.Expr, x: sp.Symbol, here: Valuation) -> list[Root]:
+        """All real roots; a time only after the state before it, an angle with its turns."""
+        if x in self.times:
+            return self._times(residual, x, here)
+        try:
+            found = real_roots(residual, x, here, self.symbolic, False)
+        except Undecided:
+            found = real_roots(residual, x, here, False, False)
+        if x in self.angles:
+            found = self._turned(found, residual, x, here)
+        return found
+
+    def _times(self, residual: sp.Expr, x: sp.Symbol, here: Valuation) -> list[Root]:
+        before = self.times[x]
+        known = before is not None and before in here.values
+        after = here(before) if before is not None and known else None
+        closed = _closed_roots(residual, x, here, self.symbolic)
+        if closed is None:
+            start = float(after) if after is not None else 0.0
+            g = number_function([residual], [x], here)
+            found = all_roots(lambda t: g(t)[0], start, None, limit=MOST_ROOTS)
+            closed = [Root(None, _polished(residual, x, here, r.low, r.high)) for r in found]
+        if after is None:
+            return closed
+        size = max(abs(after), Decimal("1e-12"))
+        return [r for r in closed if r.value > after + LATER * size or before is None]
+
+    def _turned(self, roots: list[Root], residual: sp.Expr, x: sp.Symbol, here: Valuation) -> list[Root]:
+        """Roots of a trigonometric equation in all the turns about the state before."""
+        if not residual.has(sp.sin, sp.cos, sp.tan):
+            return roots
+        near = self.angles[x]
+        center = here(near) if near is not None and near in here.values else Decimal(0)
+        found: dict[str, Root] = {}
+        for root in roots:
+            turns = int((center - root.value) / (2 * PI))
+            for k in range(turns - 2, turns + 3):
+                value = root.value + 2 * PI * k
+                if abs(value - center) <= 2 * PI + Decimal("0.01"):
+                    expr = root.expression + 2 * sp.pi * k if root.expression is not None else None
+                    found[str(round(value, 25))] = Root(expr, value)
+        return sorted(found.values(), key=lambda r: abs(r.value - center))
+
+
+def _closed_roots(residual: sp.Expr, x: sp.Symbol, here: Valuation, symbolic: bool) -> list[Root] | None:
+    """Roots in closed form, or of a polynomial; None where they must be looked for."""
+    numerator = sp.fraction(sp.together(residual))[0]
+    inside = {s: here(s) for s in numerator.free_symbols if s != x and s in here.values}
+    if not numerator.is_polynomial(x):
+        flat = numerator.xreplace({s: sp.Rational(str(v)) for s, v in inside.items()})
+        if not flat.is_polynomial(x):
+            return None
+    try:
+        return real_roots(residual, x, here, symbolic, False)
+    except Undecided:
+        return real_roots(residual, x, here, False, False)
+
+
+def _polished(residual: sp.Expr, x: sp.Symbol, here: Valuation, low: float, high: float) -> Decimal:
+    return polish(lambda t: here.extended({x: t})(residual), Decimal(low), Decimal(high))
+
+
+def _eliminate(
+    pool: list[sp.Expr], left: list[sp.Symbol], times: dict[sp.Symbol, sp.Symbol | None]
+) -> tuple[int, sp.Symbol, sp.Expr] | None:
+    """An equation that is linear in one unknown, which it gives; times last."""
+    for x in sorted(left, key=lambda s: s in times):
+        for index, residual in enumerate(pool):
+            if x not in residual.free_symbols:
+                continue
+            try:
+                form = linear_form(sp.expand(residual), {x})
+            except Nonlinear:
+                continue
+            slope = form.terms.get(x, sp.S.Zero)
+            if slope != 0:
+                return index, x, tidy(-form.constant / slope)
+    return None
+
+
+def independent(equations: Sequence[Equation]) -> bool:
+    """No family gives more equations than are independent."""
+    count: dict[tuple[str, ...], int] = {}
+    for e in equations:
+        if e.family:
+            count[e.family] = count.get(e.family, 0) + 1
+            if count[e.family] > e.rank:
+                return False
+    return True

@@ -1,0 +1,203 @@
+"""Conditions between coordinates: what closes loops, ropes of a given length, rims that roll on each other.
+
+They come from the same position residuals of the joints that the independent check uses, written in the coordinates of
+a general position.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from decimal import Decimal
+from typing import Any
+
+import mpmath
+import sympy as sp
+
+from planar_cli.equation.displaced import HERE, Coordinate, Displacement
+from planar_cli.equation.exact import DIGITS, Valuation
+from planar_cli.equation.plain import simplified
+from planar_cli.joints.base import Joint
+from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scene import GROUND, Curve, Surface
+from planar_cli.solve.instant import Instant
+
+STEPS = 60
+SMALL = Decimal("1e-45")
+
+
+@dataclass(frozen=True, slots=True)
+class Constraint:
+    """A residual that vanishes in every position; `title` says what it keeps, `joint` whose it is."""
+
+    residual: sp.Expr
+    title: str
+    joint: str
+
+
+@dataclass(slots=True)
+class GeneralPoses:
+    """The poses of a displaced scene, as expressions in its coordinates. `start`: the coordinates as drawn."""
+
+    displacement: Displacement
+    start: Mapping[sp.Symbol, sp.Expr]
+    value: Valuation
+    time: sp.Expr
+
+    def number(self, drawn: Any) -> Any:
+        return self._written(sp.sympify(drawn))
+
+    def vector(self, drawn: Vec) -> Vec:
+        return Vec(self._written(drawn.x), self._written(drawn.y))
+
+    def point(self, body: str, drawn: Vec) -> Vec:
+        if body in self.displacement.formula:
+            return drawn
+        return self.displacement.poses.get(body, HERE).point(self.vector(drawn))
+
+    def direction(self, body: str, drawn: Vec) -> Vec:
+        if body in self.displacement.formula:
+            return drawn
+        return self.displacement.poses.get(body, HERE).vector(self.vector(drawn))
+
+    def angle(self, body: str) -> Any:
+        turn = self.displacement.poses.get(body, HERE).turn
+        if turn == 0 and body in self.displacement.formula:
+            theta = self.displacement.poses[body].now
+            return theta - self._drawn(theta)
+        return turn
+
+    def _written(self, expr: sp.Expr) -> sp.Expr:
+        """What the file writes with its own coordinates, as it was at the start."""
+        return expr.subs({s: v for s, v in self.start.items() if v == sp.Symbol(f"{s.name}_0", real=True)})
+
+    def length(self, v: Vec) -> Any:
+        return sp.sqrt(simplified(v.dot(v)))
+
+    def root(self, square: Any) -> Any:
+        return sp.sqrt(simplified(square))
+
+    def turned(self, v: Vec) -> Any:
+        before = Vec(self._drawn(v.x), self._drawn(v.y))
+        cross, dot = simplified(before.cross(v)), simplified(before.dot(v))
+        return sp.S.Zero if cross == 0 else sp.atan2(cross, dot)
+
+    def positive(self, number: Any) -> bool:
+        return bool(self.value(self._drawn(sp.sympify(number))) >= 0)
+
+    def change(self, number: Any) -> Any:
+        return number - self._drawn(number)
+
+    def _drawn(self, expr: Any) -> Any:
+        return sp.sympify(expr).subs(self.start)
+
+
+def start_symbol(coordinate: Coordinate) -> sp.Symbol:
+    """The value of a coordinate as drawn, where only the first state tells it."""
+    return sp.Symbol(f"{coordinate.symbol.name}_0", real=True)
+
+
+def start_of(coordinates: Iterable[Coordinate]) -> dict[sp.Symbol, sp.Expr]:
+    """All coordinates as drawn."""
+    return {c.symbol: c.drawn if c.drawn is not None else start_symbol(c) for c in coordinates}
+
+
+def constraints_of(
+    drawn: Instant, choice: tuple[int, ...], displacement: Displacement, coordinates: tuple[Coordinate, ...]
+) -> tuple[Constraint, ...]:
+    """All conditions between the coordinates that the tree has not already built in."""
+    scene = drawn.scene
+    base = scene.valuations[0]
+    start = start_of(coordinates)
+    value = base.extended({s: base(s) for s in start.values() if s.is_Symbol and s in base.values})
+    value = value.extended({v: Decimal("0.37") for v in start.values() if v.is_Symbol and v not in value.values})
+    poses = GeneralPoses(displacement, start, value, scene.ledger.symbols["t"])
+    found: list[Constraint] = []
+    for (joint, modes), index in zip(drawn.modes, choice, strict=True):
+        curve = curve_under(drawn, joint)
+        if curve is not None:
+            expr = _off_curve(drawn, joint, curve, displacement)
+            if expr != 0 and not _vanishes(expr, value, start):
+                found.append(Constraint(expr, f"{joint.name}: stays on {curve.name}", joint.name))
+            continue
+        for residual in joint.residuals(scene, modes[index]):
+            vanishing = residual.of(poses)
+            for part in (vanishing.x, vanishing.y) if isinstance(vanishing, Vec) else (vanishing,):
+                expr = simplified(part)
+                if expr != 0 and expr.free_symbols & set(start) and not _vanishes(expr, value, start):
+                    found.append(Constraint(expr, residual.title, joint.name))
+    return tuple(found)
+
+
+def curve_under(drawn: Instant, joint: Joint) -> Surface | None:
+    """The curve y(x) or r(theta) on which a joint slides; its residuals are exact only near the drawn position."""
+    names = [getattr(joint, "along", None), *getattr(joint, "between", ())]
+    for name in (getattr(n, "name", n) for n in names):
+        surface = drawn.scene.surfaces.get(name) if isinstance(name, str) else None
+        if surface is not None and isinstance(surface.shape, Curve):
+            return surface
+    return None
+
+
+def _off_curve(drawn: Instant, joint: Joint, surface: Surface, displacement: Displacement) -> sp.Expr:
+    """y - y(x), or r - r(θ), of the sliding point as the body of the curve sees it."""
+    scene = drawn.scene
+    name = getattr(joint, "point", None) or getattr(joint, "at", None)
+    assert name is not None
+    assert isinstance(surface.shape, Curve)
+    place = scene.point(name)
+    owner = scene.owner(name, surface.body or GROUND)
+    if owner not in displacement.formula:
+        place = displacement.poses.get(owner, HERE).point(place)
+    carrier = displacement.poses.get(surface.body or GROUND, HERE)
+    seen = place - carrier.place
+    c, s = sp.cos(carrier.turn), sp.sin(carrier.turn)
+    at = carrier.drawn + Vec(c * seen.x + s * seen.y, c * seen.y - s * seen.x)
+    variable, formula = scene.curve_formula(surface.shape)
+    if surface.shape.kind == "y":
+        return simplified(at.y - formula.subs(variable, at.x))
+    angle = sp.atan2(at.y, at.x)
+    return simplified(at.dot(at) - formula.subs(variable, angle) ** 2)
+
+
+def _vanishes(expr: sp.Expr, value: Valuation, start: Mapping[sp.Symbol, sp.Expr]) -> bool:
+    """Does it vanish whatever the coordinates are?"""
+    for seed in (1, 2):
+        draw = value.extended({s: Decimal(seed * 7 + i) / 23 for i, s in enumerate(start)})
+        try:
+            if not draw.is_zero(expr):
+                return False
+        except ArithmeticError:
+            return False
+    return True
+
+
+def project(
+    constraints: tuple[Constraint, ...], unknowns: tuple[sp.Symbol, ...], value: Valuation
+) -> dict[sp.Symbol, Decimal]:
+    """Coordinates near those of `value` that satisfy all constraints, by Newton's method with the shortest steps.
+
+    ArithmeticError: it does not converge.
+    """
+    exprs = [c.residual for c in constraints]
+    slopes = [[sp.diff(e, x) if x in e.free_symbols else sp.S.Zero for x in unknowns] for e in exprs]
+    at = {x: value(x) for x in unknowns}
+    with mpmath.workdps(DIGITS):
+        for _ in range(STEPS):
+            here = value.extended(at)
+            rest = mpmath.matrix([mpmath.mpf(str(here(e))) for e in exprs])
+            jacobian = mpmath.matrix([[mpmath.mpf(str(here(d))) for d in row] for row in slopes])
+            step = _shortest(jacobian, rest)
+            at = {x: at[x] - Decimal(mpmath.nstr(step[i], DIGITS)) for i, x in enumerate(unknowns)}
+            if max(abs(s) for s in step) < mpmath.mpf(str(SMALL)):
+                return at
+    raise ArithmeticError("the positions do not close")
+
+
+def _shortest(jacobian: Any, rest: Any) -> Any:
+    """The shortest step that removes the remainders: Jᵀ (J Jᵀ)⁻¹ r, dependent rows left to a small weight."""
+    square = jacobian * jacobian.T
+    size = max([abs(square[i, i]) for i in range(square.rows)] + [mpmath.mpf(1)])
+    for i in range(square.rows):
+        square[i, i] += size * mpmath.mpf(10) ** -40
+    return jacobian.T * mpmath.lu_solve(square, rest)

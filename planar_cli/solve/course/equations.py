@@ -1,0 +1,282 @@
+"""The equations of a motion over several states: laws integrated from state to state, links between coordinates, loops,
+what is drawn and what is stated. Each knows where it comes from.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.calculus.laws import Moment, Span, relations
+from planar_cli.equation.displaced import Coordinate
+from planar_cli.equation.exact import Valuation
+from planar_cli.equation.plain import simplified
+from planar_cli.errors import NOWHERE, Mark
+from planar_cli.solve.course.constraints import start_of
+from planar_cli.solve.course.regime import Regime
+from planar_cli.solve.course.timeline import Demand, Stop
+
+COSTS = {"given": 0.1, "drawn": 0.1, "start": 0.1, "motion": 0.5, "link": 0.6, "q(t)": 1.0, "v(t)": 1.0, "v(q)": 1.05,
+         "t(v)": 1.1, "q(v)": 1.1, "t(q)": 1.3, "loop": 1.2, "extreme": 0.8}  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True)
+class Equation:
+    """`residual` vanishes. `kind`: given, drawn, start, motion, link, loop, extreme, or that of a span. `family`: of
+    which only `rank` are independent. `stop`: the state at its end, `since` the one at its beginning.
+    """
+
+    residual: sp.Expr
+    kind: str
+    words: str
+    stop: str
+    since: str = ""
+    span: Span | None = None
+    family: tuple[str, ...] = ()
+    rank: int = 9
+    mark: Mark = NOWHERE
+    law: Law | None = None
+    trend: sp.Expr | None = None
+
+    @property
+    def cost(self) -> float:
+        extra = 1.0 if self.span is not None and self.span.unevaluated else 0.0
+        return COSTS[self.kind] + extra
+
+
+@dataclass(frozen=True, slots=True)
+class Law:
+    """How one coordinate moves: q̇ = f (order 1) or q̈ = f (order 2), f in t, q and its own speed v = factor · speed."""
+
+    coordinate: Coordinate
+    order: int
+    f: sp.Expr
+    v: sp.Symbol
+    speed: sp.Symbol | None = None
+    factor: sp.Expr = sp.S.One
+
+
+@dataclass(frozen=True, slots=True)
+class Link:
+    """A coordinate that follows others: its change is Σ factor · change of other + ∫ drift dt."""
+
+    coordinate: Coordinate
+    factors: Mapping[sp.Symbol, sp.Expr]
+    drift: sp.Expr
+
+
+@dataclass(frozen=True, slots=True)
+class Laws:
+    """All that is known of a regime. `loose`: coordinates that only loops, or only numbers, can follow."""
+
+    laws: tuple[Law, ...]
+    links: tuple[Link, ...]
+    loose: tuple[Coordinate, ...]
+
+    def law_of(self, symbol: sp.Symbol) -> Law | None:
+        return next((law for law in self.laws if law.coordinate.symbol == symbol), None)
+
+
+def laws_of(regime: Regime) -> Laws:
+    """Sort the coordinates of a regime: with a law of their own, linked to others, or loose."""
+    masters = _masters(regime)
+    varying = set(regime.letters)
+    links: list[Link] = []
+    laws: list[Law] = []
+    loose: list[Coordinate] = []
+    rest: list[Coordinate] = []
+    for c in regime.coordinates:
+        rate = regime.rates[c.symbol]
+        if c.symbol in masters.values():
+            continue
+        if not rate.free_symbols & set(regime.free):
+            if rate.free_symbols & varying <= {regime.time, c.symbol}:
+                laws.append(Law(c, 1, rate, sp.Dummy("v", real=True)))
+            else:
+                rest.append(c)
+            continue
+        link = _link(regime, c, masters)
+        if link is None:
+            loose.append(c)
+        else:
+            links.append(link)
+    for c in rest:
+        link = _link(regime, c, masters)
+        if link is None:
+            loose.append(c)
+        else:
+            links.append(link)
+    for u, symbol in masters.items():
+        law = _second_order(regime, u, symbol, links, laws)
+        c = next(c for c in regime.coordinates if c.symbol == symbol)
+        if law is None:
+            loose.append(c)
+        else:
+            laws.append(law)
+    return Laws(tuple(laws), tuple(links), tuple(loose))
+
+
+def _masters(regime: Regime) -> dict[sp.Symbol, sp.Symbol]:
+    """For each free speed the coordinate that grows with it at a constant ratio; ratio 1 first."""
+    found: dict[sp.Symbol, tuple[int, sp.Symbol]] = {}
+    varying = set(regime.letters)
+    for c in regime.coordinates:
+        rate = regime.rates[c.symbol]
+        for u in regime.free:
+            if u not in rate.free_symbols:
+                continue
+            factor = simplified(rate / u)
+            if factor.free_symbols & varying:
+                continue
+            rank = 0 if factor == 1 else 1
+            if u not in found or rank < found[u][0]:
+                found[u] = (rank, c.symbol)
+    return {u: symbol for u, (_, symbol) in found.items()}
+
+
+def _link(regime: Regime, c: Coordinate, masters: Mapping[sp.Symbol, sp.Symbol]) -> Link | None:
+    """Constant ratios to the rates of the masters, and a drift that depends on time alone."""
+    rate = sp.expand(regime.rates[c.symbol])
+    varying = set(regime.letters)
+    factors: dict[sp.Symbol, sp.Expr] = {}
+    for u in regime.free:
+        part = rate.coeff(u)
+        if part == 0:
+            continue
+        if u not in masters:
+            return None
+        ratio = simplified(part * u / regime.rates[masters[u]])
+        if ratio.free_symbols & varying:
+            return None
+        factors[masters[u]] = ratio
+        rate = sp.expand(rate - part * u)
+    if rate.free_symbols & (varying - {regime.time}):
+        return None
+    return Link(c, factors, simplified(rate))
+
+
+def _second_order(
+    regime: Regime, u: sp.Symbol, symbol: sp.Symbol, links: Iterable[Link], laws: Sequence[Law]
+) -> Law | None:
+    """q̈ = factor · f(t, q, q̇/factor), coordinates that are linked to q put in."""
+    c = next(c for c in regime.coordinates if c.symbol == symbol)
+    factor = simplified(regime.rates[symbol] / u)
+    f = regime.accelerations[u] * factor
+    start = start_of(regime.coordinates)
+    for link in links:
+        other = link.coordinate.symbol
+        if other in f.free_symbols and set(link.factors) == {symbol} and link.drift == 0:
+            f = f.subs(other, start[other] + link.factors[symbol] * (symbol - start[symbol]))
+    v = sp.Dummy("v", real=True)
+    f = simplified(f.xreplace({u: v / factor}))
+    if f.free_symbols & (set(regime.letters) - {regime.time, symbol}):
+        return None
+    if any(s.name.endswith("_ddot") for s in f.free_symbols) or regime.general.rate_of(u) in f.free_symbols:
+        return None
+    return Law(c, 2, f, v, u, factor)
+
+
+# --- equations -------------------------------------------------------------------------------------------------------
+
+
+def law_equations(laws: Laws, since: Stop, stop: Stop, regime: Regime, value: Valuation) -> Iterator[Equation]:
+    """What the laws say between two states of one regime."""
+    time = regime.time
+    for law in laws.laws:
+        q = law.coordinate.symbol
+        v0, v1 = sp.Dummy("v_0", real=True), sp.Dummy("v", real=True)
+        start = Moment(since.letters[time], since.letters[q], v0)
+        end = Moment(stop.letters[time], stop.letters[q], v1)
+        named = {v0: _speed(law, since), v1: _speed(law, stop)}
+        plain = {k: v for k, v in named.items() if v.is_Symbol}
+        start, end = (Moment(m.t, m.q, plain.get(m.v, m.v)) for m in (start, end))
+        f = law.f.xreplace({time: end.t, q: end.q, law.v: end.v})
+        f = f.xreplace({s: _since(s, since, regime) for s in f.free_symbols if s.name.endswith("_0")})
+        others = {k: v for k, v in named.items() if not v.is_Symbol}
+        family = ("law", q.name, since.name, stop.name)
+        for span in relations(law.order, f, start, end, _signs(value, named, since, regime)):
+            if law.order == 1 and span.kind.startswith("v"):
+                continue
+            shown = _renamed(span, others)
+            yield Equation(shown.residual, span.kind, span.words, stop.name, since.name, shown, family, law.order, law=law)
+
+
+def _since(symbol: sp.Symbol, since: Stop, regime: Regime) -> sp.Expr:
+    """The start of a coordinate that only the first state tells."""
+    for c in regime.coordinates:
+        if symbol.name == f"{c.symbol.name}_0":
+            return since.letters[c.symbol]
+    return symbol
+
+
+def _speed(law: Law, stop: Stop) -> sp.Expr:
+    if law.speed is None:
+        return sp.Dummy("v", real=True)
+    return law.factor * stop.letters[law.speed]
+
+
+def _renamed(span: Span, names: Mapping[sp.Symbol, sp.Expr]) -> Span:
+    def put(expr: Any) -> Any:
+        return expr.xreplace(dict(names)) if isinstance(expr, sp.Basic) else expr
+
+    if not names:
+        return span
+    return replace(
+        span,
+        left=put(span.left),
+        right=put(span.right),
+        residual=put(span.residual),
+        explicit=put(span.explicit),
+        where=tuple(put(w) for w in span.where),
+    )
+
+
+def _signs(value: Valuation, named: Mapping[sp.Symbol, sp.Expr], since: Stop, regime: Regime) -> Valuation:
+    """A valuation that also knows the letters of the start as they were drawn, for signs."""
+    more = {since.letters[s]: value(s) for s in regime.letters if s in since.letters and s in value.values}
+    extended = value.extended(more)
+    return extended.extended({d: extended(e) for d, e in named.items() if e.free_symbols <= set(extended.values)})
+
+
+def link_equations(laws: Laws, since: Stop, stop: Stop, regime: Regime) -> Iterator[Equation]:
+    """Changes of coordinates that follow others."""
+    time = regime.time
+    for link in laws.links:
+        q = link.coordinate.symbol
+        parts = [f * (stop.letters[s] - since.letters[s]) for s, f in link.factors.items()]
+        drift: sp.Expr = sp.S.Zero
+        if link.drift != 0:
+            x = sp.Dummy("t", real=True)
+            body = sp.integrate(sp.expand(link.drift.xreplace({time: x})), x)
+            drift = body.xreplace({x: stop.letters[time]}) - body.xreplace({x: since.letters[time]})
+        residual = stop.letters[q] - since.letters[q] - sp.Add(*parts) - drift
+        words = f"{link.coordinate.words} follows"
+        yield Equation(residual, "link", words, stop.name, since.name, family=("link", q.name, stop.name), rank=1)
+
+
+def loop_equations(regime: Regime, first: Stop, stop: Stop) -> Iterator[Equation]:
+    """Positions that close loops, at one state."""
+    start = {v: first.letters[s] for s, v in start_of(regime.coordinates).items() if v.is_Symbol}
+    for n, c in enumerate(regime.general.constraints):
+        residual = c.residual.xreplace({s: v for s, v in start.items() if s.name.endswith("_0")})
+        residual = stop.at(residual)
+        if simplified(residual) != 0:
+            yield Equation(residual, "loop", c.title, stop.name, family=("loop", str(n), stop.name), rank=1)
+
+
+def drawn_equations(regime: Regime, first: Stop) -> Iterator[Equation]:
+    """The first state is as drawn."""
+    for c in regime.coordinates:
+        if c.drawn is not None and not c.drawn.free_symbols & {k.symbol for k in regime.coordinates}:
+            residual = first.letters[c.symbol] - c.drawn
+            yield Equation(residual, "drawn", "as drawn", first.name, family=("drawn", c.symbol.name), rank=1)
+
+
+def stated_equations(demands: Iterable[Demand]) -> Iterator[Equation]:
+    """The equations among what the file states."""
+    for d in demands:
+        if d.kind == "equation":
+            yield Equation(d.residual, "given", d.text, d.state, mark=d.mark, trend=d.trend)

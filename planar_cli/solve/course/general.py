@@ -1,0 +1,224 @@
+"""A scene in a general position: which coordinates vary, which speeds are free, and everything else in terms of them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field
+from decimal import Decimal
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.equation.displaced import Coordinate, Displacement, Displacer
+from planar_cli.equation.exact import Valuation
+from planar_cli.equation.quantities import Quantities
+from planar_cli.equation.setup import Course, Setup
+from planar_cli.equation.system import Statements
+from planar_cli.problem.scene import Problem
+from planar_cli.solve.course.constraints import Constraint, constraints_of, project, start_symbol
+from planar_cli.solve.finish import Finisher
+from planar_cli.solve.instant import Instant, Trial
+from planar_cli.solve.solution import InstantSolution
+from planar_cli.solve.stages import Stage
+from planar_cli.solve.study import Velocities, solve_velocities
+
+
+@dataclass(slots=True)
+class General:
+    """One choice of modes in a general position.
+
+    `coordinates`: what varies. `free`: the velocity unknowns that nothing else fixes; they are letters. `trial`: the
+    choice solved for draws of all letters. After `govern`: `rates` of coordinates and `accelerations` of free speeds
+    as formulas in coordinates, free speeds and t; `solution` tells how.
+    """
+
+    instant: Instant
+    choice: tuple[int, ...]
+    coordinates: tuple[Coordinate, ...]
+    free: tuple[sp.Symbol, ...]
+    trial: Trial
+    quantities: Quantities
+    displacement: Displacement
+    constraints: tuple[Constraint, ...]
+    finisher: Finisher | None = None
+    stages: list[Stage] = field(default_factory=list)
+    solution: InstantSolution | None = None
+    closed_forms: dict[sp.Expr, sp.Expr] = field(default_factory=dict)
+
+    @property
+    def time(self) -> sp.Symbol:
+        return self.instant.scene.ledger.symbols["t"]
+
+    def rate_of(self, speed: sp.Symbol) -> sp.Expr:
+        """The acceleration unknown that goes with a velocity unknown."""
+        tree = self.trial.system.tree
+        for e in tree.edges:
+            for velocity, rate in ((e.slide, e.slide_rate), (e.rise, e.rise_rate), (e.spin, e.spin_rate)):
+                if velocity == speed and rate is not None:
+                    return rate
+        return next(a for r, a in self.instant.scene.evaluator.motions.values() if r == speed and a is not None)
+
+    def govern(self, exprs: Iterable[sp.Expr]) -> None:
+        """Work out everything that these expressions need."""
+        finisher = Finisher(self.instant, self.trial, (), {})
+        finisher.letters = frozenset(self.free)
+        self.finisher = finisher
+        self.solution, self.stages, _ = finisher.work(list(exprs), self.instant.scene.problem.find)
+
+    def closed(self, expr: sp.Expr) -> sp.Expr:
+        """An expression of the instant in coordinates, free speeds, t and the names of the file."""
+        if expr not in self.closed_forms:
+            assert self.finisher is not None
+            self.closed_forms[expr] = self.finisher.closed(expr, self.stages)
+        return self.closed_forms[expr]
+
+    @property
+    def value(self) -> Valuation:
+        return self.trial.outcomes[0].value
+
+
+def drawn_instant(problem: Problem, always: tuple[Any, ...], earlier: Mapping[str, Any]) -> Instant:
+    """The scene as drawn, its coordinates left as letters."""
+    return Instant(Setup(problem, Statements.of(always, ()), earlier, True, Course(None, {})))
+
+
+def make_general(
+    problem: Problem,
+    always: tuple[Any, ...],
+    earlier: Mapping[str, Any],
+    drawn: Instant,
+    choice: tuple[int, ...],
+    speeds: Mapping[str, Decimal],
+) -> General:
+    """The scene in a general position, for one choice of modes. `speeds`: draws of free speeds by name, whose signs say
+    which way things move.
+    """
+    still: frozenset[str] = frozenset()
+    made: dict[str, sp.Symbol] = {}
+    while True:
+        displacement = displaced(drawn, choice, still, made)
+        found = _general(problem, always, earlier, drawn, choice, displacement, speeds)
+        idle = frozenset(
+            c.speed.name
+            for c in displacement.coordinates
+            if c.drawn is not None and all(not v.values.get(c.speed, Decimal(1)) for v in found.trial.velocities)
+        )
+        if not idle - still:
+            return found
+        still |= idle
+
+
+def _general(
+    problem: Problem,
+    always: tuple[Any, ...],
+    earlier: Mapping[str, Any],
+    drawn: Instant,
+    choice: tuple[int, ...],
+    displacement: Displacement,
+    speeds: Mapping[str, Decimal],
+) -> General:
+    user = _user_coordinates(drawn)
+    constraints = constraints_of(drawn, choice, displacement, (*user, *displacement.coordinates))
+    course = Course(displacement, _ranges(drawn, displacement), _projector(constraints, displacement, user))
+    instant = Instant(Setup(problem, Statements.of(always, ()), earlier, True, course))
+    system = instant.system(choice)
+    valuations = instant.scene.valuations
+    found = solve_velocities(system, valuations[0], False)
+    independent = _independent(found, system.tree.velocity_unknowns(), displacement)
+    given = {s: speeds.get(s.name, Decimal("0.71") + Decimal(i) / 7) for i, s in enumerate(independent)}
+    trial = instant.try_choice(choice, valuations, given=given)
+    quantities = trial.system.quantities() if trial.outcomes else trial.system.quantities_of(trial.system.first, None)
+    coordinates = (*_user_coordinates(instant), *displacement.coordinates)
+    return General(
+        instant, choice, coordinates, independent, trial, quantities, displacement, constraints
+    )
+
+
+def _independent(
+    found: Velocities, tree: tuple[sp.Symbol, ...], displacement: Displacement
+) -> tuple[sp.Symbol, ...]:
+    """As many velocity unknowns as there are freedoms, which fix all others: rates of the file's own coordinates first,
+    then those of the coordinates that we made.
+    """
+    vectors = [dict(v) for v in found.loose.values()]
+    columns = list(dict.fromkeys(x for v in vectors for x in v))
+    ours = {c.speed for c in displacement.coordinates}
+    columns.sort(key=lambda x: (x in tree, x not in ours))
+    chosen: list[sp.Symbol] = []
+    for column in columns:
+        pivot = max(vectors, key=lambda v: abs(v.get(column, Decimal(0))), default=None)
+        if pivot is None or abs(pivot.get(column, Decimal(0))) < Decimal("1e-30"):
+            continue
+        chosen.append(column)
+        vectors = [v for v in vectors if v is not pivot]
+        for v in vectors:
+            factor = v.get(column, Decimal(0)) / pivot[column]
+            for x, number in pivot.items():
+                v[x] = v.get(x, Decimal(0)) - factor * number
+    return tuple(chosen)
+
+
+def _ranges(drawn: Instant, displacement: Displacement) -> dict[str, tuple[Decimal, Decimal]]:
+    """Where coordinates are drawn: near the drawn position."""
+    value = drawn.scene.valuations[0]
+    sizes = [abs(value(e)) for p in drawn.scene.points.values() for e in (p.x, p.y)]
+    size = max(sizes, default=Decimal(0)) or Decimal(1)
+    found = {}
+    for c in displacement.coordinates:
+        if c.drawn is None or set(c.drawn.free_symbols) & set(drawn.scene.ledger.letters):
+            continue
+        at, reach = value(c.drawn), size if c.unit == "m" else Decimal(1)
+        found[c.symbol.name] = (at + reach * Decimal("0.07"), at + reach * Decimal("0.23"))
+    return found
+
+
+def _projector(
+    constraints: tuple[Constraint, ...], displacement: Displacement, user: tuple[Coordinate, ...]
+) -> Callable[[Valuation], Mapping[sp.Symbol, Decimal]] | None:
+    if not constraints:
+        return None
+    coordinates = (*user, *displacement.coordinates)
+    inside = set().union(*(c.residual.free_symbols for c in constraints))
+    unknowns = tuple(c.symbol for c in coordinates if c.symbol in inside)
+    starts = {start_symbol(c) for c in coordinates} & inside
+
+    def place(value: Valuation) -> Mapping[sp.Symbol, Decimal]:
+        drawn = {s: Decimal("0.37") for s in starts}
+        return {**drawn, **project(constraints, unknowns, value.extended(drawn))}
+
+    return place
+
+
+def displaced(
+    drawn: Instant, choice: tuple[int, ...], still: frozenset[str], made: dict[str, sp.Symbol]
+) -> Displacement:
+    """All bodies of the drawn scene along the tree of this choice of modes."""
+    system = drawn.system(choice)
+    scene = drawn.scene
+    coordinates = set(scene.ledger.coordinates)
+    formula = frozenset(
+        name
+        for name, body in scene.bodies.items()
+        if (body.center.x.free_symbols | body.center.y.free_symbols | body.theta.free_symbols) & coordinates
+    )
+    joints = {j.name: j for j in drawn.joints}
+
+    def surface_of(joint: str) -> str:
+        found = joints.get(joint)
+        names = [getattr(found, "along", None), *getattr(found, "between", ())]
+        names = [getattr(n, "name", n) for n in names]
+        return next((n for n in names if isinstance(n, str) and n in scene.surfaces), "")
+
+    return Displacer(scene, system.tree, surface_of, scene.ledger.symbols["t"], formula, still, made).run()
+
+
+def _user_coordinates(instant: Instant) -> tuple[Coordinate, ...]:
+    """The coordinates of the file that vary freely: not those that are given as functions of time."""
+    ledger = instant.scene.ledger
+    found = []
+    for symbol in ledger.coordinates:
+        rate = instant.scene.evaluator.motions[symbol][0]
+        if symbol in ledger.letters and isinstance(rate, sp.Symbol):
+            unit = "rad" if ledger.units[symbol].angle else ledger.units[symbol].text
+            found.append(Coordinate(symbol, unit, None, rate, sp.S.One, symbol.name, ""))
+    return tuple(found)

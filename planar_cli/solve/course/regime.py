@@ -1,0 +1,132 @@
+"""One regime of a motion: a general position in one choice of modes, with the rates of everything that varies.
+
+What moves is described by the coordinates q and the free speeds u; every other quantity is a formula in them and t:
+
+    dq/dt = R(t, q, u)        du/dt = f(t, q, u)        dX/dt = ∂X/∂t + Σ ∂X/∂q R + Σ ∂X/∂u f
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, field
+from decimal import Decimal
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.equation.displaced import Coordinate
+from planar_cli.equation.exact import Valuation
+from planar_cli.equation.plain import simplified
+from planar_cli.problem.facts import Test
+from planar_cli.solve.course.general import General
+
+
+@dataclass(frozen=True, slots=True)
+class Watch:
+    """A test of the assumed modes as a formula: it must stay positive (or not negative)."""
+
+    test: Test
+    expr: sp.Expr
+
+
+@dataclass(slots=True)
+class Regime:
+    """`rates`: of coordinates; `accelerations`: of free speeds; both closed formulas. `watches`: what must hold."""
+
+    general: General
+    exprs: list[sp.Expr] = field(default_factory=list)
+    rates: dict[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    accelerations: dict[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    watches: tuple[Watch, ...] = ()
+
+    @property
+    def time(self) -> sp.Symbol:
+        return self.general.time
+
+    @property
+    def coordinates(self) -> tuple[Coordinate, ...]:
+        return self.general.coordinates
+
+    @property
+    def free(self) -> tuple[sp.Symbol, ...]:
+        return self.general.free
+
+    @property
+    def letters(self) -> tuple[sp.Symbol, ...]:
+        """t, all coordinates, all free speeds."""
+        return (self.time, *(c.symbol for c in self.coordinates), *self.free)
+
+    def work(self, exprs: Iterable[sp.Expr]) -> None:
+        """Work out rates and accelerations, and whatever these expressions need."""
+        general = self.general
+        rates = {c.symbol: c.factor * c.speed for c in general.coordinates}
+        accelerations = {u: general.rate_of(u) for u in general.free}
+        watches = self._watches()
+        self.exprs = [*exprs]
+        general.govern([*rates.values(), *accelerations.values(), *(w.expr for w in watches), *self.exprs])
+        self.rates = {s: self.closed(e) for s, e in rates.items()}
+        self.accelerations = {u: self.closed(e) for u, e in accelerations.items()}
+        self.watches = tuple(Watch(w.test, self.closed(w.expr)) for w in watches)
+
+    def closed(self, expr: sp.Expr) -> sp.Expr:
+        """An expression of the instant as a formula in t, coordinates and free speeds."""
+        return self.general.closed(expr)
+
+    def derivative(self, expr: sp.Expr) -> sp.Expr:
+        """The rate of a closed formula."""
+        parts = [sp.diff(expr, self.time)]
+        parts += [sp.diff(expr, q) * r for q, r in self.rates.items() if q in expr.free_symbols]
+        parts += [sp.diff(expr, u) * f for u, f in self.accelerations.items() if u in expr.free_symbols]
+        return simplified(sp.Add(*parts))
+
+    def _watches(self) -> tuple[Watch, ...]:
+        """The tests of pushes in the assumed modes, where they are unique."""
+        system = self.general.trial.system
+        found = []
+        assert system.reactions is not None
+        values = {p.name: e for p, e in system.reactions.pushes}
+        for mode in system.modes.values():
+            for test in mode.tests:
+                if test.within or test.row is not None or test.joining is not None:
+                    continue
+                parts = [factor * values[name] for name, factor in test.pushes if name in values]
+                expr = sp.Add(*parts, test.constant)
+                if expr != 0:
+                    found.append(Watch(test, sp.sympify(expr)))
+        return tuple(found)
+
+    def sliding(self) -> list[sp.Expr]:
+        """Speeds of slip of the contacts that slip; none may change its sign."""
+        system = self.general.trial.system
+        assert system.motion is not None
+        return [
+            system.motion.row_velocity(mode.sliding) * mode.direction
+            for mode in system.modes.values()
+            if mode.sliding is not None and mode.direction
+        ]
+
+
+def number_function(
+    exprs: Sequence[sp.Expr], letters: Sequence[sp.Symbol], value: Valuation
+) -> Callable[..., list[float]]:
+    """Machine numbers of expressions as a function of letters; everything else takes its value."""
+    inside = {}
+    names = set(letters)
+    exprs = [sp.sympify(e) for e in exprs]
+    for s in set().union(*(e.free_symbols for e in exprs)) - names if exprs else ():
+        inside[s] = sp.Float(str(value(s)), 17)
+    made: Any = sp.lambdify(list(letters), [e.xreplace(inside) for e in exprs], modules="math")
+
+    def call(*arguments: float) -> list[float]:
+        return [float(x) for x in made(*arguments)]
+
+    return call
+
+
+def decimal_function(expr: sp.Expr, letters: Sequence[sp.Symbol], value: Valuation) -> Callable[..., Decimal]:
+    """The same to all certain digits."""
+
+    def call(*arguments: Decimal) -> Decimal:
+        return value.extended(dict(zip(letters, arguments, strict=True)))(expr)
+
+    return call

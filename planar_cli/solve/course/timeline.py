@@ -1,0 +1,292 @@
+"""States in their order, the letters of each state, and what the file states of them as equations between letters."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.equation.conditions import vector_or_jet
+from planar_cli.equation.evaluate import Evaluator
+from planar_cli.equation.jets import Jet, constant
+from planar_cli.equation.ledger import Ledger
+from planar_cli.equation.plain import simplified
+from planar_cli.equation.quantities import Quantities
+from planar_cli.equation.system import mode_of
+from planar_cli.errors import NOWHERE, Mark
+from planar_cli.problem.expression import (
+    AtRest,
+    Equilibrium,
+    Extreme,
+    Grouped,
+    Name,
+    Quantity,
+    Relation,
+    Side,
+    Statement,
+)
+from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scene import State
+from planar_cli.solve.course.regime import Regime
+
+
+@dataclass(frozen=True, slots=True)
+class Stop:
+    """One state with its letters: by the letter of the general position, the one of this state. `turning`: put in by
+    us, where something comes to rest or begins to act otherwise.
+    """
+
+    name: str
+    relations: tuple[Statement, ...]
+    letters: Mapping[sp.Symbol, sp.Symbol]
+    mark: Mark = NOWHERE
+    turning: bool = False
+
+    def at(self, expr: sp.Expr) -> sp.Expr:
+        """A formula of the general position at this state."""
+        return expr.xreplace(dict(self.letters))
+
+    @property
+    def t(self) -> sp.Symbol:
+        return next(v for k, v in self.letters.items() if k.name == "t")
+
+
+@dataclass(frozen=True, slots=True)
+class Demand:
+    """What the file states of one state. `residual` vanishes; or it is positive (`sign` 1), or not negative (0).
+
+    `extreme`: 1 or -1 where the residual is to be largest or smallest. `trend`: a formula that must be positive, where
+    the residual alone would also let the opposite direction pass.
+    """
+
+    state: str
+    text: str
+    mark: Mark
+    residual: sp.Expr
+    kind: str = "equation"
+    sign: int = 0
+    extreme: int = 0
+    trend: sp.Expr | None = None
+
+
+@dataclass(slots=True)
+class Reader:
+    """Reads the statements of states in one regime. `stops`: all states by name.
+
+    `pending`: stand-ins for quantities at other states, or over spans, by symbol: (state or span, quantity).
+    """
+
+    regime: Regime
+    stops: dict[str, Stop]
+    pending: dict[sp.Symbol, tuple[str, Any]] = field(default_factory=dict)
+    spans: dict[sp.Symbol, Quantity] = field(default_factory=dict)
+
+    # --- quantities of the general position --------------------------------------------------------------------------
+
+    def quantities(self) -> Quantities:
+        """Quantities that know other states."""
+        base = self.regime.general.quantities
+
+        def scalar(q: Quantity) -> Jet:
+            if q.at is None:
+                return found.scalar(q)
+            if isinstance(q.at, tuple) or q.word in ("reached", "period", "frequency", "stable", "count"):
+                return constant(self._span(q))
+            return constant(self._elsewhere(q.at, found.scalar(replace(q, at=None)).value))
+
+        def at_state(state: str) -> Any:
+            return lambda side: constant(self._elsewhere(state, evaluator.value(side)))
+
+        evaluator = Evaluator(base.scene.ledger, base.scene.evaluator.motions, scalar, at_state)
+        found = Quantities(base.scene, base.motion, base.reactions, evaluator)
+        return found
+
+    def _elsewhere(self, state: str, value: sp.Expr) -> sp.Symbol:
+        symbol = sp.Dummy(f"at_{state}", real=True)
+        self.pending[symbol] = (state, value)
+        return symbol
+
+    def _span(self, q: Quantity) -> sp.Symbol:
+        symbol = sp.Dummy(f"span_{q.word}", real=True)
+        self.spans[symbol] = q
+        return symbol
+
+    def any(self, side: Side) -> Jet | Vec:
+        """A side as a jet or a vector of jets, in the unknowns of the general position."""
+        if isinstance(side, Quantity) and side.at is not None:
+            if isinstance(side.at, str):
+                found = self.any(replace(side, at=None))
+                if isinstance(found, Vec):
+                    return Vec(*(constant(self._elsewhere(side.at, p.value)) for p in (found.x, found.y)))
+                return constant(self._elsewhere(side.at, found.value))
+            return constant(self._span(side))
+        if isinstance(side, Quantity) and side.word in ("reached", "period", "frequency", "stable", "count"):
+            return constant(self._span(side))
+        if isinstance(side, Grouped):
+            inner = self.any(side.operand)
+            if isinstance(inner, Vec):
+                return Vec(*(constant(self._elsewhere(side.at, p.value)) for p in (inner.x, inner.y)))
+            return constant(self._elsewhere(side.at, inner.value))
+        quantities = self.quantities()
+        return vector_or_jet(side, quantities, quantities.evaluator)
+
+    def at(self, stop: Stop, expr: sp.Expr) -> sp.Expr:
+        """A closed formula of the general position at a state, stand-ins put in."""
+        return self._settled(stop.at(self.regime.closed(self._opened(expr))))
+
+    def closed(self, expr: sp.Expr) -> sp.Expr:
+        """A closed formula that holds throughout, stand-ins put in."""
+        return self._settled(self.regime.closed(expr))
+
+    def _opened(self, expr: sp.Expr) -> sp.Expr:
+        return expr
+
+    def _settled(self, expr: sp.Expr) -> sp.Expr:
+        inside = {}
+        for symbol in expr.free_symbols:
+            if symbol in self.pending:
+                state, value = self.pending[symbol]
+                inside[symbol] = self.stops[state].at(self.regime.closed(value))
+        return expr.xreplace(inside) if inside else expr
+
+    def needed(self) -> list[sp.Expr]:
+        """The expressions behind the stand-ins."""
+        return [value for _, value in self.pending.values()]
+
+    # --- statements --------------------------------------------------------------------------------------------------
+
+    def raw(self, statements: Iterable[Statement]) -> list[tuple[Statement, tuple[Any, ...]]]:
+        """Every statement with its expressions in the unknowns of the general position, not yet closed."""
+        found: list[tuple[Statement, tuple[Any, ...]]] = []
+        statements = list(statements)
+        paired = _paired(statements)
+        for s in statements:
+            if isinstance(s, Relation) and mode_of(s) is None:
+                found += [(s, e) for e in self._relation(s, paired)]
+            elif isinstance(s, Extreme):
+                found.append((s, (self._number(s.side),)))
+            elif isinstance(s, AtRest | Equilibrium):
+                found += [(s, ("=", e, None)) for e in self._rest(s)]
+        return found
+
+    def _number(self, side: Side) -> sp.Expr:
+        """A side as one expression; of a magnitude the square, which has its extremes in the same places."""
+        if isinstance(side, Quantity) and side.parts and side.parts[-1].kind == "mag" and side.at is None:
+            whole = self.any(replace(side, parts=side.parts[:-1]))
+            if isinstance(whole, Vec):
+                return whole.x.value**2 + whole.y.value**2
+        found = self.any(side)
+        assert isinstance(found, Jet)
+        return found.value
+
+    def _relation(self, s: Relation, paired: dict[str, tuple[Relation, Relation]]) -> list[tuple[Any, ...]]:
+        for key, (size, angle) in paired.items():
+            if s is angle:
+                return []
+            if s is size:
+                return self._components(size, angle, key)
+        if s.operator == "=":
+            for one, other in ((s.left, s.right), (s.right, s.left)):
+                special = self._special(one, other)
+                if special is not None:
+                    return special
+        left, right = self.any(s.left), self.any(s.right)
+        if isinstance(left, Vec) or isinstance(right, Vec):
+            assert isinstance(left, Vec)
+            assert isinstance(right, Vec)
+            difference = left - right
+            return [("=", difference.x.value, None), ("=", difference.y.value, None)]
+        return [(s.operator, left.value - right.value, None)]
+
+    def _components(self, size: Relation, angle: Relation, key: str) -> list[tuple[Any, ...]]:
+        """Size and direction of one vector: its two components."""
+        quantity = size.left
+        assert isinstance(quantity, Quantity)
+        v = self.any(replace(quantity, parts=quantity.parts[:-1]))
+        assert isinstance(v, Vec)
+        length, direction = (self.any(r.right) for r in (size, angle))
+        assert isinstance(length, Jet)
+        assert isinstance(direction, Jet)
+        m, a = length.value, direction.value
+        return [("=", v.x.value - m * sp.cos(a), None), ("=", v.y.value - m * sp.sin(a), None)]
+
+    def _special(self, one: Side, other: Side) -> list[tuple[Any, ...]] | None:
+        """A magnitude squares, a direction is a cross product with a sense."""
+        if not (isinstance(one, Quantity) and one.parts and one.parts[-1].kind in ("mag", "angle")) or one.at is not None:
+            return None
+        v = self.any(replace(one, parts=one.parts[:-1]))
+        value = self.any(other)
+        if not isinstance(v, Vec) or not isinstance(value, Jet):
+            return None
+        if one.parts[-1].kind == "mag":
+            if value.value == 0:
+                return [("=", v.x.value, None), ("=", v.y.value, None)]
+            return [("=", v.x.value**2 + v.y.value**2 - value.value**2, None)]
+        c, s = sp.cos(value.value), sp.sin(value.value)
+        return [("=", v.x.value * s - v.y.value * c, v.x.value * c + v.y.value * s)]
+
+    def _rest(self, s: AtRest | Equilibrium) -> list[sp.Expr]:
+        """Velocities that vanish: those of a body, or all free ones; in equilibrium their rates as well."""
+        regime = self.regime
+        general = regime.general
+        motion = general.quantities.motion
+        found: list[sp.Expr] = []
+        scene = general.instant.scene
+        if s.body is None:
+            found += list(general.free)
+            if isinstance(s, Equilibrium):
+                found += [general.rate_of(u) for u in general.free]
+            return found
+        center = scene.center(s.body)
+        v = motion.velocity(center, s.body)
+        found += [e for e in (v.x, v.y) if e != 0]
+        if scene.rigid(s.body) and motion.velocities[s.body].angular != 0:
+            found.append(motion.velocities[s.body].angular)
+        return found
+
+    def demands(self, stop: Stop, raw: list[tuple[Statement, tuple[Any, ...]]]) -> list[Demand]:
+        """The statements of one state as equations between letters, once everything is closed."""
+        found = []
+        for s, parts in raw:
+            if isinstance(s, Extreme):
+                value = self.closed(parts[0])
+                found.append(Demand(stop.name, s.text, s.mark, value, "extreme", extreme=s.sense))
+                continue
+            operator, expr, trend = parts
+            residual = simplified(self.at(stop, expr))
+            direction = None if trend is None else self.at(stop, trend)
+            if operator == "=":
+                if residual != 0:
+                    found.append(Demand(stop.name, s.text, s.mark, residual, trend=direction))
+            else:
+                sign = 1 if operator in "<>" else 0
+                held = residual if operator.startswith(">") else -residual
+                found.append(Demand(stop.name, s.text, s.mark, held, "inequality", sign))
+        return found
+
+
+def _paired(statements: list[Statement]) -> dict[str, tuple[Relation, Relation]]:
+    """Relations that give size and direction of one vector."""
+    found: dict[str, dict[str, Relation]] = {}
+    for s in statements:
+        if isinstance(s, Relation) and s.operator == "=" and isinstance(s.left, Quantity) and s.left.parts:
+            q = s.left
+            if q.parts[-1].kind in ("mag", "angle") and len(q.parts) == 1 and q.at is None:
+                found.setdefault(f"{q.word}({'/'.join(q.things)})", {})[q.parts[-1].kind] = s
+    return {k: (v["mag"], v["angle"]) for k, v in found.items() if len(v) == 2}
+
+
+def stop_of(state: State, regime_letters: Iterable[sp.Symbol], ledger: Ledger, units: Mapping[sp.Symbol, str]) -> Stop:
+    """A state with letters of its own."""
+    letters = {}
+    for s in regime_letters:
+        name = f"{speed_stem(s.name)}_{state.name}"
+        letters[s] = ledger.fresh(name, units[s])
+    return Stop(state.name, state.relations, letters, state.mark)
+
+
+def speed_stem(name: str) -> str:
+    """`x_dot` at state 2 is called `v_x_2`? No: a dotted letter keeps its dot."""
+    return name
