@@ -16,8 +16,8 @@ from planar_cli.equation.exact import Valuation
 from planar_cli.equation.plain import MANY, longer, simplified
 
 DEPTH = 5
-MOST_TRIED = 6
-"""So many substitutions are tried."""
+MOST_TRIED, MOST_TERMS = 6, 24
+"""So many substitutions are tried, and so many terms are integrated one by one."""
 HIGHEST_BELOW = 6
 """The highest degree of a denominator that is taken apart."""
 
@@ -68,6 +68,8 @@ def _find(f: sp.Expr, x: sp.Symbol, value: Valuation | None, depth: int) -> sp.E
 
 
 def _sum(terms: tuple[sp.Expr, ...], x: sp.Symbol, value: Valuation | None, depth: int) -> sp.Expr | None:
+    if len(terms) > MOST_TERMS:
+        return None
     found = []
     for term in terms:
         one = _find(term, x, value, depth)
@@ -198,7 +200,7 @@ def _substituted(f: sp.Expr, x: sp.Symbol, value: Valuation | None, depth: int) 
             by = sp.Poly(u, x)
             g = g.subs(x**2, (u_new - by.coeff_monomial(1)) / by.coeff_monomial(x**2))
         if g.has(x):
-            g = sp.cancel(g) if not longer(g, MANY // 2) else g
+            g = sp.cancel(g) if g.is_rational_function(x, u_new) else g
         if not g.has(x):
             found = _find(g, u_new, value, depth - 1)
             if found is not None:

@@ -55,6 +55,8 @@ def confirmed(difference: sp.Expr, value: Valuation | None = None, free: tuple[s
         numbers = {}
         for symbol in sorted(difference.free_symbols, key=lambda s: s.name):
             drawn = Decimal(draw.randint(2000, 19999)) / 10000
+            if symbol in free:
+                drawn = drawn.scaleb(-(trial // 3))
             if symbol in free and not symbol.is_positive and trial % 3 == 2:
                 drawn = -drawn
             numbers[symbol] = drawn if symbol in free else _value(symbol, value, drawn)

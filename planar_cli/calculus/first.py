@@ -13,7 +13,7 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
-from planar_cli.calculus.panels import EPS, Panel, Scan
+from planar_cli.calculus.panels import EPS, Panel, Scan, period_of
 from planar_cli.calculus.polish import polish, polish_extreme
 
 __all__ = [
@@ -31,8 +31,8 @@ __all__ = [
 MISS = 1e-9
 THROUGH = 1e-12
 TIE = 1e-12
-MOST = 400_000
-"""Evaluations spent where an end is given; beyond them the question is refused."""
+FEW, MOST = 20_000, 400_000
+"""Evaluations spent without an end, and with one: beyond these the question is refused."""
 
 Function = Callable[[float], float]
 
@@ -76,9 +76,10 @@ def first_root(
     horizon: float | None = None,
     scale: float | None = None,
     size: float = 0.0,
-    evaluations: int = 20_000,
+    evaluations: int | None = None,
 ) -> Root | None:
-    """The first root after `after`, until `horizon` (a time) or, without one, for as long as `evaluations` last.
+    """The first root after `after`, until `horizon` (a time) or, without one, for as long as `evaluations` last
+    (20,000 if not given).
 
     None: there is none up to the horizon; without one, none in 20,000 evaluations (over a thousand periods of
     a swinging motion), or g goes away, dies out, or repeats itself without a root. With a horizon that could not be
@@ -126,12 +127,12 @@ def roots(
     horizon: float | None = None,
     scale: float | None = None,
     size: float = 0.0,
-    evaluations: int = 20_000,
+    evaluations: int | None = None,
 ) -> Iterator[Root]:
     """The roots after `after`, one by one; see first_root."""
     if horizon is not None and not horizon > after:
         return
-    scan = Scan(g, after, horizon, scale, size, evaluations if horizon is None else MOST)
+    scan = Scan(g, after, horizon, scale, size, evaluations or (FEW if horizon is None else MOST))
     if scan.first[1] <= 4 * scan.noise + 1e-300 and (panel := scan.fit(after, after + scan.first[0])[0]) is not None:
         yield Root(after, after, panel.hi, "stays")
         return
@@ -141,7 +142,7 @@ def roots(
         if horizon is None and walk.repeats():
             return
     yield from walk.finish()
-    if not walk.clear and scan.largest > 0:
+    if not walk.clear and not walk.holes:
         raise ArithmeticError("the values of the function are rounding noise: the size of its terms is needed")
     if scan.exhausted and horizon is not None:
         raise ArithmeticError(f"the function changes too fast: not searched beyond {walk.reached}")
@@ -158,14 +159,14 @@ class _Walk:
         self.last: Panel | None = None
         self.reached = scan.after
         self.size = 0.0
-        self.clear = False
+        self.clear, self.holes = False, False
         self.extremes: list[tuple[float, float]] = []
 
     def through(self, panel: Panel) -> Iterator[Root]:
         self.near_end = None
         if panel.hole:
             yield from self._edge()
-            self.before, self.touch, self.last, self.reached = None, None, None, panel.hi
+            self.before, self.touch, self.last, self.reached, self.holes = None, None, None, panel.hi, True
             return
         self.size = max(panel.size, self.size / 2)
         start = panel.lo == self.scan.after
@@ -270,19 +271,6 @@ class _Walk:
         )
 
 
-def period_of(extremes: list[tuple[float, float]], size: float) -> float | None:
-    """The period, if the last extremes repeat earlier ones in value and spacing four times over."""
-    for n in (2, 4, 6, 8, 12):
-        if len(extremes) < 5 * n:
-            break
-        tail = extremes[-5 * n :]
-        period = (tail[-1][0] - tail[n - 1][0]) / 4
-        pairs = list(zip(tail, tail[n:], strict=False))
-        if all(abs(b[1] - a[1]) <= MISS * size and abs(b[0] - a[0] - period) <= 1e-6 * period for a, b in pairs):
-            return period
-    return None
-
-
 def _closed_in(
     g: Callable[[float], float | None], a: tuple[float, float], b: tuple[float, float]
 ) -> tuple[tuple[float, float], tuple[float, float]] | None:
@@ -321,7 +309,7 @@ def first_extreme(
     until: float | None = None,
     sense: int = 1,
     scale: float | None = None,
-    evaluations: int = 20_000,
+    evaluations: int | None = None,
 ) -> Extreme | None:
     """The largest (`sense` = 1) or smallest (-1) value on [after, until], or over the whole motion.
 
@@ -332,7 +320,7 @@ def first_extreme(
     if until is not None and not until > after:
         value = g(after)
         return Extreme(value, after, after, after, "start")
-    scan = Scan(lambda t: sense * g(t), after, until, scale, 0.0, evaluations if until is None else MOST)
+    scan = Scan(lambda t: sense * g(t), after, until, scale, 0.0, evaluations or (FEW if until is None else MOST))
     highest: list[Extreme] = []
     extremes: list[tuple[float, float]] = []
     again, best, last = False, -math.inf, Extreme(-math.inf, after, after, after, "start")

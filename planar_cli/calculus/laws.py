@@ -253,19 +253,34 @@ def _by_place(
     square = start.v**2 + 2 * work
     found = [span("v(q)", "v dv = a dq", end.v**2 - square, sides, None, where)]
     if not work.has(sp.Integral):
-        found += _durations(square, start, end)
+        found += _durations(square, start, end, value)
     return tuple(found)
 
 
-def _durations(square: sp.Expr, start: Moment, end: Moment) -> list[Span]:
-    """t(q) for v > 0 and for v < 0: t - t0 = ∫ dq/v with v = ±sqrt(v²(q))."""
+def _durations(square: sp.Expr, start: Moment, end: Moment, value: Valuation | None) -> list[Span]:
+    """t(q) for v > 0 and for v < 0: t - t0 = ∫ dq/v with v = ±sqrt(v²(q)); closed if v² is of second degree in q."""
     found = []
+    closed = _arc(square, start, end, value)
     for direction, name in ((1, "v > 0"), (-1, "v < 0")):
         pace = integral(direction / sp.sqrt(square), start.q, end.q)
         sides = integral(1, start.t, end.t), pace
-        residual = end.t - start.t - pace
-        found.append(span("t(q)", f"dt = dq/v, {name}", residual, sides, start.t + pace, (direction * end.v,)))
+        passed = pace if closed is None else direction * closed
+        residual = end.t - start.t - passed
+        found.append(span("t(q)", f"dt = dq/v, {name}", residual, sides, start.t + passed, (direction * end.v,)))
     return found
+
+
+def _arc(square: sp.Expr, start: Moment, end: Moment, value: Valuation | None) -> sp.Expr | None:
+    """∫ dq/sqrt(v²(q)) for a v² of second degree: an arcsine or a logarithm."""
+    x = bound(end.q)
+    own = sp.expand(square)
+    if not own.is_polynomial(end.q) or sp.degree(own, end.q) != 2:
+        return None
+    first = sp.Dummy("first", positive=True)
+    constant = own.subs(end.q, 0)
+    inside = (own - constant).xreplace({end.q: x}) + first
+    closed = definite(1 / sp.sqrt(inside), x, start.q, end.q, value)
+    return None if closed is None else closed.xreplace({first: constant})
 
 
 def _squared(

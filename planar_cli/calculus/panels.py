@@ -156,6 +156,19 @@ def _single(piece: Sequence[float]) -> float:
     return (a + b) / 2
 
 
+def period_of(extremes: list[tuple[float, float]], size: float) -> float | None:
+    """The period, if the last extremes repeat earlier ones in value and spacing four times over."""
+    for n in (2, 4, 6, 8, 12):
+        if len(extremes) < 5 * n:
+            break
+        tail = extremes[-5 * n :]
+        period = (tail[-1][0] - tail[n - 1][0]) / 4
+        pairs = list(zip(tail, tail[n:], strict=False))
+        if all(abs(b[1] - a[1]) <= 1e-9 * size and abs(b[0] - a[0] - period) <= 1e-6 * period for a, b in pairs):
+            return period
+    return None
+
+
 class Scan:
     """The panels of g from `after` on; `until` None: for as long as it is worth while.
 

@@ -17,7 +17,7 @@ def polish(g: Exact, lo: float | Decimal, hi: float | Decimal, digits: int = 50)
     """The root of g in [lo, hi], to `digits` digits as far as g itself has them.
 
     With a change of sign: that root. Without one: the extreme in between, if it is zero to seven tenths of the digits,
-    or the first of the two roots about it if it lies on the other side. ArithmeticError: there is no root.
+    or the first of the two roots about it if it lies on the other side of zero. ArithmeticError: there is no root.
     """
     with decimal.localcontext() as context:
         context.prec = max(context.prec, digits + GUARD)
@@ -27,10 +27,11 @@ def polish(g: Exact, lo: float | Decimal, hi: float | Decimal, digits: int = 50)
             return +(b if fa else a)
         if (fa > 0) == (fb > 0):
             t, value = _extreme(g, a, b, digits)
-            if value and (value > 0) != (fa > 0):
-                b, fb = t, value
-            elif abs(value) <= Decimal(10) ** (-(7 * digits) // 10) * max(abs(fa), abs(fb)):
+            size, across = max(abs(fa), abs(fb)), (value > 0) != (fa > 0)
+            if abs(value) <= Decimal(10) ** (-digits if across else -(7 * digits) // 10) * size:
                 return t
+            if across:
+                b, fb = t, value
             else:
                 raise ArithmeticError(f"no root between {lo} and {hi}: the nearest value to zero is {value:.6e}")
         return _narrow(g, a, b, fa, fb, digits)

@@ -42,6 +42,12 @@ def _through_mpmath(function: str) -> Callable[[Decimal], Decimal]:
     return call
 
 
+def _to_one(function: str) -> Callable[[Decimal], Decimal]:
+    """asin and acos: an argument that is ±1 to all certain digits counts as ±1."""
+    call = _through_mpmath(function)
+    return lambda x: call(ONE.copy_sign(x) if 1 < abs(x) < 1 + CERTAIN else x)
+
+
 @lru_cache(maxsize=REMEMBERED)
 def _atan2(y: Decimal, x: Decimal) -> Decimal:
     with mpmath.workdps(DIGITS + 5):
@@ -52,8 +58,8 @@ FUNCTIONS: dict[type, Callable[..., Decimal]] = {
     sp.sin: _through_mpmath("sin"),
     sp.cos: _through_mpmath("cos"),
     sp.tan: _through_mpmath("tan"),
-    sp.asin: _through_mpmath("asin"),
-    sp.acos: _through_mpmath("acos"),
+    sp.asin: _to_one("asin"),
+    sp.acos: _to_one("acos"),
     sp.atan: _through_mpmath("atan"),
     sp.atan2: _atan2,
     sp.sinh: _through_mpmath("sinh"),

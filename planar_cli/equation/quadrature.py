@@ -16,11 +16,15 @@ import mpmath
 
 Mpf = Any
 """mpmath.mpf: the package carries no types."""
-FIRST_LEVEL, LAST_LEVEL = 3, 8
-SPLITS = 3
-"""An interval is halved so many times before it is given up."""
+FIRST_LEVEL, LAST_LEVEL = 3, 7
+SPLITS, VALUES_PER_DIGIT = 8, 230
+"""An interval is halved so many times, and the integrand asked so often per digit, before the integral is given up."""
 GRID = 96
 """Changes of sign of a switching expression are looked for between so many points."""
+
+
+class Unsettled(ArithmeticError):
+    """The rule does not settle."""
 
 
 def quad(f: Callable[[Mpf], Mpf], a: Any, b: Any, digits: int = 30) -> Decimal:
@@ -34,7 +38,16 @@ def quad(f: Callable[[Mpf], Mpf], a: Any, b: Any, digits: int = 30) -> Decimal:
             raise ArithmeticError("an integral with an infinite limit")
         if low == high:
             return Decimal(0)
-        total, _ = _halved(f, low, high, digits, SPLITS)
+        left = VALUES_PER_DIGIT * digits
+
+        def counted(x: Mpf) -> Mpf:
+            nonlocal left
+            left -= 1
+            if left < 0:
+                raise Unsettled("an integral that does not settle")
+            return f(x)
+
+        total, _ = _halved(counted, low, high, digits, SPLITS)
         return Decimal(mpmath.nstr(total, digits + 10))
 
 
@@ -44,7 +57,7 @@ def _halved(f: Callable[[Mpf], Mpf], a: Mpf, b: Mpf, digits: int, splits: int) -
     if found is not None:
         return found
     if not splits:
-        raise ArithmeticError("an integral that does not settle")
+        raise Unsettled("an integral that does not settle")
     middle = (a + b) / 2
     left, right = _halved(f, a, middle, digits, splits - 1), _halved(f, middle, b, digits, splits - 1)
     return left[0] + right[0], left[1] + right[1]
@@ -94,6 +107,8 @@ def _at(f: Callable[[Mpf], Mpf], x: Mpf, gap: Mpf, digits: int) -> Mpf | None:
         y = f(x)
         if isinstance(y, mpmath.mpc) or not mpmath.isfinite(y):
             raise ArithmeticError("no real value inside the interval of an integral")
+    except Unsettled:
+        raise
     except (ArithmeticError, ValueError) as wrong:
         if gap < mpmath.mpf(10) ** -(3 * digits // 2):
             return None

@@ -13,6 +13,7 @@ from planar_cli.equation.system import System
 from planar_cli.errors import Mark, NoSolution
 from planar_cli.problem.scene import Find, Problem
 from planar_cli.registry import members
+from planar_cli.solve.course.run import runs_in_time, solve_course
 from planar_cli.solve.diagnose import OPEN, explain_failure, place, singular_position
 from planar_cli.solve.diagnose_cases import demand_cancelled, several, several_cases
 from planar_cli.solve.diagnose_clash import check_positions, demand_drawn
@@ -66,8 +67,13 @@ def solve_problem(problem: Problem, method: str | None = None) -> Solution:
 def solve_part(problem: Problem, case: str, units: dict[str, str], earlier: dict[str, Earlier]) -> PartSolution:
     """One part: one instant, or several that are each complete in themselves."""
     always = tuple(law.statement for law in problem.motion)
+    if runs_in_time(problem):
+        return solve_course(problem, case, units, earlier)
     if problem.states:
-        return solve_states(problem, case, always, units, earlier, solve_instant)
+        try:
+            return solve_states(problem, case, always, units, earlier, solve_instant)
+        except NoSolution:
+            return solve_course(problem, case, units, earlier)
     solution, found = solve_instant(
         problem, always, problem.instant or (), problem.find, units, earlier, problem.instant is None
     )

@@ -61,11 +61,14 @@ class InstantSolution:
 
 @dataclass(slots=True)
 class PartSolution:
-    """The file's own finds, or those of one case."""
+    """The file's own finds, or those of one case. `motion`: how its states follow each other in time, where they do;
+    then `instants` are the general positions of its regimes.
+    """
 
     case: str
     instants: tuple[InstantSolution, ...]
     found: tuple[Found, ...]
+    motion: Any = None
 
 
 @dataclass(slots=True)

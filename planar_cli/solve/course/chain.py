@@ -99,7 +99,7 @@ class Chain:
             unknowns = self._open(e, values)
             if unknowns:
                 rest.append((e, unknowns))
-            elif not self._holds(e, here):
+            elif e.kind != "t(q)" and not self._holds(e, here):
                 return
         if not rest:
             yield Branch(values, formulas, steps, ())

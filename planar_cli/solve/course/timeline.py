@@ -9,7 +9,7 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.conditions import vector_or_jet
-from planar_cli.equation.evaluate import Evaluator
+from planar_cli.equation.evaluate import Evaluator, refuse
 from planar_cli.equation.jets import Jet, constant
 from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.plain import simplified
@@ -21,14 +21,13 @@ from planar_cli.problem.expression import (
     Equilibrium,
     Extreme,
     Grouped,
-    Name,
+    JustAfter,
     Quantity,
     Relation,
     Side,
     Statement,
 )
 from planar_cli.problem.geometry import Vec
-from planar_cli.problem.scene import State
 from planar_cli.solve.course.regime import Regime
 
 
@@ -71,17 +70,23 @@ class Demand:
     trend: sp.Expr | None = None
 
 
+SPANNED = ("reached", "period", "frequency", "stable", "count")
+
+
 @dataclass(slots=True)
 class Reader:
-    """Reads the statements of states in one regime. `stops`: all states by name.
+    """Reads statements and finds in one regime. `readers`: who reads at each state, by its name; `stops`: all states.
 
-    `pending`: stand-ins for quantities at other states, or over spans, by symbol: (state or span, quantity).
+    `pending`: stand-ins for quantities at other states, with who reads them there; `spans`: stand-ins for quantities
+    over spans or about states.
     """
 
     regime: Regime
     stops: dict[str, Stop]
-    pending: dict[sp.Symbol, tuple[str, Any]] = field(default_factory=dict)
+    readers: dict[str, Reader]
+    pending: dict[sp.Symbol, tuple[Reader, str, sp.Expr]] = field(default_factory=dict)
     spans: dict[sp.Symbol, Quantity] = field(default_factory=dict)
+    exprs: list[sp.Expr] = field(default_factory=list)
 
     # --- quantities of the general position --------------------------------------------------------------------------
 
@@ -90,22 +95,38 @@ class Reader:
         base = self.regime.general.quantities
 
         def scalar(q: Quantity) -> Jet:
-            if q.at is None:
+            if q.at is None and q.word not in SPANNED:
                 return found.scalar(q)
-            if isinstance(q.at, tuple) or q.word in ("reached", "period", "frequency", "stable", "count"):
-                return constant(self._span(q))
-            return constant(self._elsewhere(q.at, found.scalar(replace(q, at=None)).value))
+            there = self.any(q)
+            if isinstance(there, Vec):
+                return found.scalar(replace(q, at=None))
+            return there
 
         def at_state(state: str) -> Any:
-            return lambda side: constant(self._elsewhere(state, evaluator.value(side)))
+            return lambda side: constant(self._elsewhere(state, side))
 
         evaluator = Evaluator(base.scene.ledger, base.scene.evaluator.motions, scalar, at_state)
         found = Quantities(base.scene, base.motion, base.reactions, evaluator)
         return found
 
-    def _elsewhere(self, state: str, value: sp.Expr) -> sp.Symbol:
+    def _elsewhere(self, state: str, side: Side) -> sp.Expr:
+        """A stand-in for a number at another state."""
+        found = self._there(state, side)
+        if isinstance(found, Vec):
+            raise refuse(side.mark, "PL550", "a vector stands where a number belongs", "ask for a part: .x .y .mag")
+        return found.value
+
+    def _there(self, state: str, side: Side) -> Jet | Vec:
+        other = self.readers[state]
+        value = other.any(side)
+        if isinstance(value, Vec):
+            return Vec(*(constant(self._stand_in(other, state, p.value)) for p in (value.x, value.y)))
+        return constant(self._stand_in(other, state, value.value))
+
+    def _stand_in(self, other: Reader, state: str, value: sp.Expr) -> sp.Symbol:
         symbol = sp.Dummy(f"at_{state}", real=True)
-        self.pending[symbol] = (state, value)
+        self.pending[symbol] = (other, state, value)
+        other.exprs.append(value)
         return symbol
 
     def _span(self, q: Quantity) -> sp.Symbol:
@@ -115,52 +136,39 @@ class Reader:
 
     def any(self, side: Side) -> Jet | Vec:
         """A side as a jet or a vector of jets, in the unknowns of the general position."""
-        if isinstance(side, Quantity) and side.at is not None:
-            if isinstance(side.at, str):
-                found = self.any(replace(side, at=None))
-                if isinstance(found, Vec):
-                    return Vec(*(constant(self._elsewhere(side.at, p.value)) for p in (found.x, found.y)))
-                return constant(self._elsewhere(side.at, found.value))
-            return constant(self._span(side))
-        if isinstance(side, Quantity) and side.word in ("reached", "period", "frequency", "stable", "count"):
-            return constant(self._span(side))
+        if isinstance(side, Quantity):
+            if isinstance(side.at, tuple) or side.word in SPANNED:
+                return constant(self._span(side))
+            if side.at is not None:
+                return self._there(side.at, replace(side, at=None))
         if isinstance(side, Grouped):
-            inner = self.any(side.operand)
-            if isinstance(inner, Vec):
-                return Vec(*(constant(self._elsewhere(side.at, p.value)) for p in (inner.x, inner.y)))
-            return constant(self._elsewhere(side.at, inner.value))
+            return self._there(side.at, side.operand)
         quantities = self.quantities()
         return vector_or_jet(side, quantities, quantities.evaluator)
 
     def at(self, stop: Stop, expr: sp.Expr) -> sp.Expr:
         """A closed formula of the general position at a state, stand-ins put in."""
-        return self._settled(stop.at(self.regime.closed(self._opened(expr))))
+        return self.settled(stop.at(self.regime.closed(expr)))
 
     def closed(self, expr: sp.Expr) -> sp.Expr:
         """A closed formula that holds throughout, stand-ins put in."""
-        return self._settled(self.regime.closed(expr))
+        return self.settled(self.regime.closed(expr))
 
-    def _opened(self, expr: sp.Expr) -> sp.Expr:
-        return expr
-
-    def _settled(self, expr: sp.Expr) -> sp.Expr:
+    def settled(self, expr: sp.Expr) -> sp.Expr:
+        """Stand-ins for other states put in."""
         inside = {}
         for symbol in expr.free_symbols:
             if symbol in self.pending:
-                state, value = self.pending[symbol]
-                inside[symbol] = self.stops[state].at(self.regime.closed(value))
+                other, state, value = self.pending[symbol]
+                inside[symbol] = other.at(self.stops[state], value)
         return expr.xreplace(inside) if inside else expr
-
-    def needed(self) -> list[sp.Expr]:
-        """The expressions behind the stand-ins."""
-        return [value for _, value in self.pending.values()]
 
     # --- statements --------------------------------------------------------------------------------------------------
 
     def raw(self, statements: Iterable[Statement]) -> list[tuple[Statement, tuple[Any, ...]]]:
         """Every statement with its expressions in the unknowns of the general position, not yet closed."""
         found: list[tuple[Statement, tuple[Any, ...]]] = []
-        statements = list(statements)
+        statements = [s for s in statements if not isinstance(s, JustAfter)]
         paired = _paired(statements)
         for s in statements:
             if isinstance(s, Relation) and mode_of(s) is None:
@@ -169,6 +177,8 @@ class Reader:
                 found.append((s, (self._number(s.side),)))
             elif isinstance(s, AtRest | Equilibrium):
                 found += [(s, ("=", e, None)) for e in self._rest(s)]
+        for _, parts in found:
+            self.exprs += [p for p in parts if isinstance(p, sp.Basic)]
         return found
 
     def _number(self, side: Side) -> sp.Expr:
@@ -278,15 +288,9 @@ def _paired(statements: list[Statement]) -> dict[str, tuple[Relation, Relation]]
     return {k: (v["mag"], v["angle"]) for k, v in found.items() if len(v) == 2}
 
 
-def stop_of(state: State, regime_letters: Iterable[sp.Symbol], ledger: Ledger, units: Mapping[sp.Symbol, str]) -> Stop:
-    """A state with letters of its own."""
-    letters = {}
-    for s in regime_letters:
-        name = f"{speed_stem(s.name)}_{state.name}"
-        letters[s] = ledger.fresh(name, units[s])
-    return Stop(state.name, state.relations, letters, state.mark)
-
-
-def speed_stem(name: str) -> str:
-    """`x_dot` at state 2 is called `v_x_2`? No: a dotted letter keeps its dot."""
-    return name
+def stop_of(
+    name: str, relations: tuple[Statement, ...], mark: Mark, letters: Iterable[sp.Symbol], ledger: Ledger
+) -> Stop:
+    """A state with letters of its own, named after it: x_2, v_x_2, t_2."""
+    own = {s: ledger.fresh(f"{s.name}_{name}" if name else f"{s.name}_1", ledger.units[s].text) for s in letters}
+    return Stop(name, relations, own, mark)

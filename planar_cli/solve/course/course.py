@@ -1,0 +1,237 @@
+"""A motion over time: its states, the regimes between them, its equations, and the branch of their roots that happens."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from decimal import Decimal
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.equation.system import mode_of
+from planar_cli.errors import NOWHERE, Diagnostic, Mark, NoSolution
+from planar_cli.problem.expression import Extreme, Relation, Statement
+from planar_cli.problem.scene import Problem, State
+from planar_cli.solve.course.chain import Branch, Chain
+from planar_cli.solve.course.equations import (
+    Equation,
+    Laws,
+    drawn_equations,
+    law_equations,
+    laws_of,
+    link_equations,
+    loop_equations,
+    stated_equations,
+)
+from planar_cli.solve.course.general import drawn_instant, make_general
+from planar_cli.solve.course.plot import Span, fixed_time, spans_of
+from planar_cli.solve.course.regime import Regime
+from planar_cli.solve.course.timeline import Demand, Reader, Stop, stop_of
+from planar_cli.solve.instant import Instant
+
+TINY = Decimal("1e-15")
+
+
+@dataclass(slots=True)
+class Course:
+    """The motion of one problem. `spans` and `regimes` go together: what acts after each state but the last."""
+
+    problem: Problem
+    earlier: Mapping[str, Any]
+    states: tuple[State, ...]
+    spans: list[Span]
+    regimes: list[Regime] = field(default_factory=list)
+    stops: dict[str, Stop] = field(default_factory=dict)
+    readers: dict[str, Reader] = field(default_factory=dict)
+    laws: list[Laws] = field(default_factory=list)
+    demands: dict[str, list[Demand]] = field(default_factory=dict)
+    equations: list[Equation] = field(default_factory=list)
+
+    # --- the scene ---------------------------------------------------------------------------------------------------
+
+    def prepare(self, choices: list[tuple[int, ...] | None], speeds: list[Mapping[str, Decimal]]) -> None:
+        """The regime of every span, in these choices of modes; then the letters of every state."""
+        made: dict[Any, Regime] = {}
+        for span, choice, signs in zip(self.spans, choices, speeds, strict=True):
+            drawn = drawn_instant(span.problem, span.always, self.earlier)
+            picked = choice if choice is not None else tuple(0 for _ in drawn.modes)
+            key = (span.key, picked, tuple(sorted(signs.items())))
+            if key not in made:
+                made[key] = Regime(make_general(span.problem, span.always, self.earlier, drawn, picked, signs))
+            self.regimes.append(made[key])
+        letters = list(dict.fromkeys(s for r in self.regimes for s in r.letters))
+        ledger = self.ledger
+        for regime in self.regimes:
+            for s in regime.letters:
+                ledger.units.setdefault(s, regime.general.instant.scene.ledger.units[s])
+        for state in self.states:
+            self.stops[state.name] = stop_of(state.name, state.relations, state.mark, letters, ledger)
+        by_regime: dict[int, Reader] = {}
+        for i, state in enumerate(self.states):
+            regime = self.regimes[max(i - 1, 0)]
+            reader = by_regime.setdefault(id(regime), Reader(regime, self.stops, self.readers))
+            self.readers[state.name] = reader
+
+    @property
+    def ledger(self) -> Any:
+        return self.regimes[0].general.instant.scene.ledger
+
+    @property
+    def first(self) -> Stop:
+        return self.stops[self.states[0].name]
+
+    def distinct_readers(self) -> list[Reader]:
+        """Every reader once."""
+        return list({id(r): r for r in self.readers.values()}.values())
+
+    def distinct_regimes(self) -> list[Regime]:
+        return list({id(r): r for r in self.regimes}.values())
+
+    # --- equations ---------------------------------------------------------------------------------------------------
+
+    def read(self) -> None:
+        """Read all states, work out every regime, and write the equations."""
+        raw = {s.name: self.readers[s.name].raw(self._statements(i)) for i, s in enumerate(self.states)}
+        for regime in self.distinct_regimes():
+            exprs = [e for r in self.distinct_readers() if r.regime is regime for e in r.exprs]
+            regime.work(_without_stand_ins(exprs, self.distinct_readers()))
+        for s in self.states:
+            reader = self.readers[s.name]
+            self.demands[s.name] = reader.demands(self.stops[s.name], raw[s.name])
+        self.laws = [laws_of(r) for r in self.regimes]
+        self.equations = [*self._stated(), *self._moving()]
+
+    def _statements(self, i: int) -> tuple[Statement, ...]:
+        """What a state says, and what holds at the level of places in the regime that leads to it."""
+        return self.states[i].relations
+
+    def _stated(self) -> list[Equation]:
+        found: list[Equation] = []
+        for s in self.states:
+            stop = self.stops[s.name]
+            found += list(stated_equations(self.demands[s.name]))
+            for d in self.demands[s.name]:
+                if d.kind == "extreme":
+                    rate = stop.at(self.readers[s.name].regime.derivative(d.residual))
+                    found.append(Equation(rate, "extreme", d.text, s.name, mark=d.mark))
+        first = self.first
+        if not any(first.t in e.residual.free_symbols for e in found if e.stop == first.name):
+            found.append(Equation(first.t, "start", "time is counted from here", first.name))
+        return found
+
+    def _moving(self) -> list[Equation]:
+        found = list(drawn_equations(self.regimes[0], self.first))
+        value = self.base()
+        since = 0
+        for i, state in enumerate(self.states):
+            stop = self.stops[state.name]
+            regime = self.regimes[max(i - 1, 0)]
+            found += list(loop_equations(regime, self.first, stop))
+            if i == 0:
+                continue
+            if i >= 2 and self.regimes[i - 1] is not self.regimes[i - 2]:
+                since = i - 1
+            start = self.stops[self.states[since].name]
+            laws = self.laws[i - 1]
+            found += list(law_equations(laws, start, stop, regime, regime.general.value))
+            found += list(link_equations(laws, start, stop, regime))
+        del value
+        return found
+
+    # --- solution ----------------------------------------------------------------------------------------------------
+
+    def base(self) -> Valuation:
+        """Numbers of everything that is known: given values, and draws of the letters of the file."""
+        ledger = self.ledger
+        scene = self.regimes[0].general.instant.scene
+        varying = {s for r in self.regimes for s in r.letters}
+        sought = {ledger.symbols[s.name] for s in self.problem.unknowns if s.name in ledger.symbols}
+        values = {s: v for s, v in scene.valuations[0].values.items() if s not in varying and s not in sought}
+        return Valuation(values, scene.valuations[0].definitions)
+
+    def sought(self) -> list[sp.Symbol]:
+        return [self.ledger.symbols[s.name] for s in self.problem.unknowns if s.name in self.ledger.symbols]
+
+    @property
+    def symbolic(self) -> bool:
+        """Do letters of the file stay in the equations?"""
+        parameters = set(self.base().values)
+        return any(e.residual.free_symbols & parameters for e in self.equations)
+
+    def chain(self) -> Chain:
+        """The solver of the equations."""
+        unknowns = frozenset([*(v for s in self.stops.values() for v in s.letters.values()), *self.sought()])
+        times: dict[sp.Symbol, sp.Symbol | None] = {}
+        angles: dict[sp.Symbol, sp.Symbol | None] = {}
+        before: Stop | None = None
+        units = self.ledger.units
+        for state in self.states:
+            stop = self.stops[state.name]
+            times[stop.t] = None if before is None or fixed_time(state.relations) else before.t
+            for general, own in stop.letters.items():
+                if units[own].angle and general.name != "t" and units[own].text in ("rad", "deg", "rev"):
+                    angles[own] = before.letters[general] if before is not None else None
+            before = stop
+        return Chain(unknowns, times, angles, self.base(), self.symbolic, self._possible)
+
+    def _possible(self, values: dict[sp.Symbol, Decimal]) -> bool:
+        """Do the inequalities and the order of times hold, as far as they can be told?"""
+        number = self.base().extended(values)
+        before: Stop | None = None
+        for state in self.states:
+            stop = self.stops[state.name]
+            if before is not None and not fixed_time(state.relations) and {stop.t, before.t} <= set(values):
+                if values[stop.t] <= values[before.t] + TINY * max(abs(values[before.t]), TINY):
+                    return False
+            before = stop
+            for d in self.demands[state.name]:
+                if d.kind == "inequality":
+                    try:
+                        v = number(d.residual)
+                    except (Unvalued, ArithmeticError):
+                        continue
+                    if v < -TINY or (d.sign and v <= TINY):
+                        return False
+        return True
+
+    def solve(self) -> Branch:
+        """The branch that happens: of all that are possible the one whose states come first."""
+        found = list(self.chain().branches(self.equations))
+        whole = [b for b in found if not b.left] or found
+        if not whole:
+            raise NoSolution([Diagnostic(self.states[0].mark, "PL620", "no motion reaches these states")])
+        best = min(whole, key=self._rank)
+        return best
+
+    def _rank(self, branch: Branch) -> tuple[Any, ...]:
+        keys: list[Any] = []
+        for state in self.states:
+            stop = self.stops[state.name]
+            for d in self.demands[state.name]:
+                if d.kind == "extreme":
+                    try:
+                        v = self.base().extended(branch.values)(stop.at(d.residual))
+                    except (Unvalued, ArithmeticError):
+                        v = Decimal(0)
+                    keys.append(-round(v * d.extreme, 12))
+            keys.append(branch.values.get(stop.t, Decimal(0)))
+        return tuple(keys)
+
+
+def _without_stand_ins(exprs: list[sp.Expr], readers: list[Reader]) -> list[sp.Expr]:
+    """Stand-ins are no unknowns of a regime; what stands behind them is worked out in its own."""
+    return exprs
+
+
+def make_course(problem: Problem, earlier: Mapping[str, Any]) -> Course:
+    """The course of a problem with states; of one instant at a given time that state alone."""
+    states = problem.states
+    if not states:
+        states = (State("", problem.instant or (), _mark(problem)),)
+    return Course(problem, earlier, states, spans_of(problem, states))
+
+
+def _mark(problem: Problem) -> Mark:
+    return problem.find[0].mark if problem.find else Mark(problem.file, 1, 1)

@@ -1,0 +1,148 @@
+"""What is asked of a motion: quantities at states, formulas that hold throughout, truths and modes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from decimal import Decimal
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.equation.evaluate import refuse
+from planar_cli.equation.exact import Valuation
+from planar_cli.equation.jets import Jet
+from planar_cli.equation.plain import longer, rounded_inside, simplified
+from planar_cli.equation.system import mode_of
+from planar_cli.problem.dimensions import dimension_of
+from planar_cli.problem.expression import Grouped, Quantity, Relation
+from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scene import Find
+from planar_cli.solve.asked import quantities_in
+from planar_cli.solve.course.chain import Branch
+from planar_cli.solve.course.course import Course
+from planar_cli.solve.course.timeline import Reader, Stop
+from planar_cli.solve.solution import Found
+from planar_cli.units import Unit, parse_unit
+
+CLOSED_OPS = 90
+
+
+@dataclass(slots=True)
+class Asked:
+    """One find as expressions with stand-ins (a relation: left and right), read by `reader`; `at`: its state, if it has
+    no `@` of its own.
+    """
+
+    find: Find
+    reader: Reader
+    parts: tuple[sp.Expr, ...]
+    at: Stop | None
+
+
+@dataclass(slots=True)
+class FindReader:
+    """Reads all finds before the regimes are worked out, and answers them afterwards."""
+
+    course: Course
+    units: dict[str, str]
+    asked: list[Asked] = field(default_factory=list)
+
+    def read(self) -> None:
+        course = self.course
+        only = course.states[0].name == ""
+        for find in course.problem.find:
+            reader = course.readers[course.states[-1].name]
+            at = course.stops[""] if only else None
+            self.asked.append(Asked(find, reader, self._parts(find, reader), at))
+
+    def _parts(self, find: Find, reader: Reader) -> tuple[sp.Expr, ...]:
+        what = find.found.what
+        if isinstance(what, Relation):
+            if mode_of(what) is not None:
+                return ()
+            sides = [reader.any(s) for s in (what.left, what.right)]
+            parts = tuple(p.value for s in sides for p in ((s.x, s.y) if isinstance(s, Vec) else (s,)))
+        elif isinstance(what, Quantity) and what.word == "mode":
+            return ()
+        else:
+            found = reader.any(what)
+            parts = tuple(p.value for p in (found.x, found.y)) if isinstance(found, Vec) else (found.value,)
+        if any(p is None for p in parts):
+            raise refuse(find.mark, "PL552", f"{find.name}: the accelerations do not tell this rate")
+        reader.exprs += parts
+        return parts
+
+    # --- answers -----------------------------------------------------------------------------------------------------
+
+    def answer(self, asked: Asked, branch: Branch, value: Valuation) -> Found:
+        find, what = asked.find, asked.find.found.what
+        pure = parse_unit("1")
+        mode = self._mode(what, asked)
+        if mode is not None:
+            return Found(find.name, mode[0], pure, None, None, mode[1], find)
+        parts = [self.settled(asked, p) for p in asked.parts]
+        if isinstance(what, Relation):
+            number = value(parts[0] - parts[1])
+            number = Decimal(0) if value.is_zero(parts[0] - parts[1]) else number
+            truth = {"<": number < 0, ">": number > 0, "<=": number <= 0, ">=": number >= 0, "=": not number}
+            return Found(find.name, "truth", pure, None, None, "true" if truth[what.operator] else "false", find)
+        closed = tuple(self.closed(p, branch) for p in parts)
+        letters = set(self.course.base().values) | self._varying()
+        symbolic = any(letters & c.free_symbols for c in closed)
+        values = None if symbolic else tuple(self._number(p, value) for p in parts)
+        short = all(not longer(c, CLOSED_OPS) and not rounded_inside(c) for c in closed)
+        kind = "vector" if len(parts) == 2 else "number"
+        energy = any(q.word in ("KE", "PE", "work", "heat") for q in quantities_in(what))
+        return Found(
+            find.name, kind, self.unit_of(find), values, closed if symbolic or short else None, "", find, energy, tuple(parts)
+        )
+
+    def _varying(self) -> set[sp.Symbol]:
+        return {s for r in self.course.regimes for s in r.letters}
+
+    def settled(self, asked: Asked, part: sp.Expr) -> sp.Expr:
+        """A part of a find in letters of states, or of the general position where it holds throughout."""
+        if asked.at is not None:
+            return asked.reader.at(asked.at, part)
+        return asked.reader.closed(part)
+
+    def _number(self, expr: sp.Expr, value: Valuation) -> Decimal:
+        number = value(expr)
+        return Decimal(0) if number and value.is_zero(expr) else number
+
+    def closed(self, expr: sp.Expr, branch: Branch) -> sp.Expr:
+        """The formula of a find down to the names of the file."""
+        for _ in range(60):
+            inside = {s: branch.formulas[s] for s in expr.free_symbols if s in branch.formulas}
+            if not inside:
+                break
+            expr = expr.xreplace(inside)
+            if longer(expr, 3000):
+                return expr
+        if expr.is_number or expr.is_Symbol or longer(expr, 600):
+            return expr
+        return simplified(expr)
+
+    def unit_of(self, find: Find) -> Unit:
+        if find.found.unit is not None:
+            return parse_unit(find.found.unit)
+        if find.name in self.units:
+            return parse_unit(self.units[find.name])
+        setup = self.course.regimes[0].general.instant.setup
+        return setup.unit_for(dimension_of(find.found.what, setup.lookup))
+
+    def _mode(self, what: Any, asked: Asked) -> tuple[str, str] | None:
+        """A mode that is asked, or compared."""
+        if isinstance(what, Relation) and (stated := mode_of(what)) is not None:
+            side = what.left if isinstance(what.left, Quantity) else what.right
+            name = self._mode_name(stated[0], getattr(side, "at", None), asked)
+            return "truth", "true" if name == stated[1] else "false"
+        if isinstance(what, Quantity) and what.word == "mode":
+            return "word", self._mode_name(what.things[0], what.at, asked)
+        return None
+
+    def _mode_name(self, joint: str, at: Any, asked: Asked) -> str:
+        reader = self.course.readers[at] if isinstance(at, str) else asked.reader
+        system = reader.regime.general.trial.system
+        ours = next(our for our, name in system.aliases.items() if name == joint and system.modes[our].name)
+        return system.modes[ours].name
