@@ -38,7 +38,7 @@ CASES = [
     ("circle about (0, 0)", 15 * cos(sp.pi * t / 4), 15 * sin(sp.pi * t / 4), t, X**2 + Y**2, 225),
     ("circle about (a, h)", a + R * cos(omega * t + beta), h + R * sin(omega * t + beta), t,
      (X - a) ** 2 + (Y - h) ** 2, R**2),
-    ("circle about (a/2, 0)", a * cos(theta) ** 2, a * sin(theta) * cos(theta), theta, 
+    ("circle about (a/2, 0)", a * cos(theta) ** 2, a * sin(theta) * cos(theta), theta,
      (X - a / 2) ** 2 + Y**2, a**2 / 4),
     ("circle about (0, 0)", R * cos(sp.pi / 2 + sin(t) / 3), R * sin(sp.pi / 2 + sin(t) / 3), t, X**2 + Y**2, R**2),
     ("circle about (0, 0)", t, sp.sqrt(R**2 - t**2), t, X**2 + Y**2, R**2),

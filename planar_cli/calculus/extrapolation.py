@@ -1,9 +1,9 @@
 """One step of y' = f(t, y) by extrapolated midpoint rules, in floats, decimals or mpmath's numbers alike.
 
-Gragg's modified midpoint rule with 2, 4, 6, ... substeps, extrapolated in the square of the substep (Gragg 1965; Bulirsch
-and Stoer 1966; order and step from the work per unit of time as in Hairer, Nørsett and Wanner, Solving Ordinary
-Differential Equations I, section II.9). It needs no coefficients and has any order, so that one text serves 12 digits
-and 50. Increments rather than states are extrapolated: rounding then follows the change within the step.
+Gragg's modified midpoint rule with 2, 4, 6, ... substeps, extrapolated in the square of the substep (Gragg 1965;
+Bulirsch and Stoer 1966; order and step from the work per unit of time as in Hairer, Nørsett and Wanner, Solving
+Ordinary Differential Equations I, section II.9). It needs no coefficients and has any order, so that one text serves
+12 digits and 50. Increments rather than states are extrapolated: rounding then follows the change within the step.
 """
 
 from __future__ import annotations
@@ -20,6 +20,7 @@ import mpmath
 Rates = Callable[[Any, Sequence[Any]], list[Any]]
 
 FLOAT_DIGITS = 13
+UNREAL = (complex, mpmath.mpc)
 FEWEST = 3
 GROW, SHRINK = 6.0, 0.1
 NOISY = 1e4
@@ -47,10 +48,10 @@ class Level:
     nodes: int
 
 
-def level_for(digits: int, decimals: bool) -> Level:
+def level_for(digits: int, decimals: bool, evaluations: int | None) -> Level:
     """Floats up to 13 digits; beyond, decimals or mpmath's numbers with guard digits."""
     if digits <= FLOAT_DIGITS:
-        return Level(float, nullcontext, 2.0**-52, max(10.0 ** -(digits + 2), 1e-14), 10, 3_000_000, 6)
+        return Level(float, nullcontext, 2.0**-52, max(10.0 ** -(digits + 2), 1e-14), 10, evaluations or 1_000_000, 6)
     columns = digits // 2 + 4
     precision = digits + 12 + columns // 2
     unit, tolerance, nodes = 10.0 ** (1 - precision), 10.0 ** -(digits + 2), digits // 2 + 2
@@ -61,8 +62,8 @@ def level_for(digits: int, decimals: bool) -> Level:
             context.prec = precision
             return decimal.localcontext(context)
 
-        return Level(decimal.Decimal, exact, unit, tolerance, columns, 1_000_000, nodes)
-    return Level(_mpf, lambda: mpmath.workdps(precision), unit, tolerance, columns, 300_000, nodes)
+        return Level(decimal.Decimal, exact, unit, tolerance, columns, evaluations or 1_000_000, nodes)
+    return Level(_mpf, lambda: mpmath.workdps(precision), unit, tolerance, columns, evaluations or 300_000, nodes)
 
 
 def _mpf(x: Any) -> Any:
@@ -94,7 +95,7 @@ class Stepper:
         except ValueError as e:
             raise ArithmeticError(str(e)) from e
         for v in found:
-            if isinstance(v, complex | mpmath.mpc) or not (v == v and abs(v) < math.inf):
+            if isinstance(v, UNREAL) or v - v != 0:
                 raise ArithmeticError("the rates have no real value")
         return found
 
@@ -153,7 +154,9 @@ class Stepper:
             if j >= max(FEWEST, target - 1):
                 if ratio <= 1:
                     if j < columns:
-                        best = min(best, _prospect(work + 2 * j + 1, ratio * min(1.0, ratio / last), j + 1))
+                        best = min(
+                            best, _prospect(work + 2 * j + 1, ratio * (ratio / last if ratio < last else 1.0), j + 1)
+                        )
                     return Trial(row[-1], errors, ratio, min(GROW, max(SHRINK, best[1])), best[2])
                 if ratio > 1e3 * max(last, 1.0) and ratio * tolerance > 1e-3:
                     break

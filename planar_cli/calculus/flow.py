@@ -1,7 +1,7 @@
 """The solution of y' = f(t, y): any time asked for, forward or backward, with the digits that are certain.
 
-Steps are made as far as they are asked for and kept; between them a polynomial that takes up values and rates at several
-instants of the step (Hermite) is made when first needed, checked against the equation, and kept too.
+Steps are made as far as they are asked for and kept; between them a polynomial that takes up values and rates at
+several instants of the step (Hermite) is made when first needed, checked against the equation, and kept too.
 
 The digits claimed come from a second run with half the step and a hundredfold tolerance: four times the largest
 difference of the two so far, the error estimates of all steps, and rounding. Data that are themselves rounded are not
@@ -16,6 +16,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from decimal import Decimal
 from functools import lru_cache
+from itertools import pairwise
 from typing import Any
 
 from planar_cli.calculus.extrapolation import Leaves, Level, Rates, Stepper, level_for
@@ -112,9 +113,7 @@ class _Branch:
         limit = make(64 * self.level.unit * run)
         following = None
         while following is None:
-            step, trial, scales = self.stepper.accepted(
-                last.t, last.y, last.rates, self.next, self.target, 1.0, limit
-            )
+            step, trial, scales = self.stepper.accepted(last.t, last.y, last.rates, self.next, self.target, 1.0, limit)
             assert trial.delta is not None
             end = last.t + step
             delta = [d + c for d, c in zip(trial.delta, self.carry, strict=True)]
@@ -168,7 +167,7 @@ class _Branch:
         times = [a, *(a + (b - a) * make(x) for x in points[1:-1]), b]
         target = max(3, self.target // 2)
         states = [ya]
-        for t0, t1 in zip(times[:-2], times[1:-1], strict=True):
+        for t0, t1 in pairwise(times[:-1]):
             states.append(self.stepper.advance(t0, states[-1], t1, target))
         states.append(yb)
         cell = self._hermite(a, b, times, states)
@@ -242,12 +241,15 @@ class Flow:
 
     Up to 13 digits it is computed in floats; beyond in mpmath's numbers, or in decimals if y0 holds decimals: `rhs` is
     called with such numbers and returns such. `digits` sets the tolerance; what came out is told by `certain`.
-    Leaves, an ArithmeticError with `reached`: the motion leaves the domain of rhs, becomes infinite, or is too long.
+    Leaves, an ArithmeticError with `reached`: the motion leaves the domain of rhs, becomes infinite, or needs more
+    than `evaluations` of rhs (a million in floats and decimals, 300,000 in mpmath's numbers).
     """
 
-    def __init__(self, rhs: Rates, t0: Any, y0: Sequence[Any], digits: int = 20) -> None:
-        self.rhs, self.digits = rhs, digits
-        self.level = level_for(digits, any(isinstance(a, Decimal) for a in y0))
+    def __init__(
+        self, rhs: Rates, t0: Any, y0: Sequence[Any], digits: int = 20, evaluations: int | None = None
+    ) -> None:
+        self.rhs, self.digits, self.evaluations = rhs, digits, evaluations
+        self.level = level_for(digits, any(isinstance(a, Decimal) for a in y0), evaluations)
         self.stepper = Stepper(rhs, self.level)
         with self.level.context():
             self.t0 = self.level.make(t0)
@@ -286,4 +288,4 @@ class Flow:
 
     def restarted(self, t: Any, y: Sequence[Any] | None = None, rhs: Rates | None = None) -> Flow:
         """A new flow from a time on, after an impact or a change of forces: with another state or right-hand side."""
-        return Flow(rhs or self.rhs, t, self.at(t) if y is None else y, self.digits)
+        return Flow(rhs or self.rhs, t, self.at(t) if y is None else y, self.digits, self.evaluations)

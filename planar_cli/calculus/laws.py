@@ -194,7 +194,8 @@ def _by_time(
         change = start.v * (end.t - start.t) + sp.Integral((end.t - x) * a.xreplace({end.t: x}), (x, start.t, end.t))
         sides = None
     else:
-        change = start.v * (end.t - start.t) + _over_time(gain, start, end, value)
+        still, moving = gain.as_independent(end.t, as_Add=True)
+        change = (start.v + still) * (end.t - start.t) + _over_time(moving, start, end, value)
         sides = integral(1, start.q, end.q), integral(speed, start.t, end.t)
     in_time = integral(1, start.v, end.v), integral(a, start.t, end.t)
     return (

@@ -13,7 +13,8 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.calculus.first import all_roots, polish
+from planar_cli.calculus.first import roots
+from planar_cli.calculus.polish import polish
 from planar_cli.equation.exact import PI, Unvalued, Valuation
 from planar_cli.equation.form import Nonlinear, linear_form
 from planar_cli.equation.plain import tidy
@@ -182,13 +183,13 @@ class Chain:
         x, residual = left[0], pool[0]
         if x not in residual.free_symbols:
             return
-        roots = self._roots(residual, x, here)
-        for taken, root in enumerate(roots):
+        every = self._roots(residual, x, here)
+        for taken, root in enumerate(every):
             after = {**values, x: root.value}
             forms = dict(formulas)
             if root.expression is not None:
                 forms[x] = root.expression
-            lines = [Line(x, root.expression, root.value, block, tuple(roots), taken)]
+            lines = [Line(x, root.expression, root.value, block, tuple(every), taken)]
             number = self.value.extended(after)
             try:
                 for y, formula in reversed(back):
@@ -220,7 +221,7 @@ class Chain:
         if closed is None:
             start = float(after) if after is not None else 0.0
             g = number_function([residual], [x], here)
-            found = all_roots(lambda t: g(t)[0], start, None, limit=MOST_ROOTS)
+            found = list(itertools.islice(roots(lambda t: g(t)[0], start), MOST_ROOTS))
             closed = [Root(None, _polished(residual, x, here, r.low, r.high)) for r in found]
         if after is None:
             return closed

@@ -23,10 +23,10 @@ from planar_cli.solve.course.equations import (
     laws_of,
     link_equations,
     loop_equations,
+    resting_equations,
     stated_equations,
 )
-from planar_cli.solve.course.general import drawn_instant, make_general
-from planar_cli.solve.course.plot import Span, fixed_time, spans_of
+from planar_cli.solve.course.plot import Plot, Stretch, Workshop, fixed_time, spans_of
 from planar_cli.solve.course.regime import Regime
 from planar_cli.solve.course.timeline import Demand, Reader, Stop, stop_of
 from planar_cli.solve.instant import Instant
@@ -36,12 +36,11 @@ TINY = Decimal("1e-15")
 
 @dataclass(slots=True)
 class Course:
-    """The motion of one problem. `spans` and `regimes` go together: what acts after each state but the last."""
+    """The motion of one problem along one plot. `regimes[i]` acts from state i to the next."""
 
     problem: Problem
-    earlier: Mapping[str, Any]
-    states: tuple[State, ...]
-    spans: list[Span]
+    plot: Plot
+    workshop: Workshop
     regimes: list[Regime] = field(default_factory=list)
     stops: dict[str, Stop] = field(default_factory=dict)
     readers: dict[str, Reader] = field(default_factory=dict)
@@ -49,18 +48,15 @@ class Course:
     demands: dict[str, list[Demand]] = field(default_factory=dict)
     equations: list[Equation] = field(default_factory=list)
 
+    @property
+    def states(self) -> tuple[State, ...]:
+        return self.plot.states
+
     # --- the scene ---------------------------------------------------------------------------------------------------
 
-    def prepare(self, choices: list[tuple[int, ...] | None], speeds: list[Mapping[str, Decimal]]) -> None:
-        """The regime of every span, in these choices of modes; then the letters of every state."""
-        made: dict[Any, Regime] = {}
-        for span, choice, signs in zip(self.spans, choices, speeds, strict=True):
-            drawn = drawn_instant(span.problem, span.always, self.earlier)
-            picked = choice if choice is not None else tuple(0 for _ in drawn.modes)
-            key = (span.key, picked, tuple(sorted(signs.items())))
-            if key not in made:
-                made[key] = Regime(make_general(span.problem, span.always, self.earlier, drawn, picked, signs))
-            self.regimes.append(made[key])
+    def prepare(self) -> None:
+        """The regime of every stretch; then the letters of every state, and who reads it."""
+        self.regimes = [self.workshop.regime(s) for s in self.plot.stretches]
         letters = list(dict.fromkeys(s for r in self.regimes for s in r.letters))
         ledger = self.ledger
         for regime in self.regimes:
@@ -96,7 +92,7 @@ class Course:
         raw = {s.name: self.readers[s.name].raw(self._statements(i)) for i, s in enumerate(self.states)}
         for regime in self.distinct_regimes():
             exprs = [e for r in self.distinct_readers() if r.regime is regime for e in r.exprs]
-            regime.work(_without_stand_ins(exprs, self.distinct_readers()))
+            regime.work(exprs)
         for s in self.states:
             reader = self.readers[s.name]
             self.demands[s.name] = reader.demands(self.stops[s.name], raw[s.name])
@@ -123,7 +119,6 @@ class Course:
 
     def _moving(self) -> list[Equation]:
         found = list(drawn_equations(self.regimes[0], self.first))
-        value = self.base()
         since = 0
         for i, state in enumerate(self.states):
             stop = self.stops[state.name]
@@ -137,7 +132,7 @@ class Course:
             laws = self.laws[i - 1]
             found += list(law_equations(laws, start, stop, regime, regime.general.value))
             found += list(link_equations(laws, start, stop, regime))
-        del value
+            found += list(resting_equations(regime, self.stops[self.states[i - 1].name], stop))
         return found
 
     # --- solution ----------------------------------------------------------------------------------------------------
@@ -220,17 +215,18 @@ class Course:
         return tuple(keys)
 
 
-def _without_stand_ins(exprs: list[sp.Expr], readers: list[Reader]) -> list[sp.Expr]:
-    """Stand-ins are no unknowns of a regime; what stands behind them is worked out in its own."""
-    return exprs
+def first_plot(problem: Problem, workshop: Workshop) -> Plot:
+    """Every joint in its first mode that the file leaves open; one instant at a given time is its only state."""
+    states = problem.states or (State("", problem.instant or (), _mark(problem)),)
+    spans = spans_of(problem, states)
+    return Plot(states, tuple(Stretch(s, next(workshop.drawn(s).choices())) for s in spans))
 
 
-def make_course(problem: Problem, earlier: Mapping[str, Any]) -> Course:
-    """The course of a problem with states; of one instant at a given time that state alone."""
-    states = problem.states
-    if not states:
-        states = (State("", problem.instant or (), _mark(problem)),)
-    return Course(problem, earlier, states, spans_of(problem, states))
+def make_course(problem: Problem, plot: Plot, workshop: Workshop) -> Course:
+    """The course of a problem along one plot, ready to read finds."""
+    course = Course(problem, plot, workshop)
+    course.prepare()
+    return course
 
 
 def _mark(problem: Problem) -> Mark:

@@ -259,6 +259,21 @@ def link_equations(laws: Laws, since: Stop, stop: Stop, regime: Regime) -> Itera
         yield Equation(residual, "link", words, stop.name, since.name, family=("link", q.name, stop.name), rank=1)
 
 
+def resting_equations(regime: Regime, since: Stop, stop: Stop) -> Iterator[Equation]:
+    """What moves only in other regimes stays where it is."""
+    own = set(regime.letters)
+    for letter, end in stop.letters.items():
+        if letter in own:
+            continue
+        residual = end - since.letters[letter] if not is_speed(letter, stop) else end
+        yield Equation(residual, "link", "it rests meanwhile", stop.name, since.name)
+
+
+def is_speed(letter: sp.Symbol, stop: Stop) -> bool:
+    """Is a letter that of a velocity?"""
+    return letter.name.startswith(("v_", "omega")) or letter.name.endswith("_dot")
+
+
 def loop_equations(regime: Regime, first: Stop, stop: Stop) -> Iterator[Equation]:
     """Positions that close loops, at one state."""
     start = {v: first.letters[s] for s, v in start_of(regime.coordinates).items() if v.is_Symbol}

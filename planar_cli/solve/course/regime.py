@@ -31,13 +31,16 @@ class Watch:
 
 @dataclass(slots=True)
 class Regime:
-    """`rates`: of coordinates; `accelerations`: of free speeds; both closed formulas. `watches`: what must hold."""
+    """`rates`: of coordinates; `accelerations`: of free speeds; both closed formulas. `watches`: what must hold;
+    `slips`: speeds of slip, positive the way that is assumed.
+    """
 
     general: General
     exprs: list[sp.Expr] = field(default_factory=list)
     rates: dict[sp.Symbol, sp.Expr] = field(default_factory=dict)
     accelerations: dict[sp.Symbol, sp.Expr] = field(default_factory=dict)
     watches: tuple[Watch, ...] = ()
+    slips: tuple[sp.Expr, ...] = ()
 
     @property
     def time(self) -> sp.Symbol:
@@ -61,12 +64,17 @@ class Regime:
         general = self.general
         rates = {c.symbol: c.factor * c.speed for c in general.coordinates}
         accelerations = {u: general.rate_of(u) for u in general.free}
-        watches = self._watches()
-        self.exprs = [*exprs]
-        general.govern([*rates.values(), *accelerations.values(), *(w.expr for w in watches), *self.exprs])
+        wanted = [e for e in exprs if e not in self.exprs]
+        if self.rates and not wanted:
+            return
+        watches, slips = self._watches(), self._sliding()
+        self.exprs += wanted
+        general.closed_forms.clear()
+        general.govern([*rates.values(), *accelerations.values(), *(w.expr for w in watches), *slips, *self.exprs])
         self.rates = {s: self.closed(e) for s, e in rates.items()}
         self.accelerations = {u: self.closed(e) for u, e in accelerations.items()}
         self.watches = tuple(Watch(w.test, self.closed(w.expr)) for w in watches)
+        self.slips = tuple(self.closed(e) for e in slips)
 
     def closed(self, expr: sp.Expr) -> sp.Expr:
         """An expression of the instant as a formula in t, coordinates and free speeds."""
@@ -95,7 +103,7 @@ class Regime:
                     found.append(Watch(test, sp.sympify(expr)))
         return tuple(found)
 
-    def sliding(self) -> list[sp.Expr]:
+    def _sliding(self) -> list[sp.Expr]:
         """Speeds of slip of the contacts that slip; none may change its sign."""
         system = self.general.trial.system
         assert system.motion is not None

@@ -12,8 +12,9 @@ from planar_cli.problem.formulas import formulas
 from planar_cli.problem.scene import Problem
 from planar_cli.problem.walk import walk
 from planar_cli.solve.course.chain import Branch
-from planar_cli.solve.course.course import Course, make_course
+from planar_cli.solve.course.course import Course, first_plot, make_course
 from planar_cli.solve.course.finds import Asked, FindReader
+from planar_cli.solve.course.plot import Workshop
 from planar_cli.solve.course.timeline import SPANNED
 from planar_cli.solve.solution import PartSolution
 
@@ -53,8 +54,8 @@ def _timed(node: Any) -> bool:
 
 def solve_course(problem: Problem, case: str, units: dict[str, str], earlier: Mapping[str, Any]) -> PartSolution:
     """All finds of a problem whose states follow each other in time."""
-    course = make_course(problem, earlier)
-    course.prepare([None] * len(course.spans), [{} for _ in course.spans])
+    workshop = Workshop(earlier)
+    course = make_course(problem, first_plot(problem, workshop), workshop)
     finds = FindReader(course, units)
     finds.read()
     course.read()
