@@ -11,18 +11,15 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.equation.plain import MANY, longer, simplified
-
-
-def _plain(expr: sp.Expr) -> sp.Expr:
-    return expr if longer(expr, 2 * MANY) else simplified(expr)
+from planar_cli.calculus.curve_plain import plainer, rationally
+from planar_cli.equation.plain import MANY, longer
 
 
 def _ratio(above: sp.Expr, square: sp.Expr) -> sp.Expr:
     """above/square^(3/2), tidied; a square that is a perfect one gives its root."""
-    above, square = _plain(sp.expand(above)), _plain(square)
-    root = sp.sqrt(square if longer(square, MANY) else sp.factor_terms(square))
-    return _plain(above / root**3)
+    above, square = plainer(sp.expand(above)), plainer(square)
+    root = sp.sqrt(square if longer(square, MANY) else rationally(sp.factor, square))
+    return plainer(plainer(above / square) / root)
 
 
 def curvature_explicit(y: Any, x: sp.Symbol) -> sp.Expr:

@@ -7,7 +7,8 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.calculus.curve_conics import Plane, of_polynomial, plainer, sloping
+from planar_cli.calculus.curve_conics import Plane, of_polynomial, sloping
+from planar_cli.calculus.curve_plain import plainer
 from planar_cli.calculus.curve_polar import inverted
 from planar_cli.calculus.curve_waves import eliminated
 from planar_cli.calculus.curve_words import CURVE, HYPERBOLA, LINE, PARABOLA, Curve, Step

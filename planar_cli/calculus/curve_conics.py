@@ -8,14 +8,14 @@ A x² + B x y + C y² + D x + E y + F = 0.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import gcd, lcm
 from typing import Any
 
 import sympy as sp
 
+from planar_cli.calculus.curve_plain import hidden, plainer, rationally
 from planar_cli.calculus.curve_trial import Trial
 from planar_cli.calculus.curve_words import CIRCLE, CONIC, ELLIPSE, HYPERBOLA, LINE, PARABOLA, Curve
-from planar_cli.equation.plain import MANY, SOME, longer, operations, simplified
+from planar_cli.equation.plain import MANY, longer, operations
 
 FACTORED = 60
 """A polynomial of more terms is not factored."""
@@ -35,16 +35,9 @@ class Plane:
         return self.trial.true(equation.lhs - equation.rhs, {self.x: self.path[0], self.y: self.path[1]})
 
 
-def plainer(expr: Any) -> sp.Expr:
-    """A coefficient in its plainest form; a long one as it is."""
-    expr = sp.sympify(expr)
-    most = SOME if expr.has(sp.sin, sp.cos, sp.tan) else 2 * MANY
-    return expr if longer(expr, most) else simplified(expr)
-
-
 def root_of(square: sp.Expr) -> sp.Expr:
     """The root of a square that is not negative."""
-    return sp.sqrt(square if longer(square, MANY) else sp.factor_terms(sp.factor(square)))
+    return sp.sqrt(square if longer(square, MANY) else rationally(sp.factor, square))
 
 
 def line(plane: Plane, a: Any, b: Any, c: Any) -> Curve:
@@ -113,7 +106,7 @@ def axes_parallel(plane: Plane, middle: tuple[sp.Expr, sp.Expr], p: sp.Expr, q: 
     across, up = plane.x - middle[0], plane.y - middle[1]
     signs = trial.sign(p), trial.sign(q)
     kind = CONIC if None in signs else ELLIPSE if signs == (1, 1) else HYPERBOLA
-    p, q = (e if e.is_number or longer(e, MANY) else sp.factor(e) for e in (p, q))
+    p, q = (e if e.is_number or longer(e, MANY) else rationally(sp.factor, e) for e in (p, q))
     return Curve(kind, sp.Eq(across**2 / p + up**2 / q, 1, evaluate=False), centre=middle)
 
 
@@ -166,36 +159,22 @@ def polynomial_equation(
 
 def _cleared(terms: dict[tuple[int, int], sp.Expr]) -> dict[tuple[int, int], sp.Expr]:
     """Fractions and common factors taken out of coefficients."""
-    below = sp.S.One
-    for c in terms.values():
-        under = sp.fraction(sp.together(c))[1]
-        below = sp.lcm(below, under) if _plain_ring(below) and _plain_ring(under) else below * under
-    cleared = {m: sp.cancel(c * below) for m, c in terms.items()}
-    common = sp.S.Zero
-    if all(_plain_ring(c) for c in cleared.values()):
-        common = sp.gcd_list(list(cleared.values()))
-    lead = cleared[max(cleared)]
-    common = common if common not in {0, 1} else sp.S.One
-    if (lead / common).could_extract_minus_sign():
+    flat, shown = hidden(terms.values())
+    parts = [sp.fraction(sp.cancel(c)) for c in flat]
+    below = sp.lcm_list([under for _, under in parts])
+    cleared = [sp.cancel(above * below / under) for above, under in parts]
+    common = sp.gcd_list(cleared)
+    lead = max(range(len(cleared)), key=list(terms).__getitem__)
+    if sp.cancel(cleared[lead] / common).xreplace(shown).could_extract_minus_sign():
         common = -common
-    divided = {m: plainer(sp.cancel(c / common)) for m, c in cleared.items()}
-    numbers = [c for c in divided.values() if c.is_Rational]
-    if len(numbers) == len(divided):
-        share = sp.Rational(gcd(*(int(c.p) for c in numbers)), lcm(*(int(c.q) for c in numbers)))
-        divided = {m: c / share for m, c in divided.items()}
-    return divided
-
-
-def _plain_ring(expr: sp.Expr) -> bool:
-    return bool(expr.is_polynomial(*expr.free_symbols)) and not expr.atoms(sp.Pow) - {
-        p for p in expr.atoms(sp.Pow) if p.exp.is_Integer and p.base.is_Symbol
-    }
+    return {m: plainer(sp.cancel(c / common).xreplace(shown)) for m, c in zip(terms, cleared, strict=True)}
 
 
 def of_polynomial(plane: Plane, expr: sp.Expr) -> Curve | None:
     """The curve of a polynomial equation expr = 0 in the axes: the factor that holds along the path, well written."""
     x, y, trial = plane.x, plane.y, plane.trial
-    numerator = sp.fraction(sp.together(expr))[0]
+    flat, shown = hidden([expr])
+    numerator = sp.fraction(sp.together(flat[0]))[0].xreplace(shown)
     terms = polynomial_terms(numerator, x, y, trial)
     if not terms:
         return None
@@ -217,7 +196,9 @@ def _true_factor(plane: Plane, terms: dict[tuple[int, int], sp.Expr]) -> dict[tu
     polynomial = sp.Add(*(c * x**i * y**j for (i, j), c in terms.items()))
     if len(terms) > FACTORED or longer(polynomial, 6 * MANY):
         return terms
-    for factor, _ in sp.factor_list(polynomial, x, y)[1]:
+    (flat,), shown = hidden([polynomial])
+    for hidden_factor, _ in sp.factor_list(flat)[1]:
+        factor = hidden_factor.xreplace(shown)
         if factor.has(x, y) and plane.true(sp.Eq(factor, 0, evaluate=False)):
             return polynomial_terms(factor, x, y, trial)
     return None

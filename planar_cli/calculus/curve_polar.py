@@ -9,10 +9,11 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.calculus.curve_conics import Plane, plainer, root_of
+from planar_cli.calculus.curve_conics import Plane, root_of
+from planar_cli.calculus.curve_plain import plainer
 from planar_cli.calculus.curve_waves import Waves, linear, without_tan
 from planar_cli.calculus.curve_words import CURVE, Curve, Step
-from planar_cli.equation.plain import MANY, longer
+from planar_cli.equation.plain import MANY, longer, operations
 
 HALF_ARCH = (0.02, 3.12)
 """Where the equation of a cycloid is tried: the angle from the lowest place, within half a turn."""
@@ -176,9 +177,10 @@ def polar(plane: Plane, names: tuple[str, str]) -> Curve | None:
 
 def _around(plane: Plane, angle: sp.Expr, names: tuple[str, str]) -> Curve | None:
     p, (x, y) = plane.trial.parameter, plane.path
-    distance = plainer(sp.factor_terms(sp.cancel(x / sp.cos(angle))))
+    distance = plainer(x / sp.cos(angle))
     if distance.has(sp.cos(angle)) or longer(distance, MANY):
-        distance = plainer(sp.expand(x * sp.cos(angle)) + sp.expand(y * sp.sin(angle)))
+        other = plainer(sp.expand(x * sp.cos(angle)) + sp.expand(y * sp.sin(angle)))
+        distance = min(distance, other, key=operations)
     used = {s.name for s in plane.trial.free}
     r, theta = (_free(name, used) for name in names)
     unnamed = sp.Dummy("theta", real=True)

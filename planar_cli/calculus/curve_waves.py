@@ -16,15 +16,17 @@ from planar_cli.calculus.curve_conics import (
     axes_parallel,
     conic,
     of_polynomial,
-    plainer,
     polynomial_equation,
 )
+from planar_cli.calculus.curve_plain import hidden, plainer
 from planar_cli.calculus.curve_words import CURVE, ELLIPSE, PARABOLA, Curve, Step
 from planar_cli.equation.plain import MANY, longer
 
 C, S = sp.Dummy("c"), sp.Dummy("s")
 HIGHEST = 8
 """Beyond this multiple of the angle nothing is eliminated."""
+LETTERS, TERMS = 6, 32
+"""With more letters, or more terms in both equations together, a resultant is not formed."""
 SQUARED = "squared and added, since cos² + sin² = 1"
 
 
@@ -324,7 +326,10 @@ def eliminated(plane: Plane, one: sp.Expr, two: sp.Expr, unknown: sp.Symbol) -> 
     if not (one.is_polynomial(unknown) and two.is_polynomial(unknown)):
         return None
     degrees = sp.degree(one, unknown), sp.degree(two, unknown)
-    letters = (one.free_symbols | two.free_symbols) - {unknown, plane.x, plane.y}
+    flat, shown = hidden([one, two])
+    letters = (flat[0].free_symbols | flat[1].free_symbols) - {unknown, plane.x, plane.y}
+    if len(letters) > LETTERS or sum(len(e.args) for e in flat) > TERMS:
+        return None
     if min(degrees) < 1 or sum(degrees) > (9 if len(letters) < 2 else 7 if len(letters) < 4 else 5):
         return None
-    return of_polynomial(plane, sp.resultant(one, two, unknown))
+    return of_polynomial(plane, sp.resultant(*flat, unknown).xreplace(shown))

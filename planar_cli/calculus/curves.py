@@ -16,8 +16,9 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.calculus.curve_algebra import by_powers, by_resultant, by_solving, in_exponential, straight
-from planar_cli.calculus.curve_conics import Plane, plainer
+from planar_cli.calculus.curve_conics import Plane
 from planar_cli.calculus.curve_numeric import numeric
+from planar_cli.calculus.curve_plain import plainer
 from planar_cli.calculus.curve_polar import involute, lissajous, polar, trochoid, wheel_on_wheel
 from planar_cli.calculus.curve_trial import Trial
 from planar_cli.calculus.curve_waves import Waves, ellipse, halved, one_wave, rational, resultant, waves_of

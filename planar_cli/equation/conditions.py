@@ -13,7 +13,10 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.evaluate import Evaluator
+from planar_cli.equation.jets import Jet, constant
 from planar_cli.equation.motion import Motion, Tree
+from planar_cli.equation.plain import simplified
+from planar_cli.equation.polar import TOGETHER, VectorStatement, dotted, grouped
 from planar_cli.equation.quantities import Quantities
 from planar_cli.equation.scene import Scene
 from planar_cli.errors import NOWHERE, Mark
@@ -47,7 +50,8 @@ class Condition:
 
     `kind`: closure, row, given, coordinate. `residual`: an expression, or a Vec that vanishes. `normal`: the only
     direction in which a vector residual counts (across a path), None: both. `text`: what it says, in words or as in the
-    file.
+    file. `sense`: what must not be negative, where the residual also lets the opposite direction pass. `now`: it is
+    stated of this one instant.
     """
 
     kind: str
@@ -58,6 +62,8 @@ class Condition:
     body: str = ""
     base: str = ""
     mark: Mark = NOWHERE
+    sense: sp.Expr | None = None
+    now: bool = False
 
     def rows(self) -> tuple[sp.Expr, ...]:
         """The scalar residuals: one, or two along x and y."""
@@ -119,30 +125,65 @@ def stated(
     level: int,
 ) -> list[Condition]:
     """The file's equations at one level; those that hold all the time (True) count at every level from their own on."""
+    levels = {id(r): max(order(r, coordinates), 0) for r, _ in relations}
+    lasting = {id(r) for r, always in relations if always}
+    counted = [r for r, always in relations if levels[id(r)] == level or (always and levels[id(r)] < level)]
+
+    def read(side: Side) -> Any:
+        return vector_or_jet(side, quantities, evaluator)
+
     found: list[Condition] = []
-    for relation, always in relations:
-        own = max(order(relation, coordinates), 0)
-        if own > level or (own != level and not always):
-            continue
+    for item in grouped(counted, read):
+        parts = item.relations if isinstance(item, VectorStatement) else (item,)
+        own = max(levels[id(r)] for r in parts)
         try:
-            residual = _difference(relation, quantities, evaluator, level - own)
+            residual, sense = _residual(item, read, level - own, quantities.scene)
         except ValueError:
             continue
-        found.append(Condition("given", relation.text, residual, mark=relation.mark))
+        now = any(id(r) not in lasting for r in parts)
+        text = TOGETHER.join(r.text for r in parts)
+        found.append(Condition("given", text, residual, mark=parts[0].mark, sense=sense, now=now))
     return found
 
 
-def _difference(relation: Relation, quantities: Quantities, evaluator: Evaluator, times: int) -> Any:
-    left, right = (vector_or_jet(s, quantities, evaluator) for s in (relation.left, relation.right))
-    difference = left - right
-    if isinstance(difference, Vec):
-        x, y = difference.x, difference.y
-        for _ in range(times):
-            x, y = x.dotted(), y.dotted()
-        return Vec(x.value, y.value)
-    for _ in range(times):
-        difference = difference.dotted()
-    return difference.value
+def _residual(
+    item: Relation | VectorStatement, read: Callable[[Side], Any], times: int, scene: Scene
+) -> tuple[sp.Expr | Vec, sp.Expr | None]:
+    """What vanishes, differentiated so many times; what must not be negative is asked of the relation itself."""
+    sense: sp.Expr | None = None
+    if isinstance(item, VectorStatement):
+        vanishing, sense = item.equations(read)
+        if not isinstance(vanishing, Vec) and item.angle is None:
+            rooted = _rooted(item, read, scene) if not times else None
+            # Half the rate of v² is v · a.
+            vanishing = rooted or vanishing * constant(sp.Rational(1, 2) if times else 1)
+    else:
+        vanishing = read(item.left) - read(item.right)
+    sense = None if times else sense
+    if isinstance(vanishing, Vec):
+        return Vec(dotted(vanishing.x, times), dotted(vanishing.y, times)), sense
+    return dotted(vanishing, times), sense
+
+
+def _rooted(item: VectorStatement, read: Callable[[Side], Any], scene: Scene) -> Jet | None:
+    """|v| = m in a general position, where all of v goes with one speed: that speed is positive towards growing
+    coordinate, so that the relation stays linear.
+    """
+    if scene.displacement is None or item.size is None:
+        return None
+    v = read(item.vector)
+    factors = {c.speed: c.factor for c in scene.displacement.coordinates}
+    factors |= {r: sp.S.One for r, _ in scene.evaluator.motions.values() if isinstance(r, sp.Symbol)}
+    inside = [s for s in v.x.value.free_symbols | v.y.value.free_symbols if s in factors]
+    if len(inside) != 1:
+        return None
+    u = inside[0]
+    along = Vec(*(sp.diff(p.value, u) for p in (v.x, v.y)))
+    if any(sp.expand(p.value - e * u) != 0 for p, e in ((v.x, along.x), (v.y, along.y))):
+        return None
+    length = simplified(sp.sqrt(simplified(along.dot(along))))
+    found: Jet = Jet(length * u * (scene.sign(factors[u]) or 1), None, None) - read(item.size)
+    return found
 
 
 def vector_or_jet(side: Side, quantities: Quantities, evaluator: Evaluator) -> Any:

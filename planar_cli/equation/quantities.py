@@ -45,6 +45,15 @@ def parts_of(v: Vec) -> tuple[Jet, Jet]:
     return v.x, v.y
 
 
+def direction_angle(v: Vec) -> Jet:
+    """The direction of a Vec of jets; its rate is (x ẏ - y ẋ)/(x² + y²)."""
+    value = sp.atan2(v.y.value, v.x.value)
+    if (v.x.value == 0 and v.y.value == 0) or v.x.rate is None or v.y.rate is None:
+        return only(value)
+    rate: Jet = (v.x * v.y.dotted() - v.y * v.x.dotted()) / v.dot(v)
+    return Jet(value, rate.value, rate.rate)
+
+
 def resolved(v: Vec, unit: Vec, along: bool) -> Jet:
     """The part of a Vec of jets along a unit vector, or across it (turned by 90 deg counterclockwise)."""
     found: Jet = v.dot(unit if along else unit.turned())
@@ -314,7 +323,7 @@ class Quantities:
             case "mag":
                 return magnitude(v)
             case "angle":
-                return only(sp.atan2(v.y.value, v.x.value))
+                return direction_angle(v)
             case "along" | "across":
                 return resolved(v, self.direction(part), part.kind == "along")
             case "r" | "theta":

@@ -102,17 +102,20 @@ class Reactions:
 
     def power(self, q: Quantity, motion: Motion) -> sp.Expr:
         """Σ F · v + M ω of a load, of a joint, of all forces on a body, or of everything."""
-        name = q.things[0]
         parts = []
-        for w in self.wrenches:
-            if name in (w.name, w.body, "all"):
-                if w.force is not None:
-                    parts.append(w.force.dot(motion.velocity(w.point, w.body)))
-                parts.append(w.couple * motion.velocities[w.body].angular)
-        for push, expr in self.pushes:
-            for action in push.actions:
-                if name in (self.joints.get(push.joint), action.body, "all"):
-                    if action.force is not None:
-                        parts.append(expr * action.force.dot(motion.velocity(action.point, action.body)))
-                    parts.append(expr * action.couple * motion.velocities[action.body].angular)
+        for w in self.acting(q.things[0]):
+            if w.force is not None:
+                parts.append(w.force.dot(motion.velocity(w.point, w.body)))
+            parts.append(w.couple * motion.velocities[w.body].angular)
         return sp.Add(*parts)
+
+    def acting(self, name: str) -> tuple[Wrench, ...]:
+        """What a load, a joint, all forces on a body, or everything does: one wrench for each body and force."""
+        found = [w for w in self.wrenches if name in (w.name, w.body, "all")]
+        for push, expr in self.pushes:
+            joint = self.joints.get(push.joint, push.joint)
+            for a in push.actions:
+                if name in (joint, a.body, "all"):
+                    force = None if a.force is None else a.force * expr
+                    found.append(Wrench(joint, push.kind, a.body, a.point, force, a.couple * expr))
+        return tuple(found)

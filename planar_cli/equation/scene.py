@@ -55,6 +55,7 @@ class Scene:
         self, problem: Problem, ledger: Ledger, evaluator: Evaluator, displacement: Displacement | None = None
     ) -> None:
         self.problem, self.ledger, self.evaluator = problem, ledger, evaluator
+        self.displacement = displacement
         self.open_places: set[sp.Symbol] = set()
         self._turns: dict[str, sp.Expr] = {}
         self.surfaces: dict[str, Surface] = {s.name: s for s in problem.surfaces}

@@ -8,6 +8,7 @@ import sympy as sp
 
 from planar_cli.equation.conditions import (
     ACCELERATION,
+    POSITION,
     VELOCITY,
     Condition,
     coordinate_conditions,
@@ -142,6 +143,15 @@ class System:
     def quantities_of(self, motion: Motion, reactions: Reactions | None) -> Quantities:
         """Quantities in some motion, with these reactions."""
         return quantities_of(self.scene, motion, reactions)
+
+    def senses(self) -> list[tuple[str, sp.Expr]]:
+        """What must not be negative, where a relation gives the size or the direction of a vector."""
+        names = {s.name for s in self.scene.ledger.coordinates}
+        quantities = self.quantities()
+        relations = list(self.statements.relations)
+        levels = (POSITION, VELOCITY, ACCELERATION)
+        found = [c for n in levels for c in stated(relations, quantities, quantities.evaluator, names, n)]
+        return [(c.text, c.sense) for c in found if c.sense is not None]
 
     def _conditions(self, quantities: Quantities, level: int) -> list[Condition]:
         motion = quantities.motion

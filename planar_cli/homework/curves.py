@@ -19,6 +19,9 @@ from planar_cli.problem.parser import parse_statement
 SAME = Decimal("1e-5")
 """Stated curves carry rounded coefficients."""
 POINTS = 4
+HODOGRAPH = ("vx", "vy")
+"""Axes of a hodograph; an answer may also call them x and y."""
+POLAR = ("r", "theta")
 
 
 def same_curve(stated: str, solved: tuple[Any, ...], evaluator: Evaluator, valuations: Iterable[Valuation]) -> bool:
@@ -27,12 +30,16 @@ def same_curve(stated: str, solved: tuple[Any, ...], evaluator: Evaluator, valua
     if len(solved) != 1 or not isinstance(relation, Relation):
         return False
     ours = solved[0].lhs - solved[0].rhs if isinstance(solved[0], sp.Eq) else solved[0]
-    axes = {s.name: s for s in ours.free_symbols if s.name in ("x", "y")}
-    axes = {name: axes.get(name, sp.Symbol(name, real=True)) for name in ("x", "y")}
+    named = {s.name: s for s in ours.free_symbols if s.name in ("x", "y", *HODOGRAPH, *POLAR)}
+    axes = {name: named.get(name, sp.Symbol(name, real=True)) for name in ("x", "y", *HODOGRAPH)}
+    if set(named) & set(HODOGRAPH):
+        axes |= {"x": axes["vx"], "y": axes["vy"]}
+    if named and set(named) <= set(POLAR):
+        axes |= {name: named.get(name, sp.Symbol(name, real=True)) for name in POLAR}
     ledger = replace(evaluator.ledger, symbols={**evaluator.ledger.symbols, **axes})
     plane = replace(evaluator, ledger=ledger)
     theirs = plane.value(relation.left) - plane.value(relation.right)
-    return all(_constant_ratio(ours, theirs, draw, list(axes.values())) for draw in valuations)
+    return all(_constant_ratio(ours, theirs, draw, list(dict.fromkeys(axes.values()))) for draw in valuations)
 
 
 def _constant_ratio(ours: sp.Expr, theirs: sp.Expr, draw: Valuation, axes: list[sp.Symbol]) -> bool:

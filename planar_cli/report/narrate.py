@@ -6,6 +6,7 @@ from planar_cli.report.blocks import Answer, Block, Document, Heading, Note, Par
 from planar_cli.report.checks import check_blocks
 from planar_cli.report.discussion import discussion_lines
 from planar_cli.report.effects import effect_notes
+from planar_cli.report.passages import curve_line, tale_blocks
 from planar_cli.report.telling import Telling
 from planar_cli.report.words import Phrases, answer_line
 from planar_cli.solve.solution import InstantSolution, PartSolution, Solution
@@ -45,11 +46,15 @@ def part_blocks(
         if key not in told:
             blocks += notes
             told.add(key)
-        blocks += Telling(instant, phrases_of(instant, figures), audience, _wanted(part, why)).blocks()
+        if part.tale is None or not part.tale.whole:
+            blocks += Telling(instant, phrases_of(instant, figures), audience, _wanted(part, why)).blocks()
     phrases = phrases_of(part.instants[-1], figures)
+    if part.tale is not None:
+        blocks += tale_blocks(part.tale, phrases)
     for found in part.found:
         if why is None or found.name == why:
-            blocks.append(Answer(found.name, answer_line(found, phrases), ":" if found.word else "="))
+            told = curve_line(found, phrases) if found.curve is not None else answer_line(found, phrases)
+            blocks.append(Answer(found.name, told, ":" if found.word or found.curve is not None else "="))
     for instant in part.instants:
         blocks += check_blocks(instant, phrases_of(instant, figures))
     if not any(mode.tests for instant in part.instants for mode in instant.trial.system.modes.values()):

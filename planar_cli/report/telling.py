@@ -221,7 +221,7 @@ class Telling:
 
     def _relation_words(self, w: Written) -> str:
         if w.source == "given":
-            return f"Given: {w.lead}"
+            return f"Given: {w.words or w.lead}"
         if w.source == "limit":
             return f"{w.lead[:1].upper()}{w.lead[1:]}:"
         if w.source == "closure":
@@ -313,4 +313,4 @@ class Telling:
         reasons = {
             s.objection for s in self.instant.left_out if any(c.symbol == choice.symbol for c in s.branch.choices)
         }
-        return "; ".join(sorted(r for r in reasons if r)) or "not taken: the smaller one is the usual position"
+        return "; ".join(sorted(r for r in reasons if r)) or "not taken: it holds as well, but the smaller one is the usual one"

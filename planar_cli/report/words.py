@@ -52,6 +52,12 @@ class Phrases:
     figures: int
     symbolic: bool
 
+    @property
+    def letters(self) -> bool:
+        """Do names without a number stand for the file's own quantities, beside time and coordinates?"""
+        own = {*self.ledger.coordinates, *(self.ledger.symbols.get(n) for n in ("t", "g"))}
+        return any(s not in own for s in self.ledger.letters)
+
     def math(self, expr: Any) -> Math:
         """An expression in its names."""
         return Math(rounded(sp.sympify(expr), self.figures))

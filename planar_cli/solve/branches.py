@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from decimal import Decimal
 
 import sympy as sp
 
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.form import Nonlinear, linear_form
-from planar_cli.equation.plain import tidy
 from planar_cli.errors import Undecided
 from planar_cli.solve.algebra import Algebra, Line, SolvedBlock
+from planar_cli.solve.elimination import Pending, alone, closes, combined, eliminate
 from planar_cli.solve.plan import Block
 from planar_cli.solve.roots import Root, real_roots
 from planar_cli.solve.write import Written
@@ -97,64 +97,85 @@ class Brancher:
         order: tuple[sp.Symbol, ...],
         letters: tuple[sp.Symbol, ...],
     ) -> Iterator[tuple[Algebra, SolvedBlock, tuple[Choice, ...]]]:
-        """Express the linear unknowns one at a time, until one equation in one unknown is left; then go back."""
-        lines: list[Line] = []
-        pool = list(zip(residuals, written, strict=True))
-        left = list(order)
-        while len(pool) > 1:
-            step = self._eliminate(pool, left, letters)
-            if step is None:
-                raise Undecided(
-                    "the equations "
-                    + ", ".join(f"({w.number})" for w in written)
-                    + " are nonlinear in several unknowns at once"
-                )
-            index, x, formula = step
-            _, equation = pool.pop(index)
-            pool = [(tidy(r.xreplace({x: formula})), w) for r, w in pool]
-            lines.append(
-                Line(
-                    x, formula, None, (equation.number,), tuple(s for s in left if s in formula.free_symbols and s != x)
-                )
-            )
-            left.remove(x)
-        residual, equation = pool[0]
-        x = left[0]
-        if vanishes(residual, x, algebra.value):
+        """Express unknowns one at a time, until equations in one unknown are left, all of whose roots are followed."""
+        pool = [Pending(r, (w.number,)) for r, w in zip(residuals, written, strict=True)]
+        for after, lines, choices in self._reduced(copied(algebra), pool, order, letters, ()):
+            shown = tuple(dict.fromkeys(c.symbol for c in choices)) if len(order) > 1 else ()
+            yield after, SolvedBlock(written, order, shown, lines), choices
+
+    def _reduced(
+        self,
+        algebra: Algebra,
+        pool: list[Pending],
+        left: tuple[sp.Symbol, ...],
+        letters: tuple[sp.Symbol, ...],
+        lines: tuple[Line, ...],
+    ) -> Iterator[tuple[Algebra, tuple[Line, ...], tuple[Choice, ...]]]:
+        """One step, and what follows from it; `lines`: unknowns expressed so far, by unknowns that are still left."""
+        if not left:
+            after = copied(algebra)
+            try:
+                back = self._back(after, lines)
+            except ArithmeticError:
+                return
+            if all(closes(p.residual, after.value) for p in pool):
+                yield after, (*lines, *back), ()
             return
-        roots = real_roots(residual, x, algebra.value, self.symbolic, x in self.angles)
+        pool = [p for p in pool if any(s in p.residual.free_symbols for s in left)]
+        if len(pool) < len(left):
+            return
+        own = alone(pool, left)
+        step = eliminate(pool, left, letters, algebra.value) if len(pool) > 1 else None
+        if step is not None:
+            line = replace(step.line, letters=tuple(s for s in left if s in step.line.formula.free_symbols))
+            rest = tuple(s for s in left if s != line.symbol)
+            yield from self._reduced(algebra, step.pool, rest, letters, (*lines, line))
+        elif own is not None:
+            yield from self._rooted(algebra, pool, own, left, letters, lines)
+        else:
+            smaller = combined(pool, left, algebra.value)
+            if smaller is None:
+                numbers = ", ".join(f"({n})" for n in dict.fromkeys(n for p in pool for n in p.numbers))
+                raise Undecided(f"the equations {numbers} are nonlinear in several unknowns at once")
+            yield from self._reduced(algebra, smaller, left, letters, lines)
+
+    def _rooted(
+        self,
+        algebra: Algebra,
+        pool: list[Pending],
+        own: int,
+        left: tuple[sp.Symbol, ...],
+        letters: tuple[sp.Symbol, ...],
+        lines: tuple[Line, ...],
+    ) -> Iterator[tuple[Algebra, tuple[Line, ...], tuple[Choice, ...]]]:
+        """All roots of an equation in one unknown."""
+        pending = pool[own]
+        x = next(s for s in left if s in pending.residual.free_symbols)
+        rest = [p for i, p in enumerate(pool) if i != own]
+        if vanishes(pending.residual, x, algebra.value):
+            return
+        roots = real_roots(pending.residual, x, algebra.value, self.symbolic, x in self.angles)
         for taken, root in enumerate(roots):
             after = copied(algebra)
-            found = self._back(after, x, root, lines, equation.number)
-            choice = Choice(x, residual, tuple(roots), taken, equation.number)
-            yield after, SolvedBlock(written, order, (x,) if len(order) > 1 else (), (*lines, *found)), (choice,)
+            exact = root.expression if root.expression is not None else sp.Rational(str(root.value))
+            after.value = after.value.extended({x: root.value})
+            after.formulas[x] = exact
+            line = Line(x, exact, root.value, pending.numbers)
+            choice = Choice(x, pending.residual, tuple(roots), taken, pending.numbers[0])
+            others = tuple(s for s in left if s != x)
+            for found, told, choices in self._reduced(after, rest, others, letters, (*lines, line)):
+                yield found, told, (choice, *choices)
 
-    def _eliminate(
-        self, pool: list[tuple[sp.Expr, Written]], left: list[sp.Symbol], letters: tuple[sp.Symbol, ...]
-    ) -> tuple[int, sp.Symbol, sp.Expr] | None:
-        """An equation that is linear in one unknown, which it gives; unknowns that are not letters first."""
-        for x in sorted(left, key=lambda s: s in letters):
-            for index, (residual, _) in enumerate(pool):
-                if x not in residual.free_symbols:
-                    continue
-                try:
-                    form = linear_form(residual, {x})
-                except Nonlinear:
-                    continue
-                if form.terms.get(x, sp.S.Zero) != 0:
-                    return index, x, tidy(-form.constant / form.terms[x])
-        return None
-
-    def _back(self, algebra: Algebra, x: sp.Symbol, root: Root, lines: list[Line], number: int) -> list[Line]:
-        exact = root.expression if root.expression is not None else sp.Rational(str(root.value))
-        algebra.value = algebra.value.extended({x: root.value})
-        algebra.formulas[x] = exact
-        found = [Line(x, exact, root.value, (number,))]
+    @staticmethod
+    def _back(algebra: Algebra, lines: tuple[Line, ...]) -> list[Line]:
+        """The unknowns that were expressed by others, the last one first, in numbers."""
+        found = []
         for line in reversed(lines):
-            value = algebra.value(line.formula)
-            algebra.value = algebra.value.extended({line.symbol: value})
-            algebra.formulas[line.symbol] = line.formula
-            found.append(Line(line.symbol, line.formula, value, line.equations))
+            if line.value is None:
+                value = algebra.value(line.formula)
+                algebra.value = algebra.value.extended({line.symbol: value})
+                algebra.formulas[line.symbol] = line.formula
+                found.append(Line(line.symbol, line.formula, value, line.equations))
         return found
 
 

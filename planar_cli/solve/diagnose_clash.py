@@ -9,6 +9,7 @@ import sympy as sp
 
 from planar_cli.equation.conditions import POSITION, order, vector_or_jet
 from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.equation.polar import TOGETHER
 from planar_cli.equation.quantities import Quantities
 from planar_cli.equation.setup import Setup
 from planar_cli.errors import NOWHERE, Diagnostic, Mark, NoSolution, PlanarError
@@ -29,11 +30,12 @@ def sources(trial: Trial) -> list[str]:
     """What takes part in the contradiction: texts of the file's relations, names of joints, equations of bodies."""
     if trial.objection == "velocities":
         found = next(v.conflict for v in trial.velocities if v.conflict is not None)
-        return list(dict.fromkeys(c.text for c, f in found[0] if f))
+        return list(dict.fromkeys(t for c, f in found[0] if f for t in c.text.split(TOGETHER)))
     outcome = next(o for o in trial.outcomes if o.solved.conflict is not None)
     assert outcome.solved.conflict is not None
     factors, _ = outcome.solved.conflict
-    return list(dict.fromkeys(s for s, f in zip(outcome.assembly.sources, factors, strict=True) if f))
+    blamed = (s for s, f in zip(outcome.assembly.sources, factors, strict=True) if f)
+    return list(dict.fromkeys(t for s in blamed for t in s.split(TOGETHER)))
 
 
 def clash(instant: Instant, trial: Trial, mark: Mark) -> Diagnostic:

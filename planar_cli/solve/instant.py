@@ -11,9 +11,10 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.driving import driving_pushes
-from planar_cli.equation.exact import Valuation
+from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.motion import Motion, TreeBuilder
+from planar_cli.equation.polar import TOGETHER
 from planar_cli.equation.setup import Setup, names_in
 from planar_cli.equation.system import Statements, System, make_system
 from planar_cli.errors import Undecided
@@ -23,6 +24,7 @@ from planar_cli.problem.keys import keys_of
 from planar_cli.problem.scene import Problem
 from planar_cli.solve.asked import names_anywhere, quantities_in
 from planar_cli.solve.study import Outcome, Velocities, accelerate, solve_velocities
+from planar_cli.solve.worked import unknowns_of
 
 MOST_MODES = 400
 TINY = Decimal("1e-25")
@@ -158,6 +160,9 @@ class Instant:
             failed = self._relevant(system, outcome)
             if failed:
                 return Trial(choice, system, velocities, outcomes, failed[0][0].words, failed)
+            against = self._against(system, outcome)
+            if against:
+                return Trial(choice, system, velocities, outcomes, against)
         return Trial(choice, system, velocities, outcomes, "")
 
     @staticmethod
@@ -183,6 +188,22 @@ class Instant:
                 continue
             if mode.direction == 0 or speed * mode.direction < 0:
                 return "it slides already" if mode.direction == 0 else "it slides the other way"
+        return ""
+
+    @staticmethod
+    def _against(system: System, outcome: Outcome) -> str:
+        """A vector that points against the direction that the file gives it, or has a negative size."""
+        senses = system.senses()
+        if not senses:
+            return ""
+        numbers = outcome.value.extended(unknowns_of(system, outcome))
+        for text, sense in senses:
+            try:
+                if numbers(sense) < -TINY:
+                    parts = " and ".join(f"`{t}`" for t in text.split(TOGETHER))
+                    return f"{parts} would hold only with the opposite direction"
+            except (Unvalued, ArithmeticError):
+                continue
         return ""
 
     def _relevant(self, system: System, outcome: Outcome) -> tuple[tuple[Test, Any], ...]:

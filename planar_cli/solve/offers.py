@@ -16,7 +16,7 @@ import sympy as sp
 
 from planar_cli.equation.conditions import Condition
 from planar_cli.equation.exact import CERTAIN, ONE, ZERO
-from planar_cli.equation.plain import longer
+from planar_cli.equation.plain import longer, tidy
 from planar_cli.equation.system import System
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
@@ -81,15 +81,23 @@ class Offers:
         ]
         form_x, form_y = self.numbers.form(residual.x), self.numbers.form(residual.y)
         for j, symbol in enumerate(self.numbers.unknowns):
-            if not (x[j] and y[j]):
+            if not (x[j] and y[j]) or (symbol not in form_x.terms and symbol not in form_y.terms):
                 continue
             across = Vec(-form_y.terms.get(symbol, sp.S.Zero), form_x.terms.get(symbol, sp.S.Zero))
             row = combine((x, y), (-y[j], x[j]))
+            if (across.x.free_symbols | across.y.free_symbols) & self._bent:
+                # What multiplies holds unknowns itself: slopes are those of the product.
+                row = list(self.numbers.row(tidy(sp.expand(residual.dot(across)))))
             row[j] = ZERO
             words = f"so that {symbol.name} drops out"
             choice = Choice(False, partial(self._direction, across), words, (symbol,))
             found.append(priced((), condition, choice, row, c.ACROSS))
         return c.cheapest(found)
+
+    @cached_property
+    def _bent(self) -> set[sp.Symbol]:
+        """Unknowns that enter some equation otherwise than linearly."""
+        return set(self.numbers.unknowns) - self.numbers.linear
 
     def _direction(self, across: Vec) -> Vec:
         """A projection that drops one unknown, scaled to a unit vector where its length is simple."""

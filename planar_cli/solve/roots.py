@@ -31,7 +31,7 @@ class Root:
 def real_roots(expr: sp.Expr, x: sp.Symbol, value: Valuation, symbolic: bool, angle: bool) -> list[Root]:
     """The real roots of expr = 0, sorted; an angle lies in (-180°, 180°]."""
     numerator = sp.fraction(sp.together(expr))[0]
-    closed = _closed(numerator, x)
+    closed = _closed(numerator, x, value)
     if closed:
         found = [Root(e, v) for e in closed if (v := _real(e, value)) is not None]
         if found or symbolic:
@@ -60,6 +60,14 @@ def linear_or_square_roots(expr: sp.Expr, x: sp.Symbol) -> list[sp.Expr]:
     return []
 
 
+def _cancels(coefficient: sp.Expr, value: Valuation) -> bool:
+    """Does a coefficient vanish by what is known of its letters?"""
+    try:
+        return value.is_zero(coefficient)
+    except (ArithmeticError, Unvalued):
+        return False
+
+
 def _real(e: sp.Expr, value: Valuation) -> Decimal | None:
     try:
         return value(e)
@@ -81,11 +89,13 @@ def _distinct(roots: list[Root], angle: bool) -> list[Root]:
     return sorted(found, key=lambda r: r.value)
 
 
-def _closed(numerator: sp.Expr, x: sp.Symbol) -> list[sp.Expr]:
+def _closed(numerator: sp.Expr, x: sp.Symbol, value: Valuation) -> list[sp.Expr]:
     """Closed forms: linear, quadratic, a pure power, or A cos x + B sin x = C."""
     if numerator.is_polynomial(x):
         poly = sp.Poly(numerator, x)
-        terms = [(m[0], c) for m, c in poly.terms()]
+        terms = [(m[0], c) for m, c in poly.terms() if c.is_number or not _cancels(c, value)]
+        if not terms:
+            return []
         low = min(m for m, _ in terms)
         zero = [sp.S.Zero] if low > 0 else []
         terms = [(m - low, c) for m, c in terms]
@@ -109,13 +119,23 @@ def _closed(numerator: sp.Expr, x: sp.Symbol) -> list[sp.Expr]:
         return []
     poly = sp.Poly(flat, s, c)
     if poly.total_degree() != 1:
-        return []
+        return _by_factors(numerator, x)
     a, b, k = poly.coeff_monomial(c), poly.coeff_monomial(s), poly.coeff_monomial(1)
     if k == 0:
         base = sp.atan(sp.cancel(-a / b)) if b != 0 else sp.pi / 2
         return [base, base + sp.pi]
     lead, swing = sp.atan2(b, a), sp.acos(-k / sp.sqrt(a**2 + b**2))
     return [lead + swing, lead - swing]
+
+
+def _by_factors(numerator: sp.Expr, x: sp.Symbol) -> list[sp.Expr]:
+    """The roots of every factor, sin x and cos x of sin x cos x; nothing unless all are closed."""
+    factors = [f.base if f.is_Pow and f.exp.is_positive else f for f in sp.Mul.make_args(sp.factor(numerator))]
+    factors = [f for f in factors if x in f.free_symbols]
+    if len(factors) < 2 and numerator in factors:
+        return []
+    found = [_closed(f, x) for f in factors]
+    return [root for roots in found for root in roots] if all(found) else []
 
 
 def _with_numbers(expr: sp.Expr, x: sp.Symbol, value: Valuation) -> sp.Expr:

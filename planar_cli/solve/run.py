@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 import time
+from dataclasses import replace
 from typing import Any
 
 import sympy as sp
 
 from planar_cli.equation.evaluate import refuse
+from planar_cli.equation.exact import Unvalued
 from planar_cli.equation.setup import Earlier, first_unit
 from planar_cli.equation.system import System
 from planar_cli.errors import Mark, NoSolution
 from planar_cli.problem.scene import Find, Problem
 from planar_cli.registry import members
+from planar_cli.solve.course.formulas import in_general, solve_formulas, without
+from planar_cli.solve.course.paths import is_curve
 from planar_cli.solve.course.run import runs_in_time, solve_course
 from planar_cli.solve.diagnose import OPEN, explain_failure, place, singular_position
 from planar_cli.solve.diagnose_cases import demand_cancelled, several, several_cases
@@ -20,6 +24,7 @@ from planar_cli.solve.diagnose_clash import check_positions, demand_drawn
 from planar_cli.solve.diagnose_open import demand_determined, demand_passable
 from planar_cli.solve.finish import Finisher
 from planar_cli.solve.instant import Instant, Trial, make_instant, search_modes
+from planar_cli.solve.passages import Tale
 from planar_cli.solve.seek import seek
 from planar_cli.solve.solution import Found, InstantSolution, PartSolution, Solution
 from planar_cli.solve.states import solve_states
@@ -65,19 +70,47 @@ def solve_problem(problem: Problem, method: str | None = None) -> Solution:
 
 
 def solve_part(problem: Problem, case: str, units: dict[str, str], earlier: dict[str, Earlier]) -> PartSolution:
-    """One part: one instant, or several that are each complete in themselves."""
-    always = tuple(law.statement for law in problem.motion)
+    """One part: formulas and curves; a motion over time; or instants that are each complete in themselves."""
+    if in_general(problem):
+        return solve_formulas(problem, case, units, earlier)
     if runs_in_time(problem):
         return solve_course(problem, case, units, earlier)
+    curves = [f for f in problem.find if is_curve(f.found.what)]
+    if curves:
+        return _with_curves(problem, curves, case, units, earlier)
+    always = tuple(law.statement for law in problem.motion)
     if problem.states:
         try:
             return solve_states(problem, case, always, units, earlier, solve_instant)
         except NoSolution:
             return solve_course(problem, case, units, earlier)
-    solution, found = solve_instant(
-        problem, always, problem.instant or (), problem.find, units, earlier, problem.instant is None
-    )
+    try:
+        solution, found = solve_instant(
+            problem, always, problem.instant or (), problem.find, units, earlier, problem.instant is None
+        )
+    except (NoSolution, Unvalued):
+        if problem.instant is not None or not problem.coordinates:
+            raise
+        return solve_formulas(problem, case, units, earlier)
     return PartSolution(case, (solution,), tuple(found))
+
+
+def _with_curves(
+    problem: Problem, curves: list[Find], case: str, units: dict[str, str], earlier: dict[str, Earlier]
+) -> PartSolution:
+    """Curves hold throughout, whatever instant the other finds are about."""
+    rest = without(problem, curves)
+    apart = replace(problem, find=tuple(curves), instant=None, states=())
+    drawn = solve_formulas(apart, case, units, earlier)
+    if not rest.find:
+        return drawn
+    part = solve_part(rest, case, units, earlier)
+    by_name = {f.name: f for f in (*part.found, *drawn.found)}
+    part.found = tuple(by_name[f.name] for f in problem.find)
+    told = part.tale.passages if part.tale is not None else ()
+    passages = (*told, *(drawn.tale.passages if drawn.tale is not None else ()))
+    part.tale = Tale(passages, part.tale.whole if part.tale is not None else False)
+    return part
 
 
 def solve_instant(

@@ -70,8 +70,8 @@ class Seeker:
         base = self.scene.valuations[0]
         second = self.scene.valuations[-1]
         found = [solve_velocities(self.system, v, instant.at_rest, seek=False) for v in (base, second)]
-        # What is sought may be the very number that lets the stated velocities fit.
-        self.conflict = any(solve_velocities(self.system, v, instant.at_rest).conflict for v in (base, second))
+        tried = [solve_velocities(self.system, v, instant.at_rest).conflict for v in (base, second)]
+        self.conflict = any(c is not None and not self._settles(c[0]) for c in tried)
         still = [s for s in found[0].values if all(not v.values.get(s, Decimal(1)) for v in found)]
         self.still = dict.fromkeys(still, sp.S.Zero)
         self.system.settle(self.still, ())
@@ -82,6 +82,13 @@ class Seeker:
         self.conditions = self._conditions()
         self.linear = self._linear()
         self.value = self._generic(base)
+
+    def _settles(self, blamed: list[tuple[Condition, Decimal]]) -> bool:
+        """Is what is sought part of a velocity that is stated, and may be the number that lets it fit the others?"""
+        unknowns = set(self.system.tree.velocity_unknowns())
+        rows = [e for c, _ in blamed if c.kind == "given" for e in c.rows()]
+        known = [linear_form(e, unknowns).constant for e in rows]
+        return any(self.scene.rests_on_sought(e) for e in known)
 
     def _unknowns(self, still: list[sp.Symbol]) -> tuple[sp.Symbol, ...]:
         rates = [r for r, _ in self.scene.evaluator.motions.values() if isinstance(r, sp.Symbol)]

@@ -10,9 +10,11 @@ from typing import Any
 
 import sympy as sp
 
+from planar_cli.calculus.curve_words import Curve
 from planar_cli.equation.exact import Valuation
 from planar_cli.problem.scene import Find
 from planar_cli.solve.instant import Instant, Trial
+from planar_cli.solve.passages import Tale
 from planar_cli.solve.stages import Stage
 from planar_cli.solve.write import Explicit
 from planar_cli.units import Unit
@@ -22,9 +24,9 @@ from planar_cli.units import Unit
 class Found:
     """One find with its answer.
 
-    `kind`: number, vector, truth or word. `values`: SI numbers (None while letters remain), one or two. `expressions`:
+    `kind`: number, vector, truth, word or curve. `values`: SI numbers (None while letters remain), one or two. `expressions`:
     closed formulas in the file's names, where they are short or letters remain. `word`: of a truth value or mode.
-    `asked`: the find in the unknowns of the instant.
+    `asked`: the find in the unknowns of the instant. `curve`: of kind "curve", what it is and how it was found.
     """
 
     name: str
@@ -36,6 +38,7 @@ class Found:
     find: Find | None = None
     energy: bool = False
     asked: tuple[sp.Expr, ...] = ()
+    curve: Curve | None = None
 
 
 @dataclass(slots=True)
@@ -62,13 +65,14 @@ class InstantSolution:
 @dataclass(slots=True)
 class PartSolution:
     """The file's own finds, or those of one case. `motion`: how its states follow each other in time, where they do;
-    then `instants` are the general positions of its regimes.
+    then `instants` are the general positions of its regimes. `tale`: what is told beside the instants.
     """
 
     case: str
     instants: tuple[InstantSolution, ...]
     found: tuple[Found, ...]
     motion: Any = None
+    tale: Tale | None = None
 
 
 @dataclass(slots=True)

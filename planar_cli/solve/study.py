@@ -73,7 +73,7 @@ def solve_velocities(
         factors, rest = solved.conflict
         conflict = ([(c, f) for c, f in zip(sources, factors, strict=True) if f], rest)
     if conflict is None and at_rest and given is None:
-        conflict = _moves_at_rest(system, rows, sources, len(columns))
+        conflict = _moves_at_rest(rows, sources, len(columns))
     values = dict(zip(columns, solved.values, strict=True))
     free = () if (at_rest and not nonlinear) or given is not None else tuple(columns[j] for j in solved.null)
     loose: dict[sp.Symbol, dict[sp.Symbol, Decimal]] = {}
@@ -89,14 +89,13 @@ def solve_velocities(
 
 
 def _moves_at_rest(
-    system: System, rows: list[Row], sources: list[Condition], width: int
+    rows: list[Row], sources: list[Condition], width: int
 ) -> tuple[list[tuple[Condition, Decimal]], Decimal] | None:
     """A velocity stated for this instant that is not the one at rest: only `motion` moves what is at rest."""
-    now = {relation.text for relation, always in system.statements.relations if not always}
-    stated = [(r, c) for r, c in zip(rows, sources, strict=True) if c.kind == "given" and c.text in now]
+    stated = [(r, c) for r, c in zip(rows, sources, strict=True) if c.now]
     if not stated:
         return None
-    rest = solve([r for r, c in zip(rows, sources, strict=True) if c.kind != "given" or c.text not in now], width)
+    rest = solve([r for r, c in zip(rows, sources, strict=True) if not c.now], width)
     for row, condition in stated:
         remainder = sum((a * v for a, v in zip(row, rest.values, strict=False)), row[-1])
         if abs(remainder) > CERTAIN * 10**15:

@@ -375,10 +375,20 @@ class Writer:
         right = -self.shortened(form.constant)
         if len(left) == 2 and right == 0:
             left, right = [left[0]], -left[1]
+        if not left:
+            left, right = self._apart(residual)
         datum = condition.kind == "given" and len(form.terms) == 1 and sp.Add(*left).is_Symbol
         return Written(
             self.number(), "relation", (), condition.text, words, sp.Add(*left), right, condition.kind, datum
         )
+
+    def _apart(self, residual: sp.Expr) -> tuple[list[sp.Expr], sp.Expr]:
+        """What holds unknowns on the left, the rest on the right, where none of them enters linearly."""
+        unknowns = set(self.numbers.unknowns)
+        parts = sp.Add.make_args(self.shortened(residual))
+        left = [p for p in parts if p.free_symbols & unknowns]
+        sense = -1 if left and all(p.could_extract_minus_sign() for p in left) else 1
+        return [sense * p for p in left], -sense * sp.Add(*(p for p in parts if not p.free_symbols & unknowns))
 
 
 def exact_number(value: Decimal) -> sp.Expr:

@@ -7,8 +7,8 @@ times are looked for in order from the state before.
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
 from decimal import Decimal
 
 import sympy as sp
@@ -16,11 +16,11 @@ import sympy as sp
 from planar_cli.calculus.first import roots
 from planar_cli.calculus.polish import polish
 from planar_cli.equation.exact import PI, Unvalued, Valuation
-from planar_cli.equation.form import Nonlinear, linear_form
-from planar_cli.equation.plain import tidy
 from planar_cli.errors import Undecided
 from planar_cli.solve.course.equations import Equation
+from planar_cli.solve.course.linked import linked_blocks
 from planar_cli.solve.course.regime import number_function
+from planar_cli.solve.elimination import Pending, eliminate, subtracted
 from planar_cli.solve.roots import Root, real_roots
 
 LARGEST = 3
@@ -65,7 +65,8 @@ class Branch:
 class Chain:
     """`unknowns` in the order of their states. `times`: of them, each with the time before it (None: the first).
 
-    `angles`: unknowns that are angles; `near`: from where an angle's turns are counted.
+    `angles`: unknowns that are angles, each with the one from which its turns are counted. `truth`: values to twelve
+    digits where the motion was followed in numbers; then only the roots next to them are taken.
     """
 
     unknowns: frozenset[sp.Symbol]
@@ -74,6 +75,7 @@ class Chain:
     value: Valuation
     symbolic: bool
     accept: Callable[[dict[sp.Symbol, Decimal]], bool] = lambda values: True
+    truth: Mapping[sp.Symbol, float] = field(default_factory=dict)
 
     def branches(self, equations: Sequence[Equation]) -> Iterator[Branch]:
         """All branches, those with earlier times first where the order tells."""
@@ -106,9 +108,12 @@ class Chain:
             yield Branch(values, formulas, steps, ())
             return
         tried = False
-        for block, unknowns in self._blocks(rest):
-            found = list(self._solve(block, unknowns, values, formulas))
-            if found is None:
+        for block, together in itertools.chain(self._blocks(rest), self._linked(rest)):
+            try:
+                found = list(self._solve(block, together, values, formulas))
+            except Undecided:
+                continue
+            if self.truth and not found:
                 continue
             tried = True
             others = tuple(e for e in left if e not in block)
@@ -152,6 +157,14 @@ class Chain:
             for _, _, members, union in found:
                 yield members, tuple(sorted(union, key=lambda s: s.name))
 
+    def _linked(
+        self, rest: list[tuple[Equation, frozenset[sp.Symbol]]]
+    ) -> Iterator[tuple[tuple[Equation, ...], tuple[sp.Symbol, ...]]]:
+        """Larger blocks, where unknowns that enter linearly are expressed first."""
+        plain = sorted((e for e, _ in rest if not e.residual.has(sp.Integral)), key=lambda e: e.cost)
+        unknowns = frozenset().union(*(u for _, u in rest))
+        return linked_blocks(plain, unknowns, tuple(self.times))
+
     def _order(self, union: frozenset[sp.Symbol]) -> int:
         """States are solved in their order where there is a choice."""
         names = list(self.times)
@@ -168,23 +181,26 @@ class Chain:
     ) -> Iterator[tuple[dict[sp.Symbol, Decimal], dict[sp.Symbol, sp.Expr], Step]]:
         """Eliminate all unknowns but one; then all its roots."""
         here = self.value.extended(values)
-        pool = [e.residual for e in block]
+        pool = [Pending(e.residual, ()) for e in block]
         left = list(unknowns)
         back: list[tuple[sp.Symbol, sp.Expr]] = []
         while len(pool) > 1:
-            found = _eliminate(pool, left, self.times)
-            if found is None:
+            step = eliminate(pool, left, tuple(self.times), here)
+            pool = subtracted(pool, left) or [] if step is None else step.pool
+            if not pool:
                 raise Undecided("equations of the motion are nonlinear in several unknowns at once")
-            index, x, formula = found
-            pool.pop(index)
-            pool = [tidy(r.xreplace({x: formula})) for r in pool]
-            back.append((x, formula))
-            left.remove(x)
-        x, residual = left[0], pool[0]
+            if step is not None:
+                back.append((step.line.symbol, step.line.formula))
+                left.remove(step.line.symbol)
+        x, residual = left[0], pool[0].residual
         if x not in residual.free_symbols:
+            if here.is_zero(residual):
+                raise Undecided("these equations say the same")
             return
         every = self._roots(residual, x, here)
         for taken, root in enumerate(every):
+            if x in self.truth and not _near(root.value, self.truth[x]):
+                continue
             after = {**values, x: root.value}
             forms = dict(formulas)
             if root.expression is not None:
@@ -220,13 +236,27 @@ class Chain:
         closed = _closed_roots(residual, x, here, self.symbolic)
         if closed is None:
             start = float(after) if after is not None else 0.0
-            g = number_function([residual], [x], here)
-            found = list(itertools.islice(roots(lambda t: g(t)[0], start), MOST_ROOTS))
-            closed = [Root(None, _polished(residual, x, here, r.low, r.high)) for r in found]
+            closed = self._searched(residual, x, here, start)
         if after is None:
             return closed
         size = max(abs(after), Decimal("1e-12"))
         return [r for r in closed if r.value > after + LATER * size or before is None]
+
+    def _searched(self, residual: sp.Expr, x: sp.Symbol, here: Valuation, start: float) -> list[Root]:
+        """The next roots of a time, or the one next to the truth."""
+        g = number_function([residual], [x], here)
+        until = None
+        if x in self.truth:
+            until = self.truth[x] + 1e-6 * max(abs(self.truth[x] - start), 1e-9)
+            start = min(start, self.truth[x])
+        found = itertools.islice(roots(lambda t: g(t)[0], start, until), MOST_ROOTS if until is None else 200)
+        closed = []
+        for r in found:
+            try:
+                closed.append(Root(None, _polished(residual, x, here, r.low, r.high)))
+            except ArithmeticError:
+                continue
+        return closed
 
     def _turned(self, roots: list[Root], residual: sp.Expr, x: sp.Symbol, here: Valuation) -> list[Root]:
         """Roots of a trigonometric equation in all the turns about the state before."""
@@ -245,6 +275,10 @@ class Chain:
         return sorted(found.values(), key=lambda r: abs(r.value - center))
 
 
+def _near(value: Decimal, truth: float) -> bool:
+    return abs(float(value) - truth) <= 1e-6 * max(abs(truth), 1e-3)
+
+
 def _closed_roots(residual: sp.Expr, x: sp.Symbol, here: Valuation, symbolic: bool) -> list[Root] | None:
     """Roots in closed form, or of a polynomial; None where they must be looked for."""
     numerator = sp.fraction(sp.together(residual))[0]
@@ -261,24 +295,6 @@ def _closed_roots(residual: sp.Expr, x: sp.Symbol, here: Valuation, symbolic: bo
 
 def _polished(residual: sp.Expr, x: sp.Symbol, here: Valuation, low: float, high: float) -> Decimal:
     return polish(lambda t: here.extended({x: t})(residual), Decimal(low), Decimal(high))
-
-
-def _eliminate(
-    pool: list[sp.Expr], left: list[sp.Symbol], times: dict[sp.Symbol, sp.Symbol | None]
-) -> tuple[int, sp.Symbol, sp.Expr] | None:
-    """An equation that is linear in one unknown, which it gives; times last."""
-    for x in sorted(left, key=lambda s: s in times):
-        for index, residual in enumerate(pool):
-            if x not in residual.free_symbols:
-                continue
-            try:
-                form = linear_form(sp.expand(residual), {x})
-            except Nonlinear:
-                continue
-            slope = form.terms.get(x, sp.S.Zero)
-            if slope != 0:
-                return index, x, tidy(-form.constant / slope)
-    return None
 
 
 def independent(equations: Sequence[Equation]) -> bool:

@@ -21,6 +21,7 @@ from planar_cli.joints.base import Joint
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND, Curve, Surface
 from planar_cli.solve.instant import Instant
+from planar_cli.solve.linear import solve
 
 STEPS = 60
 SMALL = Decimal("1e-45")
@@ -28,11 +29,14 @@ SMALL = Decimal("1e-45")
 
 @dataclass(frozen=True, slots=True)
 class Constraint:
-    """A residual that vanishes in every position; `title` says what it keeps, `joint` whose it is."""
+    """A residual that vanishes in every position; `title` says what it keeps, `joint` whose it is. `kind`: "loop", or
+    "motion" where the file itself states it.
+    """
 
     residual: sp.Expr
     title: str
     joint: str
+    kind: str = "loop"
 
 
 @dataclass(slots=True)
@@ -192,6 +196,15 @@ def project(
             if max(abs(s) for s in step) < mpmath.mpf(str(SMALL)):
                 return at
     raise ArithmeticError("the positions do not close")
+
+
+def fixed_by(
+    constraints: tuple[Constraint, ...], unknowns: tuple[sp.Symbol, ...], value: Valuation
+) -> frozenset[sp.Symbol]:
+    """The coordinates that the constraints leave no freedom at one time."""
+    rows = [[value(sp.diff(c.residual, x)) for x in unknowns] + [Decimal(0)] for c in constraints]
+    solved = solve(rows, len(unknowns))
+    return frozenset(x for j, x in enumerate(unknowns) if solved.unique(j))
 
 
 def _shortest(jacobian: Any, rest: Any) -> Any:

@@ -9,10 +9,10 @@ from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.conditions import order
 from planar_cli.equation.exact import Unvalued, Valuation
-from planar_cli.equation.system import mode_of
-from planar_cli.errors import NOWHERE, Diagnostic, Mark, NoSolution
-from planar_cli.problem.expression import Extreme, Relation, Statement
+from planar_cli.errors import Mark
+from planar_cli.problem.expression import Relation, Statement
 from planar_cli.problem.scene import Problem, State
 from planar_cli.solve.course.chain import Branch, Chain
 from planar_cli.solve.course.equations import (
@@ -27,16 +27,20 @@ from planar_cli.solve.course.equations import (
     stated_equations,
 )
 from planar_cli.solve.course.plot import Plot, Stretch, Workshop, fixed_time, spans_of
+from planar_cli.solve.course.plot import Span as PlotSpan
 from planar_cli.solve.course.regime import Regime
+from planar_cli.solve.course.still import Still, is_equilibrium, stand_still
+from planar_cli.solve.course.oscillation import tell_oscillations
 from planar_cli.solve.course.timeline import Demand, Reader, Stop, stop_of
-from planar_cli.solve.instant import Instant
 
 TINY = Decimal("1e-15")
 
 
 @dataclass(slots=True)
 class Course:
-    """The motion of one problem along one plot. `regimes[i]` acts from state i to the next."""
+    """The motion of one problem along one plot. `regimes[i]` acts from state i to the next. `told`: what stand-ins for
+    quantities about states are; `still`: the equilibrium states, solved.
+    """
 
     problem: Problem
     plot: Plot
@@ -46,7 +50,10 @@ class Course:
     readers: dict[str, Reader] = field(default_factory=dict)
     laws: list[Laws] = field(default_factory=list)
     demands: dict[str, list[Demand]] = field(default_factory=dict)
+    placed: dict[str, list[Demand]] = field(default_factory=dict)
     equations: list[Equation] = field(default_factory=list)
+    told: dict[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    still: Still | None = None
 
     @property
     def states(self) -> tuple[State, ...]:
@@ -57,68 +64,87 @@ class Course:
     def prepare(self) -> None:
         """The regime of every stretch; then the letters of every state, and who reads it."""
         self.regimes = [self.workshop.regime(s) for s in self.plot.stretches]
-        letters = list(dict.fromkeys(s for r in self.regimes for s in r.letters))
-        ledger = self.ledger
-        for regime in self.regimes:
+        apart = [(state, self.workshop.regime(s)) for state, s in self.plot.equilibria]
+        every = [*self.regimes, *(r for _, r in apart)]
+        letters = list(dict.fromkeys(s for r in every for s in r.letters))
+        ledger = every[0].general.instant.scene.ledger
+        for regime in every:
             for s in regime.letters:
                 ledger.units.setdefault(s, regime.general.instant.scene.ledger.units[s])
-        for state in self.states:
+        for state in (*self.states, *(s for s, _ in apart)):
             self.stops[state.name] = stop_of(state.name, state.relations, state.mark, letters, ledger)
         by_regime: dict[int, Reader] = {}
-        for i, state in enumerate(self.states):
-            regime = self.regimes[max(i - 1, 0)]
-            reader = by_regime.setdefault(id(regime), Reader(regime, self.stops, self.readers))
+        who = [(state, self.regimes[max(i - 1, 0)]) for i, state in enumerate(self.states)]
+        for state, regime in (*who, *apart):
+            reader = by_regime.setdefault(id(regime), Reader(regime, self.stops, self.readers, self.told))
             self.readers[state.name] = reader
 
     @property
+    def scene(self) -> Any:
+        """The scene of the first regime."""
+        return next(iter(self.readers.values())).regime.general.instant.scene
+
+    @property
     def ledger(self) -> Any:
-        return self.regimes[0].general.instant.scene.ledger
+        return self.scene.ledger
 
     @property
     def first(self) -> Stop:
-        return self.stops[self.states[0].name]
+        return next(iter(self.stops.values()))
 
     def distinct_readers(self) -> list[Reader]:
         """Every reader once."""
         return list({id(r): r for r in self.readers.values()}.values())
 
     def distinct_regimes(self) -> list[Regime]:
-        return list({id(r): r for r in self.regimes}.values())
+        return list({id(r): r for r in (*self.regimes, *(r.regime for r in self.readers.values()))}.values())
 
     # --- equations ---------------------------------------------------------------------------------------------------
 
     def read(self) -> None:
         """Read all states, work out every regime, and write the equations."""
-        raw = {s.name: self.readers[s.name].raw(self._statements(i)) for i, s in enumerate(self.states)}
+        raw = {s.name: self.readers[s.name].raw(s.relations) for s in self.states}
+        always = {s.name: self.readers[s.name].raw(self._places(i)) for i, s in enumerate(self.states)}
+        beside = {s.name: self.readers[s.name].raw(s.relations) for s, _ in self.plot.equilibria}
         for regime in self.distinct_regimes():
             exprs = [e for r in self.distinct_readers() if r.regime is regime for e in r.exprs]
             regime.work(exprs)
+        tell_oscillations(self)
+        self.still = stand_still(self, beside)
         for s in self.states:
             reader = self.readers[s.name]
             self.demands[s.name] = reader.demands(self.stops[s.name], raw[s.name])
+            self.placed[s.name] = reader.demands(self.stops[s.name], always[s.name])
         self.laws = [laws_of(r) for r in self.regimes]
-        self.equations = [*self._stated(), *self._moving()]
+        self.equations = [*self._stated(), *self._moving()] if self.states else []
 
-    def _statements(self, i: int) -> tuple[Statement, ...]:
-        """What a state says, and what holds at the level of places in the regime that leads to it."""
-        return self.states[i].relations
+    def _places(self, i: int) -> tuple[Statement, ...]:
+        """What `motion` says of places all the time, where state i is reached."""
+        stretch = self.plot.stretches[max(i - 1, 0)]
+        names = {c.name for c in self.problem.coordinates}
+        return tuple(s for s in stretch.span.always if isinstance(s, Relation) and order(s, names) == 0)
 
     def _stated(self) -> list[Equation]:
         found: list[Equation] = []
         for s in self.states:
             stop = self.stops[s.name]
             found += list(stated_equations(self.demands[s.name]))
+            found += list(stated_equations(self.placed[s.name], "motion"))
             for d in self.demands[s.name]:
                 if d.kind == "extreme":
                     rate = stop.at(self.readers[s.name].regime.derivative(d.residual))
                     found.append(Equation(rate, "extreme", d.text, s.name, mark=d.mark))
+        for name, (expr, words) in self.plot.turnings.items():
+            found.append(Equation(self.stops[name].at(expr), "turn", words, name))
         first = self.first
         if not any(first.t in e.residual.free_symbols for e in found if e.stop == first.name):
             found.append(Equation(first.t, "start", "time is counted from here", first.name))
         return found
 
     def _moving(self) -> list[Equation]:
-        found = list(drawn_equations(self.regimes[0], self.first))
+        first = self.first
+        placed = {x for d in self.placed[first.name] for x in d.residual.free_symbols} - {first.t}
+        found = [e for e in drawn_equations(self.regimes[0], first) if not e.residual.free_symbols & placed]
         since = 0
         for i, state in enumerate(self.states):
             stop = self.stops[state.name]
@@ -140,11 +166,12 @@ class Course:
     def base(self) -> Valuation:
         """Numbers of everything that is known: given values, and draws of the letters of the file."""
         ledger = self.ledger
-        scene = self.regimes[0].general.instant.scene
-        varying = {s for r in self.regimes for s in r.letters}
+        scene = self.scene
+        varying = {s for r in self.distinct_regimes() for s in r.letters}
         sought = {ledger.symbols[s.name] for s in self.problem.unknowns if s.name in ledger.symbols}
         values = {s: v for s, v in scene.valuations[0].values.items() if s not in varying and s not in sought}
-        return Valuation(values, scene.valuations[0].definitions)
+        still = {} if self.still is None else self.still.branch.values
+        return Valuation({**values, **still}, scene.valuations[0].definitions)
 
     def sought(self) -> list[sp.Symbol]:
         return [self.ledger.symbols[s.name] for s in self.problem.unknowns if s.name in self.ledger.symbols]
@@ -152,7 +179,7 @@ class Course:
     @property
     def symbolic(self) -> bool:
         """Do letters of the file stay in the equations?"""
-        parameters = set(self.base().values)
+        parameters = set(self.base().values) - set(self.still.branch.values if self.still else ())
         return any(e.residual.free_symbols & parameters for e in self.equations)
 
     def chain(self) -> Chain:
@@ -191,16 +218,12 @@ class Course:
                         return False
         return True
 
-    def solve(self) -> Branch:
-        """The branch that happens: of all that are possible the one whose states come first."""
+    def candidates(self) -> list[Branch]:
+        """All branches that are possible, those whose states come first in front."""
         found = list(self.chain().branches(self.equations))
-        whole = [b for b in found if not b.left] or found
-        if not whole:
-            raise NoSolution([Diagnostic(self.states[0].mark, "PL620", "no motion reaches these states")])
-        best = min(whole, key=self._rank)
-        return best
+        return sorted([b for b in found if not b.left] or found, key=self.rank)
 
-    def _rank(self, branch: Branch) -> tuple[Any, ...]:
+    def rank(self, branch: Branch) -> tuple[Any, ...]:
         keys: list[Any] = []
         for state in self.states:
             stop = self.stops[state.name]
@@ -218,8 +241,15 @@ class Course:
 def first_plot(problem: Problem, workshop: Workshop) -> Plot:
     """Every joint in its first mode that the file leaves open; one instant at a given time is its only state."""
     states = problem.states or (State("", problem.instant or (), _mark(problem)),)
+    moving = tuple(s for s in states if not is_equilibrium(s))
+
+    def stretch(span: PlotSpan) -> Stretch:
+        return Stretch(span, next(workshop.drawn(span).choices()))
+
+    stretches = tuple(stretch(s) for s in spans_of(problem, moving)) if moving else ()
     spans = spans_of(problem, states)
-    return Plot(states, tuple(Stretch(s, next(workshop.drawn(s).choices())) for s in spans))
+    beside = [(s, spans[min(i, len(spans) - 1)]) for i, s in enumerate(states) if is_equilibrium(s)]
+    return Plot(moving, stretches, equilibria=tuple((s, stretch(span)) for s, span in beside))
 
 
 def make_course(problem: Problem, plot: Plot, workshop: Workshop) -> Course:

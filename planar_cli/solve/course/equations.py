@@ -6,6 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from decimal import Decimal
 from typing import Any
 
 import sympy as sp
@@ -15,11 +16,13 @@ from planar_cli.equation.displaced import Coordinate
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.plain import simplified
 from planar_cli.errors import NOWHERE, Mark
-from planar_cli.solve.course.constraints import start_of
+from planar_cli.problem.expression import Name
+from planar_cli.solve.course.constraints import fixed_by, start_of
+from planar_cli.solve.course.plot import fixed_time
 from planar_cli.solve.course.regime import Regime
 from planar_cli.solve.course.timeline import Demand, Stop
 
-COSTS = {"given": 0.1, "drawn": 0.1, "start": 0.1, "motion": 0.5, "link": 0.6, "q(t)": 1.0, "v(t)": 1.0, "v(q)": 1.05,
+COSTS = {"given": 0.1, "turn": 0.2, "drawn": 0.1, "start": 0.1, "motion": 0.5, "link": 0.6, "q(t)": 1.0, "v(t)": 1.0, "v(q)": 1.05,
          "t(v)": 1.1, "q(v)": 1.1, "t(q)": 1.3, "loop": 1.2, "extreme": 0.8}  # fmt: skip
 
 
@@ -281,19 +284,42 @@ def loop_equations(regime: Regime, first: Stop, stop: Stop) -> Iterator[Equation
         residual = c.residual.xreplace({s: v for s, v in start.items() if s.name.endswith("_0")})
         residual = stop.at(residual)
         if simplified(residual) != 0:
-            yield Equation(residual, "loop", c.title, stop.name, family=("loop", str(n), stop.name), rank=1)
+            yield Equation(residual, c.kind, c.title, stop.name, family=("loop", str(n), stop.name), rank=1)
 
 
 def drawn_equations(regime: Regime, first: Stop) -> Iterator[Equation]:
-    """The first state is as drawn."""
+    """The first state is as drawn, but for what `motion` places elsewhere."""
+    placed = _placed_elsewhere(regime, first)
     for c in regime.coordinates:
+        if c.symbol in placed:
+            continue
         if c.drawn is not None and not c.drawn.free_symbols & {k.symbol for k in regime.coordinates}:
             residual = first.letters[c.symbol] - c.drawn
             yield Equation(residual, "drawn", "as drawn", first.name, family=("drawn", c.symbol.name), rank=1)
 
 
-def stated_equations(demands: Iterable[Demand]) -> Iterator[Equation]:
-    """The equations among what the file states."""
+def _placed_elsewhere(regime: Regime, first: Stop) -> frozenset[sp.Symbol]:
+    """Coordinates that relations about places fix at the time of the first state, not where they are drawn."""
+    constraints = regime.general.constraints
+    held = [c for c in constraints if c.kind == "motion"]
+    if not held:
+        return frozenset()
+    symbols = tuple(c.symbol for c in regime.coordinates)
+    value = regime.general.instant.scene.valuations[0]
+    driven = fixed_by(constraints, symbols, value)
+    stated = fixed_time(first.relations)
+    if stated is not None or not first.relations:
+        side = stated.right if stated is not None and isinstance(stated.left, Name) else getattr(stated, "left", None)
+        time = value(regime.general.instant.scene.value(side)) if side is not None else Decimal(0)
+        drawn = {c.symbol: value(c.drawn) for c in regime.coordinates if c.drawn is not None}
+        there = value.extended({**drawn, regime.time: time})
+        if driven <= set(drawn) and all(there.is_zero(c.residual) for c in held):
+            return frozenset()
+    return driven
+
+
+def stated_equations(demands: Iterable[Demand], kind: str = "given") -> Iterator[Equation]:
+    """The equations among what the file states of a state, or (kind "motion") of places at all times."""
     for d in demands:
         if d.kind == "equation":
-            yield Equation(d.residual, "given", d.text, d.state, mark=d.mark, trend=d.trend)
+            yield Equation(d.residual, kind, d.text, d.state, mark=d.mark, trend=d.trend)

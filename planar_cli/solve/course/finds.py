@@ -19,8 +19,12 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import Find
 from planar_cli.solve.asked import quantities_in
 from planar_cli.solve.course.chain import Branch
+from planar_cli.solve.course.complete import TRUTHS, is_true
 from planar_cli.solve.course.course import Course
+from planar_cli.solve.course.paths import CurveReader, is_curve
+from planar_cli.solve.course.starts import started
 from planar_cli.solve.course.timeline import Reader, Stop
+from planar_cli.solve.passages import Passage
 from planar_cli.solve.solution import Found
 from planar_cli.units import Unit, parse_unit
 
@@ -46,12 +50,14 @@ class FindReader:
     course: Course
     units: dict[str, str]
     asked: list[Asked] = field(default_factory=list)
+    curves: list[Passage] = field(default_factory=list)
 
     def read(self) -> None:
         course = self.course
-        only = course.states[0].name == ""
+        only = "" in course.stops
+        last = course.states[-1].name if course.states else next(iter(course.stops))
         for find in course.problem.find:
-            reader = course.readers[course.states[-1].name]
+            reader = course.readers[last]
             at = course.stops[""] if only else None
             self.asked.append(Asked(find, reader, self._parts(find, reader), at))
 
@@ -62,7 +68,7 @@ class FindReader:
                 return ()
             sides = [reader.any(s) for s in (what.left, what.right)]
             parts = tuple(p.value for s in sides for p in ((s.x, s.y) if isinstance(s, Vec) else (s,)))
-        elif isinstance(what, Quantity) and what.word == "mode":
+        elif (isinstance(what, Quantity) and what.word == "mode") or is_curve(what):
             return ()
         else:
             found = reader.any(what)
@@ -80,6 +86,13 @@ class FindReader:
         mode = self._mode(what, asked)
         if mode is not None:
             return Found(find.name, mode[0], pure, None, None, mode[1], find)
+        if isinstance(what, Quantity) and what.word in TRUTHS:
+            return Found(find.name, "truth", pure, None, None, "true" if is_true(self.course, what, value) else "false", find)
+        if is_curve(what):
+            starts = started(self.course, asked.reader.regime, lambda s: self.closed(s, branch), value)
+            found, passage = CurveReader(asked.reader.regime, starts).answer(find)
+            self.curves.append(passage)
+            return found
         parts = [self.settled(asked, p) for p in asked.parts]
         if isinstance(what, Relation):
             number = value(parts[0] - parts[1])
@@ -98,7 +111,7 @@ class FindReader:
         )
 
     def _varying(self) -> set[sp.Symbol]:
-        return {s for r in self.course.regimes for s in r.letters}
+        return {s for r in self.course.distinct_regimes() for s in r.letters}
 
     def settled(self, asked: Asked, part: sp.Expr) -> sp.Expr:
         """A part of a find in letters of states, or of the general position where it holds throughout."""
@@ -128,7 +141,7 @@ class FindReader:
             return parse_unit(find.found.unit)
         if find.name in self.units:
             return parse_unit(self.units[find.name])
-        setup = self.course.regimes[0].general.instant.setup
+        setup = self.course.readers[next(iter(self.course.stops))].regime.general.instant.setup
         return setup.unit_for(dimension_of(find.found.what, setup.lookup))
 
     def _mode(self, what: Any, asked: Asked) -> tuple[str, str] | None:

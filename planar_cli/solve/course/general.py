@@ -16,6 +16,7 @@ from planar_cli.equation.setup import Course, Setup
 from planar_cli.equation.system import Statements
 from planar_cli.problem.scene import Problem
 from planar_cli.solve.course.constraints import Constraint, constraints_of, project, start_symbol
+from planar_cli.solve.course.places import held_places
 from planar_cli.solve.finish import Finisher
 from planar_cli.solve.instant import Instant, Trial
 from planar_cli.solve.solution import InstantSolution
@@ -88,16 +89,14 @@ def make_general(
     earlier: Mapping[str, Any],
     drawn: Instant,
     choice: tuple[int, ...],
-    speeds: Mapping[str, Decimal],
+    resting: frozenset[str] = frozenset(),
 ) -> General:
-    """The scene in a general position, for one choice of modes. `speeds`: draws of free speeds by name, whose signs say
-    which way things move.
-    """
+    """The scene in a general position, for one choice of modes. `resting`: names of free speeds that stay zero."""
     still: frozenset[str] = frozenset()
     made: dict[str, sp.Symbol] = {}
     while True:
         displacement = displaced(drawn, choice, still, made)
-        found = _general(problem, always, earlier, drawn, choice, displacement, speeds)
+        found = _general(problem, always, earlier, drawn, choice, displacement, resting)
         idle = frozenset(
             c.speed.name
             for c in displacement.coordinates
@@ -115,17 +114,24 @@ def _general(
     drawn: Instant,
     choice: tuple[int, ...],
     displacement: Displacement,
-    speeds: Mapping[str, Decimal],
+    resting: frozenset[str],
 ) -> General:
     user = _user_coordinates(drawn)
     constraints = constraints_of(drawn, choice, displacement, (*user, *displacement.coordinates))
     course = Course(displacement, _ranges(drawn, displacement), _projector(constraints, displacement, user))
     instant = Instant(Setup(problem, Statements.of(always, ()), earlier, True, course))
     system = instant.system(choice)
+    held = held_places(instant.setup, system.quantities_of(system.first, None))
+    if held:
+        constraints = (*constraints, *held)
+        instant.scene.ledger.project = _projector(constraints, displacement, _user_coordinates(instant))
+        instant.scene.forget_valuations()
     valuations = instant.scene.valuations
     found = solve_velocities(system, valuations[0], False)
     independent = _independent(found, system.tree.velocity_unknowns(), displacement)
-    given = {s: speeds.get(s.name, Decimal("0.71") + Decimal(i) / 7) for i, s in enumerate(independent)}
+    given = {s: Decimal("0.71") + Decimal(i) / 7 for i, s in enumerate(independent)}
+    given |= {s: Decimal(0) for s in independent if s.name in resting}
+    independent = tuple(s for s in independent if s.name not in resting)
     trial = instant.try_choice(choice, valuations, given=given)
     quantities = trial.system.quantities() if trial.outcomes else trial.system.quantities_of(trial.system.first, None)
     coordinates = (*_user_coordinates(instant), *displacement.coordinates)

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from decimal import Decimal
 from typing import Any
+
+import sympy as sp
 
 from planar_cli.equation.setup import has_quantity, names_in
 from planar_cli.problem.expression import Name, Relation, Statement
@@ -31,40 +32,58 @@ class Span:
 
 @dataclass(frozen=True, slots=True)
 class Stretch:
-    """What acts from one state (also one that we put in) to the next: a span in one choice of modes; `signs`: which way
-    free speeds go, by name, where that matters.
+    """What acts from one state (also one that we put in) to the next: a span in one choice of modes. `still`: names of
+    free speeds that are zero from the beginning and stay so.
     """
 
     span: Span
     choice: tuple[int, ...]
-    signs: tuple[tuple[str, int], ...] = ()
+    still: frozenset[str] = frozenset()
 
 
 @dataclass(frozen=True, slots=True)
 class Plot:
-    """`stretches[i]` runs from `states[i]` to `states[i + 1]`. `turnings`: names of states that we put in."""
+    """`stretches[i]` runs from `states[i]` to `states[i + 1]`. `turnings`: states that we put in, each with what
+    vanishes there (a formula of the general position) and what happens. `equilibria`: states that stand beside the
+    order, as no motion leads to them, each with what acts there.
+    """
 
     states: tuple[State, ...]
     stretches: tuple[Stretch, ...]
-    turnings: frozenset[str] = frozenset()
+    turnings: Mapping[str, tuple[sp.Expr, str]] = field(default_factory=dict)
+    equilibria: tuple[tuple[State, Stretch], ...] = ()
 
-    def changed(self, i: int, stretch: Stretch) -> Plot:
-        """The same plot with another stretch."""
-        return replace(self, stretches=(*self.stretches[:i], stretch, *self.stretches[i + 1 :]))
+    def changed(self, i: int, choice: tuple[int, ...]) -> Plot:
+        """Another choice of modes from stretch i on, as long as the same things act."""
+        key = self.stretches[i].span.key
+        found = list(self.stretches)
+        for j in range(i, len(found)):
+            if found[j].span.key != key:
+                break
+            found[j] = replace(found[j], choice=choice)
+        return replace(self, stretches=tuple(found))
 
-    def turned(self, i: int, state: State, after: Stretch) -> Plot:
-        """A state put in on stretch i, and what acts after it."""
+    def stilled(self, names: frozenset[str]) -> Plot:
+        """The same plot with speeds that stay zero."""
+        return replace(self, stretches=tuple(replace(s, still=names) for s in self.stretches))
+
+    def turned(self, i: int, expr: sp.Expr, words: str) -> Plot:
+        """A state put in on stretch i where an assumption ends."""
+        name = "turn" if not self.turnings else f"turn_{len(self.turnings) + 1}"
+        while any(s.name == name for s in self.states):
+            name += "_"
+        state = State(name, (), self.states[i].mark)
         states = (*self.states[: i + 1], state, *self.states[i + 1 :])
-        stretches = (*self.stretches[: i + 1], after, *self.stretches[i + 1 :])
-        return Plot(states, stretches, self.turnings | {state.name})
+        stretches = (*self.stretches[: i + 1], *self.stretches[i:])
+        return replace(self, states=states, stretches=stretches, turnings={**self.turnings, name: (expr, words)})
 
 
 def spans_of(problem: Problem, states: tuple[State, ...]) -> list[Span]:
     """The spans between states in their order, each with the laws, joints and loads that act in it."""
-    order = {s.name: i for i, s in enumerate(states)}
+    order = {s.name: i for i, s in enumerate(problem.states)}
 
     def acts(during: tuple[str, str] | None, i: int) -> bool:
-        return during is None or order[during[0]] <= i < order[during[1]]
+        return during is None or order[during[0]] <= order[states[i].name] < order[during[1]]
 
     found = []
     for i in range(max(len(states) - 1, 1)):
@@ -92,15 +111,14 @@ class Workshop:
 
     def regime(self, stretch: Stretch) -> Regime:
         """The regime of a stretch."""
-        key = (stretch.span.key, stretch.choice, stretch.signs)
+        key = (stretch.span.key, stretch.choice, stretch.still)
         if key not in self._regimes:
             self._regimes[key] = Regime(self._general(stretch))
         return self._regimes[key]
 
     def _general(self, stretch: Stretch) -> General:
-        speeds = {name: Decimal(sign) * (Decimal("0.71") + i) for i, (name, sign) in enumerate(stretch.signs)}
         span = stretch.span
-        return make_general(span.problem, span.always, self.earlier, self.drawn(span), stretch.choice, speeds)
+        return make_general(span.problem, span.always, self.earlier, self.drawn(span), stretch.choice, stretch.still)
 
 
 def fixed_time(relations: tuple[Statement, ...]) -> Relation | None:

@@ -73,8 +73,18 @@ class Regime:
         general.govern([*rates.values(), *accelerations.values(), *(w.expr for w in watches), *slips, *self.exprs])
         self.rates = {s: self.closed(e) for s, e in rates.items()}
         self.accelerations = {u: self.closed(e) for u, e in accelerations.items()}
-        self.watches = tuple(Watch(w.test, self.closed(w.expr)) for w in watches)
-        self.slips = tuple(self.closed(e) for e in slips)
+        told = self.told
+        self.watches = tuple(w for w in (Watch(w.test, self.closed(w.expr)) for w in watches) if told(w.expr))
+        self.slips = tuple(e for e in map(self.closed, slips) if told(e))
+
+    def told(self, expr: sp.Expr) -> bool:
+        """Is everything in a closed formula known once the letters are? Where nothing has mass, forces are not."""
+        pushes = set(self.general.trial.system.symbols.values())
+        return not expr.free_symbols & (pushes - set(self.general.instant.scene.ledger.letters))
+
+    def moved(self) -> str:
+        """What speaks against this regime in any position: contradicting equations; "" when nothing does."""
+        return self.general.trial.objection if self.general.trial.objection in ("contradiction", "velocities") else ""
 
     def closed(self, expr: sp.Expr) -> sp.Expr:
         """An expression of the instant as a formula in t, coordinates and free speeds."""

@@ -13,6 +13,7 @@ from planar_cli.equation.evaluate import Evaluator, refuse
 from planar_cli.equation.jets import Jet, constant
 from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.plain import simplified
+from planar_cli.equation.polar import VectorStatement, grouped
 from planar_cli.equation.quantities import Quantities
 from planar_cli.equation.system import mode_of
 from planar_cli.errors import NOWHERE, Mark
@@ -78,12 +79,13 @@ class Reader:
     """Reads statements and finds in one regime. `readers`: who reads at each state, by its name; `stops`: all states.
 
     `pending`: stand-ins for quantities at other states, with who reads them there; `spans`: stand-ins for quantities
-    over spans or about states.
+    over spans or about states, `told`: what these are, in letters of states.
     """
 
     regime: Regime
     stops: dict[str, Stop]
     readers: dict[str, Reader]
+    told: dict[sp.Symbol, sp.Expr] = field(default_factory=dict)
     pending: dict[sp.Symbol, tuple[Reader, str, sp.Expr]] = field(default_factory=dict)
     spans: dict[sp.Symbol, Quantity] = field(default_factory=dict)
     exprs: list[sp.Expr] = field(default_factory=list)
@@ -161,6 +163,8 @@ class Reader:
             if symbol in self.pending:
                 other, state, value = self.pending[symbol]
                 inside[symbol] = other.at(self.stops[state], value)
+            elif symbol in self.told:
+                inside[symbol] = self.told[symbol]
         return expr.xreplace(inside) if inside else expr
 
     # --- statements --------------------------------------------------------------------------------------------------
@@ -169,11 +173,10 @@ class Reader:
         """Every statement with its expressions in the unknowns of the general position, not yet closed."""
         found: list[tuple[Statement, tuple[Any, ...]]] = []
         statements = [s for s in statements if not isinstance(s, JustAfter)]
-        paired = _paired(statements)
+        relations = [s for s in statements if isinstance(s, Relation) and mode_of(s) is None]
+        found += [(s, e) for item in grouped(relations, self.any) for s, e in self._relation(item)]
         for s in statements:
-            if isinstance(s, Relation) and mode_of(s) is None:
-                found += [(s, e) for e in self._relation(s, paired)]
-            elif isinstance(s, Extreme):
+            if isinstance(s, Extreme):
                 found.append((s, (self._number(s.side),)))
             elif isinstance(s, AtRest | Equilibrium):
                 found += [(s, ("=", e, None)) for e in self._rest(s)]
@@ -191,51 +194,19 @@ class Reader:
         assert isinstance(found, Jet)
         return found.value
 
-    def _relation(self, s: Relation, paired: dict[str, tuple[Relation, Relation]]) -> list[tuple[Any, ...]]:
-        for key, (size, angle) in paired.items():
-            if s is angle:
-                return []
-            if s is size:
-                return self._components(size, angle, key)
-        if s.operator == "=":
-            for one, other in ((s.left, s.right), (s.right, s.left)):
-                special = self._special(one, other)
-                if special is not None:
-                    return special
-        left, right = self.any(s.left), self.any(s.right)
-        if isinstance(left, Vec) or isinstance(right, Vec):
-            assert isinstance(left, Vec)
-            assert isinstance(right, Vec)
-            difference = left - right
-            return [("=", difference.x.value, None), ("=", difference.y.value, None)]
-        return [(s.operator, left.value - right.value, None)]
-
-    def _components(self, size: Relation, angle: Relation, key: str) -> list[tuple[Any, ...]]:
-        """Size and direction of one vector: its two components."""
-        quantity = size.left
-        assert isinstance(quantity, Quantity)
-        v = self.any(replace(quantity, parts=quantity.parts[:-1]))
-        assert isinstance(v, Vec)
-        length, direction = (self.any(r.right) for r in (size, angle))
-        assert isinstance(length, Jet)
-        assert isinstance(direction, Jet)
-        m, a = length.value, direction.value
-        return [("=", v.x.value - m * sp.cos(a), None), ("=", v.y.value - m * sp.sin(a), None)]
-
-    def _special(self, one: Side, other: Side) -> list[tuple[Any, ...]] | None:
-        """A magnitude squares, a direction is a cross product with a sense."""
-        if not (isinstance(one, Quantity) and one.parts and one.parts[-1].kind in ("mag", "angle")) or one.at is not None:
-            return None
-        v = self.any(replace(one, parts=one.parts[:-1]))
-        value = self.any(other)
-        if not isinstance(v, Vec) or not isinstance(value, Jet):
-            return None
-        if one.parts[-1].kind == "mag":
-            if value.value == 0:
-                return [("=", v.x.value, None), ("=", v.y.value, None)]
-            return [("=", v.x.value**2 + v.y.value**2 - value.value**2, None)]
-        c, s = sp.cos(value.value), sp.sin(value.value)
-        return [("=", v.x.value * s - v.y.value * c, v.x.value * c + v.y.value * s)]
+    def _relation(self, item: Relation | VectorStatement) -> list[tuple[Relation, tuple[Any, ...]]]:
+        """A relation, or one or two about a vector, with what vanishes and what must be positive."""
+        difference: Any
+        trend: sp.Expr | None = None
+        if isinstance(item, VectorStatement):
+            s, (difference, trend) = item.relations[0], item.equations(self.any)
+        else:
+            s, left, right = item, self.any(item.left), self.any(item.right)
+            assert isinstance(left, Vec) == isinstance(right, Vec)
+            difference = left - right  # type: ignore[operator]
+        if isinstance(difference, Vec):
+            return [(s, ("=", difference.x.value, trend)), (s, ("=", difference.y.value, trend))]
+        return [(s, (s.operator, difference.value, trend))]
 
     def _rest(self, s: AtRest | Equilibrium) -> list[sp.Expr]:
         """Velocities that vanish: those of a body, or all free ones; in equilibrium their rates as well."""
@@ -275,17 +246,6 @@ class Reader:
                 held = residual if operator.startswith(">") else -residual
                 found.append(Demand(stop.name, s.text, s.mark, held, "inequality", sign))
         return found
-
-
-def _paired(statements: list[Statement]) -> dict[str, tuple[Relation, Relation]]:
-    """Relations that give size and direction of one vector."""
-    found: dict[str, dict[str, Relation]] = {}
-    for s in statements:
-        if isinstance(s, Relation) and s.operator == "=" and isinstance(s.left, Quantity) and s.left.parts:
-            q = s.left
-            if q.parts[-1].kind in ("mag", "angle") and len(q.parts) == 1 and q.at is None:
-                found.setdefault(f"{q.word}({'/'.join(q.things)})", {})[q.parts[-1].kind] = s
-    return {k: (v["mag"], v["angle"]) for k, v in found.items() if len(v) == 2}
 
 
 def stop_of(

@@ -1,0 +1,359 @@
+"""The motion followed in numbers from its first state: when each state is reached, and where an assumption ends.
+
+It decides which regime acts when (slip, stick, slack, which way), the order of states, and which of several roots
+happens; the equations of the motion then give the same values in closed form where there is one.
+"""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from decimal import Decimal
+from enum import Enum
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.calculus.first import Root, roots
+from planar_cli.calculus.flow import Flow
+from planar_cli.equation.exact import Valuation
+from planar_cli.solve.course.course import Course
+from planar_cli.solve.course.plot import fixed_time
+from planar_cli.solve.course.regime import Regime, number_function
+from planar_cli.solve.course.timeline import Demand, Stop
+
+SLACK = 1e-9
+LOOKS = 4000
+CHOICES = 8
+State = dict[sp.Symbol, float]
+
+
+@dataclass(frozen=True, slots=True)
+class Ends:
+    """A stretch ends before its state: `expr` vanishes at `time`; `words` say what ends."""
+
+    stretch: int
+    time: float
+    expr: sp.Expr
+    words: str
+    state: State
+
+
+@dataclass(frozen=True, slots=True)
+class Leg:
+    """One stretch in numbers: from t0 to t1, the letters of its regime by `flow`."""
+
+    regime: Regime
+    flow: Flow | None
+    t0: float
+    t1: float
+    start: State
+
+    def at(self, t: float) -> State:
+        """All letters at a time."""
+        if self.flow is None:
+            return {**self.start, self.regime.time: t}
+        letters = self.regime.letters[1:]
+        return {**self.start, self.regime.time: t, **dict(zip(letters, map(float, self.flow.at(t)), strict=True))}
+
+
+@dataclass(slots=True)
+class Followed:
+    """What came of following a course. `values`: letters of the states that were reached. `ends`: an assumption that
+    ended first; `misfit`: the stretch whose assumptions do not even hold at its beginning; `missed`: the state that is
+    never reached.
+    """
+
+    legs: list[Leg] = field(default_factory=list)
+    values: dict[sp.Symbol, float] = field(default_factory=dict)
+    ends: Ends | None = None
+    misfit: int | None = None
+    why: str = ""
+    missed: str | None = None
+    at: State = field(default_factory=dict)
+
+
+class Follower:
+    """Follows one course. `value`: numbers of everything that does not vary."""
+
+    def __init__(self, course: Course, value: Valuation) -> None:
+        self.course, self.value = course, value
+        self.done = Followed()
+
+    def run(self, start: Mapping[sp.Symbol, float]) -> Followed:
+        """From the letters of the first state, by the letters of the general position."""
+        course, done = self.course, self.done
+        state: State = dict(start)
+        self._record(course.first, state)
+        for i, regime in enumerate(course.regimes):
+            if i + 1 >= len(course.states):
+                break
+            done.at = state
+            begun = self._begin(regime, state)
+            why = self._misfit(regime, begun, state)
+            if why:
+                done.misfit, done.why = i, why
+                return done
+            reached = self._stretch(i, regime, begun)
+            if reached is None:
+                return done
+            state = reached
+            self._record(course.stops[course.states[i + 1].name], state)
+        done.at = state
+        return done
+
+    def _record(self, stop: Stop, state: State) -> None:
+        for letter, own in stop.letters.items():
+            if letter in state:
+                self.done.values[own] = state[letter]
+
+    # --- beginning ---------------------------------------------------------------------------------------------------
+
+    def _begin(self, regime: Regime, state: State) -> State:
+        """The letters of a regime where it takes over: places stay, speeds follow from rates that are known."""
+        begun = dict(state)
+        for c in regime.coordinates:
+            if c.symbol not in begun and c.drawn is not None:
+                begun[c.symbol] = float(self.value(c.drawn))
+        for u in regime.free:
+            begun.setdefault(u, 0.0)
+        return begun
+
+    def _numbers(self, regime: Regime, exprs: Sequence[sp.Expr]) -> Callable[..., list[float]]:
+        return number_function(exprs, regime.letters, self.value)
+
+    def _misfit(self, regime: Regime, state: State, before: State) -> str:
+        """Why the assumptions of a regime do not hold at its beginning; "" when they do."""
+        here = [state[s] for s in regime.letters]
+        for symbol, number in before.items():
+            if symbol not in regime.letters and is_moving(symbol) and abs(number) > 1e-7 and self._alone(symbol, regime):
+                return "it moves"
+        if regime.watches:
+            values = self._numbers(regime, [w.expr for w in regime.watches])(*here)
+            for watch, v in zip(regime.watches, values, strict=True):
+                if v < -SLACK * max(1.0, abs(v)):
+                    return watch.test.words
+        for slip in regime.slips:
+            speed = self._numbers(regime, [slip])(*here)[0]
+            if speed < -1e-9:
+                return "it slides the other way"
+            if abs(speed) <= 1e-9 and self._numbers(regime, [regime.derivative(slip)])(*here)[0] <= 0:
+                return "nothing makes it slide"
+        return ""
+
+    def _alone(self, symbol: sp.Symbol, regime: Regime) -> bool:
+        """Is a speed of the state not accounted for by the regime's own?"""
+        twin = {r.name for r in regime.free}
+        return symbol.name not in twin and not any(c.speed == symbol for c in regime.coordinates)
+
+    # --- one stretch -------------------------------------------------------------------------------------------------
+
+    def _stretch(self, i: int, regime: Regime, state: State) -> State | None:
+        """Up to the next state, or None: something else comes first, or nothing does."""
+        t0 = state[regime.time]
+        leg = Leg(regime, self._flow(regime, state), t0, t0, state)
+        stop = self.course.stops[self.course.states[i + 1].name]
+        time = self._time_of(i + 1, stop, leg)
+        ends = self._ends(i, leg, time)
+        if ends is not None:
+            self.done.ends = ends
+            self.done.legs.append(Leg(regime, leg.flow, t0, ends.time, state))
+            return None
+        if time is None:
+            self.done.missed = stop.name
+            return None
+        self.done.legs.append(Leg(regime, leg.flow, t0, time, state))
+        return leg.at(time) if time >= t0 else self._earlier(time)
+
+    def _earlier(self, time: float) -> State:
+        """A state at a given time that lies before others."""
+        for leg in self.done.legs:
+            if leg.t0 <= time <= leg.t1:
+                return leg.at(time)
+        return self.done.legs[0].at(time)
+
+    def _flow(self, regime: Regime, state: State) -> Flow | None:
+        letters = regime.letters[1:]
+        if not letters:
+            return None
+        exprs = [*regime.rates.values(), *regime.accelerations.values()]
+        rhs = self._numbers(regime, exprs)
+        return Flow(lambda t, y: rhs(t, *y), state[regime.time], [state[s] for s in letters], digits=13)
+
+    def _scale(self, leg: Leg) -> float:
+        """A time in which something moves noticeably: by a radian, or by the largest length in sight."""
+        if leg.flow is None:
+            return 1.0
+        regime = leg.regime
+        rates = [abs(float(r)) for r in leg.flow.rates(leg.t0)]
+        lengths = [abs(leg.start[c.symbol]) for c in regime.coordinates if c.unit == "m"]
+        size = max([x for x in lengths if x > SLACK], default=1.0)
+        times = [(size if c.unit == "m" else 1.0) / r for c, r in zip(regime.coordinates, rates, strict=False) if r]
+        turning = {c.speed for c in regime.coordinates if c.unit != "m"}
+        for u, a in zip(regime.free, rates[len(regime.coordinates) :], strict=True):
+            if a:
+                times.append(math.sqrt((1.0 if u in turning else size) / a))
+        return min(max(min(times, default=1.0), 1e-9), 1e9)
+
+    def _time_of(self, index: int, stop: Stop, leg: Leg) -> float | None:
+        """When a state is reached."""
+        stated = fixed_time(self.course.states[index].relations)
+        demands = self.course.demands[stop.name]
+        equations = [d for d in demands if d.kind == "equation"]
+        if stated is not None:
+            own = next(d for d in equations if d.text == stated.text)
+            return float(self.value(sp.solve(own.residual, stop.t)[0]))
+        extreme = next((d for d in demands if d.kind == "extreme"), None)
+        if extreme is not None:
+            return self._extreme(extreme, leg)
+        if not equations:
+            return None
+        gs = [self._function(d.residual, stop, leg) for d in equations]
+        first = max(range(len(gs)), key=lambda k: not self._still(gs[k], leg))
+        for root in itertools.islice(roots(gs[first], leg.t0, None, self._scale(leg), evaluations=LOOKS), 60):
+            if all(self._zero(g, root.value, leg) for k, g in enumerate(gs) if k != first) and self._allowed(
+                demands, stop, leg, root.value
+            ):
+                return root.value
+        return None
+
+    @staticmethod
+    def _still(g: Callable[[float], float], leg: Leg) -> bool:
+        """Does a function vanish from the beginning on?"""
+        return abs(g(leg.t0)) < SLACK and abs(g(leg.t0 + 1e-3)) < 1e-12
+
+    def _function(self, residual: sp.Expr, stop: Stop, leg: Leg) -> Callable[[float], float]:
+        """A residual of a state as a function of time along a leg."""
+        letters = [stop.letters[s] for s in leg.regime.letters]
+        known = self.value.extended({s: Decimal(repr(v)) for s, v in self.done.values.items()})
+        others = {
+            own: Decimal(repr(leg.start[s]))
+            for s, own in stop.letters.items()
+            if s not in leg.regime.letters and s in leg.start
+        }
+        f = number_function([residual], letters, known.extended(others))
+
+        def g(t: float) -> float:
+            here = leg.at(t)
+            return f(*(here[s] for s in leg.regime.letters))[0]
+
+        return g
+
+    @staticmethod
+    def _zero(g: Callable[[float], float], t: float, leg: Leg) -> bool:
+        span = max(abs(t - leg.t0), 1e-9)
+        size = max(abs(g(leg.t0)), abs(g(t - span / 3)), 1e-9)
+        return abs(g(t)) <= 1e-7 * size
+
+    def _allowed(self, demands: Sequence[Demand], stop: Stop, leg: Leg, t: float) -> bool:
+        for d in demands:
+            expr = d.residual if d.kind == "inequality" else d.trend
+            if expr is None:
+                continue
+            if self._function(expr, stop, leg)(t) < -SLACK:
+                return False
+        return True
+
+    def _extreme(self, demand: Demand, leg: Leg) -> float | None:
+        """The first of the largest (smallest) of the next stationary values."""
+        regime = leg.regime
+        rate = self._numbers(regime, [regime.derivative(demand.residual)])
+        value = self._numbers(regime, [demand.residual])
+
+        def along(f: Callable[..., list[float]]) -> Callable[[float], float]:
+            def g(t: float) -> float:
+                here = leg.at(t)
+                return f(*(here[s] for s in regime.letters))[0]
+
+            return g
+
+        found: list[Root] = list(
+            itertools.islice(roots(along(rate), leg.t0, None, self._scale(leg), evaluations=LOOKS), CHOICES)
+        )
+        height = along(value)
+        best: float | None = None
+        for root in found:
+            v = demand.extreme * height(root.value)
+            if best is None or v > demand.extreme * height(best) + 1e-9 * max(abs(v), 1e-12):
+                best = root.value
+        return best
+
+    # --- what ends ---------------------------------------------------------------------------------------------------
+
+    def _ends(self, i: int, leg: Leg, time: float | None) -> Ends | None:
+        """The first assumption that fails before `time`."""
+        regime = leg.regime
+        watched = [(w.expr, w.test.words) for w in regime.watches]
+        watched += [(s, "it comes to rest") for s in regime.slips]
+        watched += [(u, "it turns round") for u in turning_speeds(regime)]
+        best: Ends | None = None
+        until = time
+        for expr, words in watched:
+            f = self._numbers(regime, [expr])
+
+            def g(t: float, f: Callable[..., list[float]] = f) -> float:
+                here = leg.at(t)
+                return f(*(here[s] for s in regime.letters))[0]
+
+            if expr.is_number or not (expr.free_symbols & set(regime.letters)):
+                continue
+            if until is not None and until <= leg.t0:
+                continue
+            for root in itertools.islice(roots(g, leg.t0, until, self._scale(leg), evaluations=LOOKS), 20):
+                crossing = root.kind == "crossing" and (root.sense < 0 or expr in regime.free)
+                if crossing and (until is None or root.value < until - 1e-9 * max(abs(until), 1e-9)):
+                    best = Ends(i, root.value, expr, words, leg.at(root.value))
+                    until = root.value
+                    break
+        return best
+
+
+def is_moving(symbol: sp.Symbol) -> bool:
+    """Is a letter a speed?"""
+    return symbol.name.startswith(("v_", "omega")) or symbol.name.endswith("_dot")
+
+
+def turning_speeds(regime: Regime) -> list[sp.Symbol]:
+    """Free speeds whose size or sign stands in a law: the law reads otherwise when they turn round."""
+    found = []
+    for u in regime.free:
+        atoms = [a for f in regime.accelerations.values() for a in f.atoms(sp.Abs, sp.sign)]
+        if any(u in a.free_symbols for a in atoms):
+            found.append(u)
+    return found
+
+
+class Start(Enum):
+    """What the first state does not tell: some of its letters, or a start that contradicts the regime."""
+
+    OPEN = 1
+    CONTRADICTS = 2
+
+
+def certain_start(course: Course) -> dict[sp.Symbol, Decimal] | Start:
+    """The letters of the first state, where its own statements tell them all."""
+    if course.regimes[0].moved():
+        return Start.CONTRADICTS
+    if course.sought():
+        return Start.OPEN
+    own = set(course.first.letters.values())
+    branches = list(course.chain().branches([e for e in course.equations if e.stop == course.first.name]))
+    for branch in branches:
+        if own <= set(branch.values):
+            return {s: branch.values[own] for s, own in course.first.letters.items()}
+    return Start.OPEN if branches else Start.CONTRADICTS
+
+
+def resting(course: Course, start: Mapping[sp.Symbol, Decimal]) -> frozenset[str]:
+    """Free speeds that are zero at the start and that nothing sets in motion, whatever the others do."""
+    regime = course.regimes[0]
+    idle = {u for u in regime.free if not start[u]}
+    while idle:
+        zero = dict.fromkeys(idle, sp.S.Zero)
+        moved = {u for u in idle if regime.accelerations[u].subs(zero) != 0}
+        if not moved:
+            return frozenset(u.name for u in idle)
+        idle -= moved
+    return frozenset()

@@ -1,0 +1,112 @@
+"""What is integrated over a span: rates of work, impulse and heat, speeds, and whatever a mean is taken of."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.equation.evaluate import refuse
+from planar_cli.equation.quantities import Quantities
+from planar_cli.equation.reactions import Reactions
+from planar_cli.problem.expression import Quantity, Relation
+from planar_cli.problem.facts import Wrench
+from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scene import GROUND
+from planar_cli.solve.course.timeline import Reader
+
+DISSIPATING = ("damper", "drag", "skid")
+
+
+def rates_of(q: Quantity, reader: Reader) -> tuple[sp.Expr, ...]:
+    """The expressions that one quantity over a span needs, in the unknowns of the general position.
+
+    One rate; for a path length the two components of the velocity; for a count the residuals of the relation.
+    """
+    quantities = reader.quantities()
+    match q.word:
+        case "path_length":
+            v = quantities.any(replace(q, word="v", parts=(), at=None))
+            assert isinstance(v, Vec)
+            return v.x.value, v.y.value
+        case "mean":
+            assert q.argument is not None
+            assert not isinstance(q.argument, Relation)
+            return (_part(reader.any(q.argument), q),)
+        case "count":
+            assert isinstance(q.argument, Relation)
+            return tuple(parts[1] for parts in reader.relation(q.argument))
+        case "work":
+            return (quantities.scalar(replace(q, word="power", at=None)).value,)
+        case "heat":
+            return (_heat(q.things[0], quantities),)
+    return (_push(q, quantities),)
+
+
+def _part(found: Any, q: Quantity) -> sp.Expr:
+    if isinstance(found, Vec):
+        found = found.x if q.parts[0].kind == "x" else found.y
+    value: sp.Expr = found.value
+    return value
+
+
+def _reactions(quantities: Quantities, q: Quantity) -> Reactions:
+    if quantities.reactions is None:
+        raise refuse(q.mark, "PL555", f"{q.word}(…) can not stand here", "forces are not known before the motion is")
+    return quantities.reactions
+
+
+def _push(q: Quantity, quantities: Quantities) -> sp.Expr:
+    """The component of a force, or its moment about a point: what an impulse is made of."""
+    acting = _on_bodies(q, _reactions(quantities, q))
+    if len(q.things) == 1:
+        forces = [w.force for w in acting if w.force is not None]
+        return sp.Add(*(f.x if q.parts[0].kind == "x" else f.y for f in forces))
+    place = quantities.place(q.things[1])
+    about = Vec(place.x.value, place.y.value)
+    arms = [(w.point - about).cross(w.force) for w in acting if w.force is not None]
+    return sp.Add(*arms, *(w.couple for w in acting))
+
+
+def _on_bodies(q: Quantity, reactions: Reactions) -> list[Wrench]:
+    """What acts on bodies that move; of a joint or load on the body whose partner is the ground."""
+    name = q.things[0]
+    acting = [w for w in reactions.acting(name) if w.body != GROUND]
+    bodies = {w.body for w in acting}
+    owned = name == "all" or name in bodies
+    if not owned and len(bodies) > 1:
+        text = f"impulse({name}) acts on several bodies: {', '.join(sorted(bodies))}"
+        raise refuse(q.mark, "PL559", text, "ask the impulse of everything on one of them, `impulse(b)`")
+    return [w for w in acting if name not in bodies or w.body == name]
+
+
+def _heat(name: str, quantities: Quantities) -> sp.Expr:
+    """What a joint, or everything, takes out of the motion: minus the power of all that it does, on both sides."""
+    reactions = quantities.reactions
+    assert reactions is not None
+    if name != "all":
+        return _lost(name, quantities, reactions)
+    joints = dict.fromkeys(reactions.joints.values())
+    loads = [w for w in reactions.wrenches if w.kind in DISSIPATING and w.name not in joints]
+    parts = [_lost(j, quantities, reactions) for j in joints]
+    return sp.Add(*parts, *(-_power(w, quantities) for w in loads))
+
+
+def _lost(joint: str, quantities: Quantities, reactions: Reactions) -> sp.Expr:
+    scene = quantities.scene
+    parts = [-_power(w, quantities) for w in reactions.acting(joint) if w.name == joint]
+    for push, expr in reactions.pushes:
+        if reactions.joints.get(push.joint) != joint or push.kind != "friction":
+            continue
+        for a in push.actions:
+            surface = scene.surfaces.get(a.body)
+            if surface is not None and a.force is not None:
+                parts.append(-expr * a.force.dot(quantities.motion.velocity(a.point, a.body)))
+    return sp.Add(*parts)
+
+
+def _power(w: Wrench, quantities: Quantities) -> sp.Expr:
+    motion = quantities.motion
+    spin = w.couple * motion.velocities[w.body].angular
+    return spin if w.force is None else w.force.dot(motion.velocity(w.point, w.body)) + spin

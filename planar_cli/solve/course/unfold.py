@@ -1,0 +1,173 @@
+"""Finds the plot that happens: the motion is followed in numbers, and where an assumption ends the plot is changed.
+
+A first state that is known is followed at once. Where constants or velocities are sought, the equations give all
+branches first, and each is followed to see whether it happens so.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from decimal import Decimal
+
+import sympy as sp
+
+from planar_cli.equation.exact import Valuation
+from planar_cli.errors import Diagnostic, Mark, NoSolution, Undecided
+from planar_cli.problem.scene import Problem
+from planar_cli.solve.course.chain import Branch
+from planar_cli.solve.course.course import Course, first_plot, make_course
+from planar_cli.solve.course.finds import FindReader
+from planar_cli.solve.course.newton import refined
+from planar_cli.solve.course.plot import Plot, Workshop
+from planar_cli.solve.course.simulate import Followed, Follower, Start, certain_start, resting
+
+CHANGES = 40
+AGREE = 1e-6
+
+
+@dataclass(slots=True)
+class Unfolded:
+    """A course with the branch of its equations that happens, and how it was followed in numbers (None: it could not
+    be). `guessed`: letters whose values come from the numbers alone.
+    """
+
+    course: Course
+    finds: FindReader
+    branch: Branch
+    followed: Followed | None
+    value: Valuation
+    guessed: frozenset[sp.Symbol] = frozenset()
+
+
+@dataclass(slots=True)
+class Unfolder:
+    """Unfolds one problem. `tried`: choices of modes that failed, by stretch of a plot."""
+
+    problem: Problem
+    workshop: Workshop
+    units: dict[str, str]
+    tried: dict[tuple[str, ...], list[tuple[int, ...]]] = field(default_factory=dict)
+    why: str = ""
+
+    def run(self) -> Unfolded:
+        plot = first_plot(self.problem, self.workshop)
+        for _ in range(CHANGES):
+            course = make_course(self.problem, plot, self.workshop)
+            finds = FindReader(course, self.units)
+            finds.read()
+            course.read()
+            if course.still is not None and not course.states:
+                return Unfolded(course, finds, course.still.branch, None, course.base())
+            found = self._unfold(course, finds)
+            if isinstance(found, Unfolded):
+                return found
+            plot = found
+        raise Undecided("the contacts of this motion change too often")
+
+    def _unfold(self, course: Course, finds: FindReader) -> Unfolded | Plot:
+        """The course unfolded, or another plot to try."""
+        start = certain_start(course)
+        if start is Start.CONTRADICTS:
+            return self._next(course.plot, 0, "what is stated of the first state contradicts it")
+        if start is Start.OPEN:
+            return self._sought(course, finds)
+        assert isinstance(start, dict)
+        still = resting(course, start)
+        if still - course.plot.stretches[0].still:
+            return course.plot.stilled(still | course.plot.stretches[0].still)
+        return self._followed(course, finds, start)
+
+    def _next(self, plot: Plot, i: int, why: str) -> Plot:
+        """The same plot with another choice of modes on stretch i."""
+        return plot.changed(i, self._other(plot, i, why, plot.states[i].mark))
+
+    # --- a known start -----------------------------------------------------------------------------------------------
+
+    def _followed(self, course: Course, finds: FindReader, start: dict[sp.Symbol, Decimal]) -> Unfolded | Plot:
+        followed = Follower(course, course.base()).run({s: float(v) for s, v in start.items()})
+        changed = self._changed(course, followed)
+        if changed is not None:
+            return changed
+        if followed.missed is not None:
+            raise self._never(course, followed.missed)
+        chain = course.chain()
+        chain.truth = followed.values
+        branch = next(iter(chain.branches(course.equations)), Branch({}, {}, (), ()))
+        open_letters = [s for s in followed.values if s not in branch.values]
+        more = self._refined(course, branch, open_letters, followed)
+        guessed = {s for s in open_letters if s not in more}
+        more |= {s: Decimal(repr(followed.values[s])) for s in guessed}
+        value = course.base().extended({**more, **branch.values})
+        return Unfolded(course, finds, branch, followed, value, frozenset(guessed))
+
+    @staticmethod
+    def _refined(
+        course: Course, branch: Branch, unknowns: list[sp.Symbol], followed: Followed
+    ) -> dict[sp.Symbol, Decimal]:
+        """What no block gives alone, from all equations that are left together."""
+        if not unknowns:
+            return {}
+        known = course.base().extended(branch.values)
+        residuals = [e.residual for e in branch.left]
+        try:
+            return refined(residuals, unknowns, followed.values, known)
+        except ArithmeticError:
+            return {}
+
+    def _changed(self, course: Course, followed: Followed) -> Plot | None:
+        """The next plot to try, None when this one holds."""
+        plot = course.plot
+        if followed.misfit is not None:
+            return self._next(plot, followed.misfit, followed.why)
+        if followed.ends is not None:
+            return plot.turned(followed.ends.stretch, followed.ends.expr, followed.ends.words)
+        return None
+
+    def _other(self, plot: Plot, i: int, why: str, mark: Mark) -> tuple[int, ...]:
+        """Another choice of modes for a stretch, the natural ones first."""
+        name = tuple(s.name for s in plot.states[: i + 1])
+        failed = self.tried.setdefault(name, [])
+        failed.append(plot.stretches[i].choice)
+        self.why = self.why or why
+        for choice in self.workshop.drawn(plot.stretches[i].span).choices():
+            if choice not in failed:
+                return choice
+        raise NoSolution([Diagnostic(mark, "PL622", f"no assumption about the contacts holds from here on: {self.why}")])
+
+    @staticmethod
+    def _never(course: Course, state: str) -> NoSolution:
+        stop = course.stops[state]
+        text = "; ".join(d.text for d in course.demands[state])
+        return NoSolution([Diagnostic(stop.mark, "PL621", f"state {state} is never reached: {text}")])
+
+    # --- a start that is sought --------------------------------------------------------------------------------------
+
+    def _sought(self, course: Course, finds: FindReader) -> Unfolded | Plot:
+        """All branches of the equations; the first that, followed from its start, happens so."""
+        changed: Plot | None = None
+        branches = course.candidates()
+        for branch in branches:
+            value = course.base().extended(branch.values)
+            start = {s: branch.values[own] for s, own in course.first.letters.items() if own in branch.values}
+            if branch.left or set(start) != set(course.first.letters):
+                return Unfolded(course, finds, branch, None, value)
+            try:
+                followed = Follower(course, value).run({s: float(v) for s, v in start.items()})
+            except ArithmeticError:
+                continue
+            other = self._changed(course, followed)
+            if other is not None:
+                changed = changed or other
+                continue
+            if followed.missed is None and self._same(followed, branch):
+                return Unfolded(course, finds, branch, followed, value)
+        if changed is not None:
+            return changed
+        raise NoSolution([Diagnostic(course.states[0].mark, "PL620", "no motion passes through these states")])
+
+    @staticmethod
+    def _same(followed: Followed, branch: Branch) -> bool:
+        for s, v in followed.values.items():
+            if s in branch.values and abs(float(branch.values[s]) - v) > AGREE * max(abs(v), 1e-3):
+                return False
+        return True

@@ -1,0 +1,37 @@
+"""Passages of a solution that are told beside its equations: places as functions, curves and how they were found."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sp
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """Words before a line, and the line: an equation, or a formula."""
+
+    words: str
+    line: Any
+
+
+@dataclass(frozen=True, slots=True)
+class Passage:
+    """A sentence, and the lines that it introduces."""
+
+    heading: str
+    rows: tuple[Row, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Tale:
+    """What a part tells by itself. `whole`: its instants need no telling of their own, but for their checks."""
+
+    passages: tuple[Passage, ...]
+    whole: bool = True
+
+
+def told_function(function: Any) -> Row:
+    """A coordinate as a function, with the words from where it comes."""
+    return Row(function.words, sp.Eq(function.symbol, function.expr, evaluate=False))
