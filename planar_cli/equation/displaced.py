@@ -13,8 +13,10 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
+from planar_cli.equation.curves import curve_place
 from planar_cli.equation.motion import Edge, Tree
 from planar_cli.equation.plain import simplified
+from planar_cli.equation.pose import HERE, Pose
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND, Circle, Curve, Line, Round
 
@@ -37,37 +39,6 @@ class Coordinate:
     factor: sp.Expr
     words: str
     body: str
-
-
-@dataclass(frozen=True, slots=True)
-class Pose:
-    """Where a body is: what was drawn at `drawn` is at `place`; its angle was `before` and is `now`."""
-
-    drawn: Vec
-    place: Vec
-    before: sp.Expr = ZERO
-    now: sp.Expr = ZERO
-
-    @property
-    def turn(self) -> sp.Expr:
-        return self.now - self.before
-
-    def point(self, p: Vec) -> Vec:
-        """Where the material point is that was drawn at p."""
-        found: Vec = self.place + self.vector(p - self.drawn)
-        return found
-
-    def vector(self, v: Vec) -> Vec:
-        """A vector that turns with the body."""
-        if self.turn == 0 or (v.x == 0 and v.y == 0):
-            return v
-        c, s = sp.cos(self.before), sp.sin(self.before)
-        along, across = simplified(c * v.x + s * v.y), simplified(c * v.y - s * v.x)
-        c, s = sp.cos(self.now), sp.sin(self.now)
-        return Vec(along * c - across * s, along * s + across * c)
-
-
-HERE = Pose(Vec(ZERO, ZERO), Vec(ZERO, ZERO))
 
 
 @dataclass(frozen=True, slots=True)
@@ -132,10 +103,19 @@ class Displacer:
         """The file says where the body is; only an angle that it does not say may be left."""
         body = self.scene.bodies[edge.body]
         coordinates = set(self.scene.ledger.coordinates)
-        if edge.spin is None or body.theta.free_symbols & coordinates:
+        if edge.spin is None or body.theta.free_symbols & coordinates or self._turned_by_points(edge.body):
             return Pose(body.center, body.center, body.theta, body.theta)
         before, now = self._angle(edge)
         return Pose(body.center, body.center, before, now)
+
+    def _turned_by_points(self, name: str) -> bool:
+        """Does the file place another point of the body as its angle grows?"""
+        scene, coordinates = self.scene, set(self.scene.ledger.coordinates)
+        for point in scene.own_points:
+            arm = scene.point(point) - scene.bodies[name].center if scene.owner(point) == name else Vec(ZERO, ZERO)
+            if coordinates & (simplified(arm.x).free_symbols | simplified(arm.y).free_symbols):
+                return True
+        return False
 
     def _pose(self, edge: Edge) -> Pose:
         joining, body = edge.joining, self.scene.bodies[edge.body]
@@ -215,15 +195,13 @@ class Displacer:
         assert joining is not None
         assert joining.path is not None
         assert edge.slide is not None
-        variable, formula = self.scene.curve_formula(shape)
+        variable, at = curve_place(self.scene, shape)
         start, place = joining.point, joining.place
         if shape.kind == "y":
             name, unit, drawn, words = f"x_{place}", "m", start.x, f"x of {place}"
-            at = Vec(variable, formula)
         else:
             name, unit, words = f"phi_{place}", "rad", f"angle of {place}"
             drawn = simplified(sp.atan2(start.y, start.x))
-            at = Vec(formula * sp.cos(variable), formula * sp.sin(variable))
         slope = Vec(sp.diff(at.x, variable), sp.diff(at.y, variable))
         speed = sp.sqrt(simplified(slope.dot(slope)))
         symbol = self._coordinate(name, unit, drawn, edge.slide, ZERO, words, edge.body)

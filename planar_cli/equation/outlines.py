@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
+from planar_cli.equation.curves import carrier_pose, curve_place, parameter
 from planar_cli.equation.evaluate import refuse
 from planar_cli.equation.plain import simplified
 from planar_cli.errors import Mark
@@ -87,20 +88,31 @@ def _drift(scene: Scene, surface: Surface, tangent: Vec | None) -> Vec | None:
     return found
 
 
+def polar_angle(scene: Scene, point: Vec) -> sp.Expr:
+    """The angle of a place; of one that is written as (ρ cos φ, ρ sin φ) just φ, with its turns."""
+    for sine in sorted(point.y.atoms(sp.sin), key=str):
+        phi = sine.args[0]
+        along = point.x * sp.cos(phi) + point.y * sp.sin(phi)
+        if scene.is_zero(point.x * sp.sin(phi) - point.y * sp.cos(phi)) and scene.sign(along) > 0:
+            return sp.sympify(phi)
+    return sp.sympify(sp.atan2(point.y, point.x))
+
+
 def _curve(scene: Scene, surface: Surface, shape: Curve, point: Vec, mark: Mark) -> Outline:
-    """Tangent and signed curvature of y(x) or r(theta) at the point; the arc of the osculating circle."""
-    x, formula = scene.curve_formula(shape)
-    if shape.kind == "y":
-        place, sample = Vec(x, formula), point.x
-    else:
-        place, sample = Vec(formula * sp.cos(x), formula * sp.sin(x)), sp.atan2(point.y, point.x)
+    """Tangent and signed curvature of y(x) or r(theta) at the point; the arc of the osculating circle. They are those
+    as drawn, carried along by the body of the curve.
+    """
+    x, place = curve_place(scene, shape)
+    pose = carrier_pose(scene, surface)
+    sample = parameter(shape, pose, point, scene.sign)
     first = Vec(sp.diff(place.x, x), sp.diff(place.y, x))
     second = Vec(sp.diff(first.x, x), sp.diff(first.y, x))
     at = [Vec(v.x.subs(x, sample), v.y.subs(x, sample)) for v in (place, first, second)]
-    if not (scene.is_zero(at[0].x - point.x) and scene.is_zero(at[0].y - point.y)):
+    off = pose.point(at[0]) - point
+    if not (scene.is_zero(off.x) and scene.is_zero(off.y)):
         raise refuse(mark, "PL521", f"the point of contact is not on {surface.name}")
     speed = scene.length(at[1])
-    tangent = at[1] / speed
+    tangent = pose.vector(at[1] / speed)
     curvature = simplified(at[1].cross(at[2]) / speed**3)
     return Outline(
         "arc" if curvature != 0 else "straight",

@@ -87,7 +87,7 @@ class Quantities:
         for part in quantity.parts:
             if not isinstance(found, Vec):
                 raise refuse(part.mark, "PL551", f".{part.kind} of a number", "only a vector has parts")
-            found = self._part(found, part, quantity)
+            found = self.part(found, part, quantity)
         return found
 
     def _whole(self, q: Quantity) -> Jet | Vec:
@@ -314,7 +314,8 @@ class Quantities:
 
     # --- parts -------------------------------------------------------------------------------------------------------
 
-    def _part(self, v: Vec, part: Part, q: Quantity) -> Jet | Vec:
+    def part(self, v: Vec, part: Part, q: Quantity) -> Jet | Vec:
+        """One part of a vector."""
         match part.kind:
             case "x":
                 return parts_of(v)[0]

@@ -22,7 +22,6 @@ from planar_cli.problem.facts import Outline
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import (
     GROUND,
-    Curve,
     Line,
     Particle,
     Plate,
@@ -264,19 +263,6 @@ class Scene:
             found: Vec = reach / self.length(reach)
             return found
         return Vec(sp.cos(body.theta), sp.sin(body.theta))
-
-    def curve_formula(self, curve: Curve) -> tuple[sp.Symbol, sp.Expr]:
-        """The variable of a curve and its formula."""
-        name = "x" if curve.kind == "y" else "theta"
-        x = sp.Symbol(name, real=True)
-        saved = self.ledger.symbols.get(name)
-        self.ledger.symbols[name] = x
-        formula = self.value(curve.formula)
-        if saved is None:
-            del self.ledger.symbols[name]
-        else:
-            self.ledger.symbols[name] = saved
-        return x, formula
 
     def sign(self, expr: Any) -> int:
         """-1, 0 or 1, decided to all certain digits."""

@@ -7,7 +7,7 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.equation.plain import longer
+from planar_cli.equation.plain import longer, simplified
 from planar_cli.registry import members
 from planar_cli.report.blocks import Block, Equation, Heading, Line, Math, Name, Note, Paragraph, Text, line
 from planar_cli.report.checks import friction_against_limit
@@ -301,13 +301,24 @@ class Telling:
         """The roots that were not taken, with the reason."""
         sought = self.instant.sought
         choice = next((c for c in sought.branch.choices if c.symbol == x.symbol), None) if sought is not None else None
-        if choice is None or len(choice.roots) < 2 or self.phrases.symbolic:
+        if choice is None or len(choice.roots) < 2:
             return []
         left = [r for i, r in enumerate(choice.roots) if i != choice.taken]
+        if self.phrases.symbolic:
+            return self._other_formulas(x, left)
         parts: list[Any] = ["other roots: "]
         for i, root in enumerate(left):
             parts += [", " if i else "", self.phrases.shown(x.symbol, root.value)]
         return [Paragraph(line(*parts, f" ({self._root_reason(choice)})"))]
+
+    def _other_formulas(self, x: SolvedLine, left: list[Any]) -> list[Block]:
+        """Of letters only the speed of a motion the other way is said."""
+        if x.symbol not in self.system.tree.velocity_unknowns() or len(left) != 1 or left[0].expression is None:
+            return []
+        if simplified(left[0].expression + x.formula) != 0:
+            return []
+        other = self.phrases.math(left[0].expression)
+        return [Paragraph(line("The other root, ", other, ", is the same motion the opposite way; the positive one is taken."))]
 
     def _root_reason(self, choice: Any) -> str:
         reasons = {

@@ -119,7 +119,7 @@ def _closed(numerator: sp.Expr, x: sp.Symbol, value: Valuation) -> list[sp.Expr]
         return []
     poly = sp.Poly(flat, s, c)
     if poly.total_degree() != 1:
-        return _by_factors(numerator, x)
+        return _by_factors(numerator, x, value)
     a, b, k = poly.coeff_monomial(c), poly.coeff_monomial(s), poly.coeff_monomial(1)
     if k == 0:
         base = sp.atan(sp.cancel(-a / b)) if b != 0 else sp.pi / 2
@@ -128,13 +128,13 @@ def _closed(numerator: sp.Expr, x: sp.Symbol, value: Valuation) -> list[sp.Expr]
     return [lead + swing, lead - swing]
 
 
-def _by_factors(numerator: sp.Expr, x: sp.Symbol) -> list[sp.Expr]:
+def _by_factors(numerator: sp.Expr, x: sp.Symbol, value: Valuation) -> list[sp.Expr]:
     """The roots of every factor, sin x and cos x of sin x cos x; nothing unless all are closed."""
     factors = [f.base if f.is_Pow and f.exp.is_positive else f for f in sp.Mul.make_args(sp.factor(numerator))]
     factors = [f for f in factors if x in f.free_symbols]
     if len(factors) < 2 and numerator in factors:
         return []
-    found = [_closed(f, x) for f in factors]
+    found = [_closed(f, x, value) for f in factors]
     return [root for roots in found for root in roots] if all(found) else []
 
 

@@ -15,7 +15,7 @@ from planar_cli.equation.system import System
 from planar_cli.errors import Mark, NoSolution
 from planar_cli.problem.scene import Find, Problem
 from planar_cli.registry import members
-from planar_cli.solve.course.formulas import in_general, solve_formulas, without
+from planar_cli.solve.course.formulas import in_general, is_kinematic, solve_formulas, without
 from planar_cli.solve.course.paths import is_curve
 from planar_cli.solve.course.run import runs_in_time, solve_course
 from planar_cli.solve.diagnose import OPEN, explain_failure, place, singular_position
@@ -73,6 +73,11 @@ def solve_part(problem: Problem, case: str, units: dict[str, str], earlier: dict
     """One part: formulas and curves; a motion over time; or instants that are each complete in themselves."""
     if in_general(problem):
         return solve_formulas(problem, case, units, earlier)
+    if is_kinematic(problem):
+        try:
+            return solve_formulas(problem, case, units, earlier)
+        except (NoSolution, Unvalued):
+            pass
     if runs_in_time(problem):
         return solve_course(problem, case, units, earlier)
     curves = [f for f in problem.find if is_curve(f.found.what)]

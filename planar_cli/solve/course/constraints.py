@@ -14,9 +14,11 @@ from typing import Any
 import mpmath
 import sympy as sp
 
-from planar_cli.equation.displaced import HERE, Coordinate, Displacement
+from planar_cli.equation.curves import off_curve
+from planar_cli.equation.displaced import Coordinate, Displacement
 from planar_cli.equation.exact import DIGITS, Valuation
 from planar_cli.equation.plain import simplified
+from planar_cli.equation.pose import HERE
 from planar_cli.joints.base import Joint
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND, Curve, Surface
@@ -120,7 +122,7 @@ def constraints_of(
     for (joint, modes), index in zip(drawn.modes, choice, strict=True):
         curve = curve_under(drawn, joint)
         if curve is not None:
-            expr = _off_curve(drawn, joint, curve, displacement)
+            expr = _off_curve(drawn, joint, curve, poses)
             if expr != 0 and not _vanishes(expr, value, start):
                 found.append(Constraint(expr, f"{joint.name}: stays on {curve.name}", joint.name))
             continue
@@ -143,25 +145,15 @@ def curve_under(drawn: Instant, joint: Joint) -> Surface | None:
     return None
 
 
-def _off_curve(drawn: Instant, joint: Joint, surface: Surface, displacement: Displacement) -> sp.Expr:
-    """y - y(x), or r - r(θ), of the sliding point as the body of the curve sees it."""
+def _off_curve(drawn: Instant, joint: Joint, surface: Surface, poses: GeneralPoses) -> sp.Expr:
+    """y - y(x), or r - r(theta), of the sliding point as the body of the curve sees it."""
     scene = drawn.scene
     name = getattr(joint, "point", None) or getattr(joint, "at", None)
     assert name is not None
     assert isinstance(surface.shape, Curve)
-    place = scene.point(name)
-    owner = scene.owner(name, surface.body or GROUND)
-    if owner not in displacement.formula:
-        place = displacement.poses.get(owner, HERE).point(place)
-    carrier = displacement.poses.get(surface.body or GROUND, HERE)
-    seen = place - carrier.place
-    c, s = sp.cos(carrier.turn), sp.sin(carrier.turn)
-    at = carrier.drawn + Vec(c * seen.x + s * seen.y, c * seen.y - s * seen.x)
-    variable, formula = scene.curve_formula(surface.shape)
-    if surface.shape.kind == "y":
-        return simplified(at.y - formula.subs(variable, at.x))
-    angle = sp.atan2(at.y, at.x)
-    return simplified(at.dot(at) - formula.subs(variable, angle) ** 2)
+    place = poses.point(scene.owner(name, surface.body or GROUND), scene.point(name))
+    pose = poses.displacement.poses.get(surface.body or GROUND, HERE)
+    return off_curve(scene, surface.shape, pose, place, lambda e: 1 if poses.positive(e) else -1)
 
 
 def _vanishes(expr: sp.Expr, value: Valuation, start: Mapping[sp.Symbol, sp.Expr]) -> bool:

@@ -11,6 +11,7 @@ import sympy as sp
 from planar_cli.equation.evaluate import Evaluator
 from planar_cli.equation.jets import Jet
 from planar_cli.equation.motion import Motion, Twist
+from planar_cli.equation.plain import simplified
 from planar_cli.equation.quantities import Quantities
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.geometry import Vec
@@ -27,10 +28,25 @@ class Differentiated(Motion):
             place = Vec(regime.closed(body.center.x), regime.closed(body.center.y))
             turn = regime.closed(body.theta) if body.rigid else sp.S.Zero
             velocity = Vec(regime.derivative(place.x), regime.derivative(place.y))
-            spin = regime.derivative(turn)
+            spin = regime.derivative(turn) if body.rigid else sp.S.Zero
+            if body.rigid and spin == 0:
+                spin = self._by_points(regime, name, place)
             bend = Vec(regime.derivative(velocity.x), regime.derivative(velocity.y))
             self.velocities[name] = Twist(body.center, velocity, spin)
             self.accelerations[name] = Twist(body.center, bend, regime.derivative(spin))
+
+    @staticmethod
+    def _by_points(regime: Regime, name: str, center: Vec) -> sp.Expr:
+        """ω = r × ṙ / r² of another point of a body whose angle the file does not say."""
+        scene = regime.general.instant.scene
+        for point in sorted(scene.own_points):
+            if scene.owner(point) != name:
+                continue
+            arm = Vec(regime.closed(scene.point(point).x), regime.closed(scene.point(point).y)) - center
+            rate = Vec(regime.derivative(arm.x), regime.derivative(arm.y))
+            if rate.x != 0 or rate.y != 0:
+                return simplified(arm.cross(rate) / arm.dot(arm))
+        return sp.S.Zero
 
 
 def differentiated(regime: Regime) -> Quantities:

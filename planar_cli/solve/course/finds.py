@@ -18,11 +18,12 @@ from planar_cli.problem.expression import Grouped, Quantity, Relation
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import Find
 from planar_cli.solve.asked import quantities_in
-from planar_cli.solve.course.chain import Branch
 from planar_cli.solve.course.complete import TRUTHS, is_true
 from planar_cli.solve.course.course import Course
+from planar_cli.solve.course.route import Route
 from planar_cli.solve.course.paths import CurveReader, is_curve
 from planar_cli.solve.course.starts import started
+from planar_cli.solve.course.throughout import Throughout
 from planar_cli.solve.course.timeline import Reader, Stop
 from planar_cli.solve.passages import Passage
 from planar_cli.solve.solution import Found
@@ -50,6 +51,8 @@ class FindReader:
     course: Course
     units: dict[str, str]
     asked: list[Asked] = field(default_factory=list)
+    throughout: Throughout | None = None
+    passing: dict[str, Route] = field(default_factory=dict)
     curves: list[Passage] = field(default_factory=list)
 
     def read(self) -> None:
@@ -80,7 +83,7 @@ class FindReader:
 
     # --- answers -----------------------------------------------------------------------------------------------------
 
-    def answer(self, asked: Asked, branch: Branch, value: Valuation) -> Found:
+    def answer(self, asked: Asked, route: Route, value: Valuation) -> Found:
         find, what = asked.find, asked.find.found.what
         pure = parse_unit("1")
         mode = self._mode(what, asked)
@@ -89,7 +92,7 @@ class FindReader:
         if isinstance(what, Quantity) and what.word in TRUTHS:
             return Found(find.name, "truth", pure, None, None, "true" if is_true(self.course, what, value) else "false", find)
         if is_curve(what):
-            starts = started(self.course, asked.reader.regime, lambda s: self.closed(s, branch), value)
+            starts = started(self.course, asked.reader.regime, lambda s: self.closed(s, route), value)
             found, passage = CurveReader(asked.reader.regime, starts).answer(find)
             self.curves.append(passage)
             return found
@@ -99,7 +102,11 @@ class FindReader:
             number = Decimal(0) if value.is_zero(parts[0] - parts[1]) else number
             truth = {"<": number < 0, ">": number > 0, "<=": number <= 0, ">=": number >= 0, "=": not number}
             return Found(find.name, "truth", pure, None, None, "true" if truth[what.operator] else "false", find)
-        closed = tuple(self.closed(p, branch) for p in parts)
+        passing = None if self.throughout is None else self.throughout.route(parts)
+        if passing is not None:
+            self.passing[find.name] = passing
+            parts = [self.put_in(p, passing) for p in parts]
+        closed = tuple(self.closed(p, route) for p in parts)
         letters = set(self.course.base().values) | self._varying()
         symbolic = any(letters & c.free_symbols for c in closed)
         values = None if symbolic else tuple(self._number(p, value) for p in parts)
@@ -123,15 +130,19 @@ class FindReader:
         number = value(expr)
         return Decimal(0) if number and value.is_zero(expr) else number
 
-    def closed(self, expr: sp.Expr, branch: Branch) -> sp.Expr:
-        """The formula of a find down to the names of the file."""
+    @staticmethod
+    def put_in(expr: sp.Expr, route: Route) -> sp.Expr:
+        """An expression with the formulas of a route put in, all the way down."""
         for _ in range(60):
-            inside = {s: branch.formulas[s] for s in expr.free_symbols if s in branch.formulas}
-            if not inside:
+            inside = {s: route.formulas[s] for s in expr.free_symbols if s in route.formulas}
+            if not inside or longer(expr, 3000):
                 break
             expr = expr.xreplace(inside)
-            if longer(expr, 3000):
-                return expr
+        return expr
+
+    def closed(self, expr: sp.Expr, route: Route) -> sp.Expr:
+        """The formula of a find down to the names of the file."""
+        expr = self.put_in(expr, route)
         if expr.is_number or expr.is_Symbol or longer(expr, 600):
             return expr
         return simplified(expr)

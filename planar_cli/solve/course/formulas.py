@@ -23,7 +23,7 @@ from planar_cli.problem.dimensions import dimension_of
 from planar_cli.problem.expression import Name, Quantity, Relation
 from planar_cli.problem.formulas import formulas
 from planar_cli.problem.geometry import Vec
-from planar_cli.problem.scene import Find, Problem
+from planar_cli.problem.scene import Find, Polar, Problem
 from planar_cli.problem.walk import walk
 from planar_cli.solve.asked import quantities_in
 from planar_cli.solve.course.differentiated import differentiated, rates_put_in
@@ -34,9 +34,12 @@ from planar_cli.solve.course.regime import Regime
 from planar_cli.solve.course.stories import places_told
 from planar_cli.solve.passages import Passage, Tale
 from planar_cli.solve.solution import Found, PartSolution
+from planar_cli.solve.verify import Disagreement
+from planar_cli.solve.worked import unknowns_of
 from planar_cli.units import parse_unit
 
 CLOSED_OPS = 90
+AGREE = Decimal("1e-25")
 FORCES = frozenset(("N", "friction", "reaction", "moment", "tension", "force", "power", "mode"))
 
 
@@ -47,6 +50,14 @@ def in_general(problem: Problem) -> bool:
     if all(is_curve(f.found.what) for f in problem.find):
         return True
     return any(isinstance(n, Name) and n.name == "t" for f in formulas(problem) for n in walk(f.tree))
+
+
+def is_kinematic(problem: Problem) -> bool:
+    """Is it all about places that are written with coordinates, without masses, loads and forces?"""
+    if problem.instant is not None or problem.states or not problem.coordinates or problem.loads:
+        return False
+    massive = any(b.mass is not None or b.weight is not None or b.any_mass for b in problem.bodies)
+    return not massive and not any(asks_forces(f) for f in problem.find)
 
 
 def general_regime(problem: Problem, earlier: Mapping[str, Any], exprs_of: Any) -> Regime:
@@ -80,6 +91,9 @@ def solve_formulas(
     found = tuple(reader.answer(f) for f in problem.find)
     solution = regime.general.solution
     assert solution is not None
+    if reader.compared:
+        lines = solution.checks.setdefault("lines", [])
+        lines.append("the derivatives of the places are the velocities and accelerations of the joints")
     return PartSolution(case, (solution,), found, None, Tale(reader.passages(), not reader.kinetic))
 
 
@@ -114,6 +128,7 @@ class FormulaReader:
     units: Mapping[str, str]
     regime: Regime
     curves: list[Passage] = field(default_factory=list)
+    compared: int = 0
     _quantities: Quantities | None = None
     _functions: Functions | None = None
 
@@ -156,7 +171,10 @@ class FormulaReader:
             word = self._word(find, what)
             return Found(find.name, "word" if isinstance(what, Quantity) else "truth", pure, None, None, word, find)
         quantities = self.regime.general.quantities if asks_forces(find) else self.quantities
-        parts = tuple(self.closed(e, find) for e in _values(find, quantities))
+        raw = _values(find, quantities)
+        if not asks_forces(find):
+            self._check(find, raw)
+        parts = tuple(self.closed(e, find) for e in raw)
         varying = set(self.regime.general.instant.scene.ledger.letters)
         values = None
         if not any(p.free_symbols & varying for p in parts):
@@ -168,10 +186,21 @@ class FormulaReader:
         shown = parts if values is None or short else None
         return Found(find.name, kind, self._unit(find), values, shown, "", find, energy, parts)
 
+    def _check(self, find: Find, raw: tuple[sp.Expr, ...]) -> None:
+        """The derivatives of places are what the joints say of velocities and accelerations."""
+        outcome = self.regime.general.trial.outcomes[0]
+        rates = rates_put_in(self.regime)
+        value = outcome.value.extended(unknowns_of(self.regime.general.trial.system, outcome))
+        for ours, theirs in zip(raw, _values(find, self.regime.general.quantities), strict=True):
+            one, other = value(self.regime.closed(ours.xreplace(rates))), value(theirs)
+            if abs(one - other) > AGREE * max(abs(one), abs(other), Decimal("1e-20")):
+                raise Disagreement(f"{find.name}: the derivative of the place is {one:.6g}, the joints give {other:.6g}")
+        self.compared += len(raw)
+
     def closed(self, expr: sp.Expr, find: Find) -> sp.Expr:
         """A formula in t and the coordinates of the file; our own coordinates are put in as functions of time."""
         expr = self.regime.closed(expr.xreplace(rates_put_in(self.regime)))
-        expr = simplified(self.functions.put_in(expr))
+        expr = simplified(self._unsigned(self.functions.put_in(expr)))
         scene = self.regime.general.instant.scene
         own = {c.symbol: c for c in self.regime.coordinates if c.symbol not in scene.ledger.coordinates}
         left = [c for s, c in own.items() if s in expr.free_symbols]
@@ -183,6 +212,22 @@ class FormulaReader:
         if loose := sorted(s.name for s in expr.free_symbols & set(self.regime.free) - speeds):
             raise self._open(find, f"{loose[0]}, {self.regime.general.trial.system.titles.get(sp.Symbol(loose[0], real=True), 'a velocity')}")
         return expr
+
+    def _unsigned(self, expr: sp.Expr) -> sp.Expr:
+        """|e| is e where the file writes a distance with it: distances are not negative."""
+        if not expr.has(sp.Abs):
+            return expr
+        scene = self.regime.general.instant.scene
+        distances = [scene.value(p.place.distance) for p in self.problem.points if isinstance(p.place, Polar)]
+
+        def plain(size: sp.Expr) -> sp.Expr:
+            inside = size.args[0]
+            for sign in (1, -1):
+                if any(d.free_symbols and simplified(sign * inside / d).is_positive for d in distances):
+                    return sign * inside
+            return size
+
+        return expr.replace(lambda e: isinstance(e, sp.Abs), plain)
 
     @staticmethod
     def _open(find: Find, words: str) -> Exception:

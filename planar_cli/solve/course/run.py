@@ -11,6 +11,8 @@ from planar_cli.problem.scene import Problem
 from planar_cli.problem.walk import walk
 from planar_cli.solve.course.complete import completed
 from planar_cli.solve.course.plot import Workshop
+from planar_cli.solve.course.route import Router
+from planar_cli.solve.course.throughout import Throughout
 from planar_cli.solve.course.timeline import SPANNED
 from planar_cli.solve.course.unfold import Unfolder
 from planar_cli.solve.passages import Tale
@@ -43,7 +45,15 @@ def _timed(node: Any) -> bool:
 def solve_course(problem: Problem, case: str, units: dict[str, str], earlier: Mapping[str, Any]) -> PartSolution:
     """All finds of a problem whose states follow each other in time."""
     found = completed(Unfolder(problem, Workshop(earlier), units).run())
-    answers = tuple(found.finds.answer(a, found.branch, found.value) for a in found.finds.asked)
+    course = found.course
+    unknowns = course.chain().unknowns
+    targets = {s for a in found.finds.asked for p in a.parts for s in found.finds.settled(a, p).free_symbols}
+    router = Router(course.equations, unknowns, found.value, course.symbolic)
+    found.route = router.route(sorted(targets & unknowns, key=lambda s: s.name))
+    begun = router.route(course.first.letters.values())
+    start = {s: found.finds.closed(s, begun) for s in course.first.letters.values()}
+    found.finds.throughout = Throughout(course, found.followed, found.value, start)
+    answers = tuple(found.finds.answer(a, found.route, found.value) for a in found.finds.asked)
     instants = tuple(
         r.general.solution for r in found.course.distinct_regimes() if r.general.solution is not None
     )

@@ -8,12 +8,14 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.evaluate import refuse
+from planar_cli.equation.plain import simplified
 from planar_cli.equation.quantities import Quantities
 from planar_cli.equation.reactions import Reactions
 from planar_cli.problem.expression import Quantity, Relation
 from planar_cli.problem.facts import Wrench
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
+from planar_cli.solve.course.regime import Regime
 from planar_cli.solve.course.timeline import Reader
 
 DISSIPATING = ("damper", "drag", "skid")
@@ -40,7 +42,7 @@ def rates_of(q: Quantity, reader: Reader) -> tuple[sp.Expr, ...]:
         case "work":
             return (quantities.scalar(replace(q, word="power", at=None)).value,)
         case "heat":
-            return (_heat(q.things[0], quantities),)
+            return (_heat(q.things[0], quantities, reader.regime),)
     return (_push(q, quantities),)
 
 
@@ -81,28 +83,31 @@ def _on_bodies(q: Quantity, reactions: Reactions) -> list[Wrench]:
     return [w for w in acting if name not in bodies or w.body == name]
 
 
-def _heat(name: str, quantities: Quantities) -> sp.Expr:
+def _heat(name: str, quantities: Quantities, regime: Regime) -> sp.Expr:
     """What a joint, or everything, takes out of the motion: minus the power of all that it does, on both sides."""
     reactions = quantities.reactions
     assert reactions is not None
     if name != "all":
-        return _lost(name, quantities, reactions)
+        return _lost(name, quantities, reactions, regime)
     joints = dict.fromkeys(reactions.joints.values())
     loads = [w for w in reactions.wrenches if w.kind in DISSIPATING and w.name not in joints]
-    parts = [_lost(j, quantities, reactions) for j in joints]
+    parts = [_lost(j, quantities, reactions, regime) for j in joints]
     return sp.Add(*parts, *(-_power(w, quantities) for w in loads))
 
 
-def _lost(joint: str, quantities: Quantities, reactions: Reactions) -> sp.Expr:
-    scene = quantities.scene
+def _lost(joint: str, quantities: Quantities, reactions: Reactions, regime: Regime) -> sp.Expr:
+    """Minus the power of a joint; a belt, which is no body, moves with the rate of the row that measures the slip."""
     parts = [-_power(w, quantities) for w in reactions.acting(joint) if w.name == joint]
+    motion = quantities.motion
     for push, expr in reactions.pushes:
-        if reactions.joints.get(push.joint) != joint or push.kind != "friction":
+        mode = regime.general.trial.system.modes.get(push.joint)
+        if reactions.joints.get(push.joint) != joint or push.kind != "friction" or mode is None or mode.sliding is None:
             continue
-        for a in push.actions:
-            surface = scene.surfaces.get(a.body)
-            if surface is not None and a.force is not None:
-                parts.append(-expr * a.force.dot(quantities.motion.velocity(a.point, a.body)))
+        row = mode.sliding
+        if row.rate != 0:
+            along = sp.Add(*(a.force.dot(motion.velocity(a.point, a.body)) for a in push.actions if a.force is not None))
+            same = simplified(along - motion.row_velocity(row) - row.rate) == 0
+            parts.append(expr * row.rate if same else -expr * row.rate)
     return sp.Add(*parts)
 
 

@@ -23,6 +23,7 @@ from planar_cli.problem.expression import (
     Extreme,
     Grouped,
     JustAfter,
+    Part,
     Quantity,
     Relation,
     Side,
@@ -136,10 +137,30 @@ class Reader:
         self.spans[symbol] = q
         return symbol
 
+    def _over(self, q: Quantity) -> Jet | Vec:
+        """Stand-ins for a quantity over a span: of a vector for both components, which `parts` then name."""
+        whole = replace(q, parts=())
+        vector = q.word == "impulse" and len(q.things) == 1
+        if q.word == "mean":
+            assert q.argument is not None
+            assert not isinstance(q.argument, Relation)
+            vector = isinstance(self.any(q.argument), Vec)
+        if not vector:
+            return constant(self._span(whole))
+        x, y = (self._span(replace(q, parts=(Part(k, None, q.mark),))) for k in ("x", "y"))
+        found: Jet | Vec = Vec(constant(x), constant(y))
+        for part in q.parts:
+            if part.kind in ("t", "n", "r", "theta") or not isinstance(found, Vec):
+                raise refuse(part.mark, "PL551", f".{part.kind} of {q.word}(…) over a span", "ask .x .y .mag or .along(…)")
+            found = self.quantities().part(found, part, q)
+        return found
+
     def any(self, side: Side) -> Jet | Vec:
         """A side as a jet or a vector of jets, in the unknowns of the general position."""
         if isinstance(side, Quantity):
-            if isinstance(side.at, tuple) or side.word in SPANNED:
+            if isinstance(side.at, tuple):
+                return self._over(side)
+            if side.word in SPANNED:
                 return constant(self._span(side))
             if side.at is not None:
                 return self._there(side.at, replace(side, at=None))
@@ -193,6 +214,10 @@ class Reader:
         found = self.any(side)
         assert isinstance(found, Jet)
         return found.value
+
+    def relation(self, s: Relation) -> list[tuple[Any, ...]]:
+        """One relation: operators, what vanishes or is compared with zero, and what must be positive besides."""
+        return [parts for item in grouped([s], self.any) for _, parts in self._relation(item)]
 
     def _relation(self, item: Relation | VectorStatement) -> list[tuple[Relation, tuple[Any, ...]]]:
         """A relation, or one or two about a vector, with what vanishes and what must be positive."""

@@ -19,6 +19,7 @@ from planar_cli.solve.course.course import Course, first_plot, make_course
 from planar_cli.solve.course.finds import FindReader
 from planar_cli.solve.course.newton import refined
 from planar_cli.solve.course.plot import Plot, Workshop
+from planar_cli.solve.course.route import Route
 from planar_cli.solve.course.simulate import Followed, Follower, Start, certain_start, resting
 
 CHANGES = 40
@@ -28,7 +29,7 @@ AGREE = 1e-6
 @dataclass(slots=True)
 class Unfolded:
     """A course with the branch of its equations that happens, and how it was followed in numbers (None: it could not
-    be). `guessed`: letters whose values come from the numbers alone.
+    be). `guessed`: letters whose values come from the numbers alone. `route`: the way that is told.
     """
 
     course: Course
@@ -37,6 +38,7 @@ class Unfolded:
     followed: Followed | None
     value: Valuation
     guessed: frozenset[sp.Symbol] = frozenset()
+    route: Route | None = None
 
 
 @dataclass(slots=True)

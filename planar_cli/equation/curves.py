@@ -1,0 +1,85 @@
+"""Curves y(x) and r(theta) as drawn in the axes of the body that carries them, wherever that body is now."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+import sympy as sp
+
+from planar_cli.equation.plain import simplified
+from planar_cli.equation.pose import HERE, Pose
+from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scene import GROUND, Curve, Surface
+
+if TYPE_CHECKING:
+    from planar_cli.equation.scene import Scene
+
+ZERO = sp.S.Zero
+Sign = Callable[[sp.Expr], int]
+
+
+def curve_place(scene: Scene, curve: Curve) -> tuple[sp.Symbol, Vec]:
+    """The variable of a curve (x in m, or theta in rad), and the place that goes with it, in the axes as drawn."""
+    x, formula = curve_formula(scene, curve)
+    return x, Vec(x, formula) if curve.kind == "y" else Vec(formula * sp.cos(x), formula * sp.sin(x))
+
+
+def curve_formula(scene: Scene, curve: Curve) -> tuple[sp.Symbol, sp.Expr]:
+    """The variable of a curve and its formula."""
+    name = "x" if curve.kind == "y" else "theta"
+    x = sp.Symbol(name, real=True)
+    symbols = scene.ledger.symbols
+    saved = symbols.get(name)
+    symbols[name] = x
+    formula = scene.value(curve.formula)
+    if saved is None:
+        del symbols[name]
+    else:
+        symbols[name] = saved
+    return x, formula
+
+
+def carrier_pose(scene: Scene, surface: Surface) -> Pose:
+    """Where the body of a surface is now."""
+    poses = scene.displacement.poses if scene.displacement is not None else {}
+    return poses.get(surface.body or GROUND, HERE)
+
+
+def parameter(curve: Curve, pose: Pose, point: Vec, sign: Sign) -> sp.Expr:
+    """The x or theta of a place as the carrier of the curve sees it; theta counts the turns of the carrier. `sign`: of an
+    expression as drawn.
+    """
+    seen = point - pose.point(Vec(ZERO, ZERO))
+    if curve.kind == "y":
+        return simplified(sp.cos(pose.turn) * seen.x + sp.sin(pose.turn) * seen.y)
+    return _direction(seen, sign) - pose.turn
+
+
+def _direction(seen: Vec, sign: Sign) -> sp.Expr:
+    """The angle of a vector: one of its own letters where it is written with that angle, so that turns are counted."""
+    if seen.x == 0:
+        return sign(seen.y) * sp.pi / 2
+    if seen.y == 0:
+        return ZERO if sign(seen.x) >= 0 else sp.pi
+    for s in sorted(seen.x.free_symbols & seen.y.free_symbols, key=lambda s: s.name):
+        if simplified(seen.x * sp.sin(s) - seen.y * sp.cos(s)) == 0:
+            return s if sign(seen.x * sp.cos(s) + seen.y * sp.sin(s)) >= 0 else s + sp.pi
+    return simplified(sp.atan2(seen.y, seen.x))
+
+
+def off_curve(scene: Scene, curve: Curve, pose: Pose, point: Vec, sign: Sign) -> sp.Expr:
+    """What vanishes where a place is on the curve: y - y(x), or r - r(theta)."""
+    variable, formula = curve_formula(scene, curve)
+    at = parameter(curve, pose, point, sign)
+    seen = point - pose.point(Vec(ZERO, ZERO))
+    if curve.kind == "y":
+        height = sp.cos(pose.turn) * seen.y - sp.sin(pose.turn) * seen.x
+        return simplified(height - formula.subs(variable, at))
+    square = simplified(seen.dot(seen))
+    length = sp.sqrt(square)
+    if length.has(sp.Abs):
+        length = length.replace(sp.Abs, lambda a: sign(a) * a)
+    if length.atoms(sp.Pow) - square.atoms(sp.Pow):
+        return simplified(square - formula.subs(variable, at) ** 2)
+    return simplified(length - formula.subs(variable, at))

@@ -1,0 +1,318 @@
+"""The cheapest way through the equations of a motion to what is asked, and that way worked out in symbols.
+
+An unknown follows from one equation in which all others are known, or from two or three equations together. The cost of
+an unknown is that of its equations and of all that they need; the cheapest derivation of every unknown is found in
+order of cost (Knuth's generalisation of Dijkstra's algorithm). All values are known beforehand, so that only equations
+count that really fix their unknown there, and of several roots the one that happens is taken.
+"""
+
+from __future__ import annotations
+
+import heapq
+import itertools
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
+from decimal import Decimal
+
+import sympy as sp
+
+from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.equation.plain import longer, simplified
+from planar_cli.errors import Undecided
+from planar_cli.solve.course.closed import closed_roots
+from planar_cli.solve.course.equations import Equation
+from planar_cli.solve.roots import Root
+
+TOGETHER = 0.8
+"""What solving equations together costs beside them."""
+HIDDEN = 1.5
+"""What it costs to solve for an unknown inside sines or exponentials."""
+Edge = tuple[tuple[Equation, ...], tuple[sp.Symbol, ...], frozenset[sp.Symbol], float]
+DATA = ("given", "drawn", "start", "turn", "motion")
+
+
+@dataclass(frozen=True, slots=True)
+class Derivation:
+    """Unknowns from equations, all else in them being known."""
+
+    equations: tuple[Equation, ...]
+    unknowns: tuple[sp.Symbol, ...]
+    needs: frozenset[sp.Symbol]
+    cost: float
+
+
+@dataclass(frozen=True, slots=True)
+class Result:
+    """One line: unknown = formula = value; `roots`: all roots of its equation, with those that do not happen."""
+
+    unknown: sp.Symbol
+    formula: sp.Expr | None
+    value: Decimal
+    roots: tuple[Root, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Leg:
+    """One derivation worked out. `datum`: it only says what is given."""
+
+    derivation: Derivation
+    results: tuple[Result, ...]
+    datum: bool
+
+
+@dataclass(slots=True)
+class Route:
+    """The way to the targets: legs in order; `formulas` of all that was derived; `plain`: data that are put in at once
+    (zeros and names of the file).
+    """
+
+    legs: tuple[Leg, ...]
+    formulas: dict[sp.Symbol, sp.Expr]
+    plain: dict[sp.Symbol, sp.Expr] = field(default_factory=dict)
+
+
+class Router:
+    """Plans over the equations of one motion. `value`: numbers of everything; `unknowns`: letters of states and sought
+    constants.
+    """
+
+    def __init__(
+        self, equations: Sequence[Equation], unknowns: frozenset[sp.Symbol], value: Valuation, symbolic: bool
+    ) -> None:
+        self.unknowns, self.value, self.symbolic = unknowns, value, symbolic
+        self.plain = self._plain(equations)
+        self.equations = [e for e in equations if self._inside(e)]
+
+    def residual(self, equation: Equation) -> sp.Expr:
+        """With zeros and names of the file put in."""
+        return equation.residual.xreplace(self.plain) if self.plain else equation.residual
+
+    def _inside(self, equation: Equation) -> frozenset[sp.Symbol]:
+        return frozenset(s for s in self.residual(equation).free_symbols if s in self.unknowns)
+
+    def _plain(self, equations: Sequence[Equation]) -> dict[sp.Symbol, sp.Expr]:
+        """Data that need no line: zeros, names of the file, times from which time is counted; and what stays so."""
+        found: dict[sp.Symbol, sp.Expr] = {}
+        changed = True
+        while changed:
+            changed = False
+            for e in equations:
+                if e.kind not in (*DATA, "v(t)", "link", "q(t)"):
+                    continue
+                residual = e.residual.xreplace(found)
+                inside = [s for s in residual.free_symbols if s in self.unknowns]
+                if len(inside) != 1 or inside[0] in found:
+                    continue
+                x = inside[0]
+                slope = sp.diff(residual, x)
+                if slope.free_symbols & {x} or slope == 0:
+                    continue
+                datum = simplified(-residual.subs(x, 0) / slope)
+                if datum == 0 or (datum.is_Symbol and e.kind in DATA):
+                    found[x] = datum
+                    found = {k: v.xreplace({x: datum}) for k, v in found.items()}
+                    changed = True
+        return found
+
+    # --- plan --------------------------------------------------------------------------------------------------------
+
+    def route(self, targets: Iterable[sp.Symbol]) -> Route:
+        """The way to all targets that can be derived."""
+        targets = list(targets)
+        edges = self._edges()
+        best = self._cheapest(edges)
+        if any(t not in best and t not in self.plain for t in targets):
+            best = self._cheapest(edges + self._rings())
+        order: list[Derivation] = []
+        for target in sorted(targets, key=lambda s: best[s].cost if s in best else 1e9):
+            self._collect(target, best, order)
+        formulas: dict[sp.Symbol, sp.Expr] = dict(self.plain)
+        legs = []
+        for derivation in order:
+            leg = self._work(derivation)
+            if leg is None:
+                continue
+            legs.append(leg)
+            formulas |= {r.unknown: r.formula for r in leg.results if r.formula is not None}
+        return Route(tuple(legs), formulas, self.plain)
+
+    def _collect(self, target: sp.Symbol, best: dict[sp.Symbol, Derivation], order: list[Derivation]) -> None:
+        derivation = best.get(target)
+        if derivation is None or derivation in order:
+            return
+        for need in sorted(derivation.needs, key=lambda s: s.name):
+            self._collect(need, best, order)
+        if derivation not in order:
+            order.append(derivation)
+
+    def _cheapest(self, edges: list[Edge]) -> dict[sp.Symbol, Derivation]:
+        """The cheapest derivation of every unknown, found in order of cost."""
+        waiting = {i: len(needs) for i, (_, _, needs, _) in enumerate(edges)}
+        users: dict[sp.Symbol, list[int]] = {}
+        for i, (_, _, needs, _) in enumerate(edges):
+            for s in needs:
+                users.setdefault(s, []).append(i)
+        costs: dict[sp.Symbol, float] = {}
+        best: dict[sp.Symbol, Derivation] = {}
+        queue: list[tuple[float, int]] = [(edges[i][3], i) for i, n in waiting.items() if n == 0]
+        heapq.heapify(queue)
+        while queue:
+            cost, i = heapq.heappop(queue)
+            equations, unknowns, needs, _ = edges[i]
+            fresh = [x for x in unknowns if x not in best]
+            if not fresh:
+                continue
+            derivation = Derivation(equations, unknowns, needs, cost)
+            for x in fresh:
+                best[x], costs[x] = derivation, cost
+                for j in users.get(x, ()):
+                    waiting[j] -= 1
+                    if waiting[j] == 0:
+                        heapq.heappush(queue, (edges[j][3] + sum(costs[s] for s in edges[j][2]), j))
+        return best
+
+    def _edges(self) -> list[Edge]:
+        """Every unknown from one equation, every two from two."""
+        found: list[Edge] = []
+        small: list[tuple[Equation, frozenset[sp.Symbol]]] = []
+        for e in self.equations:
+            inside = self._inside(e)
+            small.append((e, inside))
+            for x in inside:
+                hidden = self._hidden(e, x)
+                if hidden is not None:
+                    found.append(((e,), (x,), inside - {x}, e.cost + 0.05 * len(inside) + hidden))
+        for (e, a), (f, b) in itertools.combinations(small, 2):
+            shared = a & b
+            if e.kind in DATA and f.kind in DATA and len(shared) < 2:
+                continue
+            for pair in itertools.combinations(sorted(shared, key=lambda s: s.name), 2):
+                if self._regular((e, f), pair):
+                    hidden = sum(self._hidden(g, x) or 0.0 for g in (e, f) for x in pair) / 2
+                    cost = e.cost + f.cost + TOGETHER + hidden + 0.05 * len(a | b)
+                    found.append(((e, f), pair, (a | b) - set(pair), cost))
+        return found
+
+    def _rings(self) -> list[Edge]:
+        """Three unknowns from three equations, each of which shares one with each of the others."""
+        found: list[Edge] = []
+        inside = [(e, self._inside(e)) for e in self.equations if not e.residual.has(sp.Integral)]
+        for (e, a), (f, b), (g, c) in itertools.combinations(inside, 3):
+            if not (a & b and b & c and c & a):
+                continue
+            for three in {frozenset(t) for t in itertools.product(a & b, b & c, c & a) if len(set(t)) == 3}:
+                unknowns = tuple(sorted(three, key=lambda s: s.name))
+                if self._regular((e, f, g), unknowns):
+                    cost = e.cost + f.cost + g.cost + 2 * TOGETHER + 0.05 * len(a | b | c)
+                    found.append(((e, f, g), unknowns, (a | b | c) - three, cost))
+        return found
+
+    def _hidden(self, equation: Equation, x: sp.Symbol) -> float | None:
+        """What it costs to solve for x: nothing where it enters plainly. None: the equation does not fix x here."""
+        residual = self.residual(equation)
+        slope = sp.diff(residual, x)
+        try:
+            if self.value.is_zero(slope):
+                return None if x not in slope.free_symbols else self._double(slope, x)
+        except (ArithmeticError, Unvalued):
+            return None
+        if residual.has(sp.Integral):
+            return HIDDEN if equation.kind != "t(q)" or x in _outer(residual) else None
+        if x not in slope.free_symbols:
+            return 0.0
+        return 0.3 if residual.is_polynomial(x) else HIDDEN
+
+    def _double(self, slope: sp.Expr, x: sp.Symbol) -> float | None:
+        """A double root, as at a turning point, still fixes x if the equation is quadratic there."""
+        try:
+            return None if self.value.is_zero(sp.diff(slope, x)) else HIDDEN
+        except (ArithmeticError, Unvalued):
+            return None
+
+    def _regular(self, equations: tuple[Equation, ...], unknowns: tuple[sp.Symbol, ...]) -> bool:
+        """Do as many equations fix these unknowns?"""
+        if any(e.residual.has(sp.Integral) for e in equations):
+            return False
+        try:
+            rows = [[self.value(sp.diff(self.residual(e), x)) for x in unknowns] for e in equations]
+        except (ArithmeticError, Unvalued):
+            return False
+        scaled = [[c / (max(abs(v) for v in row) or Decimal(1)) for c in row] for row in rows]
+        return abs(_determinant(scaled)) > Decimal("1e-18")
+
+    # --- work --------------------------------------------------------------------------------------------------------
+
+    def _work(self, derivation: Derivation) -> Leg | None:
+        """Solve in symbols; of several roots the one with the known value."""
+        pool = [self.residual(e) for e in derivation.equations]
+        left = list(derivation.unknowns)
+        back: list[tuple[sp.Symbol, sp.Expr]] = []
+        while len(pool) > 1:
+            step = _linear_step(pool, left, self.value)
+            if step is None:
+                break
+            index, x, formula = step
+            pool.pop(index)
+            pool = [simplified(r.xreplace({x: formula})) for r in pool]
+            back.append((x, formula))
+            left.remove(x)
+        results: list[Result] = []
+        if len(pool) == 1:
+            results.append(self._single(pool[0], left[0]))
+            results += [Result(x, formula, self.value(x)) for x, formula in reversed(back)]
+        else:
+            results = [Result(x, None, self.value(x)) for x in derivation.unknowns]
+        datum = len(derivation.equations) == 1 and derivation.equations[0].kind in DATA and not derivation.needs
+        return Leg(derivation, tuple(results), datum)
+
+    def _single(self, residual: sp.Expr, x: sp.Symbol) -> Result:
+        truth = self.value(x)
+        try:
+            roots = closed_roots(residual, x, self.value, truth, self.symbolic)
+        except Undecided:
+            roots = []
+        taken = next((r for r in roots if _same(r.value, truth)), None)
+        formula = None if taken is None else taken.expression
+        return Result(x, formula, truth, tuple(roots))
+
+
+def _determinant(rows: list[list[Decimal]]) -> Decimal:
+    if len(rows) == 1:
+        return rows[0][0]
+    total = Decimal(0)
+    for j, c in enumerate(rows[0]):
+        total += (-1) ** j * c * _determinant([row[:j] + row[j + 1 :] for row in rows[1:]])
+    return total
+
+
+def _same(a: Decimal, b: Decimal) -> bool:
+    return abs(a - b) <= Decimal("1e-11") * max(abs(a), abs(b), Decimal("1e-6"))
+
+
+def _outer(residual: sp.Expr) -> set[sp.Symbol]:
+    """Symbols outside of integrals."""
+    return set().union(*(a.free_symbols for a in sp.Add.make_args(residual) if not a.has(sp.Integral)))
+
+
+def _linear_step(
+    pool: list[sp.Expr], left: list[sp.Symbol], value: Valuation
+) -> tuple[int, sp.Symbol, sp.Expr] | None:
+    """An equation that is linear in an unknown which it really contains; the shortest formula."""
+    found: list[tuple[int, int, sp.Symbol, sp.Expr]] = []
+    for x in left:
+        for index, residual in enumerate(pool):
+            slope = sp.diff(residual, x)
+            if slope == 0 or x in slope.free_symbols:
+                continue
+            try:
+                if value.is_zero(slope):
+                    continue
+            except (ArithmeticError, Unvalued):
+                continue
+            formula = simplified(-(residual - slope * x).expand() / slope) if not longer(residual, 60) else None
+            formula = -sp.expand(residual - slope * x) / slope if formula is None else formula
+            found.append((int(sp.count_ops(formula)), index, x, formula))
+    if not found:
+        return None
+    _, index, x, formula = min(found, key=lambda f: (f[0], f[2].name))
+    return index, x, formula

@@ -1,0 +1,89 @@
+"""Formulas that hold throughout a motion: speeds by the place (first integral), or everything by the time."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from decimal import Decimal
+
+import sympy as sp
+
+from planar_cli.equation.exact import Valuation
+from planar_cli.solve.course.course import Course
+from planar_cli.solve.course.equations import Equation, law_equations, link_equations
+from planar_cli.solve.course.newton import refined
+from planar_cli.solve.course.route import Route, Router
+from planar_cli.solve.course.simulate import Followed
+from planar_cli.solve.course.timeline import Stop
+
+
+@dataclass(slots=True)
+class Throughout:
+    """Speeds and places between the first state and the next, by the file's own coordinates or by t."""
+
+    course: Course
+    followed: Followed | None
+    value: Valuation
+    start: dict[sp.Symbol, sp.Expr]
+
+    def route(self, parts: Sequence[sp.Expr]) -> Route | None:
+        """The way to the varying letters of these formulas; None where they are to stay, or cannot be told."""
+        regime = self.course.regimes[0]
+        letters = set(regime.letters)
+        own = self._own()
+        inside = {s for p in parts for s in p.free_symbols if s in letters}
+        targets = inside - own - {regime.time}
+        alone = len(parts) == 1 and parts[0] in own
+        if self.followed is None or not self.followed.legs or (not targets and not alone):
+            return None
+        for fixed in ([own] if own and not alone else []) + [{regime.time}]:
+            wanted = inside - fixed
+            found = self._by(fixed, wanted)
+            if found is not None and wanted <= set(found.formulas):
+                return found
+        return None
+
+    def _own(self) -> set[sp.Symbol]:
+        """The coordinates of the file."""
+        names = {c.name for c in self.course.problem.coordinates}
+        return {s for s in self.course.regimes[0].letters if s.name in names}
+
+    def _by(self, fixed: set[sp.Symbol], wanted: set[sp.Symbol]) -> Route | None:
+        """The letters wanted as functions of the fixed ones."""
+        course, regime = self.course, self.course.regimes[0]
+        now = Stop("", (), {s: s for s in regime.letters})
+        equations: list[Equation] = [
+            *law_equations(course.laws[0], course.first, now, regime, regime.general.value),
+            *link_equations(course.laws[0], course.first, now, regime),
+        ]
+        if regime.time not in fixed:
+            equations = [e for e in equations if regime.time not in e.residual.free_symbols]
+        value = self._sample(fixed, equations)
+        if value is None:
+            return None
+        begun = [self._begun(e) for e in equations]
+        router = Router(begun, frozenset(set(regime.letters) - fixed), value, True)
+        return router.route(sorted(wanted, key=lambda s: s.name))
+
+    def _begun(self, equation: Equation) -> Equation:
+        """With what is known of the first state put in."""
+        return replace(equation, residual=equation.residual.xreplace(self.start))
+
+    def _sample(self, fixed: set[sp.Symbol], equations: Sequence[Equation]) -> Valuation | None:
+        """Numbers of a moment in the middle of the first stretch, to all digits."""
+        assert self.followed is not None
+        leg = self.followed.legs[0]
+        middle = leg.t0 + 0.43 * (leg.t1 - leg.t0) if leg.t1 > leg.t0 else leg.t0 + 0.5
+        try:
+            here = leg.at(middle)
+        except ArithmeticError:
+            return None
+        exact = {s: Decimal(repr(here[s])) for s in fixed}
+        known = self.value.extended(exact)
+        rest = {s: here[s] for s in self.course.regimes[0].letters if s not in fixed}
+        try:
+            more = refined([e.residual for e in equations], list(rest), rest, known)
+        except ArithmeticError:
+            return None
+        return known.extended({**{s: Decimal(repr(v)) for s, v in rest.items()}, **more})
+
