@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import sympy as sp
@@ -47,13 +48,40 @@ def carrier_pose(scene: Scene, surface: Surface) -> Pose:
 
 
 def parameter(curve: Curve, pose: Pose, point: Vec, sign: Sign) -> sp.Expr:
-    """The x or theta of a place as the carrier of the curve sees it; theta counts the turns of the carrier. `sign`: of an
-    expression as drawn.
+    """The x or theta of a place as the carrier of the curve sees it; theta counts the turns of the carrier. `sign`: of
+    an expression as drawn.
     """
     seen = point - pose.point(Vec(ZERO, ZERO))
     if curve.kind == "y":
         return simplified(sp.cos(pose.turn) * seen.x + sp.sin(pose.turn) * seen.y)
     return _direction(seen, sign) - pose.turn
+
+
+@dataclass(frozen=True, slots=True)
+class Bend:
+    """A curve at one of its points: the place, the unit tangent towards growing x or theta, the curvature (1/m)."""
+
+    place: Vec
+    tangent: Vec
+    curvature: sp.Expr
+
+
+def bend_at(scene: Scene, curve: Curve, pose: Pose, point: Vec) -> Bend:
+    """A curve where a point of it is now: what is drawn, carried along by its body."""
+    x, formula = curve_formula(scene, curve)
+    at = parameter(curve, pose, point, scene.sign)
+    f, first, second = (sp.diff(formula, x, n).subs(x, at) for n in range(3))
+    if curve.kind == "y":
+        # y'' / (1 + y'²)^(3/2)
+        along, out, cross = Vec(sp.S.One, first), Vec(at, f), second
+        speed, tangent, place = scene.length(along), pose.vector(along), pose.point(out)
+    else:
+        # (r² + 2 r'² - r r'') / (r² + r'²)^(3/2), in parts along and across r, which stands still where its end does.
+        angle = at + pose.turn
+        radial = Vec(sp.cos(angle), sp.sin(angle))
+        speed, cross = scene.length(Vec(first, f)), f**2 + 2 * first**2 - f * second
+        tangent, place = radial * first + radial.turned() * f, pose.point(Vec(ZERO, ZERO)) + radial * f
+    return Bend(place, tangent / speed, simplified(cross / speed**3))
 
 
 def _direction(seen: Vec, sign: Sign) -> sp.Expr:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import replace
+from itertools import pairwise
 from typing import Any
 
 import sympy as sp
@@ -56,15 +57,25 @@ class Moving:
         return self._scene.bodies[body].mass
 
     def size(self, magnitude: Side | Table, mark: Mark) -> sp.Expr:
-        """A magnitude, which may use velocities."""
+        """A magnitude, which may use velocities, or a table over time."""
         if isinstance(magnitude, Table):
-            raise refuse(
-                mark,
-                "PL590",
-                "a table over time belongs to a motion over time",
-                "at one instant write the value that acts then",
-            )
+            return self._over_time(magnitude, mark)
         return quantities_of(self._scene, self._motion, None).evaluator.value(magnitude)
+
+    def _over_time(self, table: Table, mark: Mark) -> sp.Expr:
+        """Straight lines between the instants of a table, constant before the first and after the last."""
+        scene = self._scene
+        time = scene.ledger.symbols["t"]
+        if time not in scene.ledger.letters and time not in scene.ledger.values:
+            hint = "say at which time: `t = 2 s`"
+            raise refuse(mark, "PL590", "a table over time has a value only at a time that is known", hint)
+        rows = [(scene.value(when), scene.value(value)) for when, value in table.rows]
+        pieces: list[tuple[sp.Expr, Any]] = [(rows[0][1], time < rows[0][0])]
+        for (t0, v0), (t1, v1) in pairwise(rows):
+            if self.sign(t1 - t0) <= 0:
+                raise refuse(table.mark, "PL592", "the instants of a table must follow each other", "sort its rows")
+            pieces.append((v0 + (v1 - v0) / (t1 - t0) * (time - t0), time < t1))
+        return sp.Piecewise(*pieces, (rows[-1][1], True))
 
     def with_relations(self, relations: tuple[Statement, ...], expr: sp.Expr) -> sp.Expr:
         """An expression at other values of the coordinates: `relaxed_at: [theta = 30 deg]`."""

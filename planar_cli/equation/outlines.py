@@ -6,9 +6,8 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from planar_cli.equation.curves import carrier_pose, curve_place, parameter
+from planar_cli.equation.curves import bend_at, carrier_pose
 from planar_cli.equation.evaluate import refuse
-from planar_cli.equation.plain import simplified
 from planar_cli.errors import Mark
 from planar_cli.problem.facts import Outline
 from planar_cli.problem.geometry import Vec
@@ -102,18 +101,11 @@ def _curve(scene: Scene, surface: Surface, shape: Curve, point: Vec, mark: Mark)
     """Tangent and signed curvature of y(x) or r(theta) at the point; the arc of the osculating circle. They are those
     as drawn, carried along by the body of the curve.
     """
-    x, place = curve_place(scene, shape)
-    pose = carrier_pose(scene, surface)
-    sample = parameter(shape, pose, point, scene.sign)
-    first = Vec(sp.diff(place.x, x), sp.diff(place.y, x))
-    second = Vec(sp.diff(first.x, x), sp.diff(first.y, x))
-    at = [Vec(v.x.subs(x, sample), v.y.subs(x, sample)) for v in (place, first, second)]
-    off = pose.point(at[0]) - point
+    bend = bend_at(scene, shape, carrier_pose(scene, surface), point)
+    off = bend.place - point
     if not (scene.is_zero(off.x) and scene.is_zero(off.y)):
         raise refuse(mark, "PL521", f"the point of contact is not on {surface.name}")
-    speed = scene.length(at[1])
-    tangent = pose.vector(at[1] / speed)
-    curvature = simplified(at[1].cross(at[2]) / speed**3)
+    tangent, curvature = bend.tangent, bend.curvature
     return Outline(
         "arc" if curvature != 0 else "straight",
         surface.body or "ground",

@@ -38,7 +38,10 @@ def solution_data(solution: Solution, verdicts: Sequence[Verdict], figures: int,
         "outcome": "solved",
         "answers": {f.name: _answer(f, part, figures) for part in solution.parts for f in part.found},
         "plan": _plan(solution, method),
-        "steps": [step for case, instant in instants for step in _steps(case, instant)],
+        "steps": [
+            *(step for case, instant in instants for step in _steps(case, instant)),
+            *(step for part in solution.parts for step in _passages(part)),
+        ],
         "checks": [str(text) for _, instant in instants for text in instant.checks.get("lines", ())],
         "stated": [_verdict(v) for v in verdicts],
         "effects": _effects(instant for _, instant in instants),
@@ -130,6 +133,20 @@ def _steps(case: str, instant: InstantSolution) -> list[dict[str, Any]]:
     for stage in instant.stages:
         steps += [{**place, "stage": stage.level, **step} for step in _of_stage(stage, instant)]
     return steps
+
+
+def _passages(part: PartSolution) -> list[dict[str, Any]]:
+    """The lines about places over time and about curves."""
+    passages = part.tale.passages if part.tale is not None else ()
+    return [
+        {
+            "case": part.case,
+            "kind": "passage",
+            "heading": p.heading,
+            "lines": [{"words": r.words, "line": text_of(r.line)} for r in p.rows],
+        }
+        for p in passages
+    ]
 
 
 def _of_stage(stage: Stage, instant: InstantSolution) -> list[dict[str, Any]]:

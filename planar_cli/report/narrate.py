@@ -6,7 +6,7 @@ from planar_cli.report.blocks import Answer, Block, Document, Heading, Note, Par
 from planar_cli.report.checks import check_blocks
 from planar_cli.report.discussion import discussion_lines
 from planar_cli.report.effects import effect_notes
-from planar_cli.report.passages import curve_line, tale_blocks
+from planar_cli.report.passages import tale_blocks
 from planar_cli.report.telling import Telling
 from planar_cli.report.words import Phrases, answer_line
 from planar_cli.solve.solution import InstantSolution, PartSolution, Solution
@@ -50,10 +50,11 @@ def part_blocks(
             blocks += Telling(instant, phrases_of(instant, figures), audience, _wanted(part, why)).blocks()
     phrases = phrases_of(part.instants[-1], figures)
     if part.tale is not None:
+        blocks += [Heading("STEP 1", "Kinematic analysis")] if part.tale.whole and part.tale.passages else []
         blocks += tale_blocks(part.tale, phrases)
     for found in part.found:
         if why is None or found.name == why:
-            told = curve_line(found, phrases) if found.curve is not None else answer_line(found, phrases)
+            told = answer_line(found, phrases)
             blocks.append(Answer(found.name, told, ":" if found.word or found.curve is not None else "="))
     for instant in part.instants:
         blocks += check_blocks(instant, phrases_of(instant, figures))

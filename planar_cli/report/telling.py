@@ -231,7 +231,8 @@ class Telling:
                 if joint.path is not None:
                     return f"{joint.place} stays on its path on {base}, across which nothing moves:"
                 return f"{joint.place} is a point of {joint.mover} and of {base}; {w.words}:"
-        return f"{w.lead[:1].upper()}{w.lead[1:]}{', ' + w.words if w.words and w.source != 'row' else ''}:"
+        words = w.words.removeprefix(w.lead).removeprefix(", ")
+        return f"{w.lead[:1].upper()}{w.lead[1:]}{', ' + words if words and w.source != 'row' else ''}:"
 
     def _moment_words(self, w: Written, group: str, stage: Stage) -> Line:
         centre = stage.centres.get(w.lead)

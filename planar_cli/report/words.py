@@ -8,6 +8,7 @@ from typing import Any
 
 import sympy as sp
 
+from planar_cli.calculus.curve_words import Curve
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.equation.ledger import Ledger, display
 from planar_cli.equation.plain import PRINTABLE, longer
@@ -109,6 +110,8 @@ def si_text(unit: Unit) -> str:
 
 def answer_line(found: Found, phrases: Phrases) -> Line:
     """The answer of a find: its value with unit and direction, its formula, or its word."""
+    if found.curve is not None:
+        return curve_line(found.curve, phrases)
     if found.word:
         return (Text(answer_word(found)),)
     if found.values is None:
@@ -127,6 +130,21 @@ def answer_line(found: Found, phrases: Phrases) -> Line:
     words = direction_words(found, numbers[0])
     shown = abs(numbers[0]) if words else numbers[0]
     return (Value(shown, unit, phrases.figures), Text(f" {words}" if words else ""))
+
+
+def curve_line(curve: Curve, phrases: Phrases) -> Line:
+    """The name of a curve, its equation with the units of its numbers, and where that holds."""
+    from planar_cli.report.notation import plain
+
+    parts: list[Any] = [Text(curve.told(plain))]
+    if curve.equation is not None:
+        parts += [Text(", "), phrases.math(curve.equation)]
+        if not phrases.letters:
+            hodograph = any(s.name.startswith("v") for s in curve.equation.free_symbols)
+            parts.append(Text(" (in m/s)" if hodograph else " (in m)"))
+    if curve.holds:
+        parts.append(Text(f", {curve.holds}"))
+    return tuple(parts)
 
 
 def _vector_line(numbers: list[Decimal], unit: str, figures: int, place: bool) -> Line:

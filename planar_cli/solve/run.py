@@ -12,7 +12,7 @@ from planar_cli.equation.evaluate import refuse
 from planar_cli.equation.exact import Unvalued
 from planar_cli.equation.setup import Earlier, first_unit
 from planar_cli.equation.system import System
-from planar_cli.errors import Mark, NoSolution
+from planar_cli.errors import FileProblem, Mark, NoSolution
 from planar_cli.problem.scene import Find, Problem
 from planar_cli.registry import members
 from planar_cli.solve.course.formulas import in_general, is_kinematic, solve_formulas, without
@@ -88,6 +88,10 @@ def solve_part(problem: Problem, case: str, units: dict[str, str], earlier: dict
         try:
             return solve_states(problem, case, always, units, earlier, solve_instant)
         except NoSolution:
+            return solve_course(problem, case, units, earlier)
+        except FileProblem as error:
+            if any(d.code != "PL560" for d in error.diagnostics):
+                raise
             return solve_course(problem, case, units, earlier)
     try:
         solution, found = solve_instant(

@@ -66,7 +66,8 @@ class Chain:
     """`unknowns` in the order of their states. `times`: of them, each with the time before it (None: the first).
 
     `angles`: unknowns that are angles, each with the one from which its turns are counted. `truth`: values to twelve
-    digits where the motion was followed in numbers; then only the roots next to them are taken.
+    digits where the motion was followed in numbers; then only the roots next to them are taken. `leaning`: values near
+    by, of which at least the sign stays.
     """
 
     unknowns: frozenset[sp.Symbol]
@@ -76,6 +77,7 @@ class Chain:
     symbolic: bool
     accept: Callable[[dict[sp.Symbol, Decimal]], bool] = lambda values: True
     truth: Mapping[sp.Symbol, float] = field(default_factory=dict)
+    leaning: Mapping[sp.Symbol, float] = field(default_factory=dict)
 
     def branches(self, equations: Sequence[Equation]) -> Iterator[Branch]:
         """All branches, those with earlier times first where the order tells."""
@@ -200,6 +202,8 @@ class Chain:
         every = self._roots(residual, x, here)
         for taken, root in enumerate(every):
             if x in self.truth and not _near(root.value, self.truth[x]):
+                continue
+            if x in self.leaning and float(root.value) * self.leaning[x] < 0:
                 continue
             after = {**values, x: root.value}
             forms = dict(formulas)

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING
+
+import sympy as sp
 
 from planar_cli.equation.exact import Valuation
 from planar_cli.problem.expression import Quantity
 from planar_cli.solve.course.chain import Branch
 from planar_cli.solve.course.course import Course
 from planar_cli.solve.course.oscillation import check_oscillations, oscillation_at, stability
+from planar_cli.solve.course.over_spans import solve_spans
 
 if TYPE_CHECKING:
     from planar_cli.solve.course.unfold import Unfolded
@@ -30,7 +34,26 @@ def completed(found: Unfolded) -> Unfolded:
         )
     value = found.value.extended(still.values)
     check_oscillations(course, value)
-    return replace(found, branch=branch, value=value)
+    for letter in still.values:
+        formula = _resolved(letter, still.formulas)
+        if not formula.free_symbols & set(still.values):
+            course.told[letter] = formula
+    spans = solve_spans(course, value) if course.spanned else ()
+    for s in spans:
+        if s.formula is not None:
+            course.told.setdefault(s.symbol, s.formula)
+    value = value.extended({s.symbol: s.number for s in spans})
+    return replace(found, branch=branch, value=value, spans=spans)
+
+
+def _resolved(expr: sp.Expr, formulas: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
+    """Formulas put into each other."""
+    for _ in range(len(formulas) + 1):
+        inside = {s: formulas[s] for s in expr.free_symbols if s in formulas}
+        if not inside:
+            break
+        expr = expr.xreplace(inside)
+    return expr
 
 
 def is_true(course: Course, q: Quantity, value: Valuation) -> bool:

@@ -18,6 +18,7 @@ from planar_cli.solve.course.chain import Branch, Chain
 from planar_cli.solve.course.equations import (
     Equation,
     Laws,
+    at_limits,
     drawn_equations,
     law_equations,
     laws_of,
@@ -26,6 +27,7 @@ from planar_cli.solve.course.equations import (
     resting_equations,
     stated_equations,
 )
+from planar_cli.solve.course.over_spans import Asked, ask_spans, tell_spans
 from planar_cli.solve.course.plot import Plot, Stretch, Workshop, fixed_time, spans_of
 from planar_cli.solve.course.plot import Span as PlotSpan
 from planar_cli.solve.course.regime import Regime
@@ -39,7 +41,7 @@ TINY = Decimal("1e-15")
 @dataclass(slots=True)
 class Course:
     """The motion of one problem along one plot. `regimes[i]` acts from state i to the next. `told`: what stand-ins for
-    quantities about states are; `still`: the equilibrium states, solved.
+    quantities about states are; `still`: the equilibrium states, solved; `spanned`: quantities over spans.
     """
 
     problem: Problem
@@ -54,6 +56,7 @@ class Course:
     equations: list[Equation] = field(default_factory=list)
     told: dict[sp.Symbol, sp.Expr] = field(default_factory=dict)
     still: Still | None = None
+    spanned: dict[sp.Symbol, Asked] = field(default_factory=dict)
 
     @property
     def states(self) -> tuple[State, ...]:
@@ -106,17 +109,30 @@ class Course:
         raw = {s.name: self.readers[s.name].raw(s.relations) for s in self.states}
         always = {s.name: self.readers[s.name].raw(self._places(i)) for i, s in enumerate(self.states)}
         beside = {s.name: self.readers[s.name].raw(s.relations) for s, _ in self.plot.equilibria}
+        self.spanned = ask_spans(self)
         for regime in self.distinct_regimes():
             exprs = [e for r in self.distinct_readers() if r.regime is regime for e in r.exprs]
             regime.work(exprs)
         tell_oscillations(self)
+        if self.spanned:
+            tell_spans(self, raw)
         self.still = stand_still(self, beside)
         for s in self.states:
             reader = self.readers[s.name]
             self.demands[s.name] = reader.demands(self.stops[s.name], raw[s.name])
             self.placed[s.name] = reader.demands(self.stops[s.name], always[s.name])
         self.laws = [laws_of(r) for r in self.regimes]
-        self.equations = [*self._stated(), *self._moving()] if self.states else []
+        self.equations = at_limits([*self._stated(), *self._moving()], self.infinite()) if self.states else []
+
+    def infinite(self) -> dict[sp.Symbol, sp.Expr]:
+        """Letters that become infinite in their state."""
+        found = {}
+        for state in self.states:
+            for d in self.demands[state.name]:
+                if d.kind == "limit":
+                    letter = max(d.residual.free_symbols, key=lambda s: s in self.stops[state.name].letters.values())
+                    found[letter] = sp.oo if sp.diff(d.residual, letter) == 1 else -sp.oo
+        return found
 
     def _places(self, i: int) -> tuple[Statement, ...]:
         """What `motion` says of places all the time, where state i is reached."""
@@ -176,10 +192,14 @@ class Course:
     def sought(self) -> list[sp.Symbol]:
         return [self.ledger.symbols[s.name] for s in self.problem.unknowns if s.name in self.ledger.symbols]
 
+    def parameters(self) -> set[sp.Symbol]:
+        """What has no number of its own: letters of the file, as they were drawn."""
+        return set(self.base().values) - set(self.still.branch.values if self.still else ())
+
     @property
     def symbolic(self) -> bool:
         """Do letters of the file stay in the equations?"""
-        parameters = set(self.base().values) - set(self.still.branch.values if self.still else ())
+        parameters = self.parameters()
         return any(e.residual.free_symbols & parameters for e in self.equations)
 
     def chain(self) -> Chain:

@@ -25,6 +25,8 @@ from planar_cli.solve.course.timeline import Demand, Stop
 COSTS = {"given": 0.1, "turn": 0.2, "drawn": 0.1, "start": 0.1, "motion": 0.5, "link": 0.6, "q(t)": 1.0, "v(t)": 1.0, "v(q)": 1.05,
          "t(v)": 1.1, "q(v)": 1.1, "t(q)": 1.3, "loop": 1.2, "extreme": 0.8}  # fmt: skip
 
+DATA = ("given", "drawn", "start", "turn", "motion")
+
 
 @dataclass(frozen=True, slots=True)
 class Equation:
@@ -316,6 +318,24 @@ def _placed_elsewhere(regime: Regime, first: Stop) -> frozenset[sp.Symbol]:
         if driven <= set(drawn) and all(there.is_zero(c.residual) for c in held):
             return frozenset()
     return driven
+
+
+def at_limits(equations: list[Equation], infinite: Mapping[sp.Symbol, sp.Expr]) -> list[Equation]:
+    """Relations of states at infinity: their limits, where these are finite."""
+    found = []
+    for e in equations:
+        letters = [s for s in infinite if s in e.residual.free_symbols]
+        if not letters:
+            found.append(e)
+            continue
+        if e.kind in DATA or e.residual.has(sp.Integral):
+            continue
+        residual = e.residual
+        for letter in letters:
+            residual = sp.limit(residual, letter, infinite[letter])
+        if isinstance(residual, sp.Expr) and not residual.has(sp.oo, -sp.oo, sp.nan, sp.zoo, sp.Limit, sp.AccumBounds):
+            found.append(replace(e, residual=residual, words=f"{e.words}, in the limit"))
+    return found
 
 
 def stated_equations(demands: Iterable[Demand], kind: str = "given") -> Iterator[Equation]:

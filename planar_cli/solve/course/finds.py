@@ -107,10 +107,10 @@ class FindReader:
             self.passing[find.name] = passing
             parts = [self.put_in(p, passing) for p in parts]
         closed = tuple(self.closed(p, route) for p in parts)
-        letters = set(self.course.base().values) | self._varying()
+        letters = self.course.parameters() | self._varying()
         symbolic = any(letters & c.free_symbols for c in closed)
         values = None if symbolic else tuple(self._number(p, value) for p in parts)
-        short = all(not longer(c, CLOSED_OPS) and not rounded_inside(c) for c in closed)
+        short = all(not longer(c, CLOSED_OPS) and not rounded_inside(c) and not c.atoms(sp.Dummy) for c in closed)
         kind = "vector" if len(parts) == 2 else "number"
         energy = any(q.word in ("KE", "PE", "work", "heat") for q in quantities_in(what))
         return Found(

@@ -94,7 +94,8 @@ def solve_formulas(
     if reader.compared:
         lines = solution.checks.setdefault("lines", [])
         lines.append("the derivatives of the places are the velocities and accelerations of the joints")
-    return PartSolution(case, (solution,), found, None, Tale(reader.passages(), not reader.kinetic))
+    whole = not reader.kinetic and not reader.by_joints
+    return PartSolution(case, (solution,), found, None, Tale(reader.passages(), whole))
 
 
 def asks_forces(find: Find) -> bool:
@@ -150,6 +151,14 @@ class FormulaReader:
     def kinetic(self) -> bool:
         """Do forces tell the motion, or is one asked?"""
         return bool(self.regime.free and self._massive()) or any(asks_forces(f) for f in self.problem.find)
+
+    @property
+    def by_joints(self) -> bool:
+        """Do joints, not `motion` alone, tell how fast coordinates change that stand in the finds?"""
+        if all(is_curve(f.found.what) for f in self.problem.find):
+            return False
+        varying = {c.symbol for c in self.regime.coordinates}
+        return any(r.free_symbols & varying for s, r in self.regime.rates.items() if s not in self.functions.found)
 
     def _massive(self) -> bool:
         return any(b.mass != 0 for b in self.regime.general.instant.scene.bodies.values())
@@ -262,8 +271,12 @@ class FormulaReader:
     def passages(self) -> tuple[Passage, ...]:
         """Places and their derivatives, then the curves."""
         finds = [f for f in self.problem.find if not is_curve(f.found.what) and not asks_forces(f)]
-        told = () if self.kinetic or not finds else places_told(self.regime, self.quantities, self.functions, finds)
+        told = () if self.kinetic or not finds else self._places(finds)
         return (*told, *self.curves)
+
+
+    def _places(self, finds: list[Find]) -> tuple[Passage, ...]:
+        return places_told(self.regime, self.quantities, self.functions, finds, not self.by_joints)
 
 
 def without(problem: Problem, finds: Iterable[Find]) -> Problem:

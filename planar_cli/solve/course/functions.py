@@ -91,7 +91,7 @@ class Functions:
                 continue
             expr = self._solved(residual, unknown[0].symbol)
             if expr is not None:
-                words = "given" if c.kind == "motion" else f"{c.title}, kept"
+                words = "given" if c.kind == "motion" else f"{c.title} does not change"
                 return Function(unknown[0].symbol, expr, words)
         return None
 

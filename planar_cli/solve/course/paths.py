@@ -58,7 +58,8 @@ class CurveReader:
         value = scene.valuations[0]
         curve = curve_of(exprs.x, exprs.y, parameter, value, axes, polar, letters)
         words = self._words(q, curve, value)
-        passage = Passage(self._heading(q), self._rows(place, functions, exprs, curve, axes))
+        heading = self._heading(q) + self._meaning(parameter, exprs)
+        passage = Passage(heading, self._rows(place, functions, exprs, curve, axes))
         return self._found(find, curve, words), passage
 
     def _found(self, find: Find, curve: Curve, words: str) -> Found:
@@ -181,17 +182,28 @@ class CurveReader:
     def _heading(self, q: Quantity) -> str:
         point = q.things[0]
         if q.word == "hodograph":
-            return f"Hodograph of {point}, the curve of the tip of its velocity drawn from one point:"
+            return f"Hodograph of {point}, the curve of the tip of its velocity drawn from one point"
         if len(q.things) < 2 or q.things[1] == GROUND:
-            return f"Path of {point}:"
+            return f"Path of {point}"
         other = q.things[1]
         body = self.frame(q)
         if body is None:
-            return f"Path of {point} seen from a frame that moves with {other} and does not turn, {other} its origin:"
+            return f"Path of {point} seen from a frame that moves with {other} and does not turn, {other} its origin"
         shape = self.regime.general.instant.scene.bodies[body].shape
         if isinstance(shape, Rod):
-            return f"Path of {point} seen from {other}, its origin at {shape.start} and its x axis along {other}:"
-        return f"Path of {point} seen from {other}, its origin at the centre and its axes turning with {other}:"
+            return f"Path of {point} seen from {other}, its origin at {shape.start} and its x axis along {other}"
+        return f"Path of {point} seen from {other}, its origin at the centre and its axes turning with {other}"
+
+    def _meaning(self, parameter: sp.Symbol, exprs: Vec) -> str:
+        """What a coordinate is that the file does not name."""
+        scene = self.regime.general.instant.scene
+        own = next((c for c in self.regime.coordinates if c.symbol == parameter), None)
+        if own is None or parameter in scene.ledger.coordinates:
+            return ":"
+        if parameter not in exprs.x.free_symbols | exprs.y.free_symbols:
+            return ":"
+        since = " from where it is drawn" if own.drawn == 0 and own.words.startswith("way") else ""
+        return f", {parameter.name} the {own.words}{since}:"
 
     def _rows(
         self, place: Vec, functions: Functions, exprs: Vec, curve: Curve, axes: tuple[str, str]

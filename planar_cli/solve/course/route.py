@@ -20,7 +20,7 @@ from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.errors import Undecided
 from planar_cli.solve.course.closed import closed_roots
-from planar_cli.solve.course.equations import Equation
+from planar_cli.solve.course.equations import DATA, Equation
 from planar_cli.solve.roots import Root
 
 TOGETHER = 0.8
@@ -28,7 +28,6 @@ TOGETHER = 0.8
 HIDDEN = 1.5
 """What it costs to solve for an unknown inside sines or exponentials."""
 Edge = tuple[tuple[Equation, ...], tuple[sp.Symbol, ...], frozenset[sp.Symbol], float]
-DATA = ("given", "drawn", "start", "turn", "motion")
 
 
 @dataclass(frozen=True, slots=True)

@@ -11,6 +11,7 @@ from planar_cli.problem.scene import Problem
 from planar_cli.problem.walk import walk
 from planar_cli.solve.course.complete import completed
 from planar_cli.solve.course.plot import Workshop
+from planar_cli.solve.course.reached import reaching
 from planar_cli.solve.course.route import Router
 from planar_cli.solve.course.throughout import Throughout
 from planar_cli.solve.course.timeline import SPANNED
@@ -44,7 +45,8 @@ def _timed(node: Any) -> bool:
 
 def solve_course(problem: Problem, case: str, units: dict[str, str], earlier: Mapping[str, Any]) -> PartSolution:
     """All finds of a problem whose states follow each other in time."""
-    found = completed(Unfolder(problem, Workshop(earlier), units).run())
+    workshop = Workshop(earlier)
+    found = completed(reaching(problem, lambda p: Unfolder(p, workshop, units).run()))
     course = found.course
     unknowns = course.chain().unknowns
     targets = {s for a in found.finds.asked for p in a.parts for s in found.finds.settled(a, p).free_symbols}

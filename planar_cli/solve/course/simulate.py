@@ -91,6 +91,8 @@ class Follower:
             if i + 1 >= len(course.states):
                 break
             done.at = state
+            if any(d.kind == "limit" for d in course.demands[course.states[i + 1].name]):
+                continue
             begun = self._begin(regime, state)
             why = self._misfit(regime, begun, state)
             if why:
@@ -162,10 +164,27 @@ class Follower:
             self.done.legs.append(Leg(regime, leg.flow, t0, ends.time, state))
             return None
         if time is None:
-            self.done.missed = stop.name
-            return None
+            earlier = self._before_given_times(i, stop)
+            if earlier is None:
+                self.done.missed = stop.name
+            return earlier
         self.done.legs.append(Leg(regime, leg.flow, t0, time, state))
         return leg.at(time) if time >= t0 else self._earlier(time)
+
+    def _before_given_times(self, i: int, stop: Stop) -> State | None:
+        """A state at given times stands anywhere: what never happens after it may have happened before it."""
+        while i > 0 and fixed_time(self.course.states[i].relations) is not None:
+            i -= 1
+            leg = self.done.legs[i] if i < len(self.done.legs) else None
+            if leg is None or leg.regime is not self.course.regimes[i + 1]:
+                return None
+            time = self._time_of(self.course.states.index(self._state(stop)), stop, leg)
+            if time is not None and time <= leg.t1:
+                return leg.at(time)
+        return None
+
+    def _state(self, stop: Stop) -> Any:
+        return next(s for s in self.course.states if s.name == stop.name)
 
     def _earlier(self, time: float) -> State:
         """A state at a given time that lies before others."""

@@ -22,9 +22,9 @@ HEADINGS = ("Places:", "Velocities, the derivatives of the places:", "Accelerati
 
 
 def places_told(
-    regime: Regime, quantities: Quantities, functions: Functions, finds: Iterable[Find]
+    regime: Regime, quantities: Quantities, functions: Functions, finds: Iterable[Find], with_rates: bool
 ) -> tuple[Passage, ...]:
-    """Places, then velocities and accelerations as far as the finds go."""
+    """Places, then velocities and accelerations as far as the finds go. `with_rates`: say how fast coordinates change."""
     wanted = _wanted(finds)
     rows: tuple[list[Row], list[Row], list[Row]] = ([], [], [])
     used: list[sp.Expr] = []
@@ -42,12 +42,12 @@ def places_told(
                 if formula != symbol:
                     rows[n].append(Row("", sp.Eq(symbol, formula, evaluate=False)))
     told = [told_function(f) for f in explained(functions.found, used)]
-    rates = _rates(regime, used) if any(rows[1:]) else []
+    rates = [r for r in _rates(regime, used) if r.line.lhs.name[:-4] not in {s.name for s in functions.found}]
     known = {r.line.lhs for r in told}
     first = [*told, *(r for r in rows[0] if r.line.lhs not in known)]
     passages = [Passage(HEADINGS[0], tuple(first))]
-    if rates and not all(isinstance(s, sp.Symbol) and s in functions.found for s in regime.rates):
-        passages.append(Passage("Rates of the coordinates, from `motion` and the joints:", tuple(rates)))
+    if rates and with_rates and any(rows[1:]):
+        passages.append(Passage("Rates of the coordinates:", tuple(rates)))
     passages += [Passage(HEADINGS[n], tuple(rows[n])) for n in (1, 2) if rows[n]]
     return tuple(p for p in passages if p.rows)
 

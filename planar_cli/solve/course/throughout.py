@@ -28,6 +28,8 @@ class Throughout:
 
     def route(self, parts: Sequence[sp.Expr]) -> Route | None:
         """The way to the varying letters of these formulas; None where they are to stay, or cannot be told."""
+        if not self.course.regimes:
+            return None
         regime = self.course.regimes[0]
         letters = set(regime.letters)
         own = self._own()

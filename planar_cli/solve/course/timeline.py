@@ -58,7 +58,7 @@ class Stop:
 class Demand:
     """What the file states of one state. `residual` vanishes; or it is positive (`sign` 1), or not negative (0).
 
-    `extreme`: 1 or -1 where the residual is to be largest or smallest. `trend`: a formula that must be positive, where
+    Of kind "limit" it becomes infinite. `extreme`: 1 or -1 where the residual is to be largest or smallest. `trend`: a formula that must be positive, where
     the residual alone would also let the opposite direction pass.
     """
 
@@ -228,6 +228,10 @@ class Reader:
         else:
             s, left, right = item, self.any(item.left), self.any(item.right)
             assert isinstance(left, Vec) == isinstance(right, Vec)
+            if isinstance(left, Jet) and isinstance(right, Jet) and s.operator == "=":
+                for one, other in ((left.value, right.value), (right.value, left.value)):
+                    if other in (sp.oo, -sp.oo):
+                        return [(s, ("limit", one, None))]
             difference = left - right  # type: ignore[operator]
         if isinstance(difference, Vec):
             return [(s, ("=", difference.x.value, trend)), (s, ("=", difference.y.value, trend))]
@@ -263,6 +267,9 @@ class Reader:
             operator, expr, trend = parts
             residual = simplified(self.at(stop, expr))
             direction = None if trend is None else self.at(stop, trend)
+            if operator == "limit":
+                found.append(Demand(stop.name, s.text, s.mark, residual, "limit"))
+                continue
             if operator == "=":
                 if residual != 0:
                     found.append(Demand(stop.name, s.text, s.mark, residual, trend=direction))

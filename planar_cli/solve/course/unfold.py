@@ -18,6 +18,7 @@ from planar_cli.solve.course.chain import Branch
 from planar_cli.solve.course.course import Course, first_plot, make_course
 from planar_cli.solve.course.finds import FindReader
 from planar_cli.solve.course.newton import refined
+from planar_cli.solve.course.over_spans import SpanIntegral
 from planar_cli.solve.course.plot import Plot, Workshop
 from planar_cli.solve.course.route import Route
 from planar_cli.solve.course.simulate import Followed, Follower, Start, certain_start, resting
@@ -29,7 +30,8 @@ AGREE = 1e-6
 @dataclass(slots=True)
 class Unfolded:
     """A course with the branch of its equations that happens, and how it was followed in numbers (None: it could not
-    be). `guessed`: letters whose values come from the numbers alone. `route`: the way that is told.
+    be). `guessed`: letters whose values come from the numbers alone. `route`: the way that is told. `spans`: quantities
+    over spans.
     """
 
     course: Course
@@ -39,6 +41,7 @@ class Unfolded:
     value: Valuation
     guessed: frozenset[sp.Symbol] = frozenset()
     route: Route | None = None
+    spans: tuple[SpanIntegral, ...] = ()
 
 
 @dataclass(slots=True)
@@ -94,6 +97,7 @@ class Unfolder:
             raise self._never(course, followed.missed)
         chain = course.chain()
         chain.truth = followed.values
+        chain.leaning = _leaning(course, followed)
         branch = next(iter(chain.branches(course.equations)), Branch({}, {}, (), ()))
         open_letters = [s for s in followed.values if s not in branch.values]
         more = self._refined(course, branch, open_letters, followed)
@@ -173,3 +177,16 @@ class Unfolder:
             if s in branch.values and abs(float(branch.values[s]) - v) > AGREE * max(abs(v), 1e-3):
                 return False
         return True
+
+
+def _leaning(course: Course, followed: Followed) -> dict[sp.Symbol, float]:
+    """At states that are only approached: the last values on the way there."""
+    found: dict[sp.Symbol, float] = {}
+    last: dict[sp.Symbol, float] = {}
+    for state in course.states:
+        for general, own in course.stops[state.name].letters.items():
+            if own in followed.values:
+                last[general] = followed.values[own]
+            elif last.get(general):
+                found[own] = last[general]
+    return found

@@ -1,0 +1,340 @@
+"""Quantities over a span of a motion: path length, mean, count, work, impulse, heat.
+
+Each is an integral over time. In order of preference it is
+
+    a difference     where the integrand is the rate of a function G of place and time (a force along one coordinate)
+    an integral      of q(t), where the laws of motion are integrated, closed or by quadrature
+    a flow           integrated along with the motion, with the digits that are certain
+
+A path length is the sum of its parts between the instants at which the velocity vanishes. SI units.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from decimal import Decimal
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import mpmath
+import sympy as sp
+
+from planar_cli.calculus.antiderivative import definite
+from planar_cli.calculus.first import all_roots
+from planar_cli.calculus.polish import polish
+from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.equation.plain import simplified
+from planar_cli.errors import Diagnostic, NoSolution, Undecided
+from planar_cli.problem.expression import JustAfter, Quantity, Relation, Statement
+from planar_cli.solve.course.legs import ENOUGH, FEW_DIGITS, MANY_DIGITS, Leg, legs
+from planar_cli.solve.course.potential import potential, signed_speed
+from planar_cli.solve.course.span_rates import rates_of
+from planar_cli.solve.course.timeline import Stop
+
+if TYPE_CHECKING:
+    from planar_cli.solve.course.course import Course
+
+CERTAIN = Decimal("1e-9")
+"""What an integral in a state's own relations may differ from the same by numbers, relative to its size."""
+SAME_TIME = Decimal("1e-20")
+
+
+@dataclass(frozen=True, slots=True)
+class Asked:
+    """A quantity over a span: what is integrated, by the regime that acts (closed later, when that is worked out)."""
+
+    quantity: Quantity
+    rates: Mapping[int, tuple[sp.Expr, ...]]
+
+    @property
+    def span(self) -> tuple[str, str]:
+        at = self.quantity.at
+        assert isinstance(at, tuple)
+        return at
+
+
+@dataclass(frozen=True, slots=True)
+class Piece:
+    """Part of a span in one regime, between two states: the integrand, a function G of which it is the rate (None:
+    there is none), the integrand over time where q(t) is known, the instants at which it changes its sign (of a path
+    length), the result in letters of states, and its number. `how`: difference, integral, quadrature or flow.
+    """
+
+    since: Stop
+    until: Stop
+    integrand: sp.Expr
+    how: str
+    number: Decimal
+    formula: sp.Expr | None = None
+    antiderivative: sp.Expr | None = None
+    over_time: sp.Expr | None = None
+    turns: tuple[Decimal, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class SpanIntegral:
+    """A quantity over a span worked out. `duration`: what a mean is divided by, else 1. `events`: times of a count."""
+
+    symbol: sp.Symbol
+    quantity: Quantity
+    pieces: tuple[Piece, ...]
+    number: Decimal
+    formula: sp.Expr | None
+    duration: sp.Expr = sp.S.One
+    events: tuple[Decimal, ...] = ()
+
+
+def ask_spans(course: Course) -> dict[sp.Symbol, Asked]:
+    """Everything that is asked over spans; what it needs is put on the lists of what regimes work out."""
+    found: dict[sp.Symbol, Asked] = {}
+    readers = course.distinct_readers()
+    moving = {id(r) for r in course.regimes}
+    for reader in readers:
+        for symbol, q in list(reader.spans.items()):
+            if not isinstance(q.at, tuple):
+                continue
+            _demand_smooth(course, q)
+            rates: dict[int, tuple[sp.Expr, ...]] = {}
+            for other in readers:
+                if id(other.regime) in moving and id(other.regime) not in rates:
+                    rates[id(other.regime)] = rates_of(q, other)
+                    other.exprs += rates[id(other.regime)]
+            found[symbol] = Asked(q, rates)
+    return found
+
+
+def _demand_smooth(course: Course, q: Quantity) -> None:
+    """Impacts and impulses inside a span are not integrated over time."""
+    names = [s.name for s in course.problem.states]
+    assert isinstance(q.at, tuple)
+    first, last = (names.index(n) for n in q.at)
+    for state in course.problem.states[first + 1 : last + 1]:
+        if any(isinstance(r, JustAfter) for r in state.relations):
+            text = f"{q.word}(…) over a span with an impact or impulse in it, at {state.name}"
+            raise NoSolution([Diagnostic(q.mark, "PL590", text, "ask for the spans before and after it")])
+
+
+# --- inside a state's own relations ----------------------------------------------------------------------------------
+
+
+def tell_spans(course: Course, raw: Mapping[str, list[tuple[Statement, tuple[Any, ...]]]]) -> None:
+    """What stand-ins that stand in states are, as differences between states; they must have one regime."""
+    parts = [p for found in raw.values() for _, ps in found for p in ps if isinstance(p, sp.Basic)]
+    used = set().union(*(p.free_symbols for p in parts)) if parts else set()
+    first = course.first
+    own = [d for d in course.readers[first.name].demands(first, raw[first.name]) if d.kind == "equation"]
+    for symbol, asked in course.spanned.items():
+        if symbol in used:
+            course.told[symbol] = _difference(course, asked, [d.residual for d in own])
+
+
+def _difference(course: Course, asked: Asked, early: list[sp.Expr]) -> sp.Expr:
+    q = asked.quantity
+    a, b = (course.stops[n] for n in asked.span)
+    reader = course.readers[asked.span[1]]
+    rates = tuple(reader.closed(e) for e in asked.rates[id(reader.regime)])
+    g = None
+    if len({id(r) for r in course.regimes}) == 1 and q.word != "count":
+        rate = signed_speed(rates[0], rates[1], reader.regime)[0] if q.word == "path_length" else rates[0]
+        g = potential(rate, reader.regime)
+    if g is None:
+        text = f"{q.word}(…) @ {a.name}->{b.name} has no closed form here, so it can not fix a state"
+        raise Undecided(f"{q.mark.file}:{q.mark.line}: {text}")
+    change = b.at(g) - a.at(g)
+    if q.word == "mean":
+        return change / (b.t - a.t)
+    return change * _sense(course, rate, early) if q.word == "path_length" else change
+
+
+def _sense(course: Course, speed: sp.Expr, early: list[sp.Expr]) -> int:
+    """Which way a motion goes that does not turn: as at the first state, of which `early` vanish."""
+    first = course.first
+    for residual in early:
+        inside = residual.free_symbols & set(first.letters.values())
+        if len(inside) == 1:
+            own = next(iter(inside))
+            letter = next(k for k, v in first.letters.items() if v == own)
+            slope = sp.diff(residual, own)
+            if letter in speed.free_symbols and not slope.free_symbols & inside:
+                try:
+                    value = course.base().extended({letter: course.base()(-residual.subs(own, 0) / slope)})
+                    return -1 if value(speed) < 0 else 1
+                except (Unvalued, ArithmeticError):
+                    continue
+    return 1
+
+
+# --- once the motion is known ----------------------------------------------------------------------------------------
+
+
+class SpanSolver:
+    """Integrates over spans of one motion. `value`: numbers of names and of the letters of states."""
+
+    def __init__(self, course: Course, value: Valuation) -> None:
+        self.course, self.value = course, value
+
+    @cached_property
+    def legs(self) -> tuple[Leg, ...]:
+        return legs(self.course, self.value)
+
+    def solve(self, symbol: sp.Symbol, asked: Asked) -> SpanIntegral:
+        q = asked.quantity
+        parts = self._parts(asked)
+        if q.word == "count":
+            events = tuple(t for p, r, leg in parts for t in self._events(p, q, self._rates(asked, leg), leg))
+            n = len(events)
+            return SpanIntegral(symbol, q, (), Decimal(n), sp.Integer(n), events=events)
+        pieces = tuple(self._piece(p, r, asked, leg) for p, r, leg in parts)
+        number = sum((p.number for p in pieces), Decimal(0))
+        formulas = [p.formula for p in pieces]
+        formula = None if None in formulas else sp.Add(*formulas)
+        if q.word != "mean":
+            return SpanIntegral(symbol, q, pieces, number, formula)
+        a, b = (self.course.stops[n] for n in asked.span)
+        time = b.t - a.t
+        return SpanIntegral(
+            symbol, q, pieces, number / self.value(time), None if formula is None else formula / time, time
+        )
+
+    def _parts(self, asked: Asked) -> list[tuple[Stop, Stop, Leg]]:
+        """The span cut where the regime changes."""
+        a, b = (self.course.stops[n] for n in asked.span)
+        ta, tb = self.value(a.t), self.value(b.t)
+        if tb < ta:
+            q = asked.quantity
+            text = f"state {b.name} comes before state {a.name}"
+            raise NoSolution([Diagnostic(q.mark, "PL633", text, f"write `@ {b.name}->{a.name}`")])
+        inside = [leg.start for leg in self.legs[1:] if ta < leg.t0 < tb]
+        points = [a, *inside, b]
+        found = []
+        for p, r in zip(points, points[1:], strict=False):
+            tp = self.value(p.t)
+            leg = [x for x in self.legs if x.t0 <= tp + SAME_TIME * max(abs(tp), Decimal(1))][-1:] or [self.legs[0]]
+            found.append((p, r, leg[0]))
+        return found
+
+    def _rates(self, asked: Asked, leg: Leg) -> tuple[sp.Expr, ...]:
+        reader = next(r for r in self.course.distinct_readers() if r.regime is leg.regime)
+        return tuple(simplified(reader.closed(e)) for e in asked.rates[id(leg.regime)])
+
+    # --- one piece ---------------------------------------------------------------------------------------------------
+
+    def _piece(self, p: Stop, r: Stop, asked: Asked, leg: Leg) -> Piece:
+        rates = self._rates(asked, leg)
+        if asked.quantity.word != "path_length":
+            return self._integral(p, r, rates[0], leg)
+        speed, signed = signed_speed(rates[0], rates[1], leg.regime)
+        if not signed:
+            return self._integral(p, r, speed, leg)
+        ta, tb = self.value(p.t), self.value(r.t)
+        turns = tuple(t for t in self._zeros(speed, leg, ta, tb) if ta < t < tb)
+        whole = self._integral(p, r, speed, leg)
+        if not turns:
+            sense = -1 if whole.number < 0 else 1
+            formula = None if whole.formula is None else sense * whole.formula
+            return Piece(
+                p, r, speed, whole.how, abs(whole.number), formula, whole.antiderivative, whole.over_time
+            )
+        ends = [ta, *turns, tb]
+        total = sum((abs(self._number(speed, leg, s, t)[0]) for s, t in zip(ends, ends[1:], strict=False)), Decimal(0))
+        return Piece(p, r, speed, whole.how, total, None, whole.antiderivative, whole.over_time, turns)
+
+    def _integral(self, p: Stop, r: Stop, rate: sp.Expr, leg: Leg) -> Piece:
+        """∫ rate dt between two states of a leg."""
+        ta, tb = self.value(p.t), self.value(r.t)
+        number, how = self._number(rate, leg, ta, tb)
+        g = potential(rate, leg.regime)
+        if g is not None:
+            return Piece(p, r, rate, "difference", number, r.at(g) - p.at(g), g)
+        over = leg.over_time(rate)
+        formula = None
+        if over is not None:
+            formula = definite(simplified(over), leg.regime.time, p.t, r.t, leg.value)
+        return Piece(p, r, rate, how, number, formula, None, over)
+
+    def _number(self, rate: sp.Expr, leg: Leg, ta: Decimal, tb: Decimal) -> tuple[Decimal, str]:
+        """∫ rate dt between two times, and how it was done."""
+        if ta == tb:
+            return Decimal(0), "difference"
+        g = potential(rate, leg.regime)
+        if g is not None:
+            return leg.number(g, tb) - leg.number(g, ta), "difference"
+        over = leg.over_time(rate)
+        if over is None:
+            return self._flowed(rate, leg, ta, tb), "flow"
+        time, start, end = leg.regime.time, sp.Dummy("t_a", real=True), sp.Dummy("t_b", real=True)
+        here = leg.value.extended({start: ta, end: tb})
+        closed = definite(simplified(over), time, start, end, here)
+        if closed is not None:
+            try:
+                return here(closed), "integral"
+            except ArithmeticError:
+                pass
+        return here(sp.Integral(over, (time, start, end))), "quadrature"
+
+    @staticmethod
+    def _flowed(rate: sp.Expr, leg: Leg, ta: Decimal, tb: Decimal) -> Decimal:
+        for digits in (FEW_DIGITS, MANY_DIGITS):
+            flow = leg.flow(digits, (rate,), ta)
+            end = float(tb) if digits == FEW_DIGITS else mpmath.mpf(str(tb))
+            if digits == MANY_DIGITS or flow.certain(end) >= ENOUGH:
+                break
+        return Decimal(mpmath.nstr(mpmath.mpf(flow.at(end)[-1]), digits + 2))
+
+    # --- zeros -------------------------------------------------------------------------------------------------------
+
+    def _zeros(self, expr: sp.Expr, leg: Leg, ta: Decimal, tb: Decimal) -> list[Decimal]:
+        """The instants in (ta, tb] at which a formula vanishes."""
+        if not expr.free_symbols & set(leg.regime.letters):
+            return []
+        found = []
+        direct = leg.over_time(expr)
+        for root in all_roots(leg.function(expr), float(ta), float(tb)):
+            t = Decimal(repr(root.value))
+            if direct is not None and root.kind != "stays":
+                here, time = leg.value, leg.regime.time
+                try:
+                    t = polish(lambda x: here.extended({time: x})(direct), Decimal(root.low), Decimal(root.high))
+                except ArithmeticError:
+                    pass
+            found.append(t)
+        return found
+
+    def _events(self, p: Stop, q: Quantity, rates: tuple[sp.Expr, ...], leg: Leg) -> list[Decimal]:
+        """How often a relation comes true after state p: it holds for an instant, or begins to hold."""
+        assert isinstance(q.argument, Relation)
+        assert isinstance(q.at, tuple)
+        ends = [self.value(self.course.stops[q.at[1]].t), *(x.t0 for x in self.legs if x.t0 > self.value(p.t))]
+        ta, tb = self.value(p.t), min(ends)
+        times = self._zeros(rates[0], leg, ta, tb)
+        if q.argument.operator == "=":
+            others = [leg.function(e) for e in rates[1:]]
+            return [t for t in times if all(abs(g(float(t))) <= 1e-9 * _size(g, leg) for g in others)]
+        sense = 1 if q.argument.operator in (">", ">=") else -1
+        g = leg.function(rates[0])
+        step = 1e-7 * float(tb - ta)
+        return [t for t in times if sense * g(float(t) + step) > 0 > sense * g(float(t) - step)]
+
+
+def _size(g: object, leg: Leg) -> float:
+    assert callable(g)
+    span = float(leg.t1 - leg.t0)
+    return max(1e-9, *(abs(g(float(leg.t0) + span * k / 7)) for k in range(8)))
+
+
+def solve_spans(course: Course, value: Valuation) -> tuple[SpanIntegral, ...]:
+    """All quantities over spans. Those that stand in states are checked by numbers; NoSolution: the motion turns."""
+    solver = SpanSolver(course, value)
+    found = []
+    for symbol, asked in course.spanned.items():
+        solved = solver.solve(symbol, asked)
+        told = course.told.get(symbol)
+        if told is not None and abs(value(told) - solved.number) > CERTAIN * max(abs(solved.number), CERTAIN):
+            a, b = asked.span
+            text = f"the motion turns between {a} and {b}, so that {asked.quantity.word}(…) is not what was assumed"
+            raise NoSolution([Diagnostic(asked.quantity.mark, "PL633", text, "put a state where it turns")])
+        if solved.formula is None and course.problem.symbols:
+            raise Undecided(f"{asked.quantity.word}(…) has no closed form in the letters of the file")
+        found.append(solved)
+    return tuple(found)
