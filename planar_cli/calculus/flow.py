@@ -73,10 +73,10 @@ def _places(n: int) -> tuple[tuple[float, ...], tuple[int, ...]]:
 
 
 class _Branch:
-    """The steps in one direction of time."""
+    """The steps in one direction of time; none goes beyond `stop`."""
 
-    def __init__(self, stepper: Stepper, t0: Any, y0: list[Any], direction: int) -> None:
-        self.stepper, self.direction = stepper, direction
+    def __init__(self, stepper: Stepper, t0: Any, y0: list[Any], direction: int, stop: Any = None) -> None:
+        self.stepper, self.direction, self.stop = stepper, direction, stop
         zero = [0.0 for _ in y0]
         sizes = [abs(float(a)) for a in y0]
         self.steps = [_Step(t0, y0, None, zero, sizes, zero)]
@@ -109,13 +109,16 @@ class _Branch:
             last.rates = self._rates(last.t, last.y)
         if self.next is None:
             self.next = self.direction * make(_first_step(last.y, last.rates, abs(float(t - last.t))))
+        whole = None
+        if self.stop is not None and (last.t + self.next - self.stop) * self.direction > 0:
+            whole = self.next = self.stop - last.t
         run = max(abs(float(last.t)), abs(float(last.t - self.steps[0].t)), 1e-9 * abs(float(self.next)))
         limit = make(64 * self.level.unit * run)
         following = None
         while following is None:
             step, trial, scales = self.stepper.accepted(last.t, last.y, last.rates, self.next, self.target, 1.0, limit)
             assert trial.delta is not None
-            end = last.t + step
+            end = self.stop if whole is not None and step == whole else last.t + step
             delta = [d + c for d, c in zip(trial.delta, self.carry, strict=True)]
             y = [a + d for a, d in zip(last.y, delta, strict=True)]
             try:
@@ -242,20 +245,42 @@ class Flow:
     Up to 13 digits it is computed in floats; beyond in mpmath's numbers, or in decimals if y0 holds decimals: `rhs` is
     called with such numbers and returns such. `digits` sets the tolerance; what came out is told by `certain`.
     Leaves, an ArithmeticError with `reached`: the motion leaves the domain of rhs, becomes infinite, or needs more
-    than `evaluations` of rhs (a million in floats and decimals, 300,000 in mpmath's numbers).
+    than `evaluations` of rhs (a million in floats and decimals, 300,000 in mpmath's numbers). `breaks`: times at which
+    rhs has a corner, as where the lines of a table meet; from there it is followed anew.
     """
 
     def __init__(
-        self, rhs: Rates, t0: Any, y0: Sequence[Any], digits: int = 20, evaluations: int | None = None
+        self,
+        rhs: Rates,
+        t0: Any,
+        y0: Sequence[Any],
+        digits: int = 20,
+        evaluations: int | None = None,
+        breaks: Sequence[Any] = (),
     ) -> None:
         self.rhs, self.digits, self.evaluations = rhs, digits, evaluations
+        self._parts: dict[int, Flow] = {}
         self.level = level_for(digits, any(isinstance(a, Decimal) for a in y0), evaluations)
         self.stepper = Stepper(rhs, self.level)
         with self.level.context():
             self.t0 = self.level.make(t0)
             self.y0 = [self.level.make(a) for a in y0]
-            self._forward = _Branch(self.stepper, self.t0, self.y0, 1)
-            self._backward = _Branch(self.stepper, self.t0, self.y0, -1)
+            self.breaks = sorted(b for b in map(self.level.make, breaks) if b != self.t0)
+            after = next((b for b in self.breaks if b > self.t0), None)
+            before = next((b for b in reversed(self.breaks) if b < self.t0), None)
+            self._forward = _Branch(self.stepper, self.t0, self.y0, 1, after)
+            self._backward = _Branch(self.stepper, self.t0, self.y0, -1, before)
+
+    def _beyond(self, time: Any) -> Flow | None:
+        """The flow from the next break on; None: the time lies before it."""
+        side = 1 if time > self.t0 else -1
+        ahead = [b for b in self.breaks if (b - self.t0) * side > 0][::side]
+        if not ahead or (time - ahead[0]) * side <= 0:
+            return None
+        if side not in self._parts:
+            there = self._branch(ahead[0]).at(ahead[0])
+            self._parts[side] = Flow(self.rhs, ahead[0], there, self.digits, self.evaluations, ahead[1:])
+        return self._parts[side]
 
     def _branch(self, t: Any) -> _Branch:
         return self._forward if t >= self.t0 else self._backward
@@ -264,28 +289,36 @@ class Flow:
         """The state at a time, before or after t0."""
         with self.level.context():
             time = self.level.make(t)
-            return self._branch(time).at(time)
+            beyond = self._beyond(time)
+            return self._branch(time).at(time) if beyond is None else beyond.at(time)
 
     def rates(self, t: Any) -> list[Any]:
         """The right-hand side at a time."""
         with self.level.context():
             time = self.level.make(t)
-            return self.stepper.rates(time, self._branch(time).at(time))
+            return self.stepper.rates(time, self.at(time))
 
     def error(self, t: Any) -> list[float]:
         """A bound of the error of each component of at(t), as far as two runs can tell; made when first asked for."""
         with self.level.context():
-            time = self.level.make(t)
-            return self._branch(time).error(time)[0]
+            return self._error(self.level.make(t))[0]
+
+    def _error(self, time: Any) -> tuple[list[float], list[float]]:
+        """Bounds and sizes; errors of the parts before the last break add up."""
+        beyond = self._beyond(time)
+        if beyond is None:
+            return self._branch(time).error(time)
+        before, after = self._branch(beyond.t0).error(beyond.t0), beyond._error(time)
+        return [a + b for a, b in zip(before[0], after[0], strict=True)], list(map(max, before[1], after[1]))
 
     def certain(self, t: Any) -> int:
         """So many digits of at(t) are certain, counted from the largest value each component had between t0 and t."""
         with self.level.context():
             time = self.level.make(t)
-            bounds, sizes = self._branch(time).error(time)
+            bounds, sizes = self._error(time)
         worst = max((b / s for b, s in zip(bounds, sizes, strict=True) if s), default=0.0)
         return max(0, math.floor(-math.log10(max(worst, self.level.unit))))
 
     def restarted(self, t: Any, y: Sequence[Any] | None = None, rhs: Rates | None = None) -> Flow:
         """A new flow from a time on, after an impact or a change of forces: with another state or right-hand side."""
-        return Flow(rhs or self.rhs, t, self.at(t) if y is None else y, self.digits, self.evaluations)
+        return Flow(rhs or self.rhs, t, self.at(t) if y is None else y, self.digits, self.evaluations, self.breaks)

@@ -33,7 +33,7 @@ from planar_cli.problem.expression import (
 )
 from planar_cli.problem.facts import Row
 from planar_cli.problem.geometry import Vec
-from planar_cli.problem.scene import At, Polar
+from planar_cli.problem.scene import At, Particle, Polar
 
 POSITION, VELOCITY, ACCELERATION = 0, 1, 2
 ORDERS = {
@@ -243,4 +243,20 @@ def coordinate_conditions(quantities: Quantities, coordinates: set[sp.Symbol], l
                 "coordinate", f"the place of {point.name} follows its formula", residual, place=point.name, body=owner
             )
         )
+    return found + _particle_conditions(quantities, coordinates, level)
+
+
+def _particle_conditions(quantities: Quantities, coordinates: set[sp.Symbol], level: int) -> list[Condition]:
+    """The same of particles that are written in place, `particle: [x, y]`."""
+    scene = quantities.scene
+    found = []
+    for body in scene.problem.bodies:
+        place = body.shape.place if isinstance(body.shape, Particle) else None
+        if not isinstance(place, At) or not any(coordinates & scene.value(p).free_symbols for p in (place.x, place.y)):
+            continue
+        difference = quantities.place(body.name) - Vec(scene.evaluator.jet(place.x), scene.evaluator.jet(place.y))
+        pick = "rate" if level == VELOCITY else "second"
+        residual = Vec(getattr(difference.x, pick), getattr(difference.y, pick))
+        words = f"the place of {body.name} follows its formula"
+        found.append(Condition("coordinate", words, residual, place=body.name, body=body.name))
     return found

@@ -11,7 +11,7 @@ import sympy as sp
 
 from planar_cli.equation.evaluate import refuse
 from planar_cli.equation.motion import Motion
-from planar_cli.equation.plain import longer
+from planar_cli.equation.plain import MANY, longer, simplified
 from planar_cli.equation.quantities import quantities_of
 from planar_cli.equation.scene import Scene
 from planar_cli.errors import Mark, Undecided
@@ -45,7 +45,31 @@ class Moving:
         for one, other in ((v.x, v.y), (v.y, v.x)):
             if self.is_zero(other):
                 return one if self.sign(one) >= 0 else -one
-        return sp.sqrt(v.dot(v))
+        return self._distance(sp.sqrt(v.dot(v)))
+
+    def _distance(self, root: sp.Expr) -> sp.Expr:
+        """|r| of a place is r on the side where it is drawn; a speed may change its sign."""
+        if longer(root, MANY) or root.free_symbols & self._speeds():
+            return root
+        plain = sp.sqrt(simplified(root**2))
+        sides = plain.atoms(sp.Abs)
+        return plain.xreplace({a: self.sign(a.args[0]) * a.args[0] for a in sides}) if sides else root
+
+    def against(self, velocity: Vec, size: sp.Expr) -> Vec:
+        """A force of a given size against a velocity. In a general position it is right whichever way things move."""
+        if self._scene.displacement is None:
+            return -velocity * (size / self.length(velocity))
+        speeds = [s for s in velocity.x.free_symbols | velocity.y.free_symbols if s in self._speeds()]
+        if len(speeds) == 1:
+            u = speeds[0]
+            along = Vec(sp.diff(velocity.x, u), sp.diff(velocity.y, u))
+            if all(sp.expand(p - e * u) == 0 for p, e in ((velocity.x, along.x), (velocity.y, along.y))):
+                return -along * (sp.sign(u) * size / sp.sqrt(simplified(along.dot(along))))
+        return -velocity * (size / sp.sqrt(simplified(velocity.dot(velocity))))
+
+    def _speeds(self) -> set[sp.Symbol]:
+        rates = (r for r, _ in self._scene.evaluator.motions.values() if isinstance(r, sp.Symbol))
+        return {*self._motion.tree.velocity_unknowns(), *rates}
 
     def velocity(self, point: Vec, body: str) -> Vec:
         return self._motion.velocity(point, body)
@@ -110,7 +134,8 @@ def all_wrenches(scene: Scene, motion: Motion, numbers: Any, skids: Iterable[Ski
 def _named(wrench: Wrench, scene: Scene) -> Wrench:
     """A long magnitude gets a letter and a line of its own, F_s = k (l - l_0), so that equations stay short."""
     magnitude = sp.sympify(wrench.magnitude)
-    if wrench.force is None or not longer(magnitude, 3) or scene.rests_on_sought(magnitude):
+    pieced = magnitude.has(sp.Piecewise)
+    if wrench.force is None or not (pieced or longer(magnitude, 3)) or scene.rests_on_sought(magnitude):
         return wrench
     titles = {"spring": "pull of the spring", "damper": "pull of the damper", "drag": "drag on"}
     title = f"{titles.get(wrench.kind, 'magnitude of')} {wrench.name}"
@@ -118,8 +143,12 @@ def _named(wrench: Wrench, scene: Scene) -> Wrench:
     symbol = next((s for s, t in ledger.titles.items() if t == title and ledger.definitions[s] == magnitude), None)
     if symbol is None:
         symbol = ledger.define(f"F_{wrench.name}", magnitude, "N", title)
-    direction = wrench.force / magnitude
-    return replace(wrench, force=direction * symbol, magnitude=symbol)
+    if pieced:
+        # SymPy divides every piece, also those that are zero.
+        force = Vec(*(p.xreplace({magnitude: symbol}) for p in (wrench.force.x, wrench.force.y)))
+    else:
+        force = wrench.force / magnitude * symbol
+    return replace(wrench, force=force, magnitude=symbol)
 
 
 def _skid(skid: Skid, setting: Moving, others: list[Wrench]) -> list[Wrench]:
@@ -135,7 +164,7 @@ def _skid(skid: Skid, setting: Moving, others: list[Wrench]) -> list[Wrench]:
         if setting.is_zero(pushing.dot(pushing)):
             return []
         relative = pushing
-    force = -relative * (skid.size / setting.length(relative))
+    force = setting.against(relative, skid.size)
     on_body = Wrench(skid.joint, "skid", skid.body, skid.point, force, 0, skid.size)
     if skid.base == GROUND:
         return [on_body]

@@ -149,10 +149,8 @@ class Quantities:
         body = self.frame_body(q)
         if body is None:
             return self._relative(q)
-        center = self.scene.bodies[body].center
-        value = self.scene.point(q.things[0]) - center
-        velocity, acceleration = self.seen_from(q.things[0], body)
-        return vector_jet(value, velocity, acceleration)
+        # The rates are those of the vector itself, which parts along turning directions need.
+        return self.place(q.things[0]) - self.place(body)
 
     def _q_x(self, q: Quantity) -> Jet:
         return parts_of(self._q_r(q))[0]
@@ -172,7 +170,8 @@ class Quantities:
         body = self.frame_body(q)
         if body is not None:
             velocity, acceleration = self.seen_from(q.things[0], body)
-            return vector_jet(velocity, acceleration, None)
+            turning = velocity.turned() * self.motion.velocities[body].angular
+            return vector_jet(velocity, acceleration + turning, None)
         jets = self._relative(q)
         return Vec(jets.x.dotted(), jets.y.dotted())
 
@@ -344,7 +343,8 @@ class Quantities:
         value = Vec(v.x.value, v.y.value)
         if part.kind == "t":
             return only(value.dot(velocity) / speed)
-        bend = Vec(jets.x.rate, jets.y.rate)
+        body = self.frame_body(q)
+        bend = Vec(jets.x.rate, jets.y.rate) if body is None else self.seen_from(q.things[0], body)[1]
         return only(velocity.cross(value) * sp.sign(velocity.cross(bend)) / speed)
 
     def direction(self, part: Part) -> Vec:

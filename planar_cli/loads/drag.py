@@ -54,8 +54,4 @@ class Drag(Load):
         if scene.is_zero(velocity.dot(velocity)):
             return ()
         magnitude = scene.size(self.magnitude, self.mark)
-        return (
-            Wrench(
-                self.name, "drag", self.body, center, -velocity * (magnitude / scene.length(velocity)), 0, magnitude
-            ),
-        )
+        return (Wrench(self.name, "drag", self.body, center, scene.against(velocity, magnitude), 0, magnitude),)

@@ -1,4 +1,4 @@
-"""What the codes PL501 to PL590 mean: a formula, a place, a contact or a quantity that the scene can not give."""
+"""What the codes PL501 to PL592 mean: a formula, a place, a contact or a quantity that the scene can not give."""
 
 from __future__ import annotations
 
@@ -81,6 +81,7 @@ _QUANTITIES = {
         "This part of the language speaks of a motion over time or of what happens between two states. At one "
         "instant, ask for places, velocities, accelerations and forces."
     ),
+    "PL592": "Each instant of a table comes after the one before it: straight lines join the values between them.",
 }
 
 CODES_SCENE: Mapping[str, str] = MappingProxyType({**_FORMULAS, **_PLACES, **_SCENE, **_QUANTITIES})

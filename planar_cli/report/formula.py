@@ -96,7 +96,14 @@ class Compared:
     right: Formula
 
 
-Formula = Numeral | Variable | Sum | Negative | Product | Quotient | Power | Root | Bars | Call | Compared
+@dataclass(frozen=True, slots=True)
+class Pieces:
+    """A formula in pieces, each with its condition (None: in all other cases)."""
+
+    pieces: tuple[tuple[Formula, Formula | None], ...]
+
+
+Formula = Numeral | Variable | Sum | Negative | Product | Quotient | Power | Root | Bars | Call | Compared | Pieces
 
 _ONE = Numeral("1")
 _NAMES_OF_NUMBERS = {sympy.pi: "π", sympy.E: "e", sympy.oo: "∞", sympy.I: "i"}
@@ -177,6 +184,8 @@ class _Reader:
     def _function(self, expr: Any, exponent: int) -> Formula:
         if isinstance(expr, sympy.Abs):
             return Bars(self.read(expr.args[0]))
+        if isinstance(expr, sympy.Piecewise):
+            return Pieces(tuple((self.read(e), None if c == sympy.true else self.read(c)) for e, c in expr.args))
         name = expr.func.__name__
         if isinstance(expr, AppliedUndef):
             return Variable(name)

@@ -97,6 +97,8 @@ def _expression(found: Found) -> Any:
 
 def text_of(expr: Any) -> str:
     """SymPy syntax in the file's names; a curve as `left = right`."""
+    if isinstance(expr, tuple):
+        return " = ".join(str(side) for side in expr)
     return f"{expr.lhs} = {expr.rhs}" if isinstance(expr, sp.Eq) else str(expr)
 
 
@@ -142,7 +144,7 @@ def _passages(part: PartSolution) -> list[dict[str, Any]]:
         {
             "case": part.case,
             "kind": "passage",
-            "heading": p.heading,
+            "heading": p.heading.replace("`", ""),
             "lines": [{"words": r.words, "line": text_of(r.line)} for r in p.rows],
         }
         for p in passages

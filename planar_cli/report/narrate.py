@@ -50,12 +50,14 @@ def part_blocks(
             blocks += Telling(instant, phrases_of(instant, figures), audience, _wanted(part, why)).blocks()
     phrases = phrases_of(part.instants[-1], figures)
     if part.tale is not None:
-        blocks += [Heading("STEP 1", "Kinematic analysis")] if part.tale.whole and part.tale.passages else []
+        if part.tale.passages:
+            whole = part.tale.whole
+            blocks.append(Heading("STEP 1", "Kinematic analysis") if whole else Heading("", "Places and curves"))
         blocks += tale_blocks(part.tale, phrases)
     for found in part.found:
         if why is None or found.name == why:
-            told = answer_line(found, phrases)
-            blocks.append(Answer(found.name, told, ":" if found.word or found.curve is not None else "="))
+            said = answer_line(found, phrases)
+            blocks.append(Answer(found.name, said, ":" if found.word or found.curve is not None else "="))
     for instant in part.instants:
         blocks += check_blocks(instant, phrases_of(instant, figures))
     if not any(mode.tests for instant in part.instants for mode in instant.trial.system.modes.values()):

@@ -14,6 +14,7 @@ from planar_cli.report.formula import (
     Formula,
     Negative,
     Numeral,
+    Pieces,
     Power,
     Product,
     Quotient,
@@ -75,6 +76,9 @@ class _Writer(ABC):
     def relation(self, relation: str) -> str: ...
 
     @abstractmethod
+    def pieces(self, node: Pieces) -> str: ...
+
+    @abstractmethod
     def is_self_contained(self, node: Quotient) -> bool:
         """True if a quotient can stand among factors without brackets."""
 
@@ -94,11 +98,13 @@ class _Writer(ABC):
                 return self.power(self.operand(base), exponent)
             case Call():
                 return self.call(node, node.bare)
-            case Negative() | Root() | Bars() | Compared():
+            case Negative() | Root() | Bars() | Compared() | Pieces():
                 return self._wrapped(node)
 
-    def _wrapped(self, node: Negative | Root | Bars | Compared) -> str:
+    def _wrapped(self, node: Negative | Root | Bars | Compared | Pieces) -> str:
         match node:
+            case Pieces():
+                return self.pieces(node)
             case Negative(inside):
                 return "-" + self.term(inside)
             case Root(inside):
@@ -141,7 +147,7 @@ class _Writer(ABC):
 
     def factor(self, node: Formula, opening: bool, follower: tuple[Formula, ...]) -> str:
         match node:
-            case Sum() | Compared() | Negative():
+            case Sum() | Compared() | Negative() | Pieces():
                 return self.brackets(self.write(node))
             case Numeral(text) if (not opening and text.startswith("-")) or re.search(r"\S[ +/-]", text):
                 return self.brackets(self.numeral(text))
@@ -219,6 +225,10 @@ class _Plain(_Writer):
     def relation(self, relation: str) -> str:
         return relation
 
+    def pieces(self, node: Pieces) -> str:
+        parts = (f"{self.write(e)} {'else' if c is None else f'for {self.write(c)}'}" for e, c in node.pieces)
+        return "; ".join(parts)
+
     def is_self_contained(self, node: Quotient) -> bool:
         return not isinstance(node.above, Sum | Negative) and isinstance(node.below, Numeral)
 
@@ -260,6 +270,10 @@ class _Latex(_Writer):
 
     def relation(self, relation: str) -> str:
         return tex.relation(relation)
+
+    def pieces(self, node: Pieces) -> str:
+        rows = (f"{self.write(e)} & {tex.words('else') if c is None else self.write(c)}" for e, c in node.pieces)
+        return r"\begin{cases} " + r" \\ ".join(rows) + r" \end{cases}"
 
     def is_self_contained(self, node: Quotient) -> bool:
         return True

@@ -6,11 +6,9 @@ import re
 from collections.abc import Iterator
 from typing import Any
 
-import sympy as sp
-
 from planar_cli.report.blocks import Block, Equation, Name, Paragraph, line
 from planar_cli.report.words import Phrases
-from planar_cli.solve.passages import Row, Tale
+from planar_cli.solve.passages import Row, Tale, sides_of
 
 
 def tale_blocks(tale: Tale, phrases: Phrases) -> Iterator[Block]:
@@ -23,12 +21,10 @@ def tale_blocks(tale: Tale, phrases: Phrases) -> Iterator[Block]:
 
 def _row(row: Row, phrases: Phrases) -> Equation:
     lead = line(*_named(row.words), ":") if row.words else ()
-    if isinstance(row.line, sp.Eq):
-        return Equation((phrases.math(row.line.lhs), phrases.math(row.line.rhs)), None, lead)
-    return Equation((phrases.math(row.line),), None, lead)
+    return Equation(tuple(phrases.math(side) for side in sides_of(row)), None, lead)
 
 
 def _named(words: str) -> list[Any]:
-    """Words in which names with an index are set as mathematics."""
-    pieces = re.split(r"(\b[A-Za-z]+(?:_\w+)+\b)", words)
-    return [Name(p) if i % 2 else p for i, p in enumerate(pieces) if p]
+    """Words in which names with an index, and those in backquotes, are set as mathematics."""
+    pieces = re.split(r"(`\w+`|\b[A-Za-z]+(?:_\w+)+\b)", words)
+    return [Name(p.strip("`")) if i % 2 else p for i, p in enumerate(pieces) if p]

@@ -319,10 +319,11 @@ class Telling:
         if simplified(left[0].expression + x.formula) != 0:
             return []
         other = self.phrases.math(left[0].expression)
-        return [Paragraph(line("The other root, ", other, ", is the same motion the opposite way; the positive one is taken."))]
+        told = line("The other root, ", other, ", is the same motion the opposite way; the positive one is taken.")
+        return [Paragraph(told)]
 
     def _root_reason(self, choice: Any) -> str:
         reasons = {
             s.objection for s in self.instant.left_out if any(c.symbol == choice.symbol for c in s.branch.choices)
         }
-        return "; ".join(sorted(r for r in reasons if r)) or "not taken: it holds as well, but the smaller one is the usual one"
+        return "; ".join(sorted(r for r in reasons if r)) or "not taken: it holds as well, the smaller one is usual"

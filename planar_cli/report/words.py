@@ -56,8 +56,7 @@ class Phrases:
     @property
     def letters(self) -> bool:
         """Do names without a number stand for the file's own quantities, beside time and coordinates?"""
-        own = {*self.ledger.coordinates, *(self.ledger.symbols.get(n) for n in ("t", "g"))}
-        return any(s not in own for s in self.ledger.letters)
+        return any(s.is_positive and s.name != "g" for s in self.ledger.letters)
 
     def math(self, expr: Any) -> Math:
         """An expression in its names."""
@@ -120,7 +119,8 @@ def answer_line(found: Found, phrases: Phrases) -> Line:
         parts: list[Any] = []
         for i, expr in enumerate(found.expressions or ()):
             parts += [Text("[" if i == 0 and found.kind == "vector" else ", " if i else ""), Math(expr)]
-        return (*parts, Text("]")) if found.kind == "vector" else tuple(p for p in parts if p != Text(""))
+        line = (*parts, Text("]")) if found.kind == "vector" else tuple(p for p in parts if p != Text(""))
+        return (*line, *_unit_of_formula(found, phrases))
     numbers = [display(v, found.unit) for v in found.values]
     unit = "J" if found.energy and found.unit.text == "N*m" else found.unit.text
     if found.kind == "vector":
@@ -132,6 +132,14 @@ def answer_line(found: Found, phrases: Phrases) -> Line:
     return (Value(shown, unit, phrases.figures), Text(f" {words}" if words else ""))
 
 
+def _unit_of_formula(found: Found, phrases: Phrases) -> Line:
+    """In which units a formula counts that holds time, coordinates and numbers, but no other letters."""
+    if phrases.letters or found.unit.text == "1":
+        return ()
+    timed = any(s.name == "t" for e in found.expressions or () for s in e.free_symbols)
+    return (Text(f" (in {_unit_only(si_text(found.unit))}{', t in s' if timed else ''})"),)
+
+
 def curve_line(curve: Curve, phrases: Phrases) -> Line:
     """The name of a curve, its equation with the units of its numbers, and where that holds."""
     from planar_cli.report.notation import plain
@@ -139,12 +147,26 @@ def curve_line(curve: Curve, phrases: Phrases) -> Line:
     parts: list[Any] = [Text(curve.told(plain))]
     if curve.equation is not None:
         parts += [Text(", "), phrases.math(curve.equation)]
+        plain_numbers = _with_numbers(curve.equation, phrases)
+        if plain_numbers is not None:
+            parts += [Text(", that is "), plain_numbers]
         if not phrases.letters:
             hodograph = any(s.name.startswith("v") for s in curve.equation.free_symbols)
             parts.append(Text(" (in m/s)" if hodograph else " (in m)"))
     if curve.holds:
         parts.append(Text(f", {curve.holds}"))
     return tuple(parts)
+
+
+def _with_numbers(equation: Any, phrases: Phrases) -> Math | None:
+    """A curve with the numbers of all names put in; None where there are none, or letters without a number."""
+    inside = [s for s in equation.free_symbols if s in phrases.ledger.values]
+    if phrases.letters or not inside:
+        return None
+    numbers = {s: sp.Rational(str(phrases.value(s))) for s in inside}
+    sides = [side.xreplace(numbers) for side in (equation.lhs, equation.rhs)]
+    plain = [rounded(sp.nsimplify(sp.N(s, 30), rational=True), phrases.figures) for s in sides]
+    return Math(sp.Eq(*plain, evaluate=False))
 
 
 def _vector_line(numbers: list[Decimal], unit: str, figures: int, place: bool) -> Line:

@@ -122,7 +122,8 @@ def _candidate(
     turning = any(system.scene.rigid(b) for b in bodies)
     if abs(m) <= CLOSE * size or not turning:
         length = (fx * fx + fy * fy).sqrt()
-        if not length:
+        if not length or (system.scene.ledger.symbolic and min(abs(fx), abs(fy)) > CLOSE * length):
+            # Numbers of one draw tell a direction only along an axis.
             return None
         direction = Vec(_rational(fx / length), _rational(fy / length))
         row = _cleaned(combine(rows[:2], (fx / length, fy / length)))

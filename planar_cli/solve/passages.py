@@ -10,10 +10,17 @@ import sympy as sp
 
 @dataclass(frozen=True, slots=True)
 class Row:
-    """Words before a line, and the line: an equation, or a formula."""
+    """Words before a line, and the line: an equation, its sides one after the other, or a formula."""
 
     words: str
     line: Any
+
+
+def sides_of(row: Row) -> tuple[Any, ...]:
+    """All sides of the line of a row."""
+    if isinstance(row.line, sp.Eq):
+        return row.line.lhs, row.line.rhs
+    return row.line if isinstance(row.line, tuple) else (row.line,)
 
 
 @dataclass(frozen=True, slots=True)

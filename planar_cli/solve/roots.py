@@ -147,7 +147,10 @@ def _with_numbers(expr: sp.Expr, x: sp.Symbol, value: Valuation) -> sp.Expr:
 
 def _polynomial_roots(poly: sp.Poly) -> list[Decimal]:
     with mpmath.workdps(DIGITS + 10):
-        coefficients = [mpmath.mpf(str(sp.N(c, DIGITS + 5))) for c in poly.all_coeffs()]
+        numbers = [sp.N(c, DIGITS + 5) for c in poly.all_coeffs()]
+        if any(not n.is_real for n in numbers):
+            return []
+        coefficients = [mpmath.mpf(str(n)) for n in numbers]
         while coefficients and not coefficients[0]:
             coefficients = coefficients[1:]
         if len(coefficients) < 2:

@@ -15,7 +15,7 @@ from planar_cli.equation.system import System
 from planar_cli.errors import FileProblem, Mark, NoSolution
 from planar_cli.problem.scene import Find, Problem
 from planar_cli.registry import members
-from planar_cli.solve.course.formulas import in_general, is_kinematic, solve_formulas, without
+from planar_cli.solve.course.formulas import at_given_time, in_general, is_kinematic, solve_formulas, without
 from planar_cli.solve.course.paths import is_curve
 from planar_cli.solve.course.run import runs_in_time, solve_course
 from planar_cli.solve.diagnose import OPEN, explain_failure, place, singular_position
@@ -79,7 +79,7 @@ def solve_part(problem: Problem, case: str, units: dict[str, str], earlier: dict
         except (NoSolution, Unvalued):
             pass
     if runs_in_time(problem):
-        return solve_course(problem, case, units, earlier)
+        return at_given_time(problem, solve_course(problem, case, units, earlier))
     curves = [f for f in problem.find if is_curve(f.found.what)]
     if curves:
         return _with_curves(problem, curves, case, units, earlier)

@@ -24,8 +24,9 @@ from planar_cli.units import Unit
 class Found:
     """One find with its answer.
 
-    `kind`: number, vector, truth, word or curve. `values`: SI numbers (None while letters remain), one or two. `expressions`:
-    closed formulas in the file's names, where they are short or letters remain. `word`: of a truth value or mode.
+    `kind`: number, vector, truth, word or curve. `values`: SI numbers (None while letters remain), one or two.
+    `expressions`: closed formulas in the file's names, where they are short or letters remain; the equation of a curve.
+    `word`: of a truth value or mode.
     `asked`: the find in the unknowns of the instant. `curve`: of kind "curve", what it is and how it was found.
     """
 

@@ -8,7 +8,8 @@
       T: m*g*(1 + 2*h/l)                        a formula, in files with symbols
       stays: true                               a relation: true or false
       state: slip                               a mode
-      curve: x^2 + y^2 = (15 m)^2               a curve
+      curve: x^2 + y^2 = (15 m)^2               a curve, in x and y; of a hodograph in vx and vy, or in x and y too;
+                                                a spiral in r and theta: r = b*theta
       F: {value: 39.18 N, tolerance: 0.02}      with a tolerance of its own
 
 `tolerance: 0.01` at the top of the file is that of all answers. Answers never say yes, no, on or off.

@@ -9,8 +9,11 @@ point or body, `j` a joint, `f` a load, `all` the whole system. A stroke joins t
   dot(…) ddot(…)                rate of anything, and its rate: dot(theta), ddot(r(P).mag)
   coriolis(P/b)                 Coriolis acceleration of P against b
   rho(P) IC(b)                  radius of curvature; instantaneous centre
-  path(P) path(P/A) path(P/b)   the curve that P describes, fixed or seen from A or b
-  hodograph(P)                  the curve of its velocity
+  path(P) path(P/A) path(P/b)   the curve that P describes: over the ground; seen from a frame that moves with A and
+                                does not turn, A its origin; seen from body b, its origin at the mass centre (of a rod,
+                                at its first point) and its x axis along theta(b)
+  hodograph(P)                  the curve of the tip of its velocity; its axes are v_x and v_y
+                                Both hold throughout, whatever the instant or state of the other finds
   N(j) friction(j) reaction(j)  at joint j, on the body whose partner is the ground; else `reaction(j/b)`: on b.
   moment(j) tension(j)          N, moment and tension are numbers, the others vectors
   force(f)                      the force of a load

@@ -21,6 +21,7 @@ from planar_cli.solve.course.equations import Equation
 from planar_cli.solve.course.linked import linked_blocks
 from planar_cli.solve.course.regime import number_function
 from planar_cli.solve.elimination import Pending, eliminate, subtracted
+from planar_cli.solve.branches import vanishes
 from planar_cli.solve.roots import Root, real_roots
 
 LARGEST = 3

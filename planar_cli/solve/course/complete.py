@@ -12,7 +12,7 @@ from planar_cli.equation.exact import Valuation
 from planar_cli.problem.expression import Quantity
 from planar_cli.solve.course.chain import Branch
 from planar_cli.solve.course.course import Course
-from planar_cli.solve.course.oscillation import check_oscillations, oscillation_at, stability
+from planar_cli.solve.course.oscillation import check_oscillations, oscillation_at, oscillations_of, stability
 from planar_cli.solve.course.over_spans import solve_spans
 
 if TYPE_CHECKING:
@@ -43,7 +43,7 @@ def completed(found: Unfolded) -> Unfolded:
         if s.formula is not None:
             course.told.setdefault(s.symbol, s.formula)
     value = value.extended({s.symbol: s.number for s in spans})
-    return replace(found, branch=branch, value=value, spans=spans)
+    return replace(found, branch=branch, value=value, spans=spans, oscillations=oscillations_of(course))
 
 
 def _resolved(expr: sp.Expr, formulas: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:

@@ -20,6 +20,7 @@ from planar_cli.solve.course.equations import (
     Laws,
     at_limits,
     drawn_equations,
+    ending_equations,
     law_equations,
     laws_of,
     link_equations,
@@ -28,6 +29,7 @@ from planar_cli.solve.course.equations import (
     stated_equations,
 )
 from planar_cli.solve.course.over_spans import Asked, ask_spans, tell_spans
+from planar_cli.solve.course.extremes import stationary
 from planar_cli.solve.course.plot import Plot, Stretch, Workshop, fixed_time, spans_of
 from planar_cli.solve.course.plot import Span as PlotSpan
 from planar_cli.solve.course.regime import Regime
@@ -75,7 +77,8 @@ class Course:
             for s in regime.letters:
                 ledger.units.setdefault(s, regime.general.instant.scene.ledger.units[s])
         for state in (*self.states, *(s for s, _ in apart)):
-            self.stops[state.name] = stop_of(state.name, state.relations, state.mark, letters, ledger)
+            made = self.workshop.letters
+            self.stops[state.name] = stop_of(state.name, state.relations, state.mark, letters, ledger, made)
         by_regime: dict[int, Reader] = {}
         who = [(state, self.regimes[max(i - 1, 0)]) for i, state in enumerate(self.states)]
         for state, regime in (*who, *apart):
@@ -122,7 +125,11 @@ class Course:
             self.demands[s.name] = reader.demands(self.stops[s.name], raw[s.name])
             self.placed[s.name] = reader.demands(self.stops[s.name], always[s.name])
         self.laws = [laws_of(r) for r in self.regimes]
-        self.equations = at_limits([*self._stated(), *self._moving()], self.infinite()) if self.states else []
+        self.equations = []
+        if self.states:
+            whole = self.regimes[0].general.value
+            self.equations = at_limits([*self._stated(), *self._moving()], self.infinite(), whole)
+            self.equations += self._stationary()
 
     def infinite(self) -> dict[sp.Symbol, sp.Expr]:
         """Letters that become infinite in their state."""
@@ -147,7 +154,7 @@ class Course:
             found += list(stated_equations(self.demands[s.name]))
             found += list(stated_equations(self.placed[s.name], "motion"))
             for d in self.demands[s.name]:
-                if d.kind == "extreme":
+                if d.kind == "extreme" and not self.is_set(s):
                     rate = stop.at(self.readers[s.name].regime.derivative(d.residual))
                     found.append(Equation(rate, "extreme", d.text, s.name, mark=d.mark))
         for name, (expr, words) in self.plot.turnings.items():
@@ -155,6 +162,23 @@ class Course:
         first = self.first
         if not any(first.t in e.residual.free_symbols for e in found if e.stop == first.name):
             found.append(Equation(first.t, "start", "time is counted from here", first.name))
+        return found
+
+    def is_set(self, state: State) -> bool:
+        """Is the time of a state fixed by something else than what is largest there?"""
+        return any(d.kind == "equation" for d in self.demands[state.name])
+
+    def _stationary(self) -> list[Equation]:
+        """What is largest or smallest for a constant that is sought."""
+        found: list[Equation] = []
+        for s in self.states:
+            for d in self.demands[s.name]:
+                if d.kind == "extreme" and self.is_set(s):
+                    chain = self.chain()
+                    kept = frozenset((*chain.times, *self.sought()))
+                    like = Equation(sp.S.Zero, "extreme", d.text, s.name, mark=d.mark)
+                    objective = self.stops[s.name].at(d.residual)
+                    found += stationary(self.equations, objective, chain.unknowns, kept, like)
         return found
 
     def _moving(self) -> list[Equation]:
@@ -174,6 +198,8 @@ class Course:
             laws = self.laws[i - 1]
             found += list(law_equations(laws, start, stop, regime, regime.general.value))
             found += list(link_equations(laws, start, stop, regime))
+            if stop.t in self.infinite():
+                found += list(ending_equations(laws, stop, regime, regime.general.value))
             found += list(resting_equations(regime, self.stops[self.states[i - 1].name], stop))
         return found
 

@@ -1,7 +1,7 @@
 """Velocities and accelerations of a general position by differentiating places: v = dr/dt, a = dv/dt.
 
-The road of a course on kinematics (An Introduction to Planar Dynamics, 1.2, 1.4), and independent of that along the tree
-of joints, which only tells the rates of the coordinates.
+The road of a course on kinematics (An Introduction to Planar Dynamics, 1.2, 1.4), independent of that along the tree of
+joints, which only tells the rates of the coordinates.
 """
 
 from __future__ import annotations

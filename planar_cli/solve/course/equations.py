@@ -11,6 +11,7 @@ from typing import Any
 
 import sympy as sp
 
+from planar_cli.calculus.limits import limit
 from planar_cli.calculus.laws import Moment, Span, relations
 from planar_cli.equation.displaced import Coordinate
 from planar_cli.equation.exact import Valuation
@@ -320,8 +321,10 @@ def _placed_elsewhere(regime: Regime, first: Stop) -> frozenset[sp.Symbol]:
     return driven
 
 
-def at_limits(equations: list[Equation], infinite: Mapping[sp.Symbol, sp.Expr]) -> list[Equation]:
-    """Relations of states at infinity: their limits, where these are finite."""
+def at_limits(
+    equations: list[Equation], infinite: Mapping[sp.Symbol, sp.Expr], value: Valuation
+) -> list[Equation]:
+    """Relations of states at infinity: their limits, where these are finite; and what no longer changes there."""
     found = []
     for e in equations:
         letters = [s for s in infinite if s in e.residual.free_symbols]
@@ -330,12 +333,25 @@ def at_limits(equations: list[Equation], infinite: Mapping[sp.Symbol, sp.Expr]) 
             continue
         if e.kind in DATA or e.residual.has(sp.Integral):
             continue
-        residual = e.residual
+        residual: sp.Expr | None = e.residual
         for letter in letters:
-            residual = sp.limit(residual, letter, infinite[letter])
-        if isinstance(residual, sp.Expr) and not residual.has(sp.oo, -sp.oo, sp.nan, sp.zoo, sp.Limit, sp.AccumBounds):
+            flipped = residual.xreplace({letter: -letter}) if residual is not None and infinite[letter] < 0 else residual
+            residual = None if flipped is None else limit(flipped, letter, value)
+        if residual is not None and residual.free_symbols:
             found.append(replace(e, residual=residual, words=f"{e.words}, in the limit"))
     return found
+
+
+def ending_equations(laws: Laws, stop: Stop, regime: Regime, value: Valuation) -> Iterator[Equation]:
+    """After a very long time a speed that tends to a limit no longer changes: q̈ = f(v) = 0."""
+    for law in laws.laws:
+        if law.order != 2 or law.speed is None or law.f.free_symbols & {regime.time, law.coordinate.symbol}:
+            continue
+        slope = sp.diff(law.f, law.v)
+        if slope == 0:
+            continue
+        residual = law.f.xreplace({law.v: _speed(law, stop)})
+        yield Equation(residual, "given", "in the end the speed no longer changes", stop.name)
 
 
 def stated_equations(demands: Iterable[Demand], kind: str = "given") -> Iterator[Equation]:

@@ -10,18 +10,17 @@ import sympy as sp
 
 from planar_cli.equation.evaluate import refuse
 from planar_cli.equation.exact import Valuation
-from planar_cli.equation.jets import Jet
 from planar_cli.equation.plain import longer, rounded_inside, simplified
 from planar_cli.equation.system import mode_of
 from planar_cli.problem.dimensions import dimension_of
-from planar_cli.problem.expression import Grouped, Quantity, Relation
+from planar_cli.problem.expression import Quantity, Relation
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import Find
 from planar_cli.solve.asked import quantities_in
 from planar_cli.solve.course.complete import TRUTHS, is_true
 from planar_cli.solve.course.course import Course
-from planar_cli.solve.course.route import Route
 from planar_cli.solve.course.paths import CurveReader, is_curve
+from planar_cli.solve.course.route import Route
 from planar_cli.solve.course.starts import started
 from planar_cli.solve.course.throughout import Throughout
 from planar_cli.solve.course.timeline import Reader, Stop
@@ -90,13 +89,17 @@ class FindReader:
         if mode is not None:
             return Found(find.name, mode[0], pure, None, None, mode[1], find)
         if isinstance(what, Quantity) and what.word in TRUTHS:
-            return Found(find.name, "truth", pure, None, None, "true" if is_true(self.course, what, value) else "false", find)
+            word = "true" if is_true(self.course, what, value) else "false"
+            return Found(find.name, "truth", pure, None, None, word, find)
         if is_curve(what):
-            starts = started(self.course, asked.reader.regime, lambda s: self.closed(s, route), value)
+            known = {} if self.throughout is None else self.throughout.start
+            starts = started(self.course, asked.reader.regime, lambda s: known.get(s, s), value)
             found, passage = CurveReader(asked.reader.regime, starts).answer(find)
             self.curves.append(passage)
             return found
         parts = [self.settled(asked, p) for p in asked.parts]
+        if isinstance(what, Quantity) and what.word == "frequency" and self.unit_of(find).angle:
+            parts = [2 * sp.pi * p for p in parts]
         if isinstance(what, Relation):
             number = value(parts[0] - parts[1])
             number = Decimal(0) if value.is_zero(parts[0] - parts[1]) else number

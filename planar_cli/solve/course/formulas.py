@@ -20,19 +20,19 @@ from planar_cli.equation.quantities import Quantities
 from planar_cli.equation.system import mode_of
 from planar_cli.errors import Diagnostic, NoSolution
 from planar_cli.problem.dimensions import dimension_of
-from planar_cli.problem.expression import Name, Quantity, Relation
+from planar_cli.problem.expression import Name, Quantity, Relation, Side
 from planar_cli.problem.formulas import formulas
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import Find, Polar, Problem
 from planar_cli.problem.walk import walk
 from planar_cli.solve.asked import quantities_in
 from planar_cli.solve.course.differentiated import differentiated, rates_put_in
-from planar_cli.solve.course.functions import Functions, drawn_start
+from planar_cli.solve.course.functions import Functions, directed, drawn_start
 from planar_cli.solve.course.paths import CurveReader, is_curve
 from planar_cli.solve.course.plot import Stretch, Workshop, spans_of
 from planar_cli.solve.course.regime import Regime
-from planar_cli.solve.course.stories import places_told
-from planar_cli.solve.passages import Passage, Tale
+from planar_cli.solve.course.stories import Story
+from planar_cli.solve.passages import Passage, Tale, sides_of
 from planar_cli.solve.solution import Found, PartSolution
 from planar_cli.solve.verify import Disagreement
 from planar_cli.solve.worked import unknowns_of
@@ -40,6 +40,8 @@ from planar_cli.units import parse_unit
 
 CLOSED_OPS = 90
 AGREE = Decimal("1e-25")
+LONG_ROW = 24
+"""A place whose derivatives take more operations is better told with the numbers of the instant."""
 FORCES = frozenset(("N", "friction", "reaction", "moment", "tension", "force", "power", "mode"))
 
 
@@ -74,12 +76,12 @@ def general_regime(problem: Problem, earlier: Mapping[str, Any], exprs_of: Any) 
         regime.work(exprs_of(regime))
         return regime
     mark = problem.find[0].mark
-    raise NoSolution([Diagnostic(mark, "PL622", f"no assumption about the contacts holds in a general position: {objection}")])
+    raise NoSolution(
+        [Diagnostic(mark, "PL622", f"no assumption about the contacts holds in a general position: {objection}")]
+    )
 
 
-def solve_formulas(
-    problem: Problem, case: str, units: Mapping[str, str], earlier: Mapping[str, Any]
-) -> PartSolution:
+def solve_formulas(problem: Problem, case: str, units: Mapping[str, str], earlier: Mapping[str, Any]) -> PartSolution:
     """All finds of a problem as formulas and curves."""
 
     def exprs_of(regime: Regime) -> list[sp.Expr]:
@@ -93,7 +95,7 @@ def solve_formulas(
     assert solution is not None
     if reader.compared:
         lines = solution.checks.setdefault("lines", [])
-        lines.append("the derivatives of the places are the velocities and accelerations of the joints")
+        lines.append("velocities and accelerations along the joints agree")
     whole = not reader.kinetic and not reader.by_joints
     return PartSolution(case, (solution,), found, None, Tale(reader.passages(), whole))
 
@@ -203,13 +205,14 @@ class FormulaReader:
         for ours, theirs in zip(raw, _values(find, self.regime.general.quantities), strict=True):
             one, other = value(self.regime.closed(ours.xreplace(rates))), value(theirs)
             if abs(one - other) > AGREE * max(abs(one), abs(other), Decimal("1e-20")):
-                raise Disagreement(f"{find.name}: the derivative of the place is {one:.6g}, the joints give {other:.6g}")
+                raise Disagreement(
+                    f"{find.name}: the derivative of the place is {one:.6g}, the joints give {other:.6g}"
+                )
         self.compared += len(raw)
 
     def closed(self, expr: sp.Expr, find: Find) -> sp.Expr:
         """A formula in t and the coordinates of the file; our own coordinates are put in as functions of time."""
-        expr = self.regime.closed(expr.xreplace(rates_put_in(self.regime)))
-        expr = simplified(self._unsigned(self.functions.put_in(expr)))
+        expr = self.clean(expr)
         scene = self.regime.general.instant.scene
         own = {c.symbol: c for c in self.regime.coordinates if c.symbol not in scene.ledger.coordinates}
         left = [c for s, c in own.items() if s in expr.free_symbols]
@@ -218,16 +221,25 @@ class FormulaReader:
         elif left:
             raise self._open(find, left[0].words)
         speeds = {r for r, _ in scene.evaluator.motions.values() if isinstance(r, sp.Symbol)}
-        if loose := sorted(s.name for s in expr.free_symbols & set(self.regime.free) - speeds):
-            raise self._open(find, f"{loose[0]}, {self.regime.general.trial.system.titles.get(sp.Symbol(loose[0], real=True), 'a velocity')}")
+        titles = self.regime.general.trial.system.titles
+        if loose := sorted(expr.free_symbols & set(self.regime.free) - speeds, key=str):
+            raise self._open(find, titles.get(loose[0], loose[0].name))
         return expr
 
+    def clean(self, expr: sp.Expr) -> sp.Expr:
+        """A formula of the regime with rates and functions of time put in, as it is printed."""
+        expr = self.regime.closed(expr.xreplace(rates_put_in(self.regime)))
+        expr = simplified(self._unsigned(simplified(self.functions.put_in(expr))))
+        return directed(expr, self.regime.general.instant.scene.valuations[0])
+
     def _unsigned(self, expr: sp.Expr) -> sp.Expr:
-        """|e| is e where the file writes a distance with it: distances are not negative."""
+        """|e| is e where the file writes a distance or a magnitude with it: those are not negative."""
+        expr = expr.replace(_is_root, _square_rooted)
         if not expr.has(sp.Abs):
             return expr
         scene = self.regime.general.instant.scene
         distances = [scene.value(p.place.distance) for p in self.problem.points if isinstance(p.place, Polar)]
+        distances += [scene.value(side) for side in _magnitudes(self.problem)]
 
         def plain(size: sp.Expr) -> sp.Expr:
             inside = size.args[0]
@@ -241,15 +253,18 @@ class FormulaReader:
     @staticmethod
     def _open(find: Find, words: str) -> Exception:
         text = f"{find.name}: the file does not tell how this varies in time: {words}"
-        return refuse(find.mark, "PL651", text, "give the start of the motion in `states`, or say in `motion` how it moves")
+        return refuse(
+            find.mark, "PL651", text, "give the start of the motion in `states`, or say in `motion` how it moves"
+        )
 
     def _unit(self, find: Find) -> Any:
         if find.found.unit is not None:
             return parse_unit(find.found.unit)
         if find.name in self.units:
             return parse_unit(self.units[find.name])
-        setup = self.regime.general.instant.setup
-        return setup.unit_for(dimension_of(find.found.what, setup.lookup))
+        setup, what = self.regime.general.instant.setup, find.found.what
+        assert isinstance(what, Side)
+        return setup.unit_for(dimension_of(what, setup.lookup))
 
     def _word(self, find: Find, what: Any) -> str:
         """A mode, or whether a relation holds whatever t and the coordinates are."""
@@ -274,12 +289,49 @@ class FormulaReader:
         told = () if self.kinetic or not finds else self._places(finds)
         return (*told, *self.curves)
 
-
     def _places(self, finds: list[Find]) -> tuple[Passage, ...]:
-        return places_told(self.regime, self.quantities, self.functions, finds, not self.by_joints)
+        story = Story(self.regime, self.quantities, self.functions, self.clean, not self.by_joints)
+        return story.passages(finds)
+
+
+def _magnitudes(problem: Problem) -> list[Side]:
+    """What `motion` gives as the magnitude of a place."""
+    relations = [law.statement for law in problem.motion if isinstance(law.statement, Relation)]
+    return [
+        r.right
+        for r in relations
+        if isinstance(r.left, Quantity) and r.left.word == "r" and [p.kind for p in r.left.parts] == ["mag"]
+    ]
+
+
+def _is_root(e: sp.Expr) -> bool:
+    return bool(e.is_Pow and e.exp.is_Rational and e.exp.q == 2 and e.base.is_Add)
+
+
+def _square_rooted(e: sp.Expr) -> sp.Expr:
+    """√(a²) as |a|."""
+    root = sp.sqrt(sp.factor(e.base))
+    return root ** (2 * e.exp) if not any(_is_root(p) for p in root.atoms(sp.Pow)) else e
+
+
+def at_given_time(problem: Problem, part: PartSolution) -> PartSolution:
+    """One instant of a motion that `motion` gives as short places over time: differentiated, then the time put in."""
+    regimes = [] if part.motion is None or problem.states else part.motion.course.distinct_regimes()
+    if len(regimes) != 1 or any(asks_forces(f) for f in problem.find):
+        return part
+    reader = FormulaReader(problem, {}, regimes[0])
+    if set(Functions(regimes[0], {}).find()) != set(regimes[0].rates) or reader.kinetic:
+        return part
+    when = " and ".join(s.text for s in problem.instant or () if isinstance(s, Relation))
+    told = reader.passages()
+    if any(longer(side, LONG_ROW) for p in told for row in p.rows for side in sides_of(row)):
+        return part
+    curves = part.tale.passages if part.tale is not None else ()
+    part.tale = Tale((*told, Passage(f"All this is taken at {when}.", ()), *curves))
+    return part
 
 
 def without(problem: Problem, finds: Iterable[Find]) -> Problem:
     """The problem with fewer finds."""
-    left = set(id(f) for f in finds)
+    left = {id(f) for f in finds}
     return replace(problem, find=tuple(f for f in problem.find if id(f) not in left))

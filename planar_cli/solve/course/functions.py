@@ -19,6 +19,7 @@ from planar_cli.solve.course.regime import Regime
 from planar_cli.solve.roots import real_roots
 
 SAME = Decimal("1e-20")
+INVERSE = {sp.asin: sp.sin, sp.acos: sp.cos}
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,9 +99,7 @@ class Functions:
     def _solved(self, residual: sp.Expr, x: sp.Symbol) -> sp.Expr | None:
         """The root that is near the drawn position."""
         value = self.value
-        residual = residual.replace(
-            lambda e: isinstance(e, sp.Abs), lambda e: e.args[0] * (1 if value(e.args[0]) >= 0 else -1)
-        )
+        residual = smooth(residual, value)
         try:
             roots = real_roots(residual, x, value, True, False)
         except (Undecided, ArithmeticError, Unvalued):
@@ -113,7 +112,7 @@ class Functions:
             off = root.value - here
             turns = round(off / (2 * PI)) if angle else 0
             if abs(off - 2 * PI * turns) <= SAME * max(abs(here), Decimal(1)):
-                return simplified(root.expression - 2 * sp.pi * turns)
+                return simplified(smooth(root.expression - 2 * sp.pi * turns, value))
         return None
 
     # --- laws --------------------------------------------------------------------------------------------------------
@@ -149,9 +148,52 @@ class Functions:
         end = Moment(self.regime.time, q, v if v is not None else sp.Dummy("v", real=True))
         for span in relations(order, f, Moment(t0, q0, v0), end, value):
             if span.kind == "q(t)" and span.explicit is not None and not span.explicit.has(sp.Integral):
-                sides = None if span.left is None else (span.left.xreplace(first), span.right.xreplace(first))
-                return Function(q, simplified(span.explicit.xreplace(first)), span.words, sides)
+                sides = None
+                if span.left is not None and span.right is not None:
+                    sides = span.left.xreplace(first), span.right.xreplace(first)
+                return Function(q, simplified(span.explicit.xreplace(first)), "integrated over time", sides)
         return None
+
+
+def smooth(expr: sp.Expr, value: Valuation) -> sp.Expr:
+    """Absolute values, and inverse sines of sines, as the branch that is drawn goes on: |cos θ| as cos θ."""
+
+    def signed(e: sp.Expr) -> sp.Expr:
+        inside = e.args[0]
+        return inside if value(inside) >= 0 else -inside
+
+    def unwound(e: sp.Expr) -> sp.Expr:
+        inner = e.args[0]
+        angle = inner.args[0] if isinstance(inner, sp.sin | sp.cos) else None
+        if angle is None:
+            return e
+        base = angle if INVERSE[type(e)] is type(inner) else sp.pi / 2 - angle
+        for way in (base, -base, sp.pi - base):
+            turns = (value(e) - value(way)) / (2 * PI)
+            if abs(turns - round(turns)) <= SAME:
+                return way + 2 * sp.pi * round(turns)
+        return e
+
+    expr = expr.replace(lambda e: isinstance(e, sp.asin | sp.acos), unwound)
+    found: sp.Expr = simplified(expr).replace(lambda e: isinstance(e, sp.Abs), signed)
+    return found
+
+
+def directed(expr: sp.Expr, value: Valuation) -> sp.Expr:
+    """Directions atan2(y, x) without the positive factor that both parts have."""
+
+    def plain(e: sp.Expr) -> sp.Expr:
+        y, x = e.args
+        for sine in sorted(y.atoms(sp.sin), key=str):
+            phi = sine.args[0]
+            if simplified(y * sp.cos(phi) - x * sp.sin(phi)) == 0 and value(x * sp.cos(phi) + y * sp.sin(phi)) > 0:
+                return sp.sympify(phi)
+        above, below = sp.fraction(simplified(y / x))
+        sign = 1 if value(above) * value(y) > 0 else -1
+        return sp.atan2(sign * above, sign * below)
+
+    found: sp.Expr = expr.replace(lambda e: isinstance(e, sp.atan2) and e.args[1] != 0 and e.args[0] != 0, plain)
+    return found
 
 
 def drawn_start(regime: Regime) -> dict[sp.Symbol, sp.Expr]:

@@ -16,6 +16,7 @@ from planar_cli.equation.setup import Course, Setup
 from planar_cli.equation.system import Statements
 from planar_cli.problem.scene import Problem
 from planar_cli.solve.course.constraints import Constraint, constraints_of, project, start_symbol
+from planar_cli.solve.course.drawing import ranges
 from planar_cli.solve.course.places import held_places
 from planar_cli.solve.finish import Finisher
 from planar_cli.solve.instant import Instant, Trial
@@ -118,7 +119,7 @@ def _general(
 ) -> General:
     user = _user_coordinates(drawn)
     constraints = constraints_of(drawn, choice, displacement, (*user, *displacement.coordinates))
-    course = Course(displacement, _ranges(drawn, displacement), _projector(constraints, displacement, user))
+    course = Course(displacement, ranges(drawn, displacement), _projector(constraints, displacement, user))
     instant = Instant(Setup(problem, Statements.of(always, ()), earlier, True, course))
     system = instant.system(choice)
     held = held_places(instant.setup, system.quantities_of(system.first, None))
@@ -133,6 +134,8 @@ def _general(
     given |= {s: Decimal(0) for s in independent if s.name in resting}
     independent = tuple(s for s in independent if s.name not in resting)
     trial = instant.try_choice(choice, valuations, given=given)
+    if trial.objection == "contradiction" and instant.add_drivers():
+        trial = instant.try_choice(choice, valuations, given=given)
     quantities = trial.system.quantities() if trial.outcomes else trial.system.quantities_of(trial.system.first, None)
     coordinates = (*_user_coordinates(instant), *displacement.coordinates)
     return General(
@@ -162,20 +165,6 @@ def _independent(
             for x, number in pivot.items():
                 v[x] = v.get(x, Decimal(0)) - factor * number
     return tuple(chosen)
-
-
-def _ranges(drawn: Instant, displacement: Displacement) -> dict[str, tuple[Decimal, Decimal]]:
-    """Where coordinates are drawn: near the drawn position."""
-    value = drawn.scene.valuations[0]
-    sizes = [abs(value(e)) for p in drawn.scene.points.values() for e in (p.x, p.y)]
-    size = max(sizes, default=Decimal(0)) or Decimal(1)
-    found = {}
-    for c in displacement.coordinates:
-        if c.drawn is None or set(c.drawn.free_symbols) & set(drawn.scene.ledger.letters):
-            continue
-        at, reach = value(c.drawn), size if c.unit == "m" else Decimal(1)
-        found[c.symbol.name] = (at + reach * Decimal("0.07"), at + reach * Decimal("0.23"))
-    return found
 
 
 def _projector(

@@ -20,7 +20,7 @@ from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.equation.plain import simplified
 from planar_cli.solve.course.constraints import project, start_symbol
 from planar_cli.solve.course.equations import Laws, law_equations, laws_of, link_equations
-from planar_cli.solve.course.regime import Regime, number_function
+from planar_cli.solve.course.regime import Regime, corners, number_function
 from planar_cli.solve.course.timeline import Stop
 
 if TYPE_CHECKING:
@@ -115,7 +115,9 @@ class Leg:
         initial = self._initial() if begin == self.t0 else [self.at(begin)[s] for s in self.regime.letters[1:]]
         exprs = [*(self.regime.rates[c.symbol] for c in self.regime.coordinates), *self.regime.accelerations.values()]
         rhs = machine_function([*exprs, *more], self.regime.letters, self.value, digits)
-        flow = Flow(lambda t, y: rhs(t, *y[: len(initial)]), begin, [*map(_plain(digits), initial), *(0 for _ in more)], digits)
+        first = [*map(_plain(digits), initial), *(0 for _ in more)]
+        breaks = corners(self.regime, self.value)
+        flow = Flow(lambda t, y: rhs(t, *y[: len(initial)]), begin, first, digits, breaks=breaks)
         if not more and since is None:
             self._flows[digits] = flow
         return flow
@@ -157,7 +159,8 @@ def legs(course: Course, value: Valuation) -> tuple[Leg, ...]:
     for n, i in enumerate(begins):
         regime, start = course.regimes[i], course.stops[course.states[i].name]
         until = begins[n + 1] + 1 if n + 1 < len(begins) else len(course.states)
-        times = [value(course.stops[s.name].t) for s in course.states[i:until] if course.stops[s.name].t in value.values]
+        ends = [course.stops[s.name].t for s in course.states[i:until]]
+        times = [value(t) for t in ends if t in value.values]
         t0 = value(start.t)
         known = value.extended(_begun(regime, start, course, value))
         known = known.extended({k: v for k, v in origin.items() if k not in known.values})

@@ -68,7 +68,7 @@ class Oscillation:
 
 @dataclass(frozen=True, slots=True)
 class Verdict:
-    """`kind`: stable, unstable or indifferent. `power`: the power of the deviation that decides (1: the linear term)."""
+    """`kind`: stable, unstable or indifferent. `power`: of the deviation in the term that decides (1: the linear one)."""
 
     kind: str
     power: int = 1
@@ -132,6 +132,17 @@ def tell_oscillations(course: Course) -> None:
                 found = oscillation_at(course, q)
                 if found.single:
                     course.told[symbol] = found.period if q.word == "period" else found.frequency
+
+
+def oscillations_of(course: Course) -> tuple[Oscillation, ...]:
+    """The oscillations that are asked about, one for each state."""
+    asked = {
+        q.things[0]: q
+        for reader in course.distinct_readers()
+        for q in reader.spans.values()
+        if q.word in ("period", "frequency", "stable")
+    }
+    return tuple(oscillation_at(course, q) for q in asked.values())
 
 
 def check_oscillations(course: Course, value: Valuation) -> None:

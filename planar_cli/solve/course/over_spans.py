@@ -11,10 +11,12 @@ A path length is the sum of its parts between the instants at which the velocity
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from contextlib import suppress
 from dataclasses import dataclass
 from decimal import Decimal
-from functools import cached_property
+from functools import cached_property, partial
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 import mpmath
@@ -208,7 +210,7 @@ class SpanSolver:
         inside = [leg.start for leg in self.legs[1:] if ta < leg.t0 < tb]
         points = [a, *inside, b]
         found = []
-        for p, r in zip(points, points[1:], strict=False):
+        for p, r in pairwise(points):
             tp = self.value(p.t)
             leg = [x for x in self.legs if x.t0 <= tp + SAME_TIME * max(abs(tp), Decimal(1))][-1:] or [self.legs[0]]
             found.append((p, r, leg[0]))
@@ -237,7 +239,7 @@ class SpanSolver:
                 p, r, speed, whole.how, abs(whole.number), formula, whole.antiderivative, whole.over_time
             )
         ends = [ta, *turns, tb]
-        total = sum((abs(self._number(speed, leg, s, t)[0]) for s, t in zip(ends, ends[1:], strict=False)), Decimal(0))
+        total = sum((abs(self._number(speed, leg, s, t)[0]) for s, t in pairwise(ends)), Decimal(0))
         return Piece(p, r, speed, whole.how, total, None, whole.antiderivative, whole.over_time, turns)
 
     def _integral(self, p: Stop, r: Stop, rate: sp.Expr, leg: Leg) -> Piece:
@@ -267,10 +269,8 @@ class SpanSolver:
         here = leg.value.extended({start: ta, end: tb})
         closed = definite(simplified(over), time, start, end, here)
         if closed is not None:
-            try:
+            with suppress(ArithmeticError):
                 return here(closed), "integral"
-            except ArithmeticError:
-                pass
         return here(sp.Integral(over, (time, start, end))), "quadrature"
 
     @staticmethod
@@ -293,11 +293,8 @@ class SpanSolver:
         for root in all_roots(leg.function(expr), float(ta), float(tb)):
             t = Decimal(repr(root.value))
             if direct is not None and root.kind != "stays":
-                here, time = leg.value, leg.regime.time
-                try:
-                    t = polish(lambda x: here.extended({time: x})(direct), Decimal(root.low), Decimal(root.high))
-                except ArithmeticError:
-                    pass
+                with suppress(ArithmeticError):
+                    t = polish(partial(leg.number, direct), Decimal(root.low), Decimal(root.high))
             found.append(t)
         return found
 
@@ -317,8 +314,7 @@ class SpanSolver:
         return [t for t in times if sense * g(float(t) + step) > 0 > sense * g(float(t) - step)]
 
 
-def _size(g: object, leg: Leg) -> float:
-    assert callable(g)
+def _size(g: Callable[[float], float], leg: Leg) -> float:
     span = float(leg.t1 - leg.t0)
     return max(1e-9, *(abs(g(float(leg.t0) + span * k / 7)) for k in range(8)))
 

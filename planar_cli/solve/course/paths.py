@@ -20,6 +20,7 @@ from planar_cli.problem.expression import Quantity
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND, Find, Rod
 from planar_cli.solve.course.functions import Functions, explained
+from planar_cli.solve.course.one_freedom import driver_of, followed_curve, loops_of
 from planar_cli.solve.course.regime import Regime
 from planar_cli.solve.passages import Passage, Row, told_function
 from planar_cli.solve.solution import Found
@@ -29,6 +30,15 @@ CURVES = ("path", "hodograph")
 PATH = (("x", "y"), ("r", "theta"))
 HODOGRAPH = (("v_x", "v_y"), ("v", "phi"))
 PLAIN_NAMES = {"v_x": "vx", "v_y": "vy"}
+
+
+@dataclass(frozen=True, slots=True)
+class Single:
+    """A place in one parameter; `functions`: how the other coordinates depend on it."""
+
+    parameter: sp.Symbol
+    functions: Functions
+    place: Vec
 
 
 def is_curve(what: object) -> bool:
@@ -50,33 +60,62 @@ class CurveReader:
         q = find.found.what
         assert isinstance(q, Quantity)
         place = self.place(q)
-        parameter, functions, exprs = self._single(find, q, place)
         axes, polar = HODOGRAPH if q.word == "hodograph" else PATH
         scene = self.regime.general.instant.scene
-        varying = set(self.regime.letters)
-        letters = frozenset(s for s in scene.ledger.letters if s not in varying or s != parameter)
-        value = scene.valuations[0]
-        curve = curve_of(exprs.x, exprs.y, parameter, value, axes, polar, letters)
-        words = self._words(q, curve, value)
-        heading = self._heading(q) + self._meaning(parameter, exprs)
-        passage = Passage(heading, self._rows(place, functions, exprs, curve, axes))
-        return self._found(find, curve, words), passage
+        single = _apart(self._single(q, place), axes)
+        if isinstance(single, Single):
+            letters = frozenset(s for s in scene.ledger.letters if s != single.parameter)
+            at, value = single.place, scene.valuations[0]
+            curve = curve_of(at.x, at.y, single.parameter, value, axes, polar, letters)
+            heading = self._heading(q) + self._meaning(single)
+            passage = Passage(heading, self._rows(place, single, curve, axes))
+            return self._found(find, self._named(q, curve, value)), passage
+        loops = loops_of(self.regime)
+        driver = driver_of(self.regime, loops, single)
+        if driver is None:
+            raise self._several(find, q, single)
+        at = self._velocity(place) if q.word == "hodograph" else place
+        curve = followed_curve(self.regime, loops, driver, at, axes)
+        rows = [
+            Row("", sp.Eq(sp.Symbol(a, real=True), e, evaluate=False)) for a, e in zip(axes, (at.x, at.y), strict=True)
+        ]
+        rows += [Row(c.title, sp.Eq(c.residual, 0, evaluate=False)) for c in loops.constraints]
+        if curve.equation is not None:
+            rows.append(Row(f"places computed along the loop all lie on one {curve.kind}", curve.equation))
+        return self._found(find, self._named(q, curve, scene.valuations[0])), Passage(
+            self._heading(q) + ":", tuple(rows)
+        )
 
-    def _found(self, find: Find, curve: Curve, words: str) -> Found:
+    def _found(self, find: Find, curve: Curve) -> Found:
         equations: tuple[sp.Expr, ...] | None = None
         if curve.equation is not None:
             plain = {s: sp.Symbol(PLAIN_NAMES[s.name], real=True) for s in curve.equation.free_symbols
                      if s.name in PLAIN_NAMES}  # fmt: skip
             equations = (curve.equation.xreplace(plain),)
-        named = replace(curve, kind=words, centre=None) if curve.centre is not None else curve
-        return Found(find.name, "curve", parse_unit("1"), None, equations, "", find, curve=named)
+        return Found(find.name, "curve", parse_unit("1"), None, equations, "", find, curve=curve)
 
     # --- places in frames --------------------------------------------------------------------------------------------
 
     def place(self, q: Quantity) -> Vec:
-        """The point in its frame, in coordinates and t."""
-        at = self._seen(self._point(q.things[0]), q)
-        return Vec(simplified(at.x), simplified(at.y))
+        """The point in its frame, in coordinates and t; as a point of that of its bodies which makes it shortest."""
+        seen = [self._seen(at, q) for at in self._places(q.things[0])]
+        plain = [Vec(simplified(at.x), simplified(at.y)) for at in seen]
+        return min(plain, key=lambda at: len(self._varying(at)))
+
+    def _places(self, name: str) -> list[Vec]:
+        """A point as each of the bodies carries it to which it belongs."""
+        general = self.regime.general
+        at = self._point(name)
+        drawn = {c.symbol: c.drawn for c in general.coordinates if c.drawn is not None}
+        owners = general.instant.scene.owners.get(name, [])
+        inside = at.x.free_symbols | at.y.free_symbols
+        if name in general.displacement.spots or any(
+            c.symbol in inside for c in general.coordinates if c.drawn is None
+        ):
+            return [at]
+        start = Vec(at.x.subs(drawn), at.y.subs(drawn))
+        poses = [general.displacement.poses[o] for o in owners[1:] if o not in general.displacement.formula]
+        return [at, *(p.point(start) for p in poses)]
 
     def _point(self, name: str) -> Vec:
         scene = self.regime.general.instant.scene
@@ -111,14 +150,15 @@ class CurveReader:
         inside = at.x.free_symbols | at.y.free_symbols
         return [s for s in self.regime.letters if s in inside and self.regime.rates.get(s, sp.S.One) != 0]
 
-    def _single(self, find: Find, q: Quantity, place: Vec) -> tuple[sp.Symbol, Functions, Vec]:
-        """The curve in one parameter: the only coordinate; else one on which the others depend; else time."""
+    def _single(self, q: Quantity, place: Vec) -> Single | list[sp.Symbol]:
+        """The curve in one parameter: the only coordinate; else one on which the others depend; else time. Where
+        there is none, what it depends on.
+        """
         hodograph = q.word == "hodograph"
-        none = Functions(self.regime, self.starts)
         plain = self._velocity(place) if hodograph else place
         varying = self._varying(plain)
         if len(varying) <= 1:
-            return (varying or [self.regime.time])[0], none, plain
+            return Single((varying or [self.regime.time])[0], Functions(self.regime, self.starts), plain)
         for kept in varying:
             if kept not in self.regime.rates:
                 continue
@@ -126,15 +166,16 @@ class CurveReader:
             linked.find()
             found = Vec(linked.put_in(plain.x), linked.put_in(plain.y))
             if self._varying(found) == [kept]:
-                return kept, linked, Vec(simplified(found.x), simplified(found.y))
+                return Single(kept, linked, Vec(simplified(found.x), simplified(found.y)))
         timed = Functions(self.regime, self.starts)
         timed.find()
         found = Vec(simplified(timed.put_in(place.x)), simplified(timed.put_in(place.y)))
-        if self._varying(found) in ([], [self.regime.time]):
-            if hodograph:
-                found = Vec(simplified(sp.diff(found.x, self.regime.time)), simplified(sp.diff(found.y, self.regime.time)))
-            return self.regime.time, timed, found
-        raise self._several(find, q, self._varying(found))
+        left = self._varying(found)
+        if left not in ([], [self.regime.time]):
+            return [s for s in varying if s != self.regime.time] if not hodograph else varying
+        if hodograph:
+            found = Vec(*(simplified(sp.diff(e, self.regime.time)) for e in (found.x, found.y)))
+        return Single(self.regime.time, timed, found)
 
     def _velocity(self, place: Vec) -> Vec:
         return Vec(self.regime.derivative(place.x), self.regime.derivative(place.y))
@@ -144,10 +185,7 @@ class CurveReader:
         listed = f"{', '.join(names[:-1])} and {names[-1]}" if len(names) > 1 else names[0]
         what = "velocity" if q.word == "hodograph" else "place"
         text = f"{find.name}: the {what} of {q.things[0]} depends on {listed}"
-        if len(names) > 1:
-            text += ", which the file lets vary independently of each other: that is no single curve"
-        else:
-            text += ", and the file does not tell how that varies in time"
+        text += ", and nothing in the file ties them to each other or to the time: that is no single curve"
         hint = "say in `motion` how they move, or give the start of the motion in `states`"
         if q.word == "path":
             hint += "; or ask for the path as seen from a point or body, `path(B/A)`"
@@ -155,27 +193,24 @@ class CurveReader:
 
     # --- words -------------------------------------------------------------------------------------------------------
 
-    def _words(self, q: Quantity, curve: Curve, value: Valuation) -> str:
-        """The name of the curve; a circle about a point of the file, or one at rest there, says which."""
-        if curve.kind not in (CIRCLE, POINT) or curve.centre is None:
-            return curve.kind
-        if q.word == "hodograph" and curve.kind == CIRCLE:
-            return "circle about the origin" if all(value.is_zero(c) for c in curve.centre) else curve.words
+    def _named(self, q: Quantity, curve: Curve, value: Valuation) -> Curve:
+        """A circle about a point of the file, or about the origin, is called so; a point at rest says what rests."""
         if curve.kind == POINT:
             rests = "the velocity does not change" if q.word == "hodograph" else "it does not move in this frame"
-            return f"point, {rests}"
-        name = self._named_centre(q, curve.centre, value)
+            return replace(curve, kind=f"point: {rests}", centre=None)
+        if curve.kind != CIRCLE or curve.centre is None:
+            return curve
+        name = self._named_centre(q, curve.centre) if q.word == "path" else ""
         if not name and all(value.is_zero(c) for c in curve.centre):
             name = "the origin"
-        return f"circle about {name}" if name else curve.words
+        return replace(curve, kind=f"circle about {name}", centre=None) if name else curve
 
-    def _named_centre(self, q: Quantity, centre: tuple[sp.Expr, sp.Expr], value: Valuation) -> str:
+    def _named_centre(self, q: Quantity, centre: tuple[sp.Expr, sp.Expr]) -> str:
+        """A point that stays at the centre, wherever the others are."""
         scene = self.regime.general.instant.scene
         for name in scene.points:
             at = self._seen(self._point(name), q)
-            if (simplified(at.x).free_symbols | simplified(at.y).free_symbols) & set(self.regime.letters):
-                continue
-            if value.is_zero(at.x - centre[0]) and value.is_zero(at.y - centre[1]):
+            if all(v.is_zero(at.x - centre[0]) and v.is_zero(at.y - centre[1]) for v in scene.valuations):
                 return name
         return ""
 
@@ -194,30 +229,44 @@ class CurveReader:
             return f"Path of {point} seen from {other}, its origin at {shape.start} and its x axis along {other}"
         return f"Path of {point} seen from {other}, its origin at the centre and its axes turning with {other}"
 
-    def _meaning(self, parameter: sp.Symbol, exprs: Vec) -> str:
+    def _meaning(self, single: Single) -> str:
         """What a coordinate is that the file does not name."""
+        parameter, exprs = single.parameter, single.place
         scene = self.regime.general.instant.scene
+        if parameter not in self.regime.letters:
+            return f", `{parameter.name}` the coordinate {parameter.name.removesuffix('_0')}:"
         own = next((c for c in self.regime.coordinates if c.symbol == parameter), None)
-        if own is None or parameter in scene.ledger.coordinates:
+        if own is None or parameter in scene.ledger.coordinates or own.words[:5] in ("x of ", "y of "):
             return ":"
         if parameter not in exprs.x.free_symbols | exprs.y.free_symbols:
             return ":"
         since = " from where it is drawn" if own.drawn == 0 and own.words.startswith("way") else ""
-        return f", {parameter.name} the {own.words}{since}:"
+        return f", `{parameter.name}` the {own.words}{since}:"
 
-    def _rows(
-        self, place: Vec, functions: Functions, exprs: Vec, curve: Curve, axes: tuple[str, str]
-    ) -> tuple[Row, ...]:
+    def _rows(self, place: Vec, single: Single, curve: Curve, axes: tuple[str, str]) -> tuple[Row, ...]:
         """The place, the functions put in, and the elimination."""
+        functions, exprs = single.functions, single.place
         told = explained(functions.found, (place.x, place.y))
         rows = [told_function(f) for f in told if f.symbol not in (place.x, place.y)]
-        shown = [sp.Eq(sp.Symbol(a, real=True), e, evaluate=False) for a, e in zip(axes, (exprs.x, exprs.y), strict=True)]
-        if curve.kind == POINT:
-            return (*rows, *(Row("", e) for e in shown))
-        steps = [Row(w, e) for w, e in curve.steps if not any(_same(e, s) for s in shown)]
-        if curve.equation is not None and not steps:
-            return (*rows, *(Row("", e) for e in shown))
-        return (*rows, *(Row("", e) for e in shown), *steps)
+        shown = []
+        for axis, own, expr in zip(axes, (place.x, place.y), (exprs.x, exprs.y), strict=True):
+            known = functions.found.get(own) if isinstance(own, sp.Symbol) else None
+            words = known.words if known is not None and known.expr == expr else ""
+            line = sp.expand(expr) if expr.is_polynomial(self.regime.time) else expr
+            shown.append(Row(words, sp.Eq(sp.Symbol(axis, real=True), line, evaluate=False)))
+        steps = [Row(w, e) for w, e in curve.steps if not any(_same(e, s.line) for s in shown)]
+        return (*rows, *shown) if curve.kind == POINT else (*rows, *shown, *steps)
+
+
+def _apart(single: Single | list[sp.Symbol], axes: tuple[str, str]) -> Single | list[sp.Symbol]:
+    """The parameter under another name where the file calls a coordinate like an axis, and it is not that axis."""
+    if not isinstance(single, Single) or single.parameter.name not in axes:
+        return single
+    p, at = single.parameter, single.place
+    if (at.x, at.y)[axes.index(p.name)] == p:
+        return single
+    other = sp.Symbol(f"{p.name}_0", real=True)
+    return Single(other, single.functions, Vec(at.x.xreplace({p: other}), at.y.xreplace({p: other})))
 
 
 def _same(step: object, shown: sp.Eq) -> bool:

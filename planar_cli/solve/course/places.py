@@ -1,4 +1,4 @@
-"""Relations of `motion` about places: they hold in every position, `theta(crank) = w*t`, and so tell places over time."""
+"""Relations of `motion` about places: they hold in every position, `theta(crank) = w*t`, and tell places over time."""
 
 from __future__ import annotations
 

@@ -39,6 +39,7 @@ class Stretch:
     span: Span
     choice: tuple[int, ...]
     still: frozenset[str] = frozenset()
+    ways: tuple[tuple[str, int], ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,6 +62,13 @@ class Plot:
             if found[j].span.key != key:
                 break
             found[j] = replace(found[j], choice=choice)
+        return replace(self, stretches=tuple(found))
+
+    def going(self, i: int, ways: Mapping[str, int]) -> Plot:
+        """Other signs of speeds from stretch i on."""
+        found = list(self.stretches)
+        for j in range(i, len(found)):
+            found[j] = replace(found[j], ways=tuple(sorted({**dict(found[j].ways), **ways}.items())))
         return replace(self, stretches=tuple(found))
 
     def stilled(self, names: frozenset[str]) -> Plot:
@@ -100,8 +108,10 @@ class Workshop:
     """Makes what several plots of one problem share: scenes as drawn, and regimes."""
 
     earlier: Mapping[str, Any]
+    letters: dict[tuple[int, str], sp.Symbol] = field(default_factory=dict)
     _drawn: dict[Any, Instant] = field(default_factory=dict)
     _regimes: dict[Any, Regime] = field(default_factory=dict)
+    _generals: dict[Any, General] = field(default_factory=dict)
 
     def drawn(self, span: Span) -> Instant:
         """The scene of a span as drawn."""
@@ -111,9 +121,14 @@ class Workshop:
 
     def regime(self, stretch: Stretch) -> Regime:
         """The regime of a stretch."""
-        key = (stretch.span.key, stretch.choice, stretch.still)
+        key = (stretch.span.key, stretch.choice, stretch.still, stretch.ways)
         if key not in self._regimes:
-            self._regimes[key] = Regime(self._general(stretch))
+            plain = key[:3]
+            if plain not in self._generals:
+                self._generals[plain] = self._general(stretch)
+            # The same letters, whichever way things go.
+            general = replace(self._generals[plain], finisher=None, stages=[], solution=None, closed_forms={})
+            self._regimes[key] = Regime(general, dict(stretch.ways))
         return self._regimes[key]
 
     def _general(self, stretch: Stretch) -> General:

@@ -7,7 +7,7 @@ What moves is described by the coordinates q and the free speeds u; every other 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from decimal import Decimal
 from typing import Any
@@ -32,10 +32,12 @@ class Watch:
 @dataclass(slots=True)
 class Regime:
     """`rates`: of coordinates; `accelerations`: of free speeds; both closed formulas. `watches`: what must hold;
-    `slips`: speeds of slip, positive the way that is assumed.
+    `slips`: speeds of slip, positive the way that is assumed. `ways`: the signs of free speeds by name, where a law
+    asks for them; then it is written for this way.
     """
 
     general: General
+    ways: Mapping[str, int] = field(default_factory=dict)
     exprs: list[sp.Expr] = field(default_factory=list)
     rates: dict[sp.Symbol, sp.Expr] = field(default_factory=dict)
     accelerations: dict[sp.Symbol, sp.Expr] = field(default_factory=dict)
@@ -88,7 +90,11 @@ class Regime:
 
     def closed(self, expr: sp.Expr) -> sp.Expr:
         """An expression of the instant as a formula in t, coordinates and free speeds."""
-        return self.general.closed(expr)
+        return one_way(self.general.closed(expr), self.going())
+
+    def going(self) -> dict[sp.Symbol, int]:
+        """The free speeds whose sign is assumed."""
+        return {u: self.ways[u.name] for u in self.free if u.name in self.ways}
 
     def derivative(self, expr: sp.Expr) -> sp.Expr:
         """The rate of a closed formula."""
@@ -122,6 +128,28 @@ class Regime:
             for mode in system.modes.values()
             if mode.sliding is not None and mode.direction
         ]
+
+
+def one_way(expr: sp.Expr, ways: Mapping[sp.Symbol, int]) -> sp.Expr:
+    """A formula in which signs and sizes of speeds are written for the way in which these go."""
+    if not ways:
+        return expr
+    inside: dict[sp.Expr, sp.Expr] = {}
+    for atom in expr.atoms(sp.sign, sp.Abs):
+        for u, way in ways.items():
+            ratio = simplified(atom.args[0] / u)
+            if u not in ratio.free_symbols:
+                sign = way * sp.sign(ratio)
+                inside[atom] = sign if isinstance(atom, sp.sign) else sign * atom.args[0]
+    return simplified(expr.xreplace(inside)) if inside else expr
+
+
+def corners(regime: Regime, value: Valuation) -> list[Decimal]:
+    """Times at which the rates of a regime have corners: where the lines of a table meet."""
+    exprs = [*regime.rates.values(), *regime.accelerations.values()]
+    conditions = {c for e in exprs for p in e.atoms(sp.Piecewise) for c in p.atoms(sp.core.relational.Relational)}
+    found = {value(c.rhs) for c in conditions if c.lhs == regime.time and not c.rhs.free_symbols & set(regime.letters)}
+    return sorted(found)
 
 
 def number_function(

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from decimal import Decimal
 from enum import Enum
@@ -21,11 +21,14 @@ from planar_cli.calculus.flow import Flow
 from planar_cli.equation.exact import Valuation
 from planar_cli.solve.course.course import Course
 from planar_cli.solve.course.plot import fixed_time
-from planar_cli.solve.course.regime import Regime, number_function
+from planar_cli.solve.course.regime import Regime, corners, number_function
 from planar_cli.solve.course.timeline import Demand, Stop
 
 SLACK = 1e-9
-LOOKS = 4000
+AT_REST = 1e-9
+"""A speed that counts as zero, in m/s or rad/s."""
+WINDOWS = (20, 200, 2000)
+"""How far a state is looked for, in characteristic times; the motion is never followed much beyond what is found."""
 CHOICES = 8
 State = dict[sp.Symbol, float]
 
@@ -62,8 +65,8 @@ class Leg:
 @dataclass(slots=True)
 class Followed:
     """What came of following a course. `values`: letters of the states that were reached. `ends`: an assumption that
-    ended first; `misfit`: the stretch whose assumptions do not even hold at its beginning; `missed`: the state that is
-    never reached.
+    ended first; `misfit`: the stretch whose assumptions do not even hold at its beginning, `ways`: the signs that speeds
+    have there, if that is all; `missed`: the state that is never reached.
     """
 
     legs: list[Leg] = field(default_factory=list)
@@ -72,6 +75,7 @@ class Followed:
     misfit: int | None = None
     why: str = ""
     missed: str | None = None
+    ways: dict[str, int] = field(default_factory=dict)
     at: State = field(default_factory=dict)
 
 
@@ -97,6 +101,10 @@ class Follower:
             why = self._misfit(regime, begun, state)
             if why:
                 done.misfit, done.why = i, why
+                return done
+            done.ways = self._ways(regime, begun)
+            if done.ways:
+                done.misfit = i
                 return done
             reached = self._stretch(i, regime, begun)
             if reached is None:
@@ -144,6 +152,20 @@ class Follower:
             if abs(speed) <= 1e-9 and self._numbers(regime, [regime.derivative(slip)])(*here)[0] <= 0:
                 return "nothing makes it slide"
         return ""
+
+    def _ways(self, regime: Regime, state: State) -> dict[str, int]:
+        """Signs of speeds that a law asks for, where they are not those of the regime; a speed that is zero takes that of
+        its rate.
+        """
+        found = {}
+        for u in {*turning_speeds(regime), *regime.going()}:
+            here = {**state, u: 0.0} if abs(state[u]) <= AT_REST else state
+            numbers = [here[s] for s in regime.letters]
+            way = here[u] or self._numbers(regime, [regime.accelerations[u]])(*numbers)[0]
+            sign = 1 if way >= 0 else -1
+            if regime.ways.get(u.name) != sign:
+                found[u.name] = sign
+        return found
 
     def _alone(self, symbol: sp.Symbol, regime: Regime) -> bool:
         """Is a speed of the state not accounted for by the regime's own?"""
@@ -199,7 +221,9 @@ class Follower:
             return None
         exprs = [*regime.rates.values(), *regime.accelerations.values()]
         rhs = self._numbers(regime, exprs)
-        return Flow(lambda t, y: rhs(t, *y), state[regime.time], [state[s] for s in letters], digits=13)
+        begin = [state[s] for s in letters]
+        breaks = corners(regime, self.value)
+        return Flow(lambda t, y: rhs(t, *y), state[regime.time], begin, digits=13, breaks=breaks)
 
     def _scale(self, leg: Leg) -> float:
         """A time in which something moves noticeably: by a radian, or by the largest length in sight."""
@@ -231,12 +255,29 @@ class Follower:
             return None
         gs = [self._function(d.residual, stop, leg) for d in equations]
         first = max(range(len(gs)), key=lambda k: not self._still(gs[k], leg))
-        for root in itertools.islice(roots(gs[first], leg.t0, None, self._scale(leg), evaluations=LOOKS), 60):
+        for root in itertools.islice(self._events(gs[first], leg), 60):
             if all(self._zero(g, root.value, leg) for k, g in enumerate(gs) if k != first) and self._allowed(
                 demands, stop, leg, root.value
             ):
                 return root.value
         return None
+
+    def _events(self, g: Callable[[float], float], leg: Leg, until: float | None = None) -> Iterator[Root]:
+        """Roots along a leg in order, window by window."""
+        scale, begin = self._scale(leg), leg.t0
+        for count in WINDOWS:
+            end = leg.t0 + count * scale
+            if until is not None:
+                end = min(end, until)
+            try:
+                for root in roots(g, begin, end, scale):
+                    if root.value > leg.t0:
+                        yield root
+            except ArithmeticError:
+                return
+            if until is not None and end >= until:
+                return
+            begin = end
 
     @staticmethod
     def _still(g: Callable[[float], float], leg: Leg) -> bool:
@@ -288,9 +329,7 @@ class Follower:
 
             return g
 
-        found: list[Root] = list(
-            itertools.islice(roots(along(rate), leg.t0, None, self._scale(leg), evaluations=LOOKS), CHOICES)
-        )
+        found = list(itertools.islice(self._events(along(rate), leg), CHOICES))
         height = along(value)
         best: float | None = None
         for root in found:
@@ -306,7 +345,7 @@ class Follower:
         regime = leg.regime
         watched = [(w.expr, w.test.words) for w in regime.watches]
         watched += [(s, "it comes to rest") for s in regime.slips]
-        watched += [(u, "it turns round") for u in turning_speeds(regime)]
+        watched += [(sign * u, "it turns round") for u, sign in regime.going().items()]
         best: Ends | None = None
         until = time
         for expr, words in watched:
@@ -320,7 +359,7 @@ class Follower:
                 continue
             if until is not None and until <= leg.t0:
                 continue
-            for root in itertools.islice(roots(g, leg.t0, until, self._scale(leg), evaluations=LOOKS), 20):
+            for root in itertools.islice(self._events(g, leg, until), 20):
                 crossing = root.kind == "crossing" and (root.sense < 0 or expr in regime.free)
                 if crossing and (until is None or root.value < until - 1e-9 * max(abs(until), 1e-9)):
                     best = Ends(i, root.value, expr, words, leg.at(root.value))
@@ -367,11 +406,12 @@ def certain_start(course: Course) -> dict[sp.Symbol, Decimal] | Start:
 
 def resting(course: Course, start: Mapping[sp.Symbol, Decimal]) -> frozenset[str]:
     """Free speeds that are zero at the start and that nothing sets in motion, whatever the others do."""
-    regime = course.regimes[0]
-    idle = {u for u in regime.free if not start[u]}
+    idle = {u for u in course.regimes[0].free if not start[u]}
     while idle:
         zero = dict.fromkeys(idle, sp.S.Zero)
-        moved = {u for u in idle if regime.accelerations[u].subs(zero) != 0}
+        moved = {
+            u for u in idle for r in course.regimes if r.accelerations.get(u, sp.S.One).subs(zero) != 0
+        }
         if not moved:
             return frozenset(u.name for u in idle)
         idle -= moved

@@ -105,7 +105,8 @@ def _lost(joint: str, quantities: Quantities, reactions: Reactions, regime: Regi
             continue
         row = mode.sliding
         if row.rate != 0:
-            along = sp.Add(*(a.force.dot(motion.velocity(a.point, a.body)) for a in push.actions if a.force is not None))
+            pushed = [(a.force, motion.velocity(a.point, a.body)) for a in push.actions if a.force is not None]
+            along = sp.Add(*(force.dot(v) for force, v in pushed))
             same = simplified(along - motion.row_velocity(row) - row.rate) == 0
             parts.append(expr * row.rate if same else -expr * row.rate)
     return sp.Add(*parts)

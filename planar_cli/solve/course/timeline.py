@@ -101,6 +101,9 @@ class Reader:
             if q.at is None and q.word not in SPANNED:
                 return found.scalar(q)
             there = self.any(q)
+            if isinstance(there, Vec) and isinstance(q.at, tuple):
+                text = f"{q.word}(…) is a vector"
+                raise refuse(q.mark, "PL550", text, "ask for a part: .x .y .mag .angle .along(30 deg)")
             if isinstance(there, Vec):
                 return found.scalar(replace(q, at=None))
             return there
@@ -151,7 +154,8 @@ class Reader:
         found: Jet | Vec = Vec(constant(x), constant(y))
         for part in q.parts:
             if part.kind in ("t", "n", "r", "theta") or not isinstance(found, Vec):
-                raise refuse(part.mark, "PL551", f".{part.kind} of {q.word}(…) over a span", "ask .x .y .mag or .along(…)")
+                text = f".{part.kind} of {q.word}(…) over a span"
+                raise refuse(part.mark, "PL551", text, "ask .x .y .mag or .along(…)")
             found = self.quantities().part(found, part, q)
         return found
 
@@ -167,7 +171,8 @@ class Reader:
         if isinstance(side, Grouped):
             return self._there(side.at, side.operand)
         quantities = self.quantities()
-        return vector_or_jet(side, quantities, quantities.evaluator)
+        found: Jet | Vec = vector_or_jet(side, quantities, quantities.evaluator)
+        return found
 
     def at(self, stop: Stop, expr: sp.Expr) -> sp.Expr:
         """A closed formula of the general position at a state, stand-ins put in."""
@@ -184,9 +189,10 @@ class Reader:
             if symbol in self.pending:
                 other, state, value = self.pending[symbol]
                 inside[symbol] = other.at(self.stops[state], value)
-            elif symbol in self.told:
-                inside[symbol] = self.told[symbol]
-        return expr.xreplace(inside) if inside else expr
+        settled: sp.Expr = expr.xreplace(inside) if inside else expr
+        while inside := {s: self.told[s] for s in settled.free_symbols if s in self.told}:
+            settled = settled.xreplace(inside)
+        return settled
 
     # --- statements --------------------------------------------------------------------------------------------------
 
@@ -281,8 +287,19 @@ class Reader:
 
 
 def stop_of(
-    name: str, relations: tuple[Statement, ...], mark: Mark, letters: Iterable[sp.Symbol], ledger: Ledger
+    name: str,
+    relations: tuple[Statement, ...],
+    mark: Mark,
+    letters: Iterable[sp.Symbol],
+    ledger: Ledger,
+    made: dict[tuple[int, str], sp.Symbol],
 ) -> Stop:
-    """A state with letters of its own, named after it: x_2, v_x_2, t_2."""
-    own = {s: ledger.fresh(f"{s.name}_{name}" if name else f"{s.name}_1", ledger.units[s].text) for s in letters}
+    """A state with letters of its own, named after it: x_2, v_x_2, t_2. `made`: those of earlier plots."""
+    own = {}
+    for s in letters:
+        title = f"{s.name}_{name}" if name else f"{s.name}_1"
+        key = (id(ledger), title)
+        if key not in made:
+            made[key] = ledger.fresh(title, ledger.units[s].text)
+        own[s] = made[key]
     return Stop(name, relations, own, mark)

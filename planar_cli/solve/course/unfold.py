@@ -18,6 +18,7 @@ from planar_cli.solve.course.chain import Branch
 from planar_cli.solve.course.course import Course, first_plot, make_course
 from planar_cli.solve.course.finds import FindReader
 from planar_cli.solve.course.newton import refined
+from planar_cli.solve.course.oscillation import Oscillation
 from planar_cli.solve.course.over_spans import SpanIntegral
 from planar_cli.solve.course.plot import Plot, Workshop
 from planar_cli.solve.course.route import Route
@@ -31,7 +32,7 @@ AGREE = 1e-6
 class Unfolded:
     """A course with the branch of its equations that happens, and how it was followed in numbers (None: it could not
     be). `guessed`: letters whose values come from the numbers alone. `route`: the way that is told. `spans`: quantities
-    over spans.
+    over spans; `oscillations`: about equilibrium states that are asked about.
     """
 
     course: Course
@@ -42,6 +43,7 @@ class Unfolded:
     guessed: frozenset[sp.Symbol] = frozenset()
     route: Route | None = None
     spans: tuple[SpanIntegral, ...] = ()
+    oscillations: tuple[Oscillation, ...] = ()
 
 
 @dataclass(slots=True)
@@ -123,6 +125,8 @@ class Unfolder:
     def _changed(self, course: Course, followed: Followed) -> Plot | None:
         """The next plot to try, None when this one holds."""
         plot = course.plot
+        if followed.misfit is not None and followed.ways:
+            return plot.going(followed.misfit, followed.ways)
         if followed.misfit is not None:
             return self._next(plot, followed.misfit, followed.why)
         if followed.ends is not None:

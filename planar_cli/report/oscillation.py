@@ -1,0 +1,74 @@
+"""Small oscillations as blocks: the equation of motion, linearised about the equilibrium, and what it tells."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from decimal import Decimal
+
+import sympy as sp
+
+from planar_cli.equation.exact import Valuation
+from planar_cli.report.blocks import Block, Equation, Inline, Line, Paragraph, Result, Value, line
+from planar_cli.report.words import Phrases
+from planar_cli.solve.course.oscillation import Oscillation, Verdict, roots_of, stability
+
+DEVIATION = sp.Symbol("delta", real=True)
+RATES = tuple(sp.Symbol(f"delta_{dots}", real=True) for dots in ("dot", "ddot"))
+
+
+def oscillation_blocks(found: Oscillation, value: Valuation, phrases: Phrases, symbolic: bool) -> Iterator[Block]:
+    """How one equilibrium was examined. `symbolic`: letters remain, so that no numbers are printed."""
+    state = found.stop.name
+    yield Paragraph(line(f"Small oscillations about the equilibrium {state}. The equation of motion:"))
+    for u, law in zip(found.speeds, found.laws, strict=True):
+        rate = found.regime.general.rate_of(u)
+        yield Equation((phrases.math(rate), phrases.math(law)))
+    verdict = stability(found, value)
+    if found.single:
+        yield from _single(found, verdict, value, phrases, symbolic)
+    else:
+        yield from _several(found, value)
+    yield Result(line(f"The equilibrium {state} is {verdict.kind}{_because(found, verdict)}."))
+
+
+def _single(
+    found: Oscillation, verdict: Verdict, value: Valuation, phrases: Phrases, symbolic: bool
+) -> Iterator[Block]:
+    w2, c = found.stiffness[0][0], found.damping[0][0]
+    speed, rate = RATES
+    yield Paragraph(line("For a small deviation ", phrases.math(DEVIATION), " from there its linear part is:"))
+    yield Equation((phrases.math(sp.Add(rate, c * speed, w2 * DEVIATION, evaluate=False)), phrases.math(sp.S.Zero)))
+    if not verdict.stable or verdict.power > 1:
+        return
+    square = found.square
+    yield _line("omega_0", sp.sqrt(w2), value, "rad/s", phrases, symbolic)
+    if c != 0:
+        if value(square) <= 0:
+            yield Paragraph(line("The damping is so strong that nothing oscillates."))
+            return
+        yield _line("omega_d", sp.sqrt(square), value, "rad/s", phrases, symbolic)
+    yield _line("T", found.period, value, "s", phrases, symbolic)
+
+
+def _line(name: str, expr: sp.Expr, value: Valuation, unit: str, phrases: Phrases, symbolic: bool) -> Equation:
+    sides: list[Inline | Line] = [phrases.math(sp.Symbol(name)), phrases.math(expr)]
+    if not symbolic:
+        sides.append(Value(value(expr), unit))
+    return Equation(tuple(sides))
+
+
+def _several(found: Oscillation, value: Valuation) -> Iterator[Block]:
+    """The roots of the characteristic equation."""
+    yield Paragraph(line(f"{len(found.speeds)} freedoms move together as e^(λ t); linearised, the roots λ are, in 1/s:"))
+    for root in roots_of(found, value):
+        if root.imag >= 0:
+            parts = (Value(Decimal(str(root.real)), ""), " ± i ", Value(Decimal(str(root.imag)), ""))
+            yield Result(line(*parts))
+
+
+def _because(found: Oscillation, verdict: Verdict) -> str:
+    if verdict.kind == "indifferent":
+        return ": no term of the equation of motion draws it back or drives it away"
+    if verdict.power > 1:
+        return f": the linear part vanishes, the power {verdict.power} of the deviation decides"
+    return ": it is drawn back" if verdict.stable else ": it is driven away"

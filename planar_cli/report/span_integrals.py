@@ -1,0 +1,77 @@
+"""Quantities over spans as blocks: the integral as it is written, what it is done by, and its value."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from decimal import Decimal
+
+import sympy as sp
+
+from planar_cli.report.blocks import Block, Equation, Inline, Line, Paragraph, Result, Value, line
+from planar_cli.report.words import Phrases
+from planar_cli.solve.course.over_spans import Piece, SpanIntegral
+
+NAMES = {"work": "W", "heat": "Q", "impulse": "J", "path_length": "s", "mean": "mean value", "count": "number"}
+UNITS = {"work": "J", "heat": "J", "impulse": "N*s", "path_length": "m"}
+HOW = {
+    "difference": "the integrand is the rate of",
+    "integral": "with the motion as a function of time",
+    "quadrature": "with the motion as a function of time, by quadrature",
+    "flow": "integrated along with the motion, step by step",
+}
+
+
+def span_blocks(found: SpanIntegral, phrases: Phrases, symbolic: bool) -> Iterator[Block]:
+    """How one quantity over a span came about. `symbolic`: letters remain, so that no numbers are printed."""
+    q = found.quantity
+    assert isinstance(q.at, tuple)
+    about = "/".join(q.things)
+    named = f"{q.word}({about})" if about else q.word
+    yield Paragraph(line(f"{named} from state {q.at[0]} to state {q.at[1]}:"))
+    if q.word == "count":
+        yield from _events(found)
+        return
+    for piece in found.pieces:
+        yield from _piece(piece, phrases, symbolic, UNITS.get(q.word, ""))
+    if found.duration != 1:
+        sides: list[Inline | Line] = [line("divided by the time ", phrases.math(found.duration))]
+        if not symbolic:
+            sides.append(Value(found.number, ""))
+        yield Equation(tuple(sides))
+    elif len(found.pieces) > 1 and not symbolic:
+        yield Result(line("together ", Value(found.number, UNITS.get(q.word, ""))))
+
+
+def _piece(piece: Piece, phrases: Phrases, symbolic: bool, unit: str) -> Iterator[Block]:
+    time = sp.Symbol("t", real=True)
+    integrand = piece.over_time if piece.how in ("integral", "quadrature") else piece.integrand
+    shown = sp.Integral(integrand, (time, piece.since.t, piece.until.t))
+    sides: list[Inline | Line] = [phrases.math(shown)]
+    if piece.formula is not None and not piece.turns:
+        sides.append(phrases.math(piece.formula))
+    if not symbolic:
+        sides.append(Value(piece.number, unit))
+    lead: Line = ()
+    if piece.turns:
+        lead = line("the parts between the turning points, each counted positive:")
+    note = line(HOW[piece.how])
+    if piece.how == "difference" and piece.antiderivative is not None:
+        note = line(HOW[piece.how], " ", phrases.math(piece.antiderivative))
+    yield Equation(tuple(sides), None, lead, note)
+    if piece.turns:
+        yield Result(line("it turns at ", *_times(piece.turns)))
+
+
+def _events(found: SpanIntegral) -> Iterator[Block]:
+    if found.events:
+        yield Result(line(f"it happens {len(found.events)} times: at ", *_times(found.events)))
+    else:
+        yield Result(line("it does not happen"))
+
+
+def _times(times: tuple[Decimal, ...]) -> list[str | Inline]:
+    shown: list[str | Inline] = []
+    for n, t in enumerate(times):
+        shown += [", "] if n else []
+        shown.append(Value(t, "s"))
+    return shown

@@ -1,0 +1,177 @@
+"""Small oscillations about states of equilibrium: periods, stability, and where there is none."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import pytest
+import sympy as sp
+
+from planar_cli.errors import FileProblem, NoSolution
+from planar_cli.homework.checking import read
+from planar_cli.solve.run import solve_problem
+from planar_cli.solve.solution import Found
+
+BLOCK = """
+title: Block
+plane: {plane}
+{names}
+coordinates: {{x: m}}
+points: {{W: [-1 m, 0], P: [x, 0]}}
+bodies: {{block: {{particle: P, mass: m}}}}
+joints:
+  - guide: {{point: P, along: 0 deg}}
+loads:
+  - spring: {{between: [W, P], stiffness: k, relaxed_at: [x = 0]}}
+  - damper: {{between: [W, P], coefficient: c}}
+states: {{rest: [equilibrium]}}
+find: {find}
+"""
+NUMBERS = "given: {{m: 2 kg, k: 200 N/m, c: {c} N*s/m}}"
+
+PENDULUM = """
+title: Pendulum
+plane: vertical
+symbols: {m: kg, l: m}
+coordinates: {theta: deg}
+points: {O: [0, 0], P: {from: O, distance: l, angle: theta - 90 deg}}
+bodies: {bob: {particle: P, mass: m}}
+joints:
+  - link: {between: [O, P]}
+states: {s: [STATE]}
+find: {FIND}
+"""
+
+DOUBLE = """
+title: Two blocks
+plane: vertical
+given: {m: 1 kg, k: 100 N/m}
+coordinates: {x: m, y: m}
+points: {W: [-1 m, 0], P: [x, 0], Q: [1 m + y, 0], V: [2 m, 0]}
+bodies: {p: {particle: P, mass: m}, q: {particle: Q, mass: m}}
+joints:
+  - guide: {point: P, along: 0 deg}
+  - guide: {point: Q, along: 0 deg}
+loads:
+  - spring: {between: [W, P], stiffness: k, natural_length: 1 m}
+  - spring: {between: [P, Q], stiffness: k, natural_length: 1 m}
+  - spring: {between: [Q, V], stiffness: k, natural_length: 1 m}
+states: {rest: [x = 0, y = 0, equilibrium]}
+find: {FIND}
+"""
+
+
+def solved(tmp_path: Path, text: str) -> dict[str, Found]:
+    """All finds of a file."""
+    file = tmp_path / "problem.yaml"
+    file.write_text(text, encoding="utf-8")
+    return {f.name: f for part in solve_problem(read(str(file))).parts for f in part.found}
+
+
+def number(found: Found) -> float:
+    assert found.values is not None
+    return float(found.values[0])
+
+
+def block(find: str, c: int) -> str:
+    return BLOCK.format(plane="vertical", names=NUMBERS.format(c=c), find=find)
+
+
+def pendulum(state: str, find: str) -> str:
+    return PENDULUM.replace("STATE", state).replace("FIND", find)
+
+
+def test_an_undamped_block(tmp_path: Path) -> None:
+    found = solved(tmp_path, block("{T: period(rest), f: frequency(rest), w: frequency(rest) in rad/s}", 0))
+    assert number(found["T"]) == pytest.approx(2 * math.pi / 10)
+    assert number(found["f"]) == pytest.approx(10 / (2 * math.pi))
+    assert number(found["w"]) == pytest.approx(10)
+
+
+def test_a_damped_block_has_a_longer_period(tmp_path: Path) -> None:
+    found = solved(tmp_path, block("{T: period(rest), holds: stable(rest)}", 8))
+    assert number(found["T"]) == pytest.approx(2 * math.pi / math.sqrt(100 - 4))
+    assert found["holds"].word == "true"
+
+
+@pytest.mark.parametrize(("c", "word"), [(40, "critically damped"), (100, "overdamped")])
+def test_strong_damping_has_no_period(tmp_path: Path, c: int, word: str) -> None:
+    with pytest.raises(NoSolution) as caught:
+        solved(tmp_path, block("{T: period(rest)}", c))
+    assert word in str(caught.value)
+    assert caught.value.diagnostics[0].mark.line > 1
+
+
+def test_letters_give_a_formula(tmp_path: Path) -> None:
+    names = "symbols: {m: kg, k: N/m}\ngiven: {c: 0 N*s/m}"
+    found = solved(tmp_path, BLOCK.format(plane="vertical", names=names, find="{T: period(rest), x_0: x @ rest}"))
+    assert found["T"].expressions is not None
+    m, k = sp.symbols("m k", positive=True)
+    assert sp.simplify(found["T"].expressions[0] - 2 * sp.pi * sp.sqrt(m / k)) == 0
+    assert found["x_0"].expressions == (0,)
+
+
+def test_a_pendulum_that_hangs(tmp_path: Path) -> None:
+    found = solved(tmp_path, pendulum("theta = 0 deg, equilibrium", "T: period(s), holds: stable(s)"))
+    assert found["T"].expressions is not None
+    length, g = sp.symbols("l g", positive=True)
+    assert sp.simplify(found["T"].expressions[0] - 2 * sp.pi * sp.sqrt(length / g)) == 0
+    assert found["holds"].word == "true"
+
+
+def test_a_pendulum_that_stands_is_unstable(tmp_path: Path) -> None:
+    found = solved(tmp_path, pendulum("theta = 180 deg, equilibrium", "holds: stable(s)"))
+    assert found["holds"].word == "false"
+    with pytest.raises(NoSolution, match="not stable"):
+        solved(tmp_path, pendulum("theta = 180 deg, equilibrium", "T: period(s)"))
+
+
+def test_an_inequality_chooses_the_position(tmp_path: Path) -> None:
+    found = solved(tmp_path, pendulum("equilibrium, theta > 90 deg, theta < 270 deg", "up: stable(s)"))
+    assert found["up"].word == "false"
+
+
+def test_several_positions_are_listed(tmp_path: Path) -> None:
+    with pytest.raises(NoSolution, match="several positions of equilibrium"):
+        solved(tmp_path, pendulum("equilibrium", "T: period(s)"))
+
+
+def test_a_state_that_is_no_equilibrium(tmp_path: Path) -> None:
+    with pytest.raises(FileProblem, match="no equilibrium"):
+        solved(tmp_path, pendulum("t = 0, theta = 10 deg, at rest", "T: period(s)"))
+
+
+def test_a_linear_term_that_vanishes(tmp_path: Path) -> None:
+    """Two level springs across the way of a ball: only the third power of the deviation draws it back."""
+    text = """
+    title: Ball between springs
+    plane: horizontal
+    given: {m: 1 kg, k: 100 N/m, l: 0.5 m}
+    coordinates: {y: m}
+    points: {A: [-0.5 m, 0], B: [0.5 m, 0], P: [0, y]}
+    bodies: {ball: {particle: P, mass: m}}
+    joints:
+      - guide: {point: P, along: 90 deg}
+    loads:
+      - spring: {between: [A, P], stiffness: k, natural_length: l}
+      - spring: {between: [B, P], stiffness: k, natural_length: l}
+    states: {rest: [y = 0, equilibrium]}
+    find: {holds: stable(rest)}
+    """
+    assert solved(tmp_path, "\n".join(s[4:] for s in text.splitlines()))["holds"].word == "true"
+
+
+def test_two_freedoms_have_two_periods(tmp_path: Path) -> None:
+    assert solved(tmp_path, DOUBLE.replace("FIND", "holds: stable(rest)"))["holds"].word == "true"
+    with pytest.raises(NoSolution) as caught:
+        solved(tmp_path, DOUBLE.replace("FIND", "T: period(rest)"))
+    assert f"{2 * math.pi / 10:.6}" in str(caught.value)
+    assert f"{2 * math.pi / math.sqrt(300):.6}" in str(caught.value)
+
+
+def test_a_period_can_fix_a_constant(tmp_path: Path) -> None:
+    text = block("{k_needed: k}", 0).replace("k: 200 N/m, ", "")
+    text = text.replace("coordinates", "unknowns: {k: N/m}\ncoordinates")
+    text = text.replace("[equilibrium]", "[equilibrium, period(rest) = 1 s]")
+    assert number(solved(tmp_path, text)["k_needed"]) == pytest.approx(2 * (2 * math.pi) ** 2)
