@@ -210,7 +210,7 @@ def _scan(expr: sp.Expr, x: sp.Symbol, value: Valuation, angle: bool) -> list[De
             continue
         if y == 0:
             found.append(v)
-        elif last is not None and last[1] * y < 0:
+        elif last is not None and (last[1] > 0) != (y > 0):
             root = _refine(f, last[0], v)
             if root is not None:
                 found.append(root)
@@ -229,7 +229,7 @@ def _refine(f: Callable[[Decimal], Decimal | None], a: Decimal, b: Decimal) -> D
             return None
         if fm == 0 or abs(b - a) <= Decimal("1e-45") * max(abs(a), abs(b)):
             return middle
-        if fa * fm < 0:
+        if (fa > 0) != (fm > 0):
             b, fb = middle, fm
         else:
             a, fa = middle, fm

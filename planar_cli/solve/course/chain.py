@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from decimal import Decimal
 
 import sympy as sp
@@ -20,7 +20,7 @@ from planar_cli.errors import Undecided
 from planar_cli.solve.course.equations import Equation
 from planar_cli.solve.course.linked import linked_blocks
 from planar_cli.solve.course.regime import number_function
-from planar_cli.solve.elimination import Pending, eliminate, subtracted
+from planar_cli.solve.elimination import Pending, alone, combined, eliminate
 from planar_cli.solve.branches import vanishes
 from planar_cli.solve.roots import Root, real_roots
 
@@ -182,45 +182,73 @@ class Chain:
         values: dict[sp.Symbol, Decimal],
         formulas: dict[sp.Symbol, sp.Expr],
     ) -> Iterator[tuple[dict[sp.Symbol, Decimal], dict[sp.Symbol, sp.Expr], Step]]:
-        """Eliminate all unknowns but one; then all its roots."""
-        here = self.value.extended(values)
+        """Eliminate unknowns until one equation holds one alone; all its roots, and so on with the others."""
         pool = [Pending(e.residual, ()) for e in block]
-        left = list(unknowns)
-        back: list[tuple[sp.Symbol, sp.Expr]] = []
-        while len(pool) > 1:
-            step = eliminate(pool, left, tuple(self.times), here)
-            pool = subtracted(pool, left) or [] if step is None else step.pool
-            if not pool:
-                raise Undecided("equations of the motion are nonlinear in several unknowns at once")
-            if step is not None:
-                back.append((step.line.symbol, step.line.formula))
-                left.remove(step.line.symbol)
-        x, residual = left[0], pool[0].residual
-        if x not in residual.free_symbols:
-            if here.is_zero(residual):
-                raise Undecided("these equations say the same")
+        for found in self._unfold(pool, list(unknowns), values):
+            after, forms, lines = dict(values), dict(formulas), []
+            for line in found:
+                after[line.unknown] = line.value
+                if line.formula is not None:
+                    forms[line.unknown] = line.formula
+                lines.append(replace(line, equations=block))
+            yield after, forms, Step(block, unknowns, tuple(lines))
+
+    def _unfold(
+        self, pool: list[Pending], left: list[sp.Symbol], values: dict[sp.Symbol, Decimal]
+    ) -> Iterator[list[Line]]:
+        """All ways to solve these equations for the unknowns left."""
+        here = self.value.extended(values)
+        if not left:
+            if all(self._closes(p.residual, here) for p in pool):
+                yield []
             return
+        index = alone(pool, left)
+        if index is not None:
+            yield from self._rooted(pool, index, left, values)
+            return
+        if any(not set(p.residual.free_symbols) & set(left) and not self._closes(p.residual, here) for p in pool):
+            return
+        step = eliminate(pool, left, tuple(self.times), here) if len(pool) > 1 else None
+        if step is None:
+            more = combined(pool, left, here)
+            if more is None:
+                raise Undecided("equations of the motion are nonlinear in several unknowns at once")
+            yield from self._unfold(more, left, values)
+            return
+        x, formula = step.line.symbol, step.line.formula
+        for found in self._unfold(step.pool, [s for s in left if s != x], values):
+            try:
+                number = self.value.extended({**values, **{line.unknown: line.value for line in found}})(formula)
+            except ArithmeticError:
+                continue
+            yield [*found, Line(x, formula, number, ())]
+
+    @staticmethod
+    def _closes(residual: sp.Expr, here: Valuation) -> bool:
+        try:
+            return abs(here(residual)) <= AGREES * max(here.size(residual), Decimal("1e-20"))
+        except (ArithmeticError, Unvalued):
+            return False
+
+    def _rooted(
+        self, pool: list[Pending], index: int, left: list[sp.Symbol], values: dict[sp.Symbol, Decimal]
+    ) -> Iterator[list[Line]]:
+        """Every root of the one equation that holds a single unknown, and the rest with it."""
+        residual = pool[index].residual
+        x = next(s for s in left if s in residual.free_symbols)
+        here = self.value.extended(values)
+        if vanishes(residual, x, here):
+            raise Undecided("these equations say the same")
         every = self._roots(residual, x, here)
+        others = [p for i, p in enumerate(pool) if i != index]
         for taken, root in enumerate(every):
             if x in self.truth and not _near(root.value, self.truth[x]):
                 continue
             if x in self.leaning and float(root.value) * self.leaning[x] < 0:
                 continue
-            after = {**values, x: root.value}
-            forms = dict(formulas)
-            if root.expression is not None:
-                forms[x] = root.expression
-            lines = [Line(x, root.expression, root.value, block, tuple(every), taken)]
-            number = self.value.extended(after)
-            try:
-                for y, formula in reversed(back):
-                    after[y] = number(formula)
-                    number = self.value.extended(after)
-                    forms[y] = formula
-                    lines.append(Line(y, formula, after[y], block))
-            except ArithmeticError:
-                continue
-            yield after, forms, Step(block, unknowns, tuple(lines))
+            line = Line(x, root.expression, root.value, (), tuple(every), taken)
+            for found in self._unfold(others, [s for s in left if s != x], {**values, x: root.value}):
+                yield [line, *found]
 
     def _roots(self, residual: sp.Expr, x: sp.Symbol, here: Valuation) -> list[Root]:
         """All real roots; a time only after the state before it, an angle with its turns."""

@@ -249,7 +249,7 @@ class Follower:
             own = next(d for d in equations if d.text == stated.text)
             return float(self.value(sp.solve(own.residual, stop.t)[0]))
         extreme = next((d for d in demands if d.kind == "extreme"), None)
-        if extreme is not None:
+        if extreme is not None and not equations:
             return self._extreme(extreme, leg)
         if not equations:
             return None
