@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Container, Iterable
 from dataclasses import replace
 from itertools import pairwise
 from typing import Any
@@ -15,7 +15,8 @@ from planar_cli.equation.plain import MANY, longer, simplified
 from planar_cli.equation.quantities import quantities_of
 from planar_cli.equation.scene import Scene
 from planar_cli.errors import Mark, Undecided
-from planar_cli.problem.expression import Name, Relation, Side, Statement
+from planar_cli.loads.base import mode_key
+from planar_cli.problem.expression import Side
 from planar_cli.problem.facts import Skid, Wrench
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.keys import Table
@@ -58,14 +59,16 @@ class Moving:
     def against(self, velocity: Vec, size: sp.Expr) -> Vec:
         """A force of a given size against a velocity. In a general position it is right whichever way things move."""
         if self._scene.displacement is None:
-            return -velocity * (size / self.length(velocity))
+            return Vec(*(-p * (size / self.length(velocity)) for p in (velocity.x, velocity.y)))
         speeds = [s for s in velocity.x.free_symbols | velocity.y.free_symbols if s in self._speeds()]
         if len(speeds) == 1:
             u = speeds[0]
             along = Vec(sp.diff(velocity.x, u), sp.diff(velocity.y, u))
             if all(sp.expand(p - e * u) == 0 for p, e in ((velocity.x, along.x), (velocity.y, along.y))):
-                return -along * (sp.sign(u) * size / sp.sqrt(simplified(along.dot(along))))
-        return -velocity * (size / sp.sqrt(simplified(velocity.dot(velocity))))
+                found: Vec = -along * (sp.sign(u) * size / sp.sqrt(simplified(along.dot(along))))
+                return found
+        found = -velocity * (size / sp.sqrt(simplified(velocity.dot(velocity))))
+        return found
 
     def _speeds(self) -> set[sp.Symbol]:
         rates = (r for r, _ in self._scene.evaluator.motions.values() if isinstance(r, sp.Symbol))
@@ -101,31 +104,19 @@ class Moving:
             pieces.append((v0 + (v1 - v0) / (t1 - t0) * (time - t0), time < t1))
         return sp.Piecewise(*pieces, (rows[-1][1], True))
 
-    def with_relations(self, relations: tuple[Statement, ...], expr: sp.Expr) -> sp.Expr:
-        """An expression at other values of the coordinates: `relaxed_at: [theta = 30 deg]`."""
-        scene = self._scene
-        for relation in relations:
-            if not isinstance(relation, Relation) or not isinstance(relation.left, Name):
-                raise refuse(
-                    relation.mark,
-                    "PL542",
-                    "a relaxed position is given by its coordinates",
-                    "write `relaxed_at: [theta = 30 deg]`",
-                )
-            symbol = scene.ledger.symbols[relation.left.name]
-            expr = expr.subs(symbol, scene.value(relation.right))
-        return expr
 
-
-def all_wrenches(scene: Scene, motion: Motion, numbers: Any, skids: Iterable[Skid] = ()) -> tuple[Wrench, ...]:
-    """Weights of all bodies, every load of the file, and the friction of bodies that skid."""
+def all_wrenches(
+    scene: Scene, motion: Motion, numbers: Any, skids: Iterable[Skid] = (), idle: Container[str] = ()
+) -> tuple[Wrench, ...]:
+    """Weights of all bodies, every load of the file that is not idle, and the friction of bodies that skid."""
     setting = Moving(scene, motion, numbers)
     weight = members("loads")["weight"]
     found: list[Wrench] = []
     for body in scene.problem.bodies:
         found += weight(name=body.name, during=None, mark=body.mark).wrenches(setting)
     for load in scene.problem.loads:
-        found += load.wrenches(setting)
+        if mode_key(load.name) not in idle:
+            found += load.wrenches(setting)
     for skid in skids:
         found += _skid(skid, setting, found)
     return tuple(_named(w, scene) for w in found)

@@ -117,6 +117,10 @@ class System:
         """Bodies that slide on something flat."""
         return tuple(s for mode in self.modes.values() for s in mode.facts.skids)
 
+    def idle(self) -> tuple[str, ...]:
+        """Loads that do not act in these modes, by the keys of their modes."""
+        return tuple(k for mode in self.modes.values() for k in mode.facts.idle)
+
     def _reactions(self) -> Reactions:
         followers = {law.push: law for law in self.laws}
         pairs: list[tuple[Push, sp.Expr]] = []

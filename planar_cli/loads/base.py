@@ -26,9 +26,15 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from planar_cli.errors import Mark
-from planar_cli.problem.facts import Wrench
+from planar_cli.problem.facts import Mode, Wrench
 from planar_cli.problem.keys import Choice
-from planar_cli.problem.setting import MovingSetting
+from planar_cli.problem.residuals import Residual
+from planar_cli.problem.setting import MovingSetting, Setting
+
+
+def mode_key(load: str) -> str:
+    """What the modes of a load are called: a joint may have the load's name."""
+    return f"load {load}"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -44,6 +50,14 @@ class Load(ABC):
 
     def attachments(self) -> tuple[tuple[str, str], ...]:
         """Pairs (point, body): the points that belong to a body because this load names them together."""
+        return ()
+
+    def modes(self, scene: Setting) -> tuple[Mode, ...]:
+        """The ways in which the load may act, where there are several; tests and idle loads go by `mode_key`."""
+        return ()
+
+    def residuals(self, scene: Setting, mode: Mode) -> tuple[Residual, ...]:
+        """A load keeps no places."""
         return ()
 
     @abstractmethod

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import Any, ClassVar
 
-from planar_cli.loads.base import Load
+from planar_cli.loads.base import Load, mode_key
 from planar_cli.problem.expression import Side, Statement
-from planar_cli.problem.facts import Wrench
+from planar_cli.problem.facts import Facts, Mode, Test, Wrench
 from planar_cli.problem.keys import Choice, PointPairKey, SideKey, StatementsKey, WordKey, key
-from planar_cli.problem.setting import MovingSetting
+from planar_cli.problem.setting import MovingSetting, Setting
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -62,17 +62,32 @@ class Spring(Load):
     )
     acts: str | None = key(WordKey(("push", "pull")), "where it only pushes or only pulls", default=None)
 
+    def modes(self, scene: Setting) -> tuple[Mode, ...]:
+        if self.acts is None:
+            return ()
+        key, sense = mode_key(self.name), 1 if self.acts == "pull" else -1
+        start, end = (scene.point(p) for p in self.between)
+        stretch = self._stretch(scene, scene.length(end - start)) * sense
+        state = "stretched" if sense > 0 else "compressed"
+        engaged = Test(key, f"the spring {self.name} is {state}", constant=stretch)
+        free = Test(key, f"the spring {self.name} is not {state}", constant=-stretch)
+        acts = "pulls" if sense > 0 else "pushes"
+        return (
+            Mode("", f"the spring {self.name} {acts}", Facts(), (engaged,)),
+            Mode("", f"the spring {self.name} is free", Facts(idle=(key,)), (free,)),
+        )
+
+    def _stretch(self, scene: Any, length: Any) -> Any:
+        """How much longer it is than when relaxed."""
+        if self.natural_length is not None:
+            return length - scene.value(self.natural_length)
+        return length - scene.with_relations(self.relaxed_at or (), length)
+
     def wrenches(self, scene: MovingSetting) -> tuple[Wrench, ...]:
         start, end = (scene.point(p) for p in self.between)
         length = scene.length(end - start)
-        relaxed = (
-            scene.value(self.natural_length)
-            if self.natural_length is not None
-            else scene.with_relations(self.relaxed_at or (), length)
-        )
-        stretch = length - relaxed
-        side = scene.sign(stretch)
-        if side == 0 or (self.acts == "push" and side > 0) or (self.acts == "pull" and side < 0):
+        stretch = self._stretch(scene, length)
+        if scene.sign(stretch) == 0:
             return ()
         if scene.is_zero(length):
             raise scene.refuse(self.mark, "PL541", f"the ends of {self.name} coincide: the spring has no direction")

@@ -179,13 +179,14 @@ class Test:
 
 @dataclass(frozen=True, slots=True)
 class Facts:
-    """All that a joint states in one of its modes."""
+    """All that a joint states in one of its modes. `idle`: loads, by the key of their modes, that do not act."""
 
     joinings: tuple[Joining, ...] = ()
     rows: tuple[Row, ...] = ()
     pushes: tuple[Push, ...] = ()
     laws: tuple[Law, ...] = ()
     skids: tuple[Skid, ...] = ()
+    idle: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

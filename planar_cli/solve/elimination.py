@@ -63,8 +63,25 @@ def eliminate(
     order = sorted(left, key=lambda s: s in letters)
     found = _linear(pool, order, left, True) or _circle(pool, order, left, value)
     if found is None and alone(pool, left) is None:
-        found = _linear(pool, order, left, False)
+        found = _linear(pool, order, left, False) or _even(pool, [x for x in order if x in letters])
     return found
+
+
+def _even(pool: list[Pending], candidates: Iterable[sp.Symbol]) -> Step | None:
+    """A letter that is positive, such as a time since the start, and enters by its square alone."""
+    for x in candidates:
+        square = sp.Dummy("x2", positive=True)
+        flat = [sp.expand(p.residual).subs(x**4, square**2).subs(x**2, square) for p in pool]
+        if any(x in f.free_symbols for f in flat):
+            continue
+        for i, f in enumerate(flat):
+            form = _form(f, square)
+            if form is None or form.terms.get(square, sp.S.Zero) == 0:
+                continue
+            formula = tidy(-form.constant / form.terms[square])
+            rest = [Pending(tidy(o.xreplace({square: formula})), pool[j].numbers) for j, o in enumerate(flat) if j != i]
+            return Step(Line(x, sp.sqrt(formula), None, pool[i].numbers), rest)
+    return None
 
 
 def _linear(

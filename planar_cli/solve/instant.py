@@ -19,6 +19,7 @@ from planar_cli.equation.setup import Setup, names_in
 from planar_cli.equation.system import Statements, System, make_system
 from planar_cli.errors import Undecided
 from planar_cli.joints.base import Joint
+from planar_cli.loads.base import Load, mode_key
 from planar_cli.problem.facts import Mode, Push, Test
 from planar_cli.problem.keys import keys_of
 from planar_cli.problem.scene import Problem
@@ -52,7 +53,12 @@ class Instant:
         self.setup, self.scene, self.statements = setup, setup.scene, setup.statements
         self.joints = distinct(self.scene.problem.joints)
         self.aliases = alias_of(self.scene.problem.joints, self.joints)
-        self.modes: list[tuple[Joint, tuple[Mode, ...]]] = [(j, j.modes(self.scene)) for j in self.joints]
+        self.modes: list[tuple[Joint | Load, tuple[Mode, ...]]] = [(j, j.modes(self.scene)) for j in self.joints]
+        for load in self.scene.problem.loads:
+            found = load.modes(self.scene)
+            if found:
+                self.modes.append((replace(load, name=mode_key(load.name)), found))
+                self.aliases[mode_key(load.name)] = load.name
         self.scene.forget_valuations()
         names = [b.name for b in self.scene.problem.bodies]
         self.builder = TreeBuilder(self.scene.ledger, self.scene.rigid, self.scene.center_name, names)
@@ -126,7 +132,7 @@ class Instant:
         every = itertools.product(*allowed)
         return iter(sorted(itertools.islice(every, MOST_MODES * 10), key=lambda c: (sum(i > 0 for i in c), sum(c))))
 
-    def _allowed(self, joint: Joint, found: tuple[Mode, ...]) -> list[int]:
+    def _allowed(self, joint: Joint | Load, found: tuple[Mode, ...]) -> list[int]:
         """The modes that the file leaves open."""
         name = self.aliases[joint.name]
         wanted = {word for stated, word in self.statements.modes if stated == name}

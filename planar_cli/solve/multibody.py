@@ -106,7 +106,7 @@ class Multibody:
         joints = {j.name: j for j in distinct(self.system.scene.problem.joints)}
         ties: list[Tie] = []
         for name, mode in self.system.modes.items():
-            for residual in joints[name].residuals(self.system.scene, mode):
+            for residual in joints[name].residuals(self.system.scene, mode) if name in joints else ():
                 found = residual.of(poses)
                 for jet in (found.x, found.y) if isinstance(found, Vec) else (found,):
                     ties.append(Tie(name, residual.title, tidied(jet), self.count + len(ties)))

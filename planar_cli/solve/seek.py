@@ -77,7 +77,8 @@ class Seeker:
         self.system.settle(self.still, ())
         numbers = base.extended({**{s: Decimal(0) for s in still}, **found[0].values})
         assert self.system.motion is not None
-        self.system.settle(self.still, all_wrenches(self.scene, self.system.motion, numbers, self.system.skids()))
+        skids, idle = self.system.skids(), self.system.idle()
+        self.system.settle(self.still, all_wrenches(self.scene, self.system.motion, numbers, skids, idle))
         self.unknowns = self._unknowns(still)
         self.conditions = self._conditions()
         self.linear = self._linear()

@@ -173,7 +173,7 @@ def accelerate(
     zero = {s: sp.S.Zero for s, v in velocities.values.items() if not v}
     system.settle(zero, ())
     assert system.motion is not None
-    wrenches = all_wrenches(scene, system.motion, numbers, system.skids())
+    wrenches = all_wrenches(scene, system.motion, numbers, system.skids(), system.idle())
     system.settle(zero, wrenches)
     twists: dict[str, Twist] = {}
     centers: dict[str, Vec] = {}

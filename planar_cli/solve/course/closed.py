@@ -8,6 +8,7 @@ from __future__ import annotations
 from decimal import Decimal
 
 import sympy as sp
+from sympy.simplify.fu import TR8
 
 from planar_cli.equation.exact import PI, Unvalued, Valuation
 from planar_cli.equation.plain import longer, simplified
@@ -15,6 +16,7 @@ from planar_cli.errors import Undecided
 from planar_cli.solve.roots import Root, real_roots
 
 TURNS = 3
+LONGEST = 60
 
 
 def closed_roots(residual: sp.Expr, x: sp.Symbol, value: Valuation, truth: Decimal, symbolic: bool) -> list[Root]:
@@ -22,7 +24,11 @@ def closed_roots(residual: sp.Expr, x: sp.Symbol, value: Valuation, truth: Decim
     numerator = sp.fraction(sp.together(residual))[0] if not residual.has(sp.Integral) else residual
     if numerator.is_polynomial(x):
         return _tidied(real_roots(residual, x, value, symbolic, False), value)
+    numerator = _without_tangents(numerator, x)
     kernels = _kernels(numerator, x)
+    if len(kernels) > 1:
+        summed = sp.expand(TR8(sp.expand(numerator))) if not longer(numerator, LONGEST) else numerator
+        kernels, numerator = _kernels(summed, x), summed
     if len(kernels) != 1:
         return []
     kernel = kernels.pop()
@@ -31,6 +37,12 @@ def closed_roots(residual: sp.Expr, x: sp.Symbol, value: Valuation, truth: Decim
     if isinstance(kernel, sp.Pow):
         return _tidied(_rooted(numerator, x, kernel, value, symbolic), value)
     return _tidied(_angle(numerator, x, kernel, value, truth, symbolic), value)
+
+
+def _without_tangents(numerator: sp.Expr, x: sp.Symbol) -> sp.Expr:
+    """Tangents of x as sines over cosines, without fractions."""
+    tangents = {a: sp.sin(a.args[0]) / sp.cos(a.args[0]) for a in numerator.atoms(sp.tan) if x in a.free_symbols}
+    return sp.fraction(sp.together(numerator.xreplace(tangents)))[0] if tangents else numerator
 
 
 def _kernels(expr: sp.Expr, x: sp.Symbol) -> set[sp.Expr]:

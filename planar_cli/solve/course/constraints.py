@@ -20,6 +20,7 @@ from planar_cli.equation.exact import DIGITS, Valuation
 from planar_cli.equation.plain import simplified
 from planar_cli.equation.pose import HERE
 from planar_cli.joints.base import Joint
+from planar_cli.loads.base import Load
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND, Curve, Surface
 from planar_cli.solve.instant import Instant
@@ -135,7 +136,7 @@ def constraints_of(
     return tuple(found)
 
 
-def curve_under(drawn: Instant, joint: Joint) -> Surface | None:
+def curve_under(drawn: Instant, joint: Joint | Load) -> Surface | None:
     """The curve y(x) or r(theta) on which a joint slides; its residuals are exact only near the drawn position."""
     names = [getattr(joint, "along", None), *getattr(joint, "between", ())]
     for name in (getattr(n, "name", n) for n in names):
@@ -145,7 +146,7 @@ def curve_under(drawn: Instant, joint: Joint) -> Surface | None:
     return None
 
 
-def _off_curve(drawn: Instant, joint: Joint, surface: Surface, poses: GeneralPoses) -> sp.Expr:
+def _off_curve(drawn: Instant, joint: Joint | Load, surface: Surface, poses: GeneralPoses) -> sp.Expr:
     """y - y(x), or r - r(theta), of the sliding point as the body of the curve sees it."""
     scene = drawn.scene
     name = getattr(joint, "point", None) or getattr(joint, "at", None)

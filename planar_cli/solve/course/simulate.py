@@ -145,6 +145,8 @@ class Follower:
             for watch, v in zip(regime.watches, values, strict=True):
                 if v < -SLACK * max(1.0, abs(v)):
                     return watch.test.words
+                if not watch.test.pushes and abs(v) <= SLACK and self._leaves(regime, watch.expr, here):
+                    return watch.test.words
         for slip in regime.slips:
             speed = self._numbers(regime, [slip])(*here)[0]
             if speed < -1e-9:
@@ -152,6 +154,15 @@ class Follower:
             if abs(speed) <= 1e-9 and self._numbers(regime, [regime.derivative(slip)])(*here)[0] <= 0:
                 return "nothing makes it slide"
         return ""
+
+    def _leaves(self, regime: Regime, expr: sp.Expr, here: list[float]) -> bool:
+        """Does what is zero, and must not be negative, become so at once?"""
+        for _ in range(2):
+            expr = regime.derivative(expr)
+            rate = self._numbers(regime, [expr])(*here)[0]
+            if abs(rate) > SLACK:
+                return rate < 0
+        return False
 
     def _ways(self, regime: Regime, state: State) -> dict[str, int]:
         """Signs of speeds that a law asks for, where they are not those of the regime; a speed that is zero takes that of
