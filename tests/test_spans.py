@@ -134,7 +134,8 @@ def test_a_path_there_and_back(tmp_path: Path) -> None:
 
 
 def test_letters_give_formulas(tmp_path: Path) -> None:
-    found = solved(tmp_path, spring("W: work(coil) @ 1->2, J: impulse(coil).x @ 1->2, way: path_length(P) @ 1->2", LETTERS))
+    asked = "W: work(coil) @ 1->2, J: impulse(coil).x @ 1->2, way: path_length(P) @ 1->2"
+    found = solved(tmp_path, spring(asked, LETTERS))
     m, k, a = sp.symbols("m k a", positive=True)
     for name, expected in (("W", k * a**2 / 2), ("J", -a * sp.sqrt(k * m)), ("way", a)):
         expressions = found[name].expressions

@@ -19,6 +19,7 @@ from planar_cli.equation.plain import simplified
 from planar_cli.equation.pose import HERE, Pose
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND, Circle, Curve, Line, Round
+from planar_cli.units import parse_unit
 
 if TYPE_CHECKING:
     from planar_cli.equation.scene import Scene
@@ -86,6 +87,7 @@ class Displacer:
         symbol = self.made.get(name)
         if symbol is None:
             symbol = self.made[name] = self.scene.ledger.fresh(name, unit)
+        self.scene.ledger.units.setdefault(symbol, parse_unit(unit))
         self.coordinates.append(Coordinate(symbol, unit, drawn, speed, factor, words, body))
         return symbol
 
@@ -175,7 +177,8 @@ class Displacer:
             name = f"phi_{place}"
             now = self._coordinate(name, "rad", before, edge.slide, 1 / radius, words, edge.body)
             center = start + path.tangent.turned() * radius
-            return center + Pose(start, start, before, now).vector(start - center)
+            on_circle: Vec = center + Pose(start, start, before, now).vector(start - center)
+            return on_circle
         words = f"way of {place} along its path"
         t = path.tangent
         if self.scene.is_zero(t.y) and self.scene.is_zero(t.x - 1) and edge.parent == GROUND and not edge.backward:
@@ -185,7 +188,8 @@ class Displacer:
             y = self._coordinate(f"y_{place}", "m", start.y, edge.slide, sp.S.One, f"y of {place}", edge.body)
             return Vec(start.x, y) + drift
         s = self._coordinate(f"s_{place}", "m", ZERO, edge.slide, sp.S.One, words, edge.body)
-        return start + t * (-s if edge.backward else s) + drift
+        along: Vec = start + t * (-s if edge.backward else s) + drift
+        return along
 
     def _center(self, shape: Circle, start: Vec, path: object) -> Vec:
         return self.scene.point(shape.center)
@@ -255,9 +259,9 @@ class Displacer:
                 if stop.way == "on":
                     found[stop.name] = self._with_center(stop.name, stop.body or "")
         for load in self.scene.problem.loads:
-            wound = getattr(load, "wound_at", None)
+            wound, body = getattr(load, "wound_at", None), getattr(load, "body", "")
             if wound is not None:
-                found[wound] = self._with_center(wound, load.body)
+                found[wound] = self._with_center(wound, body)
         return found
 
     def _with_center(self, point: str, body: str) -> Vec:
@@ -274,7 +278,8 @@ class Displacer:
             reach = cb - ca
             share = simplified((place - ca).dot(reach) / reach.dot(reach))
             now_a, now_b = (self._carried(p, c) for p, c in ((a, ca), (b, cb)))
-            return now_a + (now_b - now_a) * share
+            between_rims: Vec = now_a + (now_b - now_a) * share
+            return between_rims
         if len(rounds) == 1:
             (name, center), other = rounds[0], next(p for p in between if p != rounds[0][0])
             if self._straight(other):

@@ -67,8 +67,7 @@ class Moving:
             if all(sp.expand(p - e * u) == 0 for p, e in ((velocity.x, along.x), (velocity.y, along.y))):
                 found: Vec = -along * (sp.sign(u) * size / sp.sqrt(simplified(along.dot(along))))
                 return found
-        found = -velocity * (size / sp.sqrt(simplified(velocity.dot(velocity))))
-        return found
+        return Vec(*(-p * (size / sp.sqrt(simplified(velocity.dot(velocity)))) for p in (velocity.x, velocity.y)))
 
     def _speeds(self) -> set[sp.Symbol]:
         rates = (r for r, _ in self._scene.evaluator.motions.values() if isinstance(r, sp.Symbol))

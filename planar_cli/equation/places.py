@@ -9,6 +9,8 @@ import sympy as sp
 from planar_cli.equation.evaluate import Evaluator, refuse
 from planar_cli.equation.exact import CERTAIN, Valuation
 from planar_cli.equation.jets import Jet, constant, magnitude
+from planar_cli.equation.ledger import Ledger
+from planar_cli.problem.expression import Name, Relation, Statement
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import At, Midpoint, Point, Polar, Towards, TwoFacts
 
@@ -128,3 +130,17 @@ def _choose(point: Point, place: TwoFacts, candidates: tuple[Vec, Vec], decide: 
             point.mark, "PL515", f"{point.name}: neither place is {place.side} of the other", "choose by the other axis"
         )
     return one if lead > 0 else other
+
+
+def at_relations(ledger: Ledger, evaluator: Evaluator, relations: tuple[Statement, ...], expr: sp.Expr) -> sp.Expr:
+    """An expression at other values of the coordinates, each given by a relation `theta = 30 deg`."""
+    for relation in relations:
+        if not isinstance(relation, Relation) or not isinstance(relation.left, Name):
+            raise refuse(
+                relation.mark,
+                "PL542",
+                "a relaxed position is given by its coordinates",
+                "write `relaxed_at: [theta = 30 deg]`",
+            )
+        expr = expr.subs(ledger.symbols[relation.left.name], evaluator.value(relation.right))
+    return expr

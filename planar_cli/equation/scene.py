@@ -14,10 +14,10 @@ from planar_cli.equation.evaluate import Evaluator, refuse
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.outlines import edges_at, outline_of
-from planar_cli.equation.places import place_jet
+from planar_cli.equation.places import at_relations, place_jet
 from planar_cli.equation.plain import longer, trigonometric
 from planar_cli.errors import Mark
-from planar_cli.problem.expression import Name, Relation, Side, Statement
+from planar_cli.problem.expression import Name, Side, Statement
 from planar_cli.problem.facts import Outline
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import (
@@ -266,17 +266,7 @@ class Scene:
 
     def with_relations(self, relations: tuple[Statement, ...], expr: sp.Expr) -> sp.Expr:
         """An expression at other values of the coordinates: `relaxed_at: [theta = 30 deg]`."""
-        for relation in relations:
-            if not isinstance(relation, Relation) or not isinstance(relation.left, Name):
-                raise refuse(
-                    relation.mark,
-                    "PL542",
-                    "a relaxed position is given by its coordinates",
-                    "write `relaxed_at: [theta = 30 deg]`",
-                )
-            symbol = self.ledger.symbols[relation.left.name]
-            expr = expr.subs(symbol, self.value(relation.right))
-        return expr
+        return at_relations(self.ledger, self.evaluator, relations, expr)
 
     def sign(self, expr: Any) -> int:
         """-1, 0 or 1, decided to all certain digits."""

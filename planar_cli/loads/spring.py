@@ -19,7 +19,8 @@ class Spring(Load):
     Meaning
         A light spring joins two points, of bodies or fixed. Its natural length is `natural_length`, or the distance
         of its ends where the relations of `relaxed_at` hold. `acts: push` or `acts: pull` where it is not fastened and
-        acts one way only.
+        acts one way only: a buffer that pushes only while it is compressed, a cord that pulls only while it is
+        stretched. In a motion it may begin and cease to act on the way.
 
     YAML
         title: Block on a spring

@@ -37,7 +37,8 @@ def _single(
     w2, c = found.stiffness[0][0], found.damping[0][0]
     speed, rate = RATES
     yield Paragraph(line("For a small deviation ", phrases.math(DEVIATION), " from there its linear part is:"))
-    yield Equation((phrases.math(sp.Add(rate, c * speed, w2 * DEVIATION, evaluate=False)), phrases.math(sp.S.Zero)))
+    terms = [e for e in (rate, c * speed, w2 * DEVIATION) if e != 0]
+    yield Equation((phrases.math(sp.Add(*terms, evaluate=False)), phrases.math(sp.S.Zero)))
     if not verdict.stable or verdict.power > 1:
         return
     square = found.square
@@ -59,7 +60,7 @@ def _line(name: str, expr: sp.Expr, value: Valuation, unit: str, phrases: Phrase
 
 def _several(found: Oscillation, value: Valuation) -> Iterator[Block]:
     """The roots of the characteristic equation."""
-    yield Paragraph(line(f"{len(found.speeds)} freedoms move together as e^(λ t); linearised, the roots λ are, in 1/s:"))
+    yield Paragraph(line(f"{len(found.speeds)} freedoms, linearised, move as e^(λ t); the roots λ are, in 1/s:"))
     for root in roots_of(found, value):
         if root.imag >= 0:
             parts = (Value(Decimal(str(root.real)), ""), " ± i ", Value(Decimal(str(root.imag)), ""))

@@ -31,7 +31,7 @@ def span_blocks(found: SpanIntegral, phrases: Phrases, symbolic: bool) -> Iterat
     if q.word == "count":
         yield from _events(found)
         return
-    for piece in found.pieces:
+    for piece in [p for p in found.pieces if p.integrand != 0] or found.pieces[:1]:
         yield from _piece(piece, phrases, symbolic, UNITS.get(q.word, ""))
     if found.duration != 1:
         sides: list[Inline | Line] = [line("divided by the time ", phrases.math(found.duration))]

@@ -69,10 +69,12 @@ def _cancels(coefficient: sp.Expr, value: Valuation) -> bool:
 
 
 def _real(e: sp.Expr, value: Valuation) -> Decimal | None:
+    """The value, None where it is not real or not finite."""
     try:
-        return value(e)
-    except ArithmeticError:
+        found = value(e)
+    except (ArithmeticError, ValueError):
         return None
+    return found if found.is_finite() else None
 
 
 def _distinct(roots: list[Root], angle: bool) -> list[Root]:

@@ -21,7 +21,8 @@ its keys. Any entry may have `name:` and `during: 1->2`.
           enters: {at: A, speed: 15 m/s, angle: 0 deg}
           leaves: {at: B, speed: 15 m/s, angle: 90 deg}
 
-Magnitudes of force, torque and drag may use `t`, quantities, and tables of instants and values:
+Magnitudes of force, torque and drag may use `t`, quantities, and tables of instants and values (straight lines
+between them, constant before the first and after the last):
 
     magnitude: 10 N/s * t
     magnitude: {table: [[0 s, 0 N], [2 s, 50 N]]}

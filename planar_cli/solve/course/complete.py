@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
+from decimal import Decimal
 from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from planar_cli.equation.exact import Valuation
+from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.problem.expression import Quantity
 from planar_cli.solve.course.chain import Branch
 from planar_cli.solve.course.course import Course
@@ -19,6 +20,7 @@ if TYPE_CHECKING:
     from planar_cli.solve.course.unfold import Unfolded
 
 TRUTHS = ("reached", "stable")
+AGREE = Decimal("1e-9")
 
 
 def completed(found: Unfolded) -> Unfolded:
@@ -40,10 +42,18 @@ def completed(found: Unfolded) -> Unfolded:
             course.told[letter] = formula
     spans = solve_spans(course, value) if course.spanned else ()
     for s in spans:
-        if s.formula is not None:
+        if s.formula is not None and _agrees(s.formula, s.number, value):
             course.told.setdefault(s.symbol, s.formula)
     value = value.extended({s.symbol: s.number for s in spans})
     return replace(found, branch=branch, value=value, spans=spans, oscillations=oscillations_of(course))
+
+
+def _agrees(formula: sp.Expr, number: Decimal, value: Valuation) -> bool:
+    """Has the formula a number, and is it the one?"""
+    try:
+        return abs(value(formula) - number) <= AGREE * max(abs(number), value.size(formula), AGREE)
+    except (Unvalued, ArithmeticError):
+        return False
 
 
 def _resolved(expr: sp.Expr, formulas: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:

@@ -34,7 +34,7 @@ from planar_cli.solve.course.plot import Plot, Stretch, Workshop, fixed_time, sp
 from planar_cli.solve.course.plot import Span as PlotSpan
 from planar_cli.solve.course.regime import Regime
 from planar_cli.solve.course.still import Still, is_equilibrium, stand_still
-from planar_cli.solve.course.oscillation import tell_oscillations
+from planar_cli.solve.course.oscillation import Oscillation, tell_oscillations
 from planar_cli.solve.course.timeline import Demand, Reader, Stop, stop_of
 
 TINY = Decimal("1e-15")
@@ -43,7 +43,8 @@ TINY = Decimal("1e-15")
 @dataclass(slots=True)
 class Course:
     """The motion of one problem along one plot. `regimes[i]` acts from state i to the next. `told`: what stand-ins for
-    quantities about states are; `still`: the equilibrium states, solved; `spanned`: quantities over spans.
+    quantities about states are; `still`: the equilibrium states, solved; `spanned`: quantities over spans;
+    `swings`: about equilibrium states.
     """
 
     problem: Problem
@@ -59,6 +60,7 @@ class Course:
     told: dict[sp.Symbol, sp.Expr] = field(default_factory=dict)
     still: Still | None = None
     spanned: dict[sp.Symbol, Asked] = field(default_factory=dict)
+    swings: dict[str, Oscillation] = field(default_factory=dict)
 
     @property
     def states(self) -> tuple[State, ...]:

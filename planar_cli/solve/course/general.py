@@ -90,11 +90,13 @@ def make_general(
     earlier: Mapping[str, Any],
     drawn: Instant,
     choice: tuple[int, ...],
-    resting: frozenset[str] = frozenset(),
+    resting: frozenset[str],
+    made: dict[str, sp.Symbol],
 ) -> General:
-    """The scene in a general position, for one choice of modes. `resting`: names of free speeds that stay zero."""
+    """The scene in a general position, for one choice of modes. `resting`: names of free speeds that stay zero; `made`:
+    symbols of coordinates of the same problem by name, which are the same in every choice of modes.
+    """
     still: frozenset[str] = frozenset()
-    made: dict[str, sp.Symbol] = {}
     while True:
         displacement = displaced(drawn, choice, still, made)
         found = _general(problem, always, earlier, drawn, choice, displacement, resting)

@@ -10,7 +10,7 @@ stability. SI units.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import mpmath
@@ -68,7 +68,7 @@ class Oscillation:
 
 @dataclass(frozen=True, slots=True)
 class Verdict:
-    """`kind`: stable, unstable or indifferent. `power`: of the deviation in the term that decides (1: the linear one)."""
+    """`kind`: stable, unstable or indifferent. `power`: of the deviation, in the term that decides (1: linear)."""
 
     kind: str
     power: int = 1
@@ -92,7 +92,8 @@ def linearised(regime: Regime, stop: Stop) -> Oscillation:
         _demand_steady(law, drift, regime, stop)
 
     def at_rest(expr: sp.Expr) -> sp.Expr:
-        return simplified(stop.at(expr.xreplace(still)))
+        # Places are put in before anything is simplified: there most terms vanish.
+        return stop.at(expr.xreplace(still))
 
     stiffness = tuple(tuple(at_rest(-_slope(law, u, rates)) for u in speeds) for law in laws)
     damping = tuple(tuple(at_rest(-sp.diff(law, u)) for u in speeds) for law in laws)
@@ -120,8 +121,9 @@ def oscillation_at(course: Course, q: Quantity) -> Oscillation:
     if name not in {s.name for s, _ in course.plot.equilibria}:
         text = f"{q.word}({name}): state {name} is no equilibrium"
         raise FileProblem([Diagnostic(q.mark, "PL631", text, f"write `{name}: [equilibrium, …]` in `states`")])
-    reader = course.readers[name]
-    return linearised(reader.regime, course.stops[name])
+    if name not in course.swings:
+        course.swings[name] = linearised(course.readers[name].regime, course.stops[name])
+    return course.swings[name]
 
 
 def tell_oscillations(course: Course) -> None:
@@ -142,7 +144,17 @@ def oscillations_of(course: Course) -> tuple[Oscillation, ...]:
         for q in reader.spans.values()
         if q.word in ("period", "frequency", "stable")
     }
-    return tuple(oscillation_at(course, q) for q in asked.values())
+    return tuple(_placed(course, oscillation_at(course, q)) for q in asked.values())
+
+
+def _placed(course: Course, found: Oscillation) -> Oscillation:
+    """With the place of the equilibrium put in."""
+    reader = course.readers[found.stop.name]
+
+    def put(rows: tuple[tuple[sp.Expr, ...], ...]) -> tuple[tuple[sp.Expr, ...], ...]:
+        return tuple(tuple(simplified(reader.settled(e)) for e in row) for row in rows)
+
+    return replace(found, stiffness=put(found.stiffness), damping=put(found.damping))
 
 
 def check_oscillations(course: Course, value: Valuation) -> None:

@@ -33,7 +33,8 @@ class Span:
 @dataclass(frozen=True, slots=True)
 class Stretch:
     """What acts from one state (also one that we put in) to the next: a span in one choice of modes. `still`: names of
-    free speeds that are zero from the beginning and stay so.
+    free speeds that are zero from the beginning and stay so. `ways`: signs of free speeds by name, where a resistance
+    asks for them.
     """
 
     span: Span
@@ -109,6 +110,7 @@ class Workshop:
 
     earlier: Mapping[str, Any]
     letters: dict[tuple[int, str], sp.Symbol] = field(default_factory=dict)
+    made: dict[str, sp.Symbol] = field(default_factory=dict)
     _drawn: dict[Any, Instant] = field(default_factory=dict)
     _regimes: dict[Any, Regime] = field(default_factory=dict)
     _generals: dict[Any, General] = field(default_factory=dict)
@@ -133,7 +135,8 @@ class Workshop:
 
     def _general(self, stretch: Stretch) -> General:
         span = stretch.span
-        return make_general(span.problem, span.always, self.earlier, self.drawn(span), stretch.choice, stretch.still)
+        drawn = self.drawn(span)
+        return make_general(span.problem, span.always, self.earlier, drawn, stretch.choice, stretch.still, self.made)
 
 
 def fixed_time(relations: tuple[Statement, ...]) -> Relation | None:

@@ -262,6 +262,10 @@ class Follower:
         extreme = next((d for d in demands if d.kind == "extreme"), None)
         if extreme is not None and not equations:
             return self._extreme(extreme, leg)
+        turning = self.course.plot.turnings.get(stop.name)
+        if turning is not None:
+            g = self._function(stop.at(turning[0]), stop, leg)
+            return next((r.value for r in self._events(g, leg)), None)
         if not equations:
             return None
         gs = [self._function(d.residual, stop, leg) for d in equations]
