@@ -9,8 +9,8 @@ from decimal import Decimal
 import sympy as sp
 
 from planar_cli.equation.displaced import Displacement
-from planar_cli.equation.exact import Valuation
 from planar_cli.equation.evaluate import Evaluator, refuse
+from planar_cli.equation.exact import Valuation
 from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.scene import Scene
 from planar_cli.equation.system import Statements
@@ -30,8 +30,8 @@ class Earlier:
 
 @dataclass(frozen=True, slots=True)
 class Course:
-    """A scene in a general position: how it is displaced (None: as drawn), within which ranges letters are drawn, and how
-    draws of coordinates are moved to where loops close.
+    """A scene in a general position: how it is displaced (None: as drawn), within which ranges letters are drawn, and
+    how draws of coordinates are moved to where loops close.
     """
 
     displacement: Displacement | None

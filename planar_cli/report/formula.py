@@ -103,7 +103,31 @@ class Pieces:
     pieces: tuple[tuple[Formula, Formula | None], ...]
 
 
-Formula = Numeral | Variable | Sum | Negative | Product | Quotient | Power | Root | Bars | Call | Compared | Pieces
+@dataclass(frozen=True, slots=True)
+class Integration:
+    """A definite integral over a variable."""
+
+    inside: Formula
+    variable: Formula
+    lower: Formula
+    upper: Formula
+
+
+Formula = (
+    Numeral
+    | Variable
+    | Sum
+    | Negative
+    | Product
+    | Quotient
+    | Power
+    | Root
+    | Bars
+    | Call
+    | Compared
+    | Pieces
+    | Integration
+)
 
 _ONE = Numeral("1")
 _NAMES_OF_NUMBERS = {sympy.pi: "π", sympy.E: "e", sympy.oo: "∞", sympy.I: "i"}
@@ -186,6 +210,8 @@ class _Reader:
             return Bars(self.read(expr.args[0]))
         if isinstance(expr, sympy.Piecewise):
             return Pieces(tuple((self.read(e), None if c == sympy.true else self.read(c)) for e, c in expr.args))
+        if isinstance(expr, sympy.Integral):
+            return self._integral(expr)
         name = expr.func.__name__
         if isinstance(expr, AppliedUndef):
             return Variable(name)
@@ -197,6 +223,13 @@ class _Reader:
         return Call(
             _FUNCTIONS.get(name, name), tuple(self.read(a) for a in expr.args if not _is_deep(a)), exponent, False
         )
+
+    def _integral(self, expr: Any) -> Formula:
+        """Of several variables the innermost is written first."""
+        found = self.read(expr.function)
+        for variable, lower, upper in expr.limits:
+            found = Integration(found, Variable(variable.name), self.read(lower), self.read(upper))
+        return found
 
     def _angle(self, expr: Any) -> Formula:
         """An argument of a trigonometric function, with multiples of π in degrees."""

@@ -6,6 +6,7 @@ from planar_cli.report.blocks import Answer, Block, Document, Heading, Note, Par
 from planar_cli.report.checks import check_blocks
 from planar_cli.report.discussion import discussion_lines
 from planar_cli.report.effects import effect_notes
+from planar_cli.report.motion import MotionTelling, motion_phrases
 from planar_cli.report.passages import tale_blocks
 from planar_cli.report.telling import Telling
 from planar_cli.report.words import Phrases, answer_line
@@ -38,6 +39,7 @@ def part_blocks(
 ) -> list[Block]:
     """One part: its instants, its answers, its checks. `told`: effects that were listed before."""
     blocks: list[Block] = []
+    count = 0
     for instant in part.instants:
         if instant.state:
             blocks.append(Heading("STATE", instant.state))
@@ -47,8 +49,15 @@ def part_blocks(
             blocks += notes
             told.add(key)
         if part.tale is None or not part.tale.whole:
-            blocks += Telling(instant, phrases_of(instant, figures), audience, _wanted(part, why)).blocks()
-    phrases = phrases_of(part.instants[-1], figures)
+            telling = Telling(instant, phrases_of(instant, figures), audience, _wanted(part, why))
+            blocks += telling.blocks()
+            count = max(count, telling.count)
+    phrases = phrases_of(part.instants[-1], figures) if part.instants else None
+    if part.motion is not None:
+        phrases = motion_phrases(part.motion, figures)
+        steps = [b.label for b in blocks if isinstance(b, Heading) and b.label.startswith("STEP")]
+        blocks += MotionTelling(part.motion, phrases, count + 1, _letters(part, why)).blocks(len(set(steps)) + 1)
+    assert phrases is not None
     if part.tale is not None:
         if part.tale.passages:
             whole = part.tale.whole
@@ -71,6 +80,15 @@ def _wanted(part: PartSolution, why: str | None) -> frozenset[str] | None:
         return None
     found = next(f for f in part.found if f.name == why)
     return frozenset(s.name for e in found.asked for s in e.free_symbols)
+
+
+def _letters(part: PartSolution, why: str | None) -> frozenset[str] | None:
+    """The names of the letters of states that the wanted find rests on; None: everything."""
+    if why is None:
+        return None
+    finds = part.motion.finds
+    asked = next(a for a in finds.asked if a.find.name == why)
+    return frozenset(s.name for p in asked.parts for s in finds.settled(asked, p).free_symbols)
 
 
 def phrases_of(instant: InstantSolution, figures: int) -> Phrases:

@@ -12,6 +12,7 @@ from planar_cli.report.formula import (
     Call,
     Compared,
     Formula,
+    Integration,
     Negative,
     Numeral,
     Pieces,
@@ -79,6 +80,15 @@ class _Writer(ABC):
     def pieces(self, node: Pieces) -> str: ...
 
     @abstractmethod
+    def integral(self, node: Integration) -> str: ...
+
+    def integrand(self, node: Integration) -> str:
+        """What stands before dx; one is left out."""
+        if node.inside == Numeral("1"):
+            return ""
+        return self.factor(node.inside, True, ()) + " "
+
+    @abstractmethod
     def is_self_contained(self, node: Quotient) -> bool:
         """True if a quotient can stand among factors without brackets."""
 
@@ -98,11 +108,13 @@ class _Writer(ABC):
                 return self.power(self.operand(base), exponent)
             case Call():
                 return self.call(node, node.bare)
-            case Negative() | Root() | Bars() | Compared() | Pieces():
+            case Negative() | Root() | Bars() | Compared() | Pieces() | Integration():
                 return self._wrapped(node)
 
-    def _wrapped(self, node: Negative | Root | Bars | Compared | Pieces) -> str:
+    def _wrapped(self, node: Negative | Root | Bars | Compared | Pieces | Integration) -> str:
         match node:
+            case Integration():
+                return self.integral(node)
             case Pieces():
                 return self.pieces(node)
             case Negative(inside):
@@ -126,6 +138,8 @@ class _Writer(ABC):
         match node:
             case Sum() | Negative() | Compared():
                 return self.brackets(self.write(node))
+            case Integration():
+                return self.write(node)
             case Numeral(text) if text.startswith("-"):
                 return self.brackets(self.numeral(text))
             case Product(factors):
@@ -147,7 +161,7 @@ class _Writer(ABC):
 
     def factor(self, node: Formula, opening: bool, follower: tuple[Formula, ...]) -> str:
         match node:
-            case Sum() | Compared() | Negative() | Pieces():
+            case Sum() | Compared() | Negative() | Pieces() | Integration():
                 return self.brackets(self.write(node))
             case Numeral(text) if (not opening and text.startswith("-")) or re.search(r"\S[ +/-]", text):
                 return self.brackets(self.numeral(text))
@@ -229,6 +243,10 @@ class _Plain(_Writer):
         parts = (f"{self.write(e)} {'else' if c is None else f'for {self.write(c)}'}" for e, c in node.pieces)
         return "; ".join(parts)
 
+    def integral(self, node: Integration) -> str:
+        bounds = f"{self.write(node.lower)} → {self.write(node.upper)}"
+        return f"∫[{bounds}] {self.integrand(node)}d{self.write(node.variable)}"
+
     def is_self_contained(self, node: Quotient) -> bool:
         return not isinstance(node.above, Sum | Negative) and isinstance(node.below, Numeral)
 
@@ -274,6 +292,10 @@ class _Latex(_Writer):
     def pieces(self, node: Pieces) -> str:
         rows = (f"{self.write(e)} & {tex.words('else') if c is None else self.write(c)}" for e, c in node.pieces)
         return r"\begin{cases} " + r" \\ ".join(rows) + r" \end{cases}"
+
+    def integral(self, node: Integration) -> str:
+        bounds = rf"_{{{self.write(node.lower)}}}^{{{self.write(node.upper)}}}"
+        return rf"\int{bounds} {self.integrand(node)}\, d{self.write(node.variable)}"
 
     def is_self_contained(self, node: Quotient) -> bool:
         return True

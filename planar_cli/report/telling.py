@@ -44,6 +44,11 @@ class Telling:
         """The printed number of an equation or line of a stage."""
         return self._numbers.setdefault((id(stage.algebra), own), len(self._numbers) + 1)
 
+    @property
+    def count(self) -> int:
+        """How many equations and lines have a number."""
+        return len(self._numbers)
+
     def blocks(self) -> list[Block]:
         blocks = self._assumptions()
         velocity = [s for s in self.stages if s.level == "velocity"]

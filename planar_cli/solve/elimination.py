@@ -57,13 +57,19 @@ def closes(residual: sp.Expr, value: Valuation) -> bool:
 
 
 def eliminate(
-    pool: list[Pending], left: Sequence[sp.Symbol], letters: Sequence[sp.Symbol], value: Valuation
+    pool: list[Pending],
+    left: Sequence[sp.Symbol],
+    letters: Sequence[sp.Symbol],
+    value: Valuation,
+    positive: Sequence[sp.Symbol] = (),
 ) -> Step | None:
-    """An equation that gives one unknown, which is put into the others; unknowns that are not letters first."""
+    """An equation that gives one unknown, which is put into the others; unknowns that are not letters first.
+    `positive`: unknowns of which only a positive value counts.
+    """
     order = sorted(left, key=lambda s: s in letters)
     found = _linear(pool, order, left, True) or _circle(pool, order, left, value)
     if found is None and alone(pool, left) is None:
-        found = _linear(pool, order, left, False) or _even(pool, [x for x in order if x in letters])
+        found = _linear(pool, order, left, False) or _even(pool, [x for x in order if x in positive])
     return found
 
 
@@ -84,9 +90,7 @@ def _even(pool: list[Pending], candidates: Iterable[sp.Symbol]) -> Step | None:
     return None
 
 
-def _linear(
-    pool: list[Pending], order: Iterable[sp.Symbol], left: Sequence[sp.Symbol], constant: bool
-) -> Step | None:
+def _linear(pool: list[Pending], order: Iterable[sp.Symbol], left: Sequence[sp.Symbol], constant: bool) -> Step | None:
     """An unknown that enters linearly; `constant`: its factor holds no other unknown."""
     for x in order:
         for i, p in enumerate(pool):
@@ -99,9 +103,7 @@ def _linear(
             if factor == 0 or (constant and any(s in factor.free_symbols for s in left)):
                 continue
             formula = tidy(-form.constant / factor)
-            rest = [
-                Pending(tidy(o.residual.xreplace({x: formula})), o.numbers) for j, o in enumerate(pool) if j != i
-            ]
+            rest = [Pending(tidy(o.residual.xreplace({x: formula})), o.numbers) for j, o in enumerate(pool) if j != i]
             return Step(Line(x, formula, None, p.numbers), rest)
     return None
 

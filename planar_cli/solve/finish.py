@@ -56,9 +56,7 @@ class Finisher:
         solution, stages, value = self.work([e for es in sides.values() for e in es], finds)
         return solution, [self._found(f, sides[f.name], value, stages, quantities) for f in finds]
 
-    def work(
-        self, exprs: list[sp.Expr], finds: tuple[Find, ...]
-    ) -> tuple[InstantSolution, list[Stage], Valuation]:
+    def work(self, exprs: list[sp.Expr], finds: tuple[Find, ...]) -> tuple[InstantSolution, list[Stage], Valuation]:
         """The stages that expressions need, carried out and checked."""
         base = self.trial.outcomes[0].value
         unknowns = set(acceleration_unknowns(self.system))

@@ -17,11 +17,11 @@ from planar_cli.calculus.first import roots
 from planar_cli.calculus.polish import polish
 from planar_cli.equation.exact import PI, Unvalued, Valuation
 from planar_cli.errors import Undecided
+from planar_cli.solve.branches import vanishes
 from planar_cli.solve.course.equations import Equation
 from planar_cli.solve.course.linked import linked_blocks
 from planar_cli.solve.course.regime import number_function
 from planar_cli.solve.elimination import Pending, alone, combined, eliminate
-from planar_cli.solve.branches import vanishes
 from planar_cli.solve.roots import Root, real_roots
 
 LARGEST = 3
@@ -208,7 +208,7 @@ class Chain:
             return
         if any(not set(p.residual.free_symbols) & set(left) and not self._closes(p.residual, here) for p in pool):
             return
-        step = eliminate(pool, left, tuple(self.times), here) if len(pool) > 1 else None
+        step = eliminate(pool, left, tuple(self.times), here, tuple(self.times)) if len(pool) > 1 else None
         if step is None:
             more = combined(pool, left, here)
             if more is None:

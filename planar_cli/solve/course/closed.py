@@ -1,6 +1,6 @@
 """Closed roots of one equation of a motion: polynomial, or with the unknown in one angle, one exponential, one root.
 
-    A cos u + B sin u = C:  u = ... + 2 n pi          a e^(ku) + b = 0:  u = ln(-b/a)/k
+A cos u + B sin u = C:  u = ... + 2 n pi          a e^(ku) + b = 0:  u = ln(-b/a)/k
 """
 
 from __future__ import annotations
@@ -12,7 +12,6 @@ from sympy.simplify.fu import TR8
 
 from planar_cli.equation.exact import PI, Unvalued, Valuation
 from planar_cli.equation.plain import longer, simplified
-from planar_cli.errors import Undecided
 from planar_cli.solve.roots import Root, real_roots
 
 TURNS = 3
@@ -62,21 +61,18 @@ def _kernels(expr: sp.Expr, x: sp.Symbol) -> set[sp.Expr]:
     return found
 
 
-def _one_function(
-    numerator: sp.Expr, x: sp.Symbol, kernel: sp.Expr, value: Valuation, symbolic: bool
-) -> list[Root]:
+def _one_function(numerator: sp.Expr, x: sp.Symbol, kernel: sp.Expr, value: Valuation, symbolic: bool) -> list[Root]:
     """One exponential or logarithm: its value first, then x."""
     y = sp.Dummy("y", real=True)
     flat = sp.expand(numerator).xreplace({kernel: y}).subs(kernel, y)
     if x in flat.free_symbols or not flat.is_polynomial(y):
         return []
     inverse = sp.log if isinstance(kernel, sp.exp) else sp.exp
-    found = []
+    found: list[Root] = []
     for root in real_roots(flat, y, value, symbolic, False):
         if root.expression is None or (inverse is sp.log and root.value <= 0):
             continue
-        for inner in real_roots(kernel.args[0] - inverse(root.expression), x, value, symbolic, False):
-            found.append(inner)
+        found += real_roots(kernel.args[0] - inverse(root.expression), x, value, symbolic, False)
     return found
 
 

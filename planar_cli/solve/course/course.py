@@ -1,8 +1,7 @@
-"""A motion over time: its states, the regimes between them, its equations, and the branch of their roots that happens."""
+"""A motion over time: its states, the regimes between them, its equations, and which of their roots happen."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass, field
 from decimal import Decimal
 from typing import Any
@@ -28,13 +27,13 @@ from planar_cli.solve.course.equations import (
     resting_equations,
     stated_equations,
 )
-from planar_cli.solve.course.over_spans import Asked, ask_spans, tell_spans
 from planar_cli.solve.course.extremes import stationary
+from planar_cli.solve.course.oscillation import Oscillation, tell_oscillations
+from planar_cli.solve.course.over_spans import Asked, ask_spans, tell_spans
 from planar_cli.solve.course.plot import Plot, Stretch, Workshop, fixed_time, spans_of
 from planar_cli.solve.course.plot import Span as PlotSpan
 from planar_cli.solve.course.regime import Regime
 from planar_cli.solve.course.still import Still, is_equilibrium, stand_still
-from planar_cli.solve.course.oscillation import Oscillation, tell_oscillations
 from planar_cli.solve.course.timeline import Demand, Reader, Stop, stop_of
 
 TINY = Decimal("1e-15")
@@ -252,9 +251,13 @@ class Course:
         before: Stop | None = None
         for state in self.states:
             stop = self.stops[state.name]
-            if before is not None and not fixed_time(state.relations) and {stop.t, before.t} <= set(values):
-                if values[stop.t] <= values[before.t] + TINY * max(abs(values[before.t]), TINY):
-                    return False
+            if (
+                before is not None
+                and not fixed_time(state.relations)
+                and {stop.t, before.t} <= set(values)
+                and values[stop.t] <= values[before.t] + TINY * max(abs(values[before.t]), TINY)
+            ):
+                return False
             before = stop
             for d in self.demands[state.name]:
                 if d.kind == "inequality":

@@ -11,8 +11,8 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.calculus.limits import limit
 from planar_cli.calculus.laws import Moment, Span, relations
+from planar_cli.calculus.limits import limit
 from planar_cli.equation.displaced import Coordinate
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.plain import simplified
@@ -23,8 +23,8 @@ from planar_cli.solve.course.plot import fixed_time
 from planar_cli.solve.course.regime import Regime
 from planar_cli.solve.course.timeline import Demand, Stop
 
-COSTS = {"given": 0.1, "turn": 0.2, "drawn": 0.1, "start": 0.1, "motion": 0.5, "link": 0.6, "q(t)": 1.0, "v(t)": 1.0, "v(q)": 1.05,
-         "t(v)": 1.1, "q(v)": 1.1, "t(q)": 1.3, "loop": 1.2, "extreme": 0.8}  # fmt: skip
+COSTS = {"given": 0.1, "turn": 0.2, "drawn": 0.1, "start": 0.1, "motion": 0.5, "link": 0.6, "loop": 1.2, "extreme": 0.8}
+COSTS |= {"q(t)": 1.0, "v(t)": 1.0, "v(q)": 1.05, "t(v)": 1.1, "q(v)": 1.1, "t(q)": 1.3}
 
 DATA = ("given", "drawn", "start", "turn", "motion")
 
@@ -209,7 +209,9 @@ def law_equations(laws: Laws, since: Stop, stop: Stop, regime: Regime, value: Va
             if (law.order == 1 and span.kind.startswith("v")) or (explicit and span.kind == "t(q)"):
                 continue
             shown = _renamed(span, others)
-            yield Equation(shown.residual, span.kind, span.words, stop.name, since.name, shown, family, law.order, law=law)
+            yield Equation(
+                shown.residual, span.kind, span.words, stop.name, since.name, shown, family, law.order, law=law
+            )
 
 
 def _since(symbol: sp.Symbol, since: Stop, regime: Regime) -> sp.Expr:
@@ -271,13 +273,14 @@ def resting_equations(regime: Regime, since: Stop, stop: Stop) -> Iterator[Equat
     for letter, end in stop.letters.items():
         if letter in own:
             continue
-        residual = end - since.letters[letter] if not is_speed(letter, stop) else end
+        residual = end - since.letters[letter] if not is_speed(letter) else end
         yield Equation(residual, "link", "it rests meanwhile", stop.name, since.name)
 
 
-def is_speed(letter: sp.Symbol, stop: Stop) -> bool:
+def is_speed(letter: sp.Symbol) -> bool:
     """Is a letter that of a velocity?"""
-    return letter.name.startswith(("v_", "omega")) or letter.name.endswith("_dot")
+    name: str = letter.name
+    return name.startswith(("v_", "omega")) or name.endswith("_dot")
 
 
 def loop_equations(regime: Regime, first: Stop, stop: Stop) -> Iterator[Equation]:
@@ -321,9 +324,7 @@ def _placed_elsewhere(regime: Regime, first: Stop) -> frozenset[sp.Symbol]:
     return driven
 
 
-def at_limits(
-    equations: list[Equation], infinite: Mapping[sp.Symbol, sp.Expr], value: Valuation
-) -> list[Equation]:
+def at_limits(equations: list[Equation], infinite: Mapping[sp.Symbol, sp.Expr], value: Valuation) -> list[Equation]:
     """Relations of states at infinity: their limits, where these are finite; and what no longer changes there."""
     found = []
     for e in equations:
@@ -335,7 +336,9 @@ def at_limits(
             continue
         residual: sp.Expr | None = e.residual
         for letter in letters:
-            flipped = residual.xreplace({letter: -letter}) if residual is not None and infinite[letter] < 0 else residual
+            flipped = (
+                residual.xreplace({letter: -letter}) if residual is not None and infinite[letter] < 0 else residual
+            )
             residual = None if flipped is None else limit(flipped, letter, value)
         if residual is not None and residual.free_symbols:
             found.append(replace(e, residual=residual, words=f"{e.words}, in the limit"))

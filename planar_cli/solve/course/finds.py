@@ -117,7 +117,15 @@ class FindReader:
         kind = "vector" if len(parts) == 2 else "number"
         energy = any(q.word in ("KE", "PE", "work", "heat") for q in quantities_in(what))
         return Found(
-            find.name, kind, self.unit_of(find), values, closed if symbolic or short else None, "", find, energy, tuple(parts)
+            find.name,
+            kind,
+            self.unit_of(find),
+            values,
+            closed if symbolic or short else None,
+            "",
+            find,
+            energy,
+            tuple(parts),
         )
 
     def _varying(self) -> set[sp.Symbol]:
@@ -156,7 +164,9 @@ class FindReader:
         if find.name in self.units:
             return parse_unit(self.units[find.name])
         setup = self.course.readers[next(iter(self.course.stops))].regime.general.instant.setup
-        return setup.unit_for(dimension_of(find.found.what, setup.lookup))
+        what = find.found.what
+        assert not isinstance(what, Relation)
+        return setup.unit_for(dimension_of(what, setup.lookup))
 
     def _mode(self, what: Any, asked: Asked) -> tuple[str, str] | None:
         """A mode that is asked, or compared."""

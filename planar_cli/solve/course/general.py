@@ -1,4 +1,4 @@
-"""A scene in a general position: which coordinates vary, which speeds are free, and everything else in terms of them."""
+"""A scene in a general position: which coordinates vary, which speeds are free, and all else in terms of them."""
 
 from __future__ import annotations
 
@@ -140,14 +140,10 @@ def _general(
         trial = instant.try_choice(choice, valuations, given=given)
     quantities = trial.system.quantities() if trial.outcomes else trial.system.quantities_of(trial.system.first, None)
     coordinates = (*_user_coordinates(instant), *displacement.coordinates)
-    return General(
-        instant, choice, coordinates, independent, trial, quantities, displacement, constraints
-    )
+    return General(instant, choice, coordinates, independent, trial, quantities, displacement, constraints)
 
 
-def _independent(
-    found: Velocities, tree: tuple[sp.Symbol, ...], displacement: Displacement
-) -> tuple[sp.Symbol, ...]:
+def _independent(found: Velocities, tree: tuple[sp.Symbol, ...], displacement: Displacement) -> tuple[sp.Symbol, ...]:
     """As many velocity unknowns as there are freedoms, which fix all others: rates of the file's own coordinates first,
     then those of the coordinates that we made.
     """

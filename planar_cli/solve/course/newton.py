@@ -33,7 +33,9 @@ def refined(
         for _ in range(STEPS):
             here = value.extended(at)
             rest = mpmath.matrix([_number(here(e)) for e in exprs])
-            jacobian = mpmath.matrix([[_number(here(d) * sizes[x]) for d, x in zip(row, used, strict=True)] for row in slopes])
+            jacobian = mpmath.matrix(
+                [[_number(here(d) * sizes[x]) for d, x in zip(row, used, strict=True)] for row in slopes]
+            )
             step, loose = _least_squares(jacobian, rest)
             at = {x: at[x] - Decimal(mpmath.nstr(step[i], DIGITS)) * sizes[x] for i, x in enumerate(used)}
             if max(abs(s) for s in step) < _number(SMALL):

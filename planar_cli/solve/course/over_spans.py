@@ -235,9 +235,7 @@ class SpanSolver:
         if not turns:
             sense = -1 if whole.number < 0 else 1
             formula = None if whole.formula is None else sense * whole.formula
-            return Piece(
-                p, r, speed, whole.how, abs(whole.number), formula, whole.antiderivative, whole.over_time
-            )
+            return Piece(p, r, speed, whole.how, abs(whole.number), formula, whole.antiderivative, whole.over_time)
         ends = [ta, *turns, tb]
         total = sum((abs(self._number(speed, leg, s, t)[0]) for s, t in pairwise(ends)), Decimal(0))
         return Piece(p, r, speed, whole.how, total, None, whole.antiderivative, whole.over_time, turns)

@@ -293,9 +293,7 @@ def _outer(residual: sp.Expr) -> set[sp.Symbol]:
     return set().union(*(a.free_symbols for a in sp.Add.make_args(residual) if not a.has(sp.Integral)))
 
 
-def _linear_step(
-    pool: list[sp.Expr], left: list[sp.Symbol], value: Valuation
-) -> tuple[int, sp.Symbol, sp.Expr] | None:
+def _linear_step(pool: list[sp.Expr], left: list[sp.Symbol], value: Valuation) -> tuple[int, sp.Symbol, sp.Expr] | None:
     """An equation that is linear in an unknown which it really contains; the shortest formula."""
     found: list[tuple[int, int, sp.Symbol, sp.Expr]] = []
     for x in left:

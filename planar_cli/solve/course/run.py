@@ -32,9 +32,7 @@ def runs_in_time(problem: Problem) -> bool:
 
 
 def _says_time(statement: Any) -> bool:
-    return isinstance(statement, Relation) and any(
-        isinstance(n, Name) and n.name == "t" for n in walk(statement)
-    )
+    return isinstance(statement, Relation) and any(isinstance(n, Name) and n.name == "t" for n in walk(statement))
 
 
 def _timed(node: Any) -> bool:
@@ -56,8 +54,6 @@ def solve_course(problem: Problem, case: str, units: dict[str, str], earlier: Ma
     start = {s: found.finds.closed(s, begun) for s in course.first.letters.values()}
     found.finds.throughout = Throughout(course, found.followed, found.value, start)
     answers = tuple(found.finds.answer(a, found.route, found.value) for a in found.finds.asked)
-    instants = tuple(
-        r.general.solution for r in found.course.distinct_regimes() if r.general.solution is not None
-    )
+    instants = tuple(r.general.solution for r in found.course.distinct_regimes() if r.general.solution is not None)
     tale = Tale(tuple(found.finds.curves), whole=False) if found.finds.curves else None
     return PartSolution(case, instants, answers, found, tale)

@@ -7,30 +7,24 @@ happens; the equations of the motion then give the same values in closed form wh
 from __future__ import annotations
 
 import itertools
-import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from decimal import Decimal
-from enum import Enum
 from typing import Any
 
 import sympy as sp
 
-from planar_cli.calculus.first import Root, roots
 from planar_cli.calculus.flow import Flow
 from planar_cli.equation.exact import Valuation
 from planar_cli.solve.course.course import Course
+from planar_cli.solve.course.equations import is_speed
+from planar_cli.solve.course.events import SLACK, Leg, State, events, is_still, is_zero
 from planar_cli.solve.course.plot import fixed_time
 from planar_cli.solve.course.regime import Regime, corners, number_function
 from planar_cli.solve.course.timeline import Demand, Stop
+from planar_cli.solve.course.ways import becomes_negative, ways_at
 
-SLACK = 1e-9
-AT_REST = 1e-9
-"""A speed that counts as zero, in m/s or rad/s."""
-WINDOWS = (20, 200, 2000)
-"""How far a state is looked for, in characteristic times; the motion is never followed much beyond what is found."""
 CHOICES = 8
-State = dict[sp.Symbol, float]
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,29 +38,11 @@ class Ends:
     state: State
 
 
-@dataclass(frozen=True, slots=True)
-class Leg:
-    """One stretch in numbers: from t0 to t1, the letters of its regime by `flow`."""
-
-    regime: Regime
-    flow: Flow | None
-    t0: float
-    t1: float
-    start: State
-
-    def at(self, t: float) -> State:
-        """All letters at a time."""
-        if self.flow is None:
-            return {**self.start, self.regime.time: t}
-        letters = self.regime.letters[1:]
-        return {**self.start, self.regime.time: t, **dict(zip(letters, map(float, self.flow.at(t)), strict=True))}
-
-
 @dataclass(slots=True)
 class Followed:
     """What came of following a course. `values`: letters of the states that were reached. `ends`: an assumption that
-    ended first; `misfit`: the stretch whose assumptions do not even hold at its beginning, `ways`: the signs that speeds
-    have there, if that is all; `missed`: the state that is never reached.
+    ended first; `misfit`: the stretch whose assumptions do not even hold at its beginning, `ways`: the signs that
+    speeds have there, if that is all; `missed`: the state that is never reached.
     """
 
     legs: list[Leg] = field(default_factory=list)
@@ -102,7 +78,7 @@ class Follower:
             if why:
                 done.misfit, done.why = i, why
                 return done
-            done.ways = self._ways(regime, begun)
+            done.ways = ways_at(regime, begun, self.value)
             if done.ways:
                 done.misfit = i
                 return done
@@ -138,14 +114,14 @@ class Follower:
         """Why the assumptions of a regime do not hold at its beginning; "" when they do."""
         here = [state[s] for s in regime.letters]
         for symbol, number in before.items():
-            if symbol not in regime.letters and is_moving(symbol) and abs(number) > 1e-7 and self._alone(symbol, regime):
+            if symbol not in regime.letters and is_speed(symbol) and abs(number) > 1e-7 and self._alone(symbol, regime):
                 return "it moves"
         if regime.watches:
             values = self._numbers(regime, [w.expr for w in regime.watches])(*here)
             for watch, v in zip(regime.watches, values, strict=True):
                 if v < -SLACK * max(1.0, abs(v)):
                     return watch.test.words
-                if not watch.test.pushes and abs(v) <= SLACK and self._leaves(regime, watch.expr, here):
+                if not watch.test.pushes and abs(v) <= SLACK and becomes_negative(regime, watch.expr, here, self.value):
                     return watch.test.words
         for slip in regime.slips:
             speed = self._numbers(regime, [slip])(*here)[0]
@@ -154,29 +130,6 @@ class Follower:
             if abs(speed) <= 1e-9 and self._numbers(regime, [regime.derivative(slip)])(*here)[0] <= 0:
                 return "nothing makes it slide"
         return ""
-
-    def _leaves(self, regime: Regime, expr: sp.Expr, here: list[float]) -> bool:
-        """Does what is zero, and must not be negative, become so at once?"""
-        for _ in range(2):
-            expr = regime.derivative(expr)
-            rate = self._numbers(regime, [expr])(*here)[0]
-            if abs(rate) > SLACK:
-                return rate < 0
-        return False
-
-    def _ways(self, regime: Regime, state: State) -> dict[str, int]:
-        """Signs of speeds that a law asks for, where they are not those of the regime; a speed that is zero takes that of
-        its rate.
-        """
-        found = {}
-        for u in {*turning_speeds(regime), *regime.going()}:
-            here = {**state, u: 0.0} if abs(state[u]) <= AT_REST else state
-            numbers = [here[s] for s in regime.letters]
-            way = here[u] or self._numbers(regime, [regime.accelerations[u]])(*numbers)[0]
-            sign = 1 if way >= 0 else -1
-            if regime.ways.get(u.name) != sign:
-                found[u.name] = sign
-        return found
 
     def _alone(self, symbol: sp.Symbol, regime: Regime) -> bool:
         """Is a speed of the state not accounted for by the regime's own?"""
@@ -236,21 +189,6 @@ class Follower:
         breaks = corners(regime, self.value)
         return Flow(lambda t, y: rhs(t, *y), state[regime.time], begin, digits=13, breaks=breaks)
 
-    def _scale(self, leg: Leg) -> float:
-        """A time in which something moves noticeably: by a radian, or by the largest length in sight."""
-        if leg.flow is None:
-            return 1.0
-        regime = leg.regime
-        rates = [abs(float(r)) for r in leg.flow.rates(leg.t0)]
-        lengths = [abs(leg.start[c.symbol]) for c in regime.coordinates if c.unit == "m"]
-        size = max([x for x in lengths if x > SLACK], default=1.0)
-        times = [(size if c.unit == "m" else 1.0) / r for c, r in zip(regime.coordinates, rates, strict=False) if r]
-        turning = {c.speed for c in regime.coordinates if c.unit != "m"}
-        for u, a in zip(regime.free, rates[len(regime.coordinates) :], strict=True):
-            if a:
-                times.append(math.sqrt((1.0 if u in turning else size) / a))
-        return min(max(min(times, default=1.0), 1e-9), 1e9)
-
     def _time_of(self, index: int, stop: Stop, leg: Leg) -> float | None:
         """When a state is reached."""
         stated = fixed_time(self.course.states[index].relations)
@@ -265,39 +203,17 @@ class Follower:
         turning = self.course.plot.turnings.get(stop.name)
         if turning is not None:
             g = self._function(stop.at(turning[0]), stop, leg)
-            return next((r.value for r in self._events(g, leg)), None)
+            return next((r.value for r in events(g, leg)), None)
         if not equations:
             return None
         gs = [self._function(d.residual, stop, leg) for d in equations]
-        first = max(range(len(gs)), key=lambda k: not self._still(gs[k], leg))
-        for root in itertools.islice(self._events(gs[first], leg), 60):
-            if all(self._zero(g, root.value, leg) for k, g in enumerate(gs) if k != first) and self._allowed(
+        first = max(range(len(gs)), key=lambda k: not is_still(gs[k], leg))
+        for root in itertools.islice(events(gs[first], leg), 60):
+            if all(is_zero(g, root.value, leg) for k, g in enumerate(gs) if k != first) and self._allowed(
                 demands, stop, leg, root.value
             ):
                 return root.value
         return None
-
-    def _events(self, g: Callable[[float], float], leg: Leg, until: float | None = None) -> Iterator[Root]:
-        """Roots along a leg in order, window by window."""
-        scale, begin = self._scale(leg), leg.t0
-        for count in WINDOWS:
-            end = leg.t0 + count * scale
-            if until is not None:
-                end = min(end, until)
-            try:
-                for root in roots(g, begin, end, scale):
-                    if root.value > leg.t0:
-                        yield root
-            except ArithmeticError:
-                return
-            if until is not None and end >= until:
-                return
-            begin = end
-
-    @staticmethod
-    def _still(g: Callable[[float], float], leg: Leg) -> bool:
-        """Does a function vanish from the beginning on?"""
-        return abs(g(leg.t0)) < SLACK and abs(g(leg.t0 + 1e-3)) < 1e-12
 
     def _function(self, residual: sp.Expr, stop: Stop, leg: Leg) -> Callable[[float], float]:
         """A residual of a state as a function of time along a leg."""
@@ -315,12 +231,6 @@ class Follower:
             return f(*(here[s] for s in leg.regime.letters))[0]
 
         return g
-
-    @staticmethod
-    def _zero(g: Callable[[float], float], t: float, leg: Leg) -> bool:
-        span = max(abs(t - leg.t0), 1e-9)
-        size = max(abs(g(leg.t0)), abs(g(t - span / 3)), 1e-9)
-        return abs(g(t)) <= 1e-7 * size
 
     def _allowed(self, demands: Sequence[Demand], stop: Stop, leg: Leg, t: float) -> bool:
         for d in demands:
@@ -344,7 +254,7 @@ class Follower:
 
             return g
 
-        found = list(itertools.islice(self._events(along(rate), leg), CHOICES))
+        found = list(itertools.islice(events(along(rate), leg), CHOICES))
         height = along(value)
         best: float | None = None
         for root in found:
@@ -374,60 +284,10 @@ class Follower:
                 continue
             if until is not None and until <= leg.t0:
                 continue
-            for root in itertools.islice(self._events(g, leg, until), 20):
+            for root in itertools.islice(events(g, leg, until), 20):
                 crossing = root.kind == "crossing" and (root.sense < 0 or expr in regime.free)
                 if crossing and (until is None or root.value < until - 1e-9 * max(abs(until), 1e-9)):
                     best = Ends(i, root.value, expr, words, leg.at(root.value))
                     until = root.value
                     break
         return best
-
-
-def is_moving(symbol: sp.Symbol) -> bool:
-    """Is a letter a speed?"""
-    return symbol.name.startswith(("v_", "omega")) or symbol.name.endswith("_dot")
-
-
-def turning_speeds(regime: Regime) -> list[sp.Symbol]:
-    """Free speeds whose size or sign stands in a law: the law reads otherwise when they turn round."""
-    found = []
-    for u in regime.free:
-        atoms = [a for f in regime.accelerations.values() for a in f.atoms(sp.Abs, sp.sign)]
-        if any(u in a.free_symbols for a in atoms):
-            found.append(u)
-    return found
-
-
-class Start(Enum):
-    """What the first state does not tell: some of its letters, or a start that contradicts the regime."""
-
-    OPEN = 1
-    CONTRADICTS = 2
-
-
-def certain_start(course: Course) -> dict[sp.Symbol, Decimal] | Start:
-    """The letters of the first state, where its own statements tell them all."""
-    if course.regimes[0].moved():
-        return Start.CONTRADICTS
-    if course.sought():
-        return Start.OPEN
-    own = set(course.first.letters.values())
-    branches = list(course.chain().branches([e for e in course.equations if e.stop == course.first.name]))
-    for branch in branches:
-        if own <= set(branch.values):
-            return {s: branch.values[own] for s, own in course.first.letters.items()}
-    return Start.OPEN if branches else Start.CONTRADICTS
-
-
-def resting(course: Course, start: Mapping[sp.Symbol, Decimal]) -> frozenset[str]:
-    """Free speeds that are zero at the start and that nothing sets in motion, whatever the others do."""
-    idle = {u for u in course.regimes[0].free if not start[u]}
-    while idle:
-        zero = dict.fromkeys(idle, sp.S.Zero)
-        moved = {
-            u for u in idle for r in course.regimes if r.accelerations.get(u, sp.S.One).subs(zero) != 0
-        }
-        if not moved:
-            return frozenset(u.name for u in idle)
-        idle -= moved
-    return frozenset()

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from decimal import Decimal
+from enum import Enum
 
 import sympy as sp
 
@@ -33,3 +35,36 @@ def started(
         except (Unvalued, ArithmeticError):
             continue
     return found
+
+
+class Start(Enum):
+    """What the first state does not tell: some of its letters, or a start that contradicts the regime."""
+
+    OPEN = 1
+    CONTRADICTS = 2
+
+
+def certain_start(course: Course) -> dict[sp.Symbol, Decimal] | Start:
+    """The letters of the first state, where its own statements tell them all."""
+    if course.regimes[0].moved():
+        return Start.CONTRADICTS
+    if course.sought():
+        return Start.OPEN
+    own = set(course.first.letters.values())
+    branches = list(course.chain().branches([e for e in course.equations if e.stop == course.first.name]))
+    for branch in branches:
+        if own <= set(branch.values):
+            return {s: branch.values[own] for s, own in course.first.letters.items()}
+    return Start.OPEN if branches else Start.CONTRADICTS
+
+
+def resting(course: Course, start: Mapping[sp.Symbol, Decimal]) -> frozenset[str]:
+    """Free speeds that are zero at the start and that nothing sets in motion, whatever the others do."""
+    idle = {u for u in course.regimes[0].free if not start[u]}
+    while idle:
+        zero = dict.fromkeys(idle, sp.S.Zero)
+        moved = {u for u in idle for r in course.regimes if r.accelerations.get(u, sp.S.One).subs(zero) != 0}
+        if not moved:
+            return frozenset(u.name for u in idle)
+        idle -= moved
+    return frozenset()

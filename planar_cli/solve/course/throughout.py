@@ -88,4 +88,3 @@ class Throughout:
         except ArithmeticError:
             return None
         return known.extended({**{s: Decimal(repr(v)) for s, v in rest.items()}, **more})
-

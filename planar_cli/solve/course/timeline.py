@@ -58,8 +58,8 @@ class Stop:
 class Demand:
     """What the file states of one state. `residual` vanishes; or it is positive (`sign` 1), or not negative (0).
 
-    Of kind "limit" it becomes infinite. `extreme`: 1 or -1 where the residual is to be largest or smallest. `trend`: a formula that must be positive, where
-    the residual alone would also let the opposite direction pass.
+    Of kind "limit" it becomes infinite. `extreme`: 1 or -1 where the residual is to be largest or smallest. `trend`: a
+    formula that must be positive, where the residual alone would also let the opposite direction pass.
     """
 
     state: str
@@ -232,13 +232,14 @@ class Reader:
         if isinstance(item, VectorStatement):
             s, (difference, trend) = item.relations[0], item.equations(self.any)
         else:
-            s, left, right = item, self.any(item.left), self.any(item.right)
-            assert isinstance(left, Vec) == isinstance(right, Vec)
+            s = item
+            left: Any = self.any(item.left)
+            right: Any = self.any(item.right)
             if isinstance(left, Jet) and isinstance(right, Jet) and s.operator == "=":
                 for one, other in ((left.value, right.value), (right.value, left.value)):
                     if other in (sp.oo, -sp.oo):
                         return [(s, ("limit", one, None))]
-            difference = left - right  # type: ignore[operator]
+            difference = left - right
         if isinstance(difference, Vec):
             return [(s, ("=", difference.x.value, trend)), (s, ("=", difference.y.value, trend))]
         return [(s, (s.operator, difference.value, trend))]

@@ -22,7 +22,8 @@ from planar_cli.solve.course.oscillation import Oscillation
 from planar_cli.solve.course.over_spans import SpanIntegral
 from planar_cli.solve.course.plot import Plot, Workshop
 from planar_cli.solve.course.route import Route
-from planar_cli.solve.course.simulate import Followed, Follower, Start, certain_start, resting
+from planar_cli.solve.course.simulate import Followed, Follower
+from planar_cli.solve.course.starts import Start, certain_start, resting
 
 CHANGES = 40
 AGREE = 1e-6
@@ -142,7 +143,9 @@ class Unfolder:
         for choice in self.workshop.drawn(plot.stretches[i].span).choices():
             if choice not in failed:
                 return choice
-        raise NoSolution([Diagnostic(mark, "PL622", f"no assumption about the contacts holds from here on: {self.why}")])
+        raise NoSolution(
+            [Diagnostic(mark, "PL622", f"no assumption about the contacts holds from here on: {self.why}")]
+        )
 
     @staticmethod
     def _never(course: Course, state: str) -> NoSolution:

@@ -1,0 +1,266 @@
+"""A motion over time told: the law of every coordinate, integrated from state to state, solved for what is asked."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from decimal import Decimal
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.equation.plain import longer, simplified
+from planar_cli.report.blocks import Block, Equation, Heading, Line, Math, Paragraph, line
+from planar_cli.report.oscillation import oscillation_blocks
+from planar_cli.report.span_integrals import span_blocks
+from planar_cli.report.words import Phrases
+from planar_cli.solve.course.equations import DATA
+from planar_cli.solve.course.equations import Equation as Relation
+from planar_cli.solve.course.route import Leg, Result, Route
+from planar_cli.solve.course.unfold import Unfolded
+
+MOST_ROOTS = 4
+LONGEST = 60
+"""A longer formula is told by its value alone."""
+
+
+def motion_phrases(found: Unfolded, figures: int) -> Phrases:
+    """The phrases in which a motion speaks: with numbers unless letters of the file remain."""
+    return Phrases(found.course.ledger, found.value, figures, found.course.symbolic)
+
+
+class MotionTelling:
+    """Tells the way to what is asked. `first`: the number of its first equation; `wanted`: names of letters whose
+    derivation is told (None: all).
+    """
+
+    def __init__(self, found: Unfolded, phrases: Phrases, first: int, wanted: frozenset[str] | None = None) -> None:
+        self.found, self.phrases, self.next, self.wanted = found, phrases, first, wanted
+        self.course = found.course
+        self.general = {own: general for stop in self.course.stops.values() for general, own in stop.letters.items()}
+        self._told_laws: set[sp.Symbol] = set()
+
+    def blocks(self, step: int) -> list[Block]:
+        """Step `step` of the solution; empty when the motion needs no step of its own."""
+        body = list(self._body())
+        if not body:
+            return []
+        return [Heading(f"STEP {step}", "Motion over time", self._states()), *body]
+
+    def _states(self) -> str:
+        names = [s.name for s in self.course.states if s.name]
+        return "states " + ", ".join(names) if len(names) > 1 else ""
+
+    def _body(self) -> Iterator[Block]:
+        yield from self._turnings()
+        if self.found.route is not None:
+            yield from self._route(self.found.route)
+        for name, route in self.found.finds.passing.items():
+            if any(not leg.datum for leg in route.legs):
+                yield Paragraph(line(f"{name} throughout the motion:"))
+                yield from self._route(route)
+        for span in self.found.spans:
+            yield from span_blocks(span, self.phrases, self.phrases.symbolic)
+        for swing in self.found.oscillations:
+            yield from oscillation_blocks(swing, self.found.value, self.phrases, self.phrases.symbolic)
+
+    def _turnings(self) -> Iterator[Block]:
+        for name, (expr, words) in self.course.plot.turnings.items():
+            t = self.course.stops[name].t
+            when = (
+                ()
+                if self.phrases.symbolic or t not in self.found.value.values
+                else line(" at ", Math(t), " = ", self.phrases.shown(t))
+            )
+            yield Paragraph(line(f"{words[:1].upper()}{words[1:]}", when, f" (state {name}): ", Math(expr), " = 0."))
+
+    # --- the route ---------------------------------------------------------------------------------------------------
+
+    def _route(self, route: Route) -> Iterator[Block]:
+        legs = self._needed(route)
+        given = [leg for leg in legs if leg.datum]
+        for leg in given:
+            yield from self._datum(leg)
+        for leg in legs:
+            if not leg.datum:
+                yield from self._leg(leg, route)
+
+    def _needed(self, route: Route) -> list[Leg]:
+        """The legs that the wanted letters rest on."""
+        if self.wanted is None:
+            return list(route.legs)
+        names, kept = set(self.wanted), []
+        for leg in reversed(route.legs):
+            if any(x.name in names for x in leg.derivation.unknowns):
+                kept.append(leg)
+                names |= {s.name for s in leg.derivation.needs}
+        return kept[::-1]
+
+    def _datum(self, leg: Leg) -> Iterator[Block]:
+        e = leg.derivation.equations[0]
+        words = {"drawn": "as drawn", "start": e.words, "turn": e.words}.get(e.kind, "given")
+        place = f"{e.stop}: " if e.stop else ""
+        for r in leg.results:
+            yield Equation(self._chain(r), None, line(f"{place}{words}:"))
+
+    def _leg(self, leg: Leg, route: Route) -> Iterator[Block]:
+        equations = leg.derivation.equations
+        numbers = []
+        single = len(equations) == 1
+        for e in equations:
+            if single and self._explicit(e, leg):
+                yield from self._law(e)
+                yield Paragraph(self._head(e))
+                yield from self._integral(e, route)
+                yield Equation(self._chain(leg.results[0]), self._number())
+                return
+            yield from self._relation(e, route)
+            numbers.append(self.next - 1)
+        lead = line(", ".join(f"({n})" for n in numbers) + (" together:" if len(numbers) > 1 else ":"))
+        for i, r in enumerate(leg.results):
+            yield Equation(self._chain(r), None, lead if i == 0 else ())
+            if i == 0:
+                yield from self._others(r)
+
+    def _number(self) -> int:
+        self.next += 1
+        return self.next - 1
+
+    @staticmethod
+    def _explicit(e: Relation, leg: Leg) -> bool:
+        """Does the relation itself give its unknown?"""
+        if e.kind == "link":
+            return bool(leg.results) and leg.results[0].formula is not None
+        return e.span is not None and e.span.explicit is not None and _letter(e) == leg.results[0].unknown
+
+    def _law(self, e: Relation) -> Iterator[Block]:
+        """The law of a coordinate, once."""
+        law = e.law
+        if law is None or law.coordinate.symbol in self._told_laws or law.f == 0:
+            return
+        self._told_laws.add(law.coordinate.symbol)
+        q = law.coordinate.symbol
+        v = law.speed if law.speed is not None and law.factor == 1 else sp.Symbol(f"{q.name}_dot", real=True)
+        rate = sp.Symbol(f"{q.name}_{'ddot' if law.order == 2 else 'dot'}", real=True)
+        yield Paragraph(line(f"The law of {law.coordinate.words}:" if law.coordinate.words != q.name else "The law:"))
+        yield Equation((self.phrases.math(rate), self.phrases.math(law.f.xreplace({law.v: v}))))
+
+    def _head(self, e: Relation) -> Line:
+        """Where a relation comes from."""
+        if e.span is not None:
+            return line(f"From {e.since} to {e.stop}, {e.span.words}:" if e.since else f"{e.span.words}:")
+        if e.kind in DATA:
+            return line(f"At {e.stop}: {e.words}:" if e.stop else f"{e.words}:")
+        place = f"From {e.since} to {e.stop}, " if e.since else f"At {e.stop}, " if e.stop else ""
+        return line(f"{place}{e.words}:")
+
+    def _relation(self, e: Relation, route: Route) -> Iterator[Block]:
+        yield from self._law(e)
+        yield Paragraph(self._head(e))
+        yield from self._integral(e, route)
+        yield Equation(self._sides(e, route), self._number())
+
+    def _integral(self, e: Relation, route: Route) -> Iterator[Block]:
+        """The definite integrals with matching limits."""
+        span = e.span
+        if span is None or span.left is None or span.right is None or span.unevaluated:
+            return
+        sides = tuple(self._plain_integral(side, route) for side in (span.left, span.right))
+        yield Equation(tuple(self.phrases.math(s) for s in sides))
+
+    def _plain_integral(self, side: sp.Expr, route: Route) -> sp.Expr:
+        """Limits of this motion, the variable without the name of a state."""
+        names = {own.name: general.name for own, general in self.general.items()}
+
+        def renamed(integral: Any) -> Any:
+            variable, low, high = integral.limits[0]
+            plain = sp.Symbol(names.get(variable.name, variable.name), real=True)
+            inside = integral.function.xreplace({variable: plain}).xreplace(route.plain)
+            return sp.Integral(inside, (plain, low.xreplace(route.plain), high.xreplace(route.plain)))
+
+        return side.replace(lambda x: isinstance(x, sp.Integral), renamed)
+
+    def _sides(self, e: Relation, route: Route) -> tuple[Any, ...]:
+        """A relation as left = right, its own letter on the left."""
+        residual = e.residual.xreplace(route.plain)
+        letter = _letter(e)
+        if letter is not None:
+            own = letter**2 if e.kind == "v(q)" else letter
+            if sp.diff(residual, own) == 1 if own.is_Symbol else residual.coeff(letter, 2) == 1:
+                return self.phrases.math(own), self.phrases.math(_neat(own - residual))
+        if e.span is not None and e.span.unevaluated:
+            left = self._plain_integral(e.span.left, route) if e.span.left is not None else residual
+            right = self._plain_integral(e.span.right, route) if e.span.right is not None else sp.S.Zero
+            return self.phrases.math(left), self.phrases.math(right)
+        positive = [a for a in sp.Add.make_args(residual) if not a.could_extract_minus_sign()]
+        left = sp.Add(*positive)
+        return self.phrases.math(left), self.phrases.math(left - residual)
+
+    # --- results -----------------------------------------------------------------------------------------------------
+
+    def _chain(self, r: Result) -> tuple[Any, ...]:
+        """letter = formula = numbers = value."""
+        sides: list[Any] = [self.phrases.math(r.unknown)]
+        formula = r.formula
+        if formula is not None and not longer(formula, LONGEST) and (not formula.is_number or self.phrases.symbolic):
+            sides.append(self.phrases.math(formula))
+            numbers = self.phrases.numbers(formula)
+            if numbers is not None and not formula.is_Symbol:
+                sides.append(numbers)
+        if not self.phrases.symbolic:
+            sides.append(self._shown(r))
+        elif formula is None:
+            sides.append(line("the root that this motion reaches"))
+        return tuple(sides)
+
+    def _shown(self, r: Result) -> Any:
+        if r.value.is_infinite():
+            return line("∞" if r.value > 0 else "-∞")
+        shown = self.phrases.shown(r.unknown, r.value)
+        if r.unknown in self.found.guessed:
+            return line(shown, " by numerical integration")
+        return shown
+
+    def _others(self, r: Result) -> Iterator[Block]:
+        """Roots that do not belong to this motion, each with the reason."""
+        left = [x for x in r.roots if abs(x.value - r.value) > abs(r.value) * Decimal("1e-9") + Decimal("1e-30")]
+        if not left or r.unknown not in self.general:
+            return
+        parts: list[Any] = ["not "]
+        for i, root in enumerate(left[:MOST_ROOTS]):
+            shown = self.phrases.shown(r.unknown, root.value)
+            sign = Math(root.expression) if self.phrases.symbolic and root.expression is not None else shown
+            parts += [", " if i else "", sign]
+        yield Paragraph(line(*parts, f": {self._reason(r, left)}"))
+
+    def _reason(self, r: Result, left: list[Any]) -> str:
+        general = self.general[r.unknown]
+        values = [x.value for x in left]
+        if general.name == "t":
+            if all(v < r.value for v in values):
+                return "that is not after the state before"
+            if all(v > r.value for v in values):
+                return "a later instant; the first one counts"
+            return "the first instant after the state before counts"
+        if general in self.course.regimes[0].free and all(v * r.value < 0 for v in values):
+            return "it moves the other way there"
+        return "this motion does not come there at that state"
+
+
+def _letter(e: Relation) -> sp.Symbol | None:
+    """The letter that a relation between states gives, by its kind."""
+    span = e.span
+    if span is None:
+        return None
+    if span.explicit is not None:
+        found = (span.residual + span.explicit).expand() if span.residual.is_Add else span.residual + span.explicit
+        found = simplified(found)
+        return found if found.is_Symbol else None
+    if e.kind == "v(q)":
+        for s in span.residual.free_symbols:
+            if s.name.endswith(f"_{e.stop}") and span.residual.coeff(s, 2) == 1:
+                return s
+    return None
+
+
+def _neat(expr: sp.Expr) -> sp.Expr:
+    return expr if longer(expr, LONGEST) else simplified(expr)

@@ -1,0 +1,33 @@
+"""On which side of an instant a quantity is read, where what acts changes there.
+
+Places and velocities are the same on both sides. Accelerations, forces and modes are those just after: of what begins.
+What a state itself states (N = 0 is reached) is read in what arrives.
+"""
+
+from __future__ import annotations
+
+from planar_cli.equation.system import mode_of
+from planar_cli.problem.expression import Quantity, Relation
+from planar_cli.problem.formulas import formulas
+from planar_cli.problem.scene import Problem
+from planar_cli.problem.walk import Tree, walk
+
+CONTINUOUS = frozenset(("x", "y", "r", "v", "theta", "omega", "KE", "PE", "momentum", "H", "mass", "I"))
+
+
+def changes_at_once(tree: Tree) -> bool:
+    """Does it hold anything that may jump when what acts changes?"""
+    return any(isinstance(n, Quantity) and n.word not in CONTINUOUS for n in walk(tree))
+
+
+def asked_after(problem: Problem, state: str) -> bool:
+    """Is anything asked of a state that may jump there?"""
+    for formula in formulas(problem):
+        for node in walk(formula.tree):
+            if getattr(node, "at", None) == state and changes_at_once(node):
+                return True
+            if isinstance(node, Relation) and mode_of(node) is not None:
+                sides = (node.left, node.right)
+                if any(getattr(s, "at", None) == state for s in sides):
+                    return True
+    return False

@@ -1,0 +1,82 @@
+"""What happens along one stretch of a motion that is followed in numbers: the instants at which a function vanishes."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+import sympy as sp
+
+from planar_cli.calculus.first import Root, roots
+from planar_cli.calculus.flow import Flow
+from planar_cli.solve.course.regime import Regime
+
+SLACK = 1e-9
+WINDOWS = (20, 200, 2000)
+"""How far a state is looked for, in characteristic times; the motion is never followed much beyond what is found."""
+State = dict[sp.Symbol, float]
+
+
+@dataclass(frozen=True, slots=True)
+class Leg:
+    """One stretch in numbers: from t0 to t1, the letters of its regime by `flow`."""
+
+    regime: Regime
+    flow: Flow | None
+    t0: float
+    t1: float
+    start: State
+
+    def at(self, t: float) -> State:
+        """All letters at a time."""
+        if self.flow is None:
+            return {**self.start, self.regime.time: t}
+        letters = self.regime.letters[1:]
+        return {**self.start, self.regime.time: t, **dict(zip(letters, map(float, self.flow.at(t)), strict=True))}
+
+
+def scale_of(leg: Leg) -> float:
+    """A time in which something moves noticeably: by a radian, or by the largest length in sight."""
+    if leg.flow is None:
+        return 1.0
+    regime = leg.regime
+    rates = [abs(float(r)) for r in leg.flow.rates(leg.t0)]
+    lengths = [abs(leg.start[c.symbol]) for c in regime.coordinates if c.unit == "m"]
+    size = max([x for x in lengths if x > SLACK], default=1.0)
+    times = [(size if c.unit == "m" else 1.0) / r for c, r in zip(regime.coordinates, rates, strict=False) if r]
+    turning = {c.speed for c in regime.coordinates if c.unit != "m"}
+    for u, a in zip(regime.free, rates[len(regime.coordinates) :], strict=True):
+        if a:
+            times.append(math.sqrt((1.0 if u in turning else size) / a))
+    return min(max(min(times, default=1.0), 1e-9), 1e9)
+
+
+def events(g: Callable[[float], float], leg: Leg, until: float | None = None) -> Iterator[Root]:
+    """Roots along a leg in order, window by window."""
+    scale, begin = scale_of(leg), leg.t0
+    for count in WINDOWS:
+        end = leg.t0 + count * scale
+        if until is not None:
+            end = min(end, until)
+        try:
+            for root in roots(g, begin, end, scale):
+                if root.value > leg.t0:
+                    yield root
+        except ArithmeticError:
+            return
+        if until is not None and end >= until:
+            return
+        begin = end
+
+
+def is_still(g: Callable[[float], float], leg: Leg) -> bool:
+    """Does a function vanish from the beginning on?"""
+    return abs(g(leg.t0)) < SLACK and abs(g(leg.t0 + 1e-3)) < 1e-12
+
+
+def is_zero(g: Callable[[float], float], t: float, leg: Leg) -> bool:
+    """Does a function vanish at a time, as far as machine numbers tell?"""
+    span = max(abs(t - leg.t0), 1e-9)
+    size = max(abs(g(leg.t0)), abs(g(t - span / 3)), 1e-9)
+    return abs(g(t)) <= 1e-7 * size
