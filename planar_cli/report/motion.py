@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from decimal import Decimal
 from typing import Any
@@ -10,6 +11,7 @@ import sympy as sp
 
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.report.blocks import Block, Equation, Heading, Line, Math, Paragraph, line
+from planar_cli.report.names import plain_name
 from planar_cli.report.oscillation import oscillation_blocks
 from planar_cli.report.span_integrals import span_blocks
 from planar_cli.report.words import Phrases
@@ -113,6 +115,10 @@ class MotionTelling:
                 yield from self._integral(e, route)
                 yield Equation(self._chain(leg.results[0]), self._number())
                 return
+            if single and leg.results[0].formula == 0:
+                yield Paragraph(self._head(e))
+                yield Equation(self._chain(leg.results[0]), self._number())
+                return
             yield from self._relation(e, route)
             numbers.append(self.next - 1)
         lead = line(", ".join(f"({n})" for n in numbers) + (" together:" if len(numbers) > 1 else ":"))
@@ -147,11 +153,26 @@ class MotionTelling:
     def _head(self, e: Relation) -> Line:
         """Where a relation comes from."""
         if e.span is not None:
-            return line(f"From {e.since} to {e.stop}, {e.span.words}:" if e.since else f"{e.span.words}:")
+            words = self._calculus(e)
+            return line(f"From {e.since} to {e.stop}, {words}:" if e.since else f"{words}:")
         if e.kind in DATA:
             return line(f"At {e.stop}: {e.words}:" if e.stop else f"{e.words}:")
         place = f"From {e.since} to {e.stop}, " if e.since else f"At {e.stop}, " if e.stop else ""
         return line(f"{place}{e.words}:")
+
+    def _calculus(self, e: Relation) -> str:
+        """Where a relation between two states comes from, in the letters of its coordinate."""
+        assert e.span is not None
+        if e.law is None:
+            return e.span.words
+        if e.law.f == 0 and e.kind == "v(t)":
+            return f"no acceleration, {e.law.coordinate.words}"
+        q = e.law.coordinate
+        single = plain_name(q.symbol.name.split("_")[0]) if q.unit == "m" else plain_name(q.symbol.name)
+        words = re.sub(r"\bdq\b", f"d{single}", e.span.words)
+        if q.unit != "m":
+            words = re.sub(r"\b(d?)v\b", r"\1ω", re.sub(r"\ba\b", "α", words))
+        return f"{words}, {q.words}" if q.words != q.symbol.name else words
 
     def _relation(self, e: Relation, route: Route) -> Iterator[Block]:
         yield from self._law(e)
@@ -163,6 +184,8 @@ class MotionTelling:
         """The definite integrals with matching limits."""
         span = e.span
         if span is None or span.left is None or span.right is None or span.unevaluated:
+            return
+        if e.law is not None and e.law.f == 0 and e.kind == "v(t)":
             return
         sides = tuple(self._plain_integral(side, route) for side in (span.left, span.right))
         yield Equation(tuple(self.phrases.math(s) for s in sides))
@@ -187,6 +210,10 @@ class MotionTelling:
             own = letter**2 if e.kind == "v(q)" else letter
             if sp.diff(residual, own) == 1 if own.is_Symbol else residual.coeff(letter, 2) == 1:
                 return self.phrases.math(own), self.phrases.math(_neat(own - residual))
+        if e.span is not None and e.span.explicit is not None and not e.span.unevaluated:
+            own = _letter(e)
+            if own in route.plain:
+                return self.phrases.math(e.span.explicit.xreplace(route.plain)), self.phrases.math(route.plain[own])
         if e.span is not None and e.span.unevaluated:
             left = self._plain_integral(e.span.left, route) if e.span.left is not None else residual
             right = self._plain_integral(e.span.right, route) if e.span.right is not None else sp.S.Zero
@@ -257,7 +284,7 @@ def _letter(e: Relation) -> sp.Symbol | None:
         return found if found.is_Symbol else None
     if e.kind == "v(q)":
         for s in span.residual.free_symbols:
-            if s.name.endswith(f"_{e.stop}") and span.residual.coeff(s, 2) == 1:
+            if s.name.endswith(f"__{e.stop}") and span.residual.coeff(s, 2) == 1:
                 return s
     return None
 

@@ -1,6 +1,6 @@
 """How a name of a file reads in mathematics: `omega_AB` as ω_AB, `v_D_AB` as v_D/AB; plain text and LaTeX.
 
-A name is a stem and pieces behind underscores. Two pieces in capitals mean "relative to"; a component or an instant
+A name is a stem and pieces behind underscores; behind two underscores stands the state that it belongs to. Two pieces in capitals mean "relative to"; a component or an instant
 clings to the piece before it; other pieces are set off with a comma.
 """
 
@@ -109,7 +109,8 @@ def stem(name: str) -> str:
 
 @lru_cache(maxsize=4096)
 def _parts(name: str) -> _Parts:
-    first, *pieces = printable(name).split("_")
+    name, _, state = printable(name).partition("__")
+    first, *pieces = name.split("_")
     prefix = ""
     if first.startswith("Σ") and len(first) > 1:
         prefix, first = "Σ", first[1:]
@@ -118,7 +119,8 @@ def _parts(name: str) -> _Parts:
     dot = next((p for p in pieces if p in _DOTS), "")
     prime = "prime" in pieces
     kept = [p for p in pieces if p and p != "prime" and p not in _DOTS]
-    return _Parts(prefix, _greek(first), _subscript(kept), dot, prime)
+    subscript = ",".join(p for p in (_subscript(kept), _greek(state)) if p)
+    return _Parts(prefix, _greek(first), subscript, dot, prime)
 
 
 def _subscript(pieces: list[str]) -> str:

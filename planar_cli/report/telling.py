@@ -54,17 +54,20 @@ class Telling:
         velocity = [s for s in self.stages if s.level == "velocity"]
         last = next((s for s in self.stages if s.level == "acceleration"), None)
         kinetic = last is not None and any(w.law != "relation" for b in last.blocks for w in b.equations)
-        if self.stages:
-            blocks.append(Heading("STEP 1", "Kinematic analysis"))
-        blocks += self._definitions("m")
-        blocks += self._kinematics(velocity, last)
+        kinematics = [*self._definitions("m"), *self._kinematics(velocity, last)]
+        step = 0
+        if kinematics:
+            step += 1
+            blocks.append(Heading(f"STEP {step}", "Kinematic analysis"))
+        blocks += kinematics
         if kinetic and last is not None:
-            blocks.append(Heading("STEP 2", "Kinetic analysis", self.principle.diagram))
+            step += 1
+            blocks.append(Heading(f"STEP {step}", "Kinetic analysis", self.principle.diagram))
             blocks += force_rows(self.instant, last, self.phrases, self.principle.inertia_as_force)
             blocks += self._definitions("kg")
             blocks += self._equations([w for b in last.blocks for w in b.equations if w.law != "relation"], last)
         if last is not None and any(not self._is_given(b) for b in last.blocks):
-            blocks.append(Heading("STEP 3" if kinetic else "STEP 2", "Solving the equations", self._count(last)))
+            blocks.append(Heading(f"STEP {step + 1}", "Solving the equations", self._count(last)))
             blocks += self._solving(last)
         return blocks
 

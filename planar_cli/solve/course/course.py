@@ -41,8 +41,9 @@ TINY = Decimal("1e-15")
 
 @dataclass(slots=True)
 class Course:
-    """The motion of one problem along one plot. `regimes[i]` acts from state i to the next. `told`: what stand-ins for
-    quantities about states are; `still`: the equilibrium states, solved; `spanned`: quantities over spans;
+    """The motion of one problem along one plot. `regimes[i]` acts from state i to the next; `beyond` from the last on.
+    `readers`: who reads what a state states, `tellers`: what is asked of it and may jump there. `told`: what stand-ins
+    for quantities about states are; `still`: the equilibrium states, solved; `spanned`: quantities over spans;
     `swings`: about equilibrium states.
     """
 
@@ -52,6 +53,8 @@ class Course:
     regimes: list[Regime] = field(default_factory=list)
     stops: dict[str, Stop] = field(default_factory=dict)
     readers: dict[str, Reader] = field(default_factory=dict)
+    tellers: dict[str, Reader] = field(default_factory=dict)
+    beyond: Regime | None = None
     laws: list[Laws] = field(default_factory=list)
     demands: dict[str, list[Demand]] = field(default_factory=dict)
     placed: dict[str, list[Demand]] = field(default_factory=dict)
@@ -72,6 +75,9 @@ class Course:
         self.regimes = [self.workshop.regime(s) for s in self.plot.stretches]
         apart = [(state, self.workshop.regime(s)) for state, s in self.plot.equilibria]
         every = [*self.regimes, *(r for _, r in apart)]
+        if self.regimes:
+            self.beyond = self.workshop.regime(self.plot.stretch(len(self.regimes)))
+            every.append(self.beyond)
         letters = list(dict.fromkeys(s for r in every for s in r.letters))
         ledger = every[0].general.instant.scene.ledger
         for regime in every:
@@ -81,10 +87,18 @@ class Course:
             made = self.workshop.letters
             self.stops[state.name] = stop_of(state.name, state.relations, state.mark, letters, ledger, made)
         by_regime: dict[int, Reader] = {}
-        who = [(state, self.regimes[max(i - 1, 0)]) for i, state in enumerate(self.states)]
-        for state, regime in (*who, *apart):
-            reader = by_regime.setdefault(id(regime), Reader(regime, self.stops, self.readers, self.told))
-            self.readers[state.name] = reader
+
+        def reader_of(regime: Regime) -> Reader:
+            made = Reader(regime, self.stops, self.readers, self.tellers, self.told)
+            return by_regime.setdefault(id(regime), made)
+
+        for i, state in enumerate(self.states):
+            begins = self.regimes[i] if i < len(self.regimes) else self.beyond
+            assert begins is not None
+            self.readers[state.name] = reader_of(self.regimes[max(i - 1, 0)])
+            self.tellers[state.name] = reader_of(begins)
+        for state, regime in apart:
+            self.readers[state.name] = self.tellers[state.name] = reader_of(regime)
 
     @property
     def scene(self) -> Any:
@@ -101,10 +115,10 @@ class Course:
 
     def distinct_readers(self) -> list[Reader]:
         """Every reader once."""
-        return list({id(r): r for r in self.readers.values()}.values())
+        return list({id(r): r for r in (*self.readers.values(), *self.tellers.values())}.values())
 
     def distinct_regimes(self) -> list[Regime]:
-        return list({id(r): r for r in (*self.regimes, *(r.regime for r in self.readers.values()))}.values())
+        return list({id(r): r for r in (*self.regimes, *(r.regime for r in self.distinct_readers()))}.values())
 
     # --- equations ---------------------------------------------------------------------------------------------------
 

@@ -15,6 +15,8 @@ from planar_cli.solve.course.regime import Regime
 SLACK = 1e-9
 WINDOWS = (20, 200, 2000)
 """How far a state is looked for, in characteristic times; the motion is never followed much beyond what is found."""
+LOOKS, NEARBY, DEAD = 8, 0.01, 1e-12
+"""A function is looked at so often before a zero, and so near to it; below this part of its size it has died out."""
 State = dict[sp.Symbol, float]
 
 
@@ -61,13 +63,21 @@ def events(g: Callable[[float], float], leg: Leg, until: float | None = None) ->
             end = min(end, until)
         try:
             for root in roots(g, begin, end, scale):
-                if root.value > leg.t0:
+                if root.value > leg.t0 and not _died_out(g, root.value, leg):
                     yield root
         except ArithmeticError:
             return
         if until is not None and end >= until:
             return
         begin = end
+
+
+def _died_out(g: Callable[[float], float], t: float, leg: Leg) -> bool:
+    """Has a function sunk below what machine numbers tell of it, so that its zeros mean nothing?"""
+    run = t - leg.t0
+    largest = max(abs(g(leg.t0 + run * k / LOOKS)) for k in range(LOOKS))
+    near = max(abs(g(t - NEARBY * run)), abs(g(t + NEARBY * run)))
+    return near <= DEAD * largest
 
 
 def is_still(g: Callable[[float], float], leg: Leg) -> bool:

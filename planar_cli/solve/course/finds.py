@@ -179,7 +179,7 @@ class FindReader:
         return None
 
     def _mode_name(self, joint: str, at: Any, asked: Asked) -> str:
-        reader = self.course.readers[at] if isinstance(at, str) else asked.reader
+        reader = self.course.tellers[at] if isinstance(at, str) else asked.reader
         system = reader.regime.general.trial.system
         ours = next(our for our, name in system.aliases.items() if name == joint and system.modes[our].name)
         return system.modes[ours].name

@@ -47,16 +47,23 @@ class Stretch:
 class Plot:
     """`stretches[i]` runs from `states[i]` to `states[i + 1]`. `turnings`: states that we put in, each with what
     vanishes there (a formula of the general position) and what happens. `equilibria`: states that stand beside the
-    order, as no motion leads to them, each with what acts there.
+    order, as no motion leads to them, each with what acts there. `beyond`: from the last state on (None: what acted before it).
     """
 
     states: tuple[State, ...]
     stretches: tuple[Stretch, ...]
     turnings: Mapping[str, tuple[sp.Expr, str]] = field(default_factory=dict)
     equilibria: tuple[tuple[State, Stretch], ...] = ()
+    beyond: Stretch | None = None
+
+    def stretch(self, i: int) -> Stretch:
+        """What acts from state i on, also from the last."""
+        return self.stretches[i] if i < len(self.stretches) else self.beyond or self.stretches[-1]
 
     def changed(self, i: int, choice: tuple[int, ...]) -> Plot:
         """Another choice of modes from stretch i on, as long as the same things act."""
+        if i >= len(self.stretches):
+            return replace(self, beyond=replace(self.stretch(i), choice=choice))
         key = self.stretches[i].span.key
         found = list(self.stretches)
         for j in range(i, len(found)):
@@ -68,13 +75,17 @@ class Plot:
     def going(self, i: int, ways: Mapping[str, int]) -> Plot:
         """Other signs of speeds from stretch i on."""
         found = list(self.stretches)
+        if i >= len(found):
+            here = self.stretch(i)
+            return replace(self, beyond=replace(here, ways=tuple(sorted({**dict(here.ways), **ways}.items()))))
         for j in range(i, len(found)):
             found[j] = replace(found[j], ways=tuple(sorted({**dict(found[j].ways), **ways}.items())))
         return replace(self, stretches=tuple(found))
 
     def stilled(self, names: frozenset[str]) -> Plot:
         """The same plot with speeds that stay zero."""
-        return replace(self, stretches=tuple(replace(s, still=names) for s in self.stretches))
+        beyond = None if self.beyond is None else replace(self.beyond, still=names)
+        return replace(self, stretches=tuple(replace(s, still=names) for s in self.stretches), beyond=beyond)
 
     def turned(self, i: int, expr: sp.Expr, words: str) -> Plot:
         """A state put in on stretch i where an assumption ends."""

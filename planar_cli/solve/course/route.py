@@ -123,7 +123,7 @@ class Router:
         if any(t not in best and t not in self.plain for t in targets):
             best = self._cheapest(edges + self._rings())
         order: list[Derivation] = []
-        for target in sorted(targets, key=lambda s: best[s].cost if s in best else 1e9):
+        for target in targets:
             self._collect(target, best, order)
         formulas: dict[sp.Symbol, sp.Expr] = dict(self.plain)
         legs = []

@@ -5,10 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+import sympy as sp
+
 from planar_cli.problem.expression import JustAfter, Name, Quantity, Relation
 from planar_cli.problem.formulas import formulas
 from planar_cli.problem.scene import Problem
 from planar_cli.problem.walk import walk
+from planar_cli.solve.course.course import Course
 from planar_cli.solve.course.complete import completed
 from planar_cli.solve.course.plot import Workshop
 from planar_cli.solve.course.reached import reaching
@@ -49,7 +52,7 @@ def solve_course(problem: Problem, case: str, units: dict[str, str], earlier: Ma
     unknowns = course.chain().unknowns
     targets = {s for a in found.finds.asked for p in a.parts for s in found.finds.settled(a, p).free_symbols}
     router = Router(course.equations, unknowns, found.value, course.symbolic)
-    found.route = router.route(sorted(targets & unknowns, key=lambda s: s.name))
+    found.route = router.route(_in_order(course, targets & unknowns))
     begun = router.route(course.first.letters.values())
     start = {s: found.finds.closed(s, begun) for s in course.first.letters.values()}
     found.finds.throughout = Throughout(course, found.followed, found.value, start)
@@ -57,3 +60,9 @@ def solve_course(problem: Problem, case: str, units: dict[str, str], earlier: Ma
     instants = tuple(r.general.solution for r in found.course.distinct_regimes() if r.general.solution is not None)
     tale = Tale(tuple(found.finds.curves), whole=False) if found.finds.curves else None
     return PartSolution(case, instants, answers, found, tale)
+
+
+def _in_order(course: Course, targets: set[sp.Symbol]) -> list[sp.Symbol]:
+    """Letters state by state, as a reader goes through the motion; what is sought comes first."""
+    place = {own: i for i, stop in enumerate(course.stops.values(), 1) for own in stop.letters.values()}
+    return sorted(targets, key=lambda s: (place.get(s, 0), s.name))

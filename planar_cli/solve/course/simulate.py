@@ -16,6 +16,7 @@ import sympy as sp
 
 from planar_cli.calculus.flow import Flow
 from planar_cli.equation.exact import Valuation
+from planar_cli.solve.course.after import asked_after
 from planar_cli.solve.course.course import Course
 from planar_cli.solve.course.equations import is_speed
 from planar_cli.solve.course.events import SLACK, Leg, State, events, is_still, is_zero
@@ -74,13 +75,7 @@ class Follower:
             if any(d.kind == "limit" for d in course.demands[course.states[i + 1].name]):
                 continue
             begun = self._begin(regime, state)
-            why = self._misfit(regime, begun, state)
-            if why:
-                done.misfit, done.why = i, why
-                return done
-            done.ways = ways_at(regime, begun, self.value)
-            if done.ways:
-                done.misfit = i
+            if not self._fits(i, regime, begun, state):
                 return done
             reached = self._stretch(i, regime, begun)
             if reached is None:
@@ -88,7 +83,18 @@ class Follower:
             state = reached
             self._record(course.stops[course.states[i + 1].name], state)
         done.at = state
+        last = len(course.states) - 1
+        if course.beyond is not None and last > 0 and asked_after(course.problem, course.states[last].name):
+            self._fits(last, course.beyond, self._begin(course.beyond, state), state)
         return done
+
+    def _fits(self, i: int, regime: Regime, begun: State, before: State) -> bool:
+        """Do the assumptions of a regime hold where it takes over, at state i?"""
+        done = self.done
+        done.why = self._misfit(regime, begun, before)
+        done.ways = {} if done.why else ways_at(regime, begun, self.value)
+        done.misfit = i if done.why or done.ways else None
+        return done.misfit is None
 
     def _record(self, stop: Stop, state: State) -> None:
         for letter, own in stop.letters.items():

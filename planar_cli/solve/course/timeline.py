@@ -30,6 +30,7 @@ from planar_cli.problem.expression import (
     Statement,
 )
 from planar_cli.problem.geometry import Vec
+from planar_cli.solve.course.after import changes_at_once
 from planar_cli.solve.course.regime import Regime
 
 
@@ -77,7 +78,8 @@ SPANNED = ("reached", "period", "frequency", "stable", "count")
 
 @dataclass(slots=True)
 class Reader:
-    """Reads statements and finds in one regime. `readers`: who reads at each state, by its name; `stops`: all states.
+    """Reads statements and finds in one regime. `readers`: who reads at each state, by its name, `tellers`: what may
+    jump there; `stops`: all states.
 
     `pending`: stand-ins for quantities at other states, with who reads them there; `spans`: stand-ins for quantities
     over spans or about states, `told`: what these are, in letters of states.
@@ -86,6 +88,7 @@ class Reader:
     regime: Regime
     stops: dict[str, Stop]
     readers: dict[str, Reader]
+    tellers: dict[str, Reader]
     told: dict[sp.Symbol, sp.Expr] = field(default_factory=dict)
     pending: dict[sp.Symbol, tuple[Reader, str, sp.Expr]] = field(default_factory=dict)
     spans: dict[sp.Symbol, Quantity] = field(default_factory=dict)
@@ -123,7 +126,7 @@ class Reader:
         return found.value
 
     def _there(self, state: str, side: Side) -> Jet | Vec:
-        other = self.readers[state]
+        other = (self.tellers if changes_at_once(side) else self.readers)[state]
         value = other.any(side)
         if isinstance(value, Vec):
             return Vec(*(constant(self._stand_in(other, state, p.value)) for p in (value.x, value.y)))
@@ -298,7 +301,7 @@ def stop_of(
     """A state with letters of its own, named after it: x_2, v_x_2, t_2. `made`: those of earlier plots."""
     own = {}
     for s in letters:
-        title = f"{s.name}_{name}" if name else f"{s.name}_1"
+        title = f"{s.name}__{name}" if name else s.name + "__1"
         key = (id(ledger), title)
         if key not in made:
             made[key] = ledger.fresh(title, ledger.units[s].text)

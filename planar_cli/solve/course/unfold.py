@@ -138,9 +138,9 @@ class Unfolder:
         """Another choice of modes for a stretch, the natural ones first."""
         name = tuple(s.name for s in plot.states[: i + 1])
         failed = self.tried.setdefault(name, [])
-        failed.append(plot.stretches[i].choice)
+        failed.append(plot.stretch(i).choice)
         self.why = self.why or why
-        for choice in self.workshop.drawn(plot.stretches[i].span).choices():
+        for choice in self.workshop.drawn(plot.stretch(i).span).choices():
             if choice not in failed:
                 return choice
         raise NoSolution(
