@@ -115,6 +115,13 @@ class MotionTelling:
                 yield from self._integral(e, route)
                 yield Equation(self._chain(leg.results[0]), self._number())
                 return
+            if single and e.span is not None and e.span.unevaluated and e.kind == "t(q)":
+                yield from self._law(e)
+                yield Paragraph(self._head(e))
+                yield from self._integral(e, route)
+                letter, value = leg.results[0].unknown, self._shown(leg.results[0])
+                yield Equation((self.phrases.math(letter), line(value, ", by quadrature")), self._number())
+                return
             if single and leg.results[0].formula == 0:
                 yield Paragraph(self._head(e))
                 yield Equation(self._chain(leg.results[0]), self._number())
@@ -183,7 +190,7 @@ class MotionTelling:
     def _integral(self, e: Relation, route: Route) -> Iterator[Block]:
         """The definite integrals with matching limits."""
         span = e.span
-        if span is None or span.left is None or span.right is None or span.unevaluated:
+        if span is None or span.left is None or span.right is None or (span.unevaluated and e.kind != "t(q)"):
             return
         if e.law is not None and e.law.f == 0 and e.kind == "v(t)":
             return

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from planar_cli.report.blocks import Answer, Block, Document, Heading, Note, Paragraph, line
+from planar_cli.report.blocks import Answer, Block, Check, Document, Heading, Note, Paragraph, line
 from planar_cli.report.checks import check_blocks
 from planar_cli.report.discussion import discussion_lines
 from planar_cli.report.effects import effect_notes
@@ -67,8 +67,10 @@ def part_blocks(
         if why is None or found.name == why:
             said = answer_line(found, phrases)
             blocks.append(Answer(found.name, said, ":" if found.word or found.curve is not None else "="))
-    for instant in part.instants:
-        blocks += check_blocks(instant, phrases_of(instant, figures))
+    checks = [b for instant in part.instants for b in check_blocks(instant, phrases_of(instant, figures))]
+    blocks += [b for i, b in enumerate(checks) if b not in checks[:i]]
+    if part.motion is not None:
+        blocks += [Check(line(text)) for text in part.motion.checks]
     if not any(mode.tests for instant in part.instants for mode in instant.trial.system.modes.values()):
         blocks += [Note("Discussion", remark) for remark in discussion_lines(part.found, phrases)]
     return blocks

@@ -10,7 +10,8 @@ import sympy as sp
 
 from planar_cli.calculus.first import Root, roots
 from planar_cli.calculus.flow import Flow
-from planar_cli.solve.course.regime import Regime
+from planar_cli.equation.exact import Valuation
+from planar_cli.solve.course.regime import Regime, number_function
 
 SLACK = 1e-9
 WINDOWS = (20, 200, 2000)
@@ -22,13 +23,16 @@ State = dict[sp.Symbol, float]
 
 @dataclass(frozen=True, slots=True)
 class Leg:
-    """One stretch in numbers: from t0 to t1, the letters of its regime by `flow`."""
+    """One stretch in numbers: from t0 to t1, the letters of its regime by `flow`. `swing`: a time in which its laws
+    themselves change.
+    """
 
     regime: Regime
     flow: Flow | None
     t0: float
     t1: float
     start: State
+    swing: float = math.inf
 
     def at(self, t: float) -> State:
         """All letters at a time."""
@@ -46,12 +50,22 @@ def scale_of(leg: Leg) -> float:
     rates = [abs(float(r)) for r in leg.flow.rates(leg.t0)]
     lengths = [abs(leg.start[c.symbol]) for c in regime.coordinates if c.unit == "m"]
     size = max([x for x in lengths if x > SLACK], default=1.0)
-    times = [(size if c.unit == "m" else 1.0) / r for c, r in zip(regime.coordinates, rates, strict=False) if r]
+    times = [(size if c.unit == "m" else 1.0) / r for c, r in zip(regime.coordinates, rates, strict=False) if r > SLACK]
     turning = {c.speed for c in regime.coordinates if c.unit != "m"}
     for u, a in zip(regime.free, rates[len(regime.coordinates) :], strict=True):
-        if a:
+        if a > SLACK:
             times.append(math.sqrt((1.0 if u in turning else size) / a))
-    return min(max(min(times, default=1.0), 1e-9), 1e9)
+    shortest = min([*times, leg.swing])
+    return min(max(shortest if math.isfinite(shortest) else 1.0, 1e-9), 1e9)
+
+
+def swing_of(regime: Regime, state: State, value: Valuation) -> float:
+    """The shortest time in which a sine or an exponential of time in the laws of a regime changes."""
+    exprs = [*regime.rates.values(), *regime.accelerations.values()]
+    waves = {a.args[0] for e in exprs for a in e.atoms(sp.sin, sp.cos, sp.tan, sp.exp) if regime.time in a.free_symbols}
+    paces = [sp.diff(w, regime.time) for w in waves]
+    numbers = number_function(paces, regime.letters, value)(*(state[s] for s in regime.letters)) if paces else []
+    return min((1 / abs(n) for n in numbers if abs(n) > SLACK), default=math.inf)
 
 
 def events(g: Callable[[float], float], leg: Leg, until: float | None = None) -> Iterator[Root]:

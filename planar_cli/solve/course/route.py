@@ -80,11 +80,22 @@ class Router:
     ) -> None:
         self.unknowns, self.value, self.symbolic = unknowns, value, symbolic
         self.plain = self._plain(equations)
-        self.equations = [e for e in equations if self._inside(e)]
+        self.equations = [e for e in equations if self._inside(e) and self._true(e)]
 
     def residual(self, equation: Equation) -> sp.Expr:
         """With zeros and names of the file put in."""
         return equation.residual.xreplace(self.plain) if self.plain else equation.residual
+
+    def _true(self, equation: Equation) -> bool:
+        """Does a time by the place hold? Only as long as the motion does not turn round."""
+        if equation.kind != "t(q)":
+            return True
+        try:
+            number = self.value(equation.residual)
+            size = max(abs(self.value(s)) for s in equation.residual.free_symbols if s in self.unknowns)
+        except (ArithmeticError, Unvalued, ValueError):
+            return False
+        return abs(number) <= Decimal("1e-9") * max(size, Decimal("1e-9"))
 
     def _inside(self, equation: Equation) -> frozenset[sp.Symbol]:
         return frozenset(s for s in self.residual(equation).free_symbols if s in self.unknowns)

@@ -12,6 +12,7 @@ from planar_cli.problem.formulas import formulas
 from planar_cli.problem.scene import Problem
 from planar_cli.problem.walk import walk
 from planar_cli.solve.course.course import Course
+from planar_cli.solve.course.agree import compared
 from planar_cli.solve.course.complete import completed
 from planar_cli.solve.course.plot import Workshop
 from planar_cli.solve.course.reached import reaching
@@ -56,6 +57,7 @@ def solve_course(problem: Problem, case: str, units: dict[str, str], earlier: Ma
     begun = router.route(course.first.letters.values())
     start = {s: found.finds.closed(s, begun) for s in course.first.letters.values()}
     found.finds.throughout = Throughout(course, found.followed, found.value, start)
+    found.checks = compared(found)
     answers = tuple(found.finds.answer(a, found.route, found.value) for a in found.finds.asked)
     instants = tuple(r.general.solution for r in found.course.distinct_regimes() if r.general.solution is not None)
     tale = Tale(tuple(found.finds.curves), whole=False) if found.finds.curves else None

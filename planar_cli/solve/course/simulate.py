@@ -19,7 +19,7 @@ from planar_cli.equation.exact import Valuation
 from planar_cli.solve.course.after import asked_after
 from planar_cli.solve.course.course import Course
 from planar_cli.solve.course.equations import is_speed
-from planar_cli.solve.course.events import SLACK, Leg, State, events, is_still, is_zero
+from planar_cli.solve.course.events import SLACK, Leg, State, events, is_still, is_zero, swing_of
 from planar_cli.solve.course.plot import fixed_time
 from planar_cli.solve.course.regime import Regime, corners, number_function
 from planar_cli.solve.course.timeline import Demand, Stop
@@ -147,7 +147,7 @@ class Follower:
     def _stretch(self, i: int, regime: Regime, state: State) -> State | None:
         """Up to the next state, or None: something else comes first, or nothing does."""
         t0 = state[regime.time]
-        leg = Leg(regime, self._flow(regime, state), t0, t0, state)
+        leg = Leg(regime, self._flow(regime, state), t0, t0, state, swing_of(regime, state, self.value))
         stop = self.course.stops[self.course.states[i + 1].name]
         time = self._time_of(i + 1, stop, leg)
         ends = self._ends(i, leg, time)

@@ -266,6 +266,16 @@ class Reader:
             found.append(motion.velocities[s.body].angular)
         return found
 
+    def _resting(self, stop: Stop, residual: sp.Expr) -> sp.Expr:
+        """Where one free speed moves a body, that speed itself vanishes with the body's velocity."""
+        speeds = {stop.letters[u] for u in self.regime.free}
+        inside = residual.free_symbols & speeds
+        if len(inside) != 1:
+            return residual
+        u = inside.pop()
+        factor = simplified(residual / u)
+        return residual if u in factor.free_symbols else u
+
     def demands(self, stop: Stop, raw: list[tuple[Statement, tuple[Any, ...]]]) -> list[Demand]:
         """The statements of one state as equations between letters, once everything is closed."""
         found = []
@@ -280,8 +290,10 @@ class Reader:
             if operator == "limit":
                 found.append(Demand(stop.name, s.text, s.mark, residual, "limit"))
                 continue
+            if isinstance(s, AtRest | Equilibrium):
+                residual = self._resting(stop, residual)
             if operator == "=":
-                if residual != 0:
+                if residual != 0 and not any(d.residual == residual for d in found):
                     found.append(Demand(stop.name, s.text, s.mark, residual, trend=direction))
             else:
                 sign = 1 if operator in "<>" else 0

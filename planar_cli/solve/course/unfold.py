@@ -33,7 +33,7 @@ AGREE = 1e-6
 class Unfolded:
     """A course with the branch of its equations that happens, and how it was followed in numbers (None: it could not
     be). `guessed`: letters whose values come from the numbers alone. `route`: the way that is told. `spans`: quantities
-    over spans; `oscillations`: about equilibrium states that are asked about.
+    over spans; `oscillations`: about equilibrium states that are asked about. `checks`: what was compared, in phrases.
     """
 
     course: Course
@@ -45,6 +45,7 @@ class Unfolded:
     route: Route | None = None
     spans: tuple[SpanIntegral, ...] = ()
     oscillations: tuple[Oscillation, ...] = ()
+    checks: tuple[str, ...] = ()
 
 
 @dataclass(slots=True)
@@ -117,7 +118,8 @@ class Unfolder:
         if not unknowns:
             return {}
         known = course.base().extended(branch.values)
-        residuals = [e.residual for e in branch.left]
+        dark = course.chain().unknowns - set(branch.values) - set(unknowns)
+        residuals = [e.residual for e in branch.left if not e.residual.free_symbols & dark]
         try:
             return refined(residuals, unknowns, followed.values, known)
         except ArithmeticError:

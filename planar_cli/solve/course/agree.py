@@ -1,0 +1,106 @@
+"""Checks of a motion by other roads: the numbers that follow it step by step, and the balance of energy.
+
+    dT/dt = P      T the kinetic energy of all bodies, P the power of all loads and of friction; ideal joints do no work
+
+(An Introduction to Planar Dynamics, 3.3, 4.4.) For one free speed u, T(q, u): (∂T/∂u) du/dt = P - (∂T/∂q) dq/dt.
+"""
+
+from __future__ import annotations
+
+import math
+from decimal import Decimal
+
+import sympy as sp
+
+from planar_cli.equation.exact import Unvalued
+from planar_cli.problem.geometry import Vec
+from planar_cli.solve.course.regime import Regime
+from planar_cli.solve.course.simulate import Followed
+from planar_cli.solve.course.unfold import Unfolded
+from planar_cli.solve.verify import Disagreement
+
+NEEDED = 6
+FULL = 50
+
+
+def compared(found: Unfolded) -> tuple[str, ...]:
+    """What agrees, in phrases. Disagreement: two roads to the same motion differ."""
+    phrases = []
+    if found.followed is not None and found.followed.values:
+        digits = followed_digits(found, found.followed)
+        if digits is not None:
+            if digits < NEEDED:
+                raise Disagreement("the motion followed step by step differs from its equations")
+            phrases.append(f"followed step by step from the first state: agrees to {digits} digits")
+    powers = [d for r in found.course.distinct_regimes() if (d := power_digits(r)) is not None]
+    if powers:
+        if min(powers) < NEEDED:
+            raise Disagreement("the balance of energy gives another equation of motion")
+        phrases.append(f"the balance of energy gives the same equation of motion, to {min(powers)} digits")
+    return tuple(phrases)
+
+
+def followed_digits(found: Unfolded, followed: Followed) -> int | None:
+    """To how many digits the letters of all states agree, measured by the largest of their kind."""
+    worst: float | None = None
+    sizes: dict[str, float] = {}
+    kinds = {own: general.name for stop in found.course.stops.values() for general, own in stop.letters.items()}
+    for s, v in followed.values.items():
+        if s in kinds:
+            sizes[kinds[s]] = max(sizes.get(kinds[s], 0.0), abs(v))
+    for s, v in followed.values.items():
+        if s in found.guessed or s not in kinds or not sizes[kinds[s]]:
+            continue
+        try:
+            exact = found.value(s)
+        except Unvalued:
+            continue
+        off = abs(float(exact) - v) / sizes[kinds[s]]
+        worst = off if worst is None else max(worst, off)
+    if worst is None:
+        return None
+    return int(min(-math.log10(max(worst, 1e-13)), 13))
+
+
+def power_digits(regime: Regime) -> int | None:
+    """To how many digits Newton's law and the balance of energy give the same du/dt; None where energy does not tell."""
+    if len(regime.free) != 1:
+        return None
+    u = regime.free[0]
+    general = regime.general
+    system, scene = general.trial.system, general.instant.scene
+    motion = general.quantities.motion
+    if not any(b.mass != 0 for b in scene.bodies.values()) or system.reactions is None:
+        return None
+    if any(p.kind == "drive" for p in system.pushes) or any(d.kind == "given" for d in system.acceleration_conditions()):
+        return None
+    energy: sp.Expr = sp.S.Zero
+    for name, body in scene.bodies.items():
+        v, omega = motion.velocity(body.center, name), motion.velocities[name].angular
+        energy += body.mass * v.dot(v) / 2 + body.inertia * omega**2 / 2
+    power: sp.Expr = sp.S.Zero
+    for w in system.wrenches:
+        force = w.force or Vec(sp.S.Zero, sp.S.Zero)
+        power += force.dot(motion.velocity(w.point, w.body)) + w.couple * motion.velocities[w.body].angular
+    followers = {law.push for law in system.laws}
+    for push, value in system.reactions.pushes:
+        if push.name in followers:
+            for act in push.actions:
+                if act.force is not None:
+                    power += act.force.dot(motion.velocity(act.point, act.body)) * value
+                power += act.couple * value * motion.velocities[act.body].angular
+    if general.time in (energy.free_symbols | power.free_symbols):
+        return None
+    try:
+        total, given = regime.closed(energy), regime.closed(power)
+        law = regime.accelerations[u]
+        left = sp.diff(total, u) * law + sp.Add(*(sp.diff(total, q) * r for q, r in regime.rates.items()))
+        here = general.value
+        a, b = here(left), here(given)
+        size = max(abs(a), abs(b), here.size(left) if left.is_Add else abs(a))
+    except (ArithmeticError, Unvalued):
+        return None
+    if size == 0:
+        return FULL
+    off = abs(a - b) / size
+    return FULL if off == 0 else min(int(-off.log10()), FULL) if off < Decimal(1) else 0
