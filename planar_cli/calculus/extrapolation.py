@@ -82,10 +82,13 @@ class Trial:
 
 
 class Stepper:
-    """Steps of one differential equation; counts what they cost."""
+    """Steps of one differential equation; counts what they cost. `floors`: sizes below which no component counts as
+    small, so that nothing is followed into its rounding where it starts from zero.
+    """
 
-    def __init__(self, rhs: Rates, level: Level) -> None:
+    def __init__(self, rhs: Rates, level: Level, floors: Sequence[float] = ()) -> None:
         self.rhs, self.level, self.spent = rhs, level, 0
+        self.floors = tuple(floors)
 
     def rates(self, t: Any, y: Sequence[Any]) -> list[Any]:
         """The right-hand side, with everything that is not a real number as an ArithmeticError."""
@@ -105,7 +108,8 @@ class Stepper:
         """
         small = 2.0 ** round(math.log2(self.level.unit) / 2)
         span = abs(float(step))
-        sizes = [max(abs(float(a)), span * abs(float(b))) for a, b in zip(y, f, strict=True)]
+        floors = self.floors or (0.0,) * len(y)
+        sizes = [max(abs(float(a)), span * abs(float(b)), c) for a, b, c in zip(y, f, floors, strict=True)]
         make = self.level.make
         moved = [
             a + make(small * s * (1.0 if i % 2 else -0.7)) if s else a
@@ -170,7 +174,7 @@ class Stepper:
 
         ArithmeticError: none does down to `limit`.
         """
-        last, rejected = math.inf, 0
+        last, rejected, asked = math.inf, 0, step
         while True:
             if self.spent > self.level.evaluations:
                 raise Leaves(f"given up after {self.spent} evaluations", t)
@@ -187,7 +191,8 @@ class Stepper:
             noise = trial.ratio * self.level.tolerance * loose <= NOISY * self.level.unit
             if noise and rejected >= 2 and trial.ratio > last / 2:
                 full = self._settled(t, y, f, step)
-                return step, Trial(full, trial.error, trial.ratio, 1.0, trial.target), scales
+                grown = min(GROW, 2 * float(asked / step))
+                return step, Trial(full, trial.error, trial.ratio, grown, trial.target), scales
             if abs(step) <= limit:
                 raise Leaves("no step is short enough", t)
             last, rejected = trial.ratio, rejected + 1

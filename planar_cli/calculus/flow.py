@@ -246,7 +246,8 @@ class Flow:
     called with such numbers and returns such. `digits` sets the tolerance; what came out is told by `certain`.
     Leaves, an ArithmeticError with `reached`: the motion leaves the domain of rhs, becomes infinite, or needs more
     than `evaluations` of rhs (a million in floats and decimals, 300,000 in mpmath's numbers). `breaks`: times at which
-    rhs has a corner, as where the lines of a table meet; from there it is followed anew.
+    rhs has a corner, as where the lines of a table meet; from there it is followed anew. `floors`: sizes of components
+    below which none counts as small.
     """
 
     def __init__(
@@ -257,11 +258,13 @@ class Flow:
         digits: int = 20,
         evaluations: int | None = None,
         breaks: Sequence[Any] = (),
+        floors: Sequence[float] = (),
     ) -> None:
         self.rhs, self.digits, self.evaluations = rhs, digits, evaluations
+        self.floors = tuple(floors)
         self._parts: dict[int, Flow] = {}
         self.level = level_for(digits, any(isinstance(a, Decimal) for a in y0), evaluations)
-        self.stepper = Stepper(rhs, self.level)
+        self.stepper = Stepper(rhs, self.level, floors)
         with self.level.context():
             self.t0 = self.level.make(t0)
             self.y0 = [self.level.make(a) for a in y0]
@@ -279,7 +282,8 @@ class Flow:
             return None
         if side not in self._parts:
             there = self._branch(ahead[0]).at(ahead[0])
-            self._parts[side] = Flow(self.rhs, ahead[0], there, self.digits, self.evaluations, ahead[1:])
+            rest = ahead[1:]
+            self._parts[side] = Flow(self.rhs, ahead[0], there, self.digits, self.evaluations, rest, self.floors)
         return self._parts[side]
 
     def _branch(self, t: Any) -> _Branch:
@@ -321,4 +325,5 @@ class Flow:
 
     def restarted(self, t: Any, y: Sequence[Any] | None = None, rhs: Rates | None = None) -> Flow:
         """A new flow from a time on, after an impact or a change of forces: with another state or right-hand side."""
-        return Flow(rhs or self.rhs, t, self.at(t) if y is None else y, self.digits, self.evaluations, self.breaks)
+        there = self.at(t) if y is None else y
+        return Flow(rhs or self.rhs, t, there, self.digits, self.evaluations, self.breaks, self.floors)

@@ -158,7 +158,7 @@ def _residual(
             # Half the rate of v² is v · a.
             vanishing = rooted or vanishing * constant(sp.Rational(1, 2) if times else 1)
     else:
-        vanishing = read(item.left) - read(item.right)
+        vanishing = gap(read(item.left), read(item.right))
     sense = None if times else sense
     if isinstance(vanishing, Vec):
         return Vec(dotted(vanishing.x, times), dotted(vanishing.y, times)), sense
@@ -204,6 +204,13 @@ def vector_or_jet(side: Side, quantities: Quantities, evaluator: Evaluator) -> A
         if isinstance(right, Vec) and not isinstance(left, Vec) and side.operator == "*":
             return Vec(left * right.x, left * right.y)
     return evaluator.jet(side)
+
+
+def gap(left: Jet | Vec, right: Jet | Vec) -> Jet | Vec:
+    """Left less right; a plain zero beside a vector is the zero vector."""
+    if isinstance(left, Vec):
+        return left - right if isinstance(right, Vec) else left
+    return -right if isinstance(right, Vec) else left - right
 
 
 def _moves_with(scene: Scene, origin: str, coordinates: set[sp.Symbol]) -> bool:

@@ -96,7 +96,7 @@ class Quantities:
                 q.mark,
                 "PL590",
                 f"{q.word}(…) belongs to a motion over time",
-                "at one instant ask places, velocities, accelerations and forces",
+                "name its instants in `states`; at one instant ask places, velocities, accelerations and forces",
             )
         if q.word in ("dot", "ddot"):
             return self._dotted(q)

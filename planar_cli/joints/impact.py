@@ -62,7 +62,7 @@ class Impact(Joint):
             self.mark,
             "PL590",
             "an impact joins two states",
-            "at one instant there is no impact; use `states` and `during`",
+            "state the velocities after it: instants, and motions between impacts, are solved",
         )
 
     def residuals(self, scene: Setting, mode: Mode) -> tuple[Residual, ...]:

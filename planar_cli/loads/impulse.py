@@ -63,4 +63,4 @@ class Impulse(Load):
     moment: Side | None = key(SideKey("N*m*s"), "an angular impulse, counterclockwise positive", default=None)
 
     def wrenches(self, scene: MovingSetting) -> tuple[Wrench, ...]:
-        raise scene.refuse(self.mark, "PL590", "an impulse joins two states", "this can not be asked at one instant")
+        raise scene.refuse(self.mark, "PL590", "an impulse joins two states", "state the velocities after it")

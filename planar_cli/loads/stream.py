@@ -65,5 +65,5 @@ class Stream(Load):
 
     def wrenches(self, scene: MovingSetting) -> tuple[Wrench, ...]:
         raise scene.refuse(
-            self.mark, "PL590", "a stream changes the mass over time", "this can not be asked at one instant"
+            self.mark, "PL590", "a stream changes the mass over time", "replace it by the force that it causes"
         )

@@ -1,4 +1,4 @@
-"""What the codes PL501 to PL592 mean: a formula, a place, a contact or a quantity that the scene can not give."""
+"""What the codes PL501 to PL571 mean: a formula, a place, a contact or a quantity that the scene can not give."""
 
 from __future__ import annotations
 
@@ -77,11 +77,6 @@ _QUANTITIES = {
     "PL560": "In a file with `states` a find says at which state: v(P) @ 2.",
     "PL570": "The method relates two states and can not answer a question about one instant.",
     "PL571": "The file has no `find`, neither of its own nor in a case: there is nothing to solve for.",
-    "PL590": (
-        "This part of the language speaks of a motion over time or of what happens between two states. At one "
-        "instant, ask for places, velocities, accelerations and forces."
-    ),
-    "PL592": "Each instant of a table comes after the one before it: straight lines join the values between them.",
 }
 
 CODES_SCENE: Mapping[str, str] = MappingProxyType({**_FORMULAS, **_PLACES, **_SCENE, **_QUANTITIES})

@@ -82,36 +82,9 @@ _SOLVE = {
         "masses that cancel, and a body of `points:` has no shape from which its moment of inertia could "
         "follow."
     ),
-    "PL630": (
-        "A state of equilibrium is solved on its own: free speeds and their rates vanish. Either no position does "
-        "that, or several do; then say which is meant, by a coordinate or an inequality such as `x > 0`."
-    ),
-    "PL631": (
-        "period(s), frequency(s) and stable(s) are about an equilibrium: a state that says `equilibrium`, in which "
-        "something is free to move and the forces do not change with time."
-    ),
-    "PL632": (
-        "Nothing oscillates with one period about this equilibrium: it is unstable, so strongly damped that the "
-        "motion creeps back, or has several freedoms, each with a period of its own. Ask `stable(s)`."
-    ),
-    "PL633": (
-        "A quantity over a span, `work(f) @ 1->2`, is an integral from the first state to the second, which must come "
-        "later. In a state's own relations it must have a closed form, and the motion may not turn round meanwhile."
-    ),
     "PL615": (
         "A link, rod or rope does not have the length that the file gives it: the drawn distance of its ends "
         "is another one. Correct one of the two, or leave the length out."
-    ),
-    "PL650": (
-        "A path or hodograph is one curve only if everything in it depends on one thing: the time, or one coordinate. "
-        "Here it depends on several that nothing ties to each other. Say in `motion` how they move, give the start of "
-        "the motion in `states`, or ask for the path in a frame in which only one of them varies: `path(B/A)` is seen "
-        "from a frame that moves with A, `path(C/b)` from body b."
-    ),
-    "PL651": (
-        "A find without an instant is a formula in the time and the coordinates of the file. This one depends on a "
-        "place or velocity that the file neither calls a coordinate nor gives as a function of time. Give the start "
-        "of the motion in `states`, write the point with a coordinate, or say in `motion` how it moves."
     ),
 }
 

@@ -15,6 +15,7 @@ from planar_cli.equation.ledger import display
 from planar_cli.equation.plain import PRINTABLE, longer
 from planar_cli.homework.answers import Verdict
 from planar_cli.report.effects import effects
+from planar_cli.report.json_motion import motion_steps
 from planar_cli.report.narrate import phrases_of
 from planar_cli.report.words import answer_text, rounded, si_text
 from planar_cli.solve.algebra import Line
@@ -41,8 +42,12 @@ def solution_data(solution: Solution, verdicts: Sequence[Verdict], figures: int,
         "steps": [
             *(step for case, instant in instants for step in _steps(case, instant)),
             *(step for part in solution.parts for step in _passages(part)),
+            *(step for part in solution.parts if part.motion for step in motion_steps(part.case, part.motion)),
         ],
-        "checks": [str(text) for _, instant in instants for text in instant.checks.get("lines", ())],
+        "checks": [
+            *(str(text) for _, instant in instants for text in instant.checks.get("lines", ())),
+            *(text for part in solution.parts if part.motion for text in part.motion.checks),
+        ],
         "stated": [_verdict(v) for v in verdicts],
         "effects": _effects(instant for _, instant in instants),
         "rejected": [entry for case, instant in instants for entry in _rejected(case, instant)],

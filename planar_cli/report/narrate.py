@@ -43,6 +43,8 @@ def part_blocks(
     for instant in part.instants:
         if instant.state:
             blocks.append(Heading("STATE", instant.state))
+        if part.motion is not None and len(part.instants) > 1:
+            blocks.append(Heading("SPAN", _stretches(part, instant)))
         notes = effect_notes(instant)
         key = tuple(str(n) for n in notes)
         if key not in told:
@@ -82,6 +84,16 @@ def _wanted(part: PartSolution, why: str | None) -> frozenset[str] | None:
         return None
     found = next(f for f in part.found if f.name == why)
     return frozenset(s.name for e in found.asked for s in e.free_symbols)
+
+
+def _stretches(part: PartSolution, instant: InstantSolution) -> str:
+    """From which state to which a regime acts."""
+    course = part.motion.course
+    found = []
+    for i, regime in enumerate(course.regimes):
+        if regime.general.solution is instant and i + 1 < len(course.states):
+            found.append(f"from {course.states[i].name} to {course.states[i + 1].name}")
+    return ", ".join(found)
 
 
 def _letters(part: PartSolution, why: str | None) -> frozenset[str] | None:

@@ -195,11 +195,7 @@ class Telling:
     def _equation(self, w: Written, stage: Stage) -> list[Block]:
         number = self.number(stage, w.number)
         if w.given:
-            value = (
-                self.phrases.shown(w.left)
-                if not self.phrases.symbolic and w.right.is_number
-                else self.phrases.math(w.right)
-            )
+            value = self.phrases.shown(w.left) if w.right.is_number else self.phrases.math(w.right)
             return [Equation((self.phrases.math(w.left), value), number, line("given:"))]
         sides = (self.phrases.math(w.left), self.phrases.math(w.right))
         if w.law == "relation":

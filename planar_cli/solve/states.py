@@ -17,7 +17,6 @@ from planar_cli.problem.expression import (
     Found,
     Function,
     Grouped,
-    JustAfter,
     Name,
     Negate,
     Quantity,
@@ -25,7 +24,7 @@ from planar_cli.problem.expression import (
     Scaled,
     Side,
 )
-from planar_cli.problem.scene import Find, Problem, State
+from planar_cli.problem.scene import Find, Problem
 from planar_cli.solve.solution import Found as Answered
 from planar_cli.solve.solution import InstantSolution, PartSolution
 from planar_cli.units import Unit
@@ -51,7 +50,6 @@ def solve_states(
     for state in problem.states:
         if not pieces[state.name]:
             continue
-        _complete(state)
         part = replace(problem, find=tuple(pieces[state.name]))
         solution, found = solver(
             part, always, state.relations, tuple(pieces[state.name]), units, earlier, False, state.name
@@ -60,17 +58,6 @@ def solve_states(
         solved.update({f.name: f for f in found})
     answers = [_joined(find, what, solved, units, instants) for find, what in rebuilt.values()]
     return PartSolution(case, tuple(instants), tuple(answers))
-
-
-def _complete(state: State) -> None:
-    for statement in state.relations:
-        if isinstance(statement, JustAfter):
-            raise refuse(
-                statement.mark,
-                "PL590",
-                "`just after` relates two states",
-                "states that are each complete in themselves are solved now",
-            )
 
 
 def _split(find: Find, what: Any, pieces: dict[str, list[Find]], problem: Problem) -> Any:

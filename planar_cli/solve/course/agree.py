@@ -41,10 +41,11 @@ def compared(found: Unfolded) -> tuple[str, ...]:
 
 
 def followed_digits(found: Unfolded, followed: Followed) -> int | None:
-    """To how many digits the letters of all states agree, measured by the largest of their kind."""
+    """To how many digits the letters of all states agree, measured by the largest of the same dimension."""
     worst: float | None = None
     sizes: dict[str, float] = {}
-    kinds = {own: general.name for stop in found.course.stops.values() for general, own in stop.letters.items()}
+    units = found.course.ledger.units
+    kinds = {own: str(units[own].dimension) for stop in found.course.stops.values() for own in stop.letters.values()}
     for s, v in followed.values.items():
         if s in kinds:
             sizes[kinds[s]] = max(sizes.get(kinds[s], 0.0), abs(v))
@@ -72,7 +73,9 @@ def power_digits(regime: Regime) -> int | None:
     motion = general.quantities.motion
     if not any(b.mass != 0 for b in scene.bodies.values()) or system.reactions is None:
         return None
-    if any(p.kind == "drive" for p in system.pushes) or any(d.kind == "given" for d in system.acceleration_conditions()):
+    if any(p.kind == "drive" for p in system.pushes) or any(
+        d.kind == "given" for d in system.acceleration_conditions()
+    ):
         return None
     energy: sp.Expr = sp.S.Zero
     for name, body in scene.bodies.items():

@@ -12,6 +12,7 @@ from sympy.simplify.fu import TR8
 
 from planar_cli.equation.exact import PI, Unvalued, Valuation
 from planar_cli.equation.plain import longer, simplified
+from planar_cli.errors import Undecided
 from planar_cli.solve.roots import Root, real_roots
 
 TURNS = 3
@@ -26,8 +27,11 @@ def closed_roots(residual: sp.Expr, x: sp.Symbol, value: Valuation, truth: Decim
     numerator = _without_tangents(numerator, x)
     kernels = _kernels(numerator, x)
     if len(kernels) > 1:
-        summed = sp.expand(TR8(sp.expand(numerator))) if not longer(numerator, LONGEST) else numerator
-        kernels, numerator = _kernels(summed, x), summed
+        factors = _factors(numerator, x)
+        if len(factors) > 1:
+            return _of_factors(factors, x, value, truth, symbolic)
+        numerator = _summed(numerator)
+        kernels = _kernels(numerator, x)
     if len(kernels) != 1:
         return []
     kernel = kernels.pop()
@@ -35,7 +39,43 @@ def closed_roots(residual: sp.Expr, x: sp.Symbol, value: Valuation, truth: Decim
         return _tidied(_one_function(numerator, x, kernel, value, symbolic), value)
     if isinstance(kernel, sp.Pow):
         return _tidied(_rooted(numerator, x, kernel, value, symbolic), value)
-    return _tidied(_angle(numerator, x, kernel, value, truth, symbolic), value)
+    try:
+        return _tidied(_angle(numerator, x, kernel, value, truth, symbolic), value)
+    except Undecided:
+        doubled = _summed(numerator)
+        kernels = _kernels(doubled, x)
+        if len(kernels) != 1 or kernel in kernels:
+            raise
+        return _tidied(_angle(doubled, x, kernels.pop(), value, truth, symbolic), value)
+
+
+def _summed(numerator: sp.Expr) -> sp.Expr:
+    """Products of sines and cosines as sums."""
+    return sp.expand(TR8(sp.expand(numerator))) if not longer(numerator, LONGEST) else numerator
+
+
+def _factors(numerator: sp.Expr, x: sp.Symbol) -> list[sp.Expr]:
+    """What is multiplied in an equation whose sines and cosines are written for x alone."""
+    if longer(numerator, LONGEST):
+        return [numerator]
+    inside = {a: sp.expand_trig(a) for a in numerator.atoms(sp.sin, sp.cos) if x in a.free_symbols}
+    product = sp.factor(sp.expand(numerator.xreplace(inside)))
+    bases = (f.base if f.is_Pow else f for f in sp.Mul.make_args(product))
+    return [b for b in bases if x in b.free_symbols]
+
+
+def _of_factors(
+    factors: list[sp.Expr], x: sp.Symbol, value: Valuation, truth: Decimal, symbolic: bool
+) -> list[Root]:
+    """The roots of every factor; one that is too involved is left out unless it is the one that vanishes."""
+    found = []
+    for factor in factors:
+        try:
+            found += closed_roots(factor, x, value, truth, symbolic)
+        except Undecided:
+            if value.extended({x: truth}).is_zero(factor):
+                raise
+    return sorted(found, key=lambda r: r.value)
 
 
 def _without_tangents(numerator: sp.Expr, x: sp.Symbol) -> sp.Expr:
@@ -64,7 +104,8 @@ def _kernels(expr: sp.Expr, x: sp.Symbol) -> set[sp.Expr]:
 def _one_function(numerator: sp.Expr, x: sp.Symbol, kernel: sp.Expr, value: Valuation, symbolic: bool) -> list[Root]:
     """One exponential or logarithm: its value first, then x."""
     y = sp.Dummy("y", real=True)
-    flat = sp.expand(numerator).xreplace({kernel: y}).subs(kernel, y)
+    flat = numerator.xreplace({kernel: y})
+    flat = flat if x not in flat.free_symbols else sp.expand(flat, log=False).subs(kernel, y)
     if x in flat.free_symbols or not flat.is_polynomial(y):
         return []
     inverse = sp.log if isinstance(kernel, sp.exp) else sp.exp

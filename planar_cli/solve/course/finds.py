@@ -8,6 +8,7 @@ from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.conditions import gap
 from planar_cli.equation.evaluate import refuse
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.plain import longer, rounded_inside, simplified
@@ -68,8 +69,8 @@ class FindReader:
         if isinstance(what, Relation):
             if mode_of(what) is not None:
                 return ()
-            sides = [reader.any(s) for s in (what.left, what.right)]
-            parts = tuple(p.value for s in sides for p in ((s.x, s.y) if isinstance(s, Vec) else (s,)))
+            apart = gap(reader.any(what.left), reader.any(what.right))
+            parts = tuple(p.value for p in ((apart.x, apart.y) if isinstance(apart, Vec) else (apart,)))
         elif (isinstance(what, Quantity) and what.word == "mode") or is_curve(what):
             return ()
         else:
@@ -101,9 +102,9 @@ class FindReader:
         if isinstance(what, Quantity) and what.word == "frequency" and self.unit_of(find).angle:
             parts = [2 * sp.pi * p for p in parts]
         if isinstance(what, Relation):
-            number = value(parts[0] - parts[1])
-            number = Decimal(0) if value.is_zero(parts[0] - parts[1]) else number
-            truth = {"<": number < 0, ">": number > 0, "<=": number <= 0, ">=": number >= 0, "=": not number}
+            number, *more = (Decimal(0) if value.is_zero(p) else value(p) for p in parts)
+            same = not number and not any(more)
+            truth = {"<": number < 0, ">": number > 0, "<=": number <= 0, ">=": number >= 0, "=": same}
             return Found(find.name, "truth", pure, None, None, "true" if truth[what.operator] else "false", find)
         passing = None if self.throughout is None else self.throughout.route(parts)
         if passing is not None:

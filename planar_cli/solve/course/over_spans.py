@@ -28,7 +28,7 @@ from planar_cli.calculus.polish import polish
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.equation.plain import simplified
 from planar_cli.errors import Diagnostic, NoSolution, Undecided
-from planar_cli.problem.expression import JustAfter, Quantity, Relation, Statement
+from planar_cli.problem.expression import Quantity, Relation, Statement
 from planar_cli.solve.course.legs import ENOUGH, FEW_DIGITS, MANY_DIGITS, Leg, legs
 from planar_cli.solve.course.potential import potential, signed_speed
 from planar_cli.solve.course.span_rates import rates_of
@@ -96,7 +96,6 @@ def ask_spans(course: Course) -> dict[sp.Symbol, Asked]:
         for symbol, q in list(reader.spans.items()):
             if not isinstance(q.at, tuple):
                 continue
-            _demand_smooth(course, q)
             rates: dict[int, tuple[sp.Expr, ...]] = {}
             for other in readers:
                 if id(other.regime) in moving and id(other.regime) not in rates:
@@ -104,17 +103,6 @@ def ask_spans(course: Course) -> dict[sp.Symbol, Asked]:
                     other.exprs += rates[id(other.regime)]
             found[symbol] = Asked(q, rates)
     return found
-
-
-def _demand_smooth(course: Course, q: Quantity) -> None:
-    """Impacts and impulses inside a span are not integrated over time."""
-    names = [s.name for s in course.problem.states]
-    assert isinstance(q.at, tuple)
-    first, last = (names.index(n) for n in q.at)
-    for state in course.problem.states[first + 1 : last + 1]:
-        if any(isinstance(r, JustAfter) for r in state.relations):
-            text = f"{q.word}(…) over a span with an impact or impulse in it, at {state.name}"
-            raise NoSolution([Diagnostic(q.mark, "PL590", text, "ask for the spans before and after it")])
 
 
 # --- inside a state's own relations ----------------------------------------------------------------------------------

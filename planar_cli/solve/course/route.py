@@ -19,6 +19,7 @@ import sympy as sp
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.errors import Undecided
+from planar_cli.solve.course.chain import Step
 from planar_cli.solve.course.closed import closed_roots
 from planar_cli.solve.course.equations import DATA, Equation
 from planar_cli.solve.roots import Root
@@ -72,13 +73,18 @@ class Route:
 
 class Router:
     """Plans over the equations of one motion. `value`: numbers of everything; `unknowns`: letters of states and sought
-    constants.
+    constants; `blocks`: those in which the numbers were found.
     """
 
     def __init__(
-        self, equations: Sequence[Equation], unknowns: frozenset[sp.Symbol], value: Valuation, symbolic: bool
+        self,
+        equations: Sequence[Equation],
+        unknowns: frozenset[sp.Symbol],
+        value: Valuation,
+        symbolic: bool,
+        blocks: Sequence[Step] = (),
     ) -> None:
-        self.unknowns, self.value, self.symbolic = unknowns, value, symbolic
+        self.unknowns, self.value, self.symbolic, self.blocks = unknowns, value, symbolic, blocks
         self.plain = self._plain(equations)
         self.equations = [e for e in equations if self._inside(e) and self._true(e)]
 
@@ -132,7 +138,10 @@ class Router:
         edges = self._edges()
         best = self._cheapest(edges)
         if any(t not in best and t not in self.plain for t in targets):
-            best = self._cheapest(edges + self._rings())
+            edges += self._rings()
+            best = self._cheapest(edges)
+        if any(t not in best and t not in self.plain for t in targets):
+            best = self._cheapest(edges + self._large())
         order: list[Derivation] = []
         for target in targets:
             self._collect(target, best, order)
@@ -215,6 +224,18 @@ class Router:
                 if self._regular((e, f, g), unknowns):
                     cost = e.cost + f.cost + g.cost + 2 * TOGETHER + 0.05 * len(a | b | c)
                     found.append(((e, f, g), unknowns, (a | b | c) - three, cost))
+        return found
+
+    def _large(self) -> list[Edge]:
+        """The larger blocks in which the numbers were found."""
+        found: list[Edge] = []
+        for step in self.blocks:
+            unknowns = tuple(x for x in step.unknowns if x not in self.plain)
+            equations = tuple(e for e in step.equations if self._inside(e))
+            if len(equations) == len(unknowns) > 1:
+                inside = frozenset().union(*(self._inside(e) for e in equations))
+                cost = sum(e.cost for e in equations) + TOGETHER * len(equations)
+                found.append((equations, unknowns, inside - set(unknowns), cost))
         return found
 
     def _hidden(self, equation: Equation, x: sp.Symbol) -> float | None:

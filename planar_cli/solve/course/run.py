@@ -7,13 +7,14 @@ from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.evaluate import refuse
 from planar_cli.problem.expression import JustAfter, Name, Quantity, Relation
 from planar_cli.problem.formulas import formulas
 from planar_cli.problem.scene import Problem
 from planar_cli.problem.walk import walk
-from planar_cli.solve.course.course import Course
 from planar_cli.solve.course.agree import compared
 from planar_cli.solve.course.complete import completed
+from planar_cli.solve.course.course import Course
 from planar_cli.solve.course.plot import Workshop
 from planar_cli.solve.course.reached import reaching
 from planar_cli.solve.course.route import Router
@@ -45,14 +46,25 @@ def _timed(node: Any) -> bool:
     return isinstance(node, Quantity) and (isinstance(node.at, tuple) or node.word in SPANNED)
 
 
+def _demand_smooth(problem: Problem) -> None:
+    """A motion without blows: `just after` joins two states by an impact or an impulse."""
+    for statement in (s for state in problem.states for s in state.relations):
+        if isinstance(statement, JustAfter):
+            text = f"`just after {statement.state}` joins two states by an impact or an impulse"
+            raise refuse(
+                statement.mark, "PL590", text, "state the velocities after it: a motion is solved between blows"
+            )
+
+
 def solve_course(problem: Problem, case: str, units: dict[str, str], earlier: Mapping[str, Any]) -> PartSolution:
     """All finds of a problem whose states follow each other in time."""
+    _demand_smooth(problem)
     workshop = Workshop(earlier)
     found = completed(reaching(problem, lambda p: Unfolder(p, workshop, units).run()))
     course = found.course
     unknowns = course.chain().unknowns
     targets = {s for a in found.finds.asked for p in a.parts for s in found.finds.settled(a, p).free_symbols}
-    router = Router(course.equations, unknowns, found.value, course.symbolic)
+    router = Router(course.equations, unknowns, found.value, course.symbolic, found.branch.steps)
     found.route = router.route(_in_order(course, targets & unknowns))
     begun = router.route(course.first.letters.values())
     start = {s: found.finds.closed(s, begun) for s in course.first.letters.values()}

@@ -26,6 +26,8 @@ from planar_cli.solve.course.timeline import Demand, Stop
 from planar_cli.solve.course.ways import becomes_negative, ways_at
 
 CHOICES = 8
+SMALL = 1e-4
+"""This part of the size of the scene, or of a radian, counts as no smaller size."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -193,7 +195,10 @@ class Follower:
         rhs = self._numbers(regime, exprs)
         begin = [state[s] for s in letters]
         breaks = corners(regime, self.value)
-        return Flow(lambda t, y: rhs(t, *y), state[regime.time], begin, digits=13, breaks=breaks)
+        lengths = [abs(state[c.symbol]) for c in regime.coordinates if c.unit == "m"]
+        size = max([x for x in lengths if x > SLACK], default=1.0)
+        floors = [SMALL * (size if c.unit == "m" else 1.0) for c in regime.coordinates] + [0.0] * len(regime.free)
+        return Flow(lambda t, y: rhs(t, *y), state[regime.time], begin, digits=13, breaks=breaks, floors=floors)
 
     def _time_of(self, index: int, stop: Stop, leg: Leg) -> float | None:
         """When a state is reached."""

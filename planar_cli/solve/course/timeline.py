@@ -8,7 +8,7 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.equation.conditions import vector_or_jet
+from planar_cli.equation.conditions import gap, vector_or_jet
 from planar_cli.equation.evaluate import Evaluator, refuse
 from planar_cli.equation.jets import Jet, constant
 from planar_cli.equation.ledger import Ledger
@@ -22,7 +22,6 @@ from planar_cli.problem.expression import (
     Equilibrium,
     Extreme,
     Grouped,
-    JustAfter,
     Part,
     Quantity,
     Relation,
@@ -202,7 +201,7 @@ class Reader:
     def raw(self, statements: Iterable[Statement]) -> list[tuple[Statement, tuple[Any, ...]]]:
         """Every statement with its expressions in the unknowns of the general position, not yet closed."""
         found: list[tuple[Statement, tuple[Any, ...]]] = []
-        statements = [s for s in statements if not isinstance(s, JustAfter)]
+        statements = list(statements)
         relations = [s for s in statements if isinstance(s, Relation) and mode_of(s) is None]
         found += [(s, e) for item in grouped(relations, self.any) for s, e in self._relation(item)]
         for s in statements:
@@ -234,6 +233,7 @@ class Reader:
         trend: sp.Expr | None = None
         if isinstance(item, VectorStatement):
             s, (difference, trend) = item.relations[0], item.equations(self.any)
+            s = replace(s, text=", ".join(r.text for r in item.relations))
         else:
             s = item
             left: Any = self.any(item.left)
@@ -242,7 +242,7 @@ class Reader:
                 for one, other in ((left.value, right.value), (right.value, left.value)):
                     if other in (sp.oo, -sp.oo):
                         return [(s, ("limit", one, None))]
-            difference = left - right
+            difference = gap(left, right)
         if isinstance(difference, Vec):
             return [(s, ("=", difference.x.value, trend)), (s, ("=", difference.y.value, trend))]
         return [(s, (s.operator, difference.value, trend))]

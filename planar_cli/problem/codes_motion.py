@@ -1,0 +1,80 @@
+"""What each diagnosis of a motion over time means, for `planar explain PL621`."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from types import MappingProxyType
+
+_TIME = {
+    "PL590": (
+        "Something stands where it has no value. A quantity over a span (work, impulse, heat, path_length, mean, "
+        "count) and one about a state (reached, period, frequency, stable) need `states`; a table over time needs an "
+        "instant with a known time, `t = 2 s`. What happens between two states at one place and time (`just after`, "
+        "an impact, an impulse) and streams of matter are not solved: state the velocities after the blow, or the "
+        "force of the stream, and the motion from there on is."
+    ),
+    "PL591": (
+        "A body rocks with an edge or a flat side on a round rim or surface. Its motion at one instant is "
+        "solved, but its places are not followed over time. Ask with `instant`, or let the body be round."
+    ),
+    "PL592": "Each instant of a table comes after the one before it: straight lines join the values between them.",
+}
+
+_STATES = {
+    "PL620": (
+        "What the states say can not all be true of one motion: the equations between them have no common solution "
+        "in which the states follow each other in the order of the file, the inequalities hold, and every time but "
+        "a given one is later than the one before it. Typical causes: a datum too many, states in the wrong order, "
+        "an inequality that excludes the only root, a target out of reach. Whether a state occurs at all is asked "
+        "with `reached(s)`."
+    ),
+    "PL621": (
+        "The motion was followed from the state before, and the relations of this state never hold: it turns or "
+        "comes to rest earlier, or what is to be `largest` grows for ever. Change a datum, or ask `reached(s)`: "
+        "that a state does not occur is an answer too. A place that is approached without end is reached at "
+        "`t = infinity`."
+    ),
+    "PL622": (
+        "The motion has come to a place from which no assumption about contacts, guides and ropes (stick, slip, "
+        "apart, taut, slack) goes on without contradiction. The message says why the first one fails; `planar "
+        "explain PL601` tells how that may be. Friction too large for rigid bodies is one cause, a constraint that "
+        "jams another."
+    ),
+    "PL633": (
+        "A quantity over a span, `work(f) @ 1->2`, is an integral from the first state to the second, which must come "
+        "later. In a state's own relations it must have a closed form, and the motion may not turn round meanwhile; "
+        "put a state where it does."
+    ),
+}
+
+_EQUILIBRIA = {
+    "PL630": (
+        "A state of equilibrium is solved on its own: free speeds and their rates vanish. Either no position does "
+        "that, or several do; then say which is meant, by a coordinate or an inequality such as `x > 0`."
+    ),
+    "PL631": (
+        "period(s), frequency(s) and stable(s) are about an equilibrium: a state that says `equilibrium`, in which "
+        "something is free to move and the forces do not change with time. Dry friction and `motion` leave nothing "
+        "free."
+    ),
+    "PL632": (
+        "Nothing oscillates with one period about this equilibrium: it is unstable, so strongly damped that the "
+        "motion creeps back, or has several freedoms, each with a period of its own. Ask `stable(s)`."
+    ),
+}
+
+_FORMULAS = {
+    "PL650": (
+        "A path or hodograph is one curve only if everything in it depends on one thing: the time, or one coordinate. "
+        "Here it depends on several that nothing ties to each other. Say in `motion` how they move, give the start of "
+        "the motion in `states`, or ask for the path in a frame in which only one of them varies: `path(B/A)` is seen "
+        "from a frame that moves with A, `path(C/b)` from body b."
+    ),
+    "PL651": (
+        "A find without an instant is a formula in the time and the coordinates of the file. This one depends on a "
+        "place or velocity that the file neither calls a coordinate nor gives as a function of time. Give the start "
+        "of the motion in `states`, write the point with a coordinate, or say in `motion` how it moves."
+    ),
+}
+
+CODES_MOTION: Mapping[str, str] = MappingProxyType({**_TIME, **_STATES, **_EQUILIBRIA, **_FORMULAS})
