@@ -10,7 +10,7 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.plain import longer, simplified
-from planar_cli.report.blocks import Block, Equation, Heading, Line, Math, Paragraph, line
+from planar_cli.report.blocks import Block, Equation, Heading, Line, Math, Name, Paragraph, line
 from planar_cli.report.names import plain_name
 from planar_cli.report.oscillation import oscillation_blocks
 from planar_cli.report.span_integrals import span_blocks
@@ -141,8 +141,9 @@ class MotionTelling:
     @staticmethod
     def _explicit(e: Relation, leg: Leg) -> bool:
         """Does the relation itself give its unknown?"""
-        if e.kind == "link":
-            return bool(leg.results) and leg.results[0].formula is not None
+        result = leg.results[0]
+        if e.kind in ("link", *DATA) and result.formula is not None:
+            return bool(sp.expand(e.residual - (result.unknown - result.formula)) == 0) or e.kind == "link"
         return e.span is not None and e.span.explicit is not None and _letter(e) == leg.results[0].unknown
 
     def _law(self, e: Relation) -> Iterator[Block]:
@@ -163,9 +164,15 @@ class MotionTelling:
             words = self._calculus(e)
             return line(f"From {e.since} to {e.stop}, {words}:" if e.since else f"{words}:")
         if e.kind in DATA:
-            return line(f"At {e.stop}: {e.words}:" if e.stop else f"{e.words}:")
+            return self._named(f"At {e.stop}: {e.words}:" if e.stop else f"{e.words}:")
         place = f"From {e.since} to {e.stop}, " if e.since else f"At {e.stop}, " if e.stop else ""
-        return line(f"{place}{e.words}:")
+        return self._named(f"{place}{e.words}:")
+
+    def _named(self, words: str) -> Line:
+        """Words in which the names of symbols are set as mathematics."""
+        known = self.course.ledger.symbols
+        pieces = re.split(r"(\b[A-Za-z]\w*\b)", words)
+        return line(*(Name(p) if p in known and len(p) > 1 else p for p in pieces if p))
 
     def _calculus(self, e: Relation) -> str:
         """Where a relation between two states comes from, in the letters of its coordinate."""

@@ -221,7 +221,8 @@ class Chain:
                 number = self.value.extended({**values, **{line.unknown: line.value for line in found}})(formula)
             except ArithmeticError:
                 continue
-            yield [*found, Line(x, formula, number, ())]
+            if x not in self.truth or _near(number, self.truth[x]):
+                yield [*found, Line(x, formula, number, ())]
 
     @staticmethod
     def _closes(residual: sp.Expr, here: Valuation) -> bool:
@@ -297,6 +298,7 @@ class Chain:
             return roots
         near = self.angles[x]
         center = here(near) if near is not None and near in here.values else Decimal(0)
+        center = Decimal(repr(self.truth[x])) if x in self.truth else center
         found: dict[str, Root] = {}
         for root in roots:
             turns = int((center - root.value) / (2 * PI))

@@ -25,57 +25,55 @@ def closed_roots(residual: sp.Expr, x: sp.Symbol, value: Valuation, truth: Decim
     if numerator.is_polynomial(x):
         return _tidied(real_roots(residual, x, value, symbolic, False), value)
     numerator = _without_tangents(numerator, x)
+    found: list[Root] = []
+    for factor in _factors(numerator, x):
+        try:
+            found += _of_factor(factor, x, value, truth, symbolic)
+        except Undecided:
+            if value.extended({x: truth}).is_zero(factor):
+                raise
+    return _tidied(found, value)
+
+
+def _factors(numerator: sp.Expr, x: sp.Symbol) -> list[sp.Expr]:
+    """The factors that hold x; a root belongs to one of them."""
+    if longer(numerator, LONGEST) or numerator.has(sp.Integral):
+        return [numerator]
+    inside = {}
+    if len(_kernels(numerator, x)) > 1 or numerator.is_Mul:
+        inside = {a: sp.expand_trig(a) for a in numerator.atoms(sp.sin, sp.cos) if x in a.free_symbols}
+    product = sp.factor(numerator.xreplace(inside))
+    return [f.base if f.is_Pow else f for f in sp.Mul.make_args(product) if x in f.free_symbols]
+
+
+def _of_factor(numerator: sp.Expr, x: sp.Symbol, value: Valuation, truth: Decimal, symbolic: bool) -> list[Root]:
+    """The roots of one factor."""
+    if numerator.is_polynomial(x):
+        return real_roots(numerator, x, value, symbolic, False)
     kernels = _kernels(numerator, x)
     if len(kernels) > 1:
-        factors = _factors(numerator, x)
-        if len(factors) > 1:
-            return _of_factors(factors, x, value, truth, symbolic)
         numerator = _summed(numerator)
         kernels = _kernels(numerator, x)
     if len(kernels) != 1:
         return []
     kernel = kernels.pop()
     if isinstance(kernel, sp.exp | sp.log):
-        return _tidied(_one_function(numerator, x, kernel, value, symbolic), value)
+        return _one_function(numerator, x, kernel, value, symbolic)
     if isinstance(kernel, sp.Pow):
-        return _tidied(_rooted(numerator, x, kernel, value, symbolic), value)
+        return _rooted(numerator, x, kernel, value, symbolic)
     try:
-        return _tidied(_angle(numerator, x, kernel, value, truth, symbolic), value)
+        return _angle(numerator, x, kernel, value, truth, symbolic)
     except Undecided:
         doubled = _summed(numerator)
         kernels = _kernels(doubled, x)
         if len(kernels) != 1 or kernel in kernels:
             raise
-        return _tidied(_angle(doubled, x, kernels.pop(), value, truth, symbolic), value)
+        return _angle(doubled, x, kernels.pop(), value, truth, symbolic)
 
 
 def _summed(numerator: sp.Expr) -> sp.Expr:
     """Products of sines and cosines as sums."""
     return sp.expand(TR8(sp.expand(numerator))) if not longer(numerator, LONGEST) else numerator
-
-
-def _factors(numerator: sp.Expr, x: sp.Symbol) -> list[sp.Expr]:
-    """What is multiplied in an equation whose sines and cosines are written for x alone."""
-    if longer(numerator, LONGEST):
-        return [numerator]
-    inside = {a: sp.expand_trig(a) for a in numerator.atoms(sp.sin, sp.cos) if x in a.free_symbols}
-    product = sp.factor(sp.expand(numerator.xreplace(inside)))
-    bases = (f.base if f.is_Pow else f for f in sp.Mul.make_args(product))
-    return [b for b in bases if x in b.free_symbols]
-
-
-def _of_factors(
-    factors: list[sp.Expr], x: sp.Symbol, value: Valuation, truth: Decimal, symbolic: bool
-) -> list[Root]:
-    """The roots of every factor; one that is too involved is left out unless it is the one that vanishes."""
-    found = []
-    for factor in factors:
-        try:
-            found += closed_roots(factor, x, value, truth, symbolic)
-        except Undecided:
-            if value.extended({x: truth}).is_zero(factor):
-                raise
-    return sorted(found, key=lambda r: r.value)
 
 
 def _without_tangents(numerator: sp.Expr, x: sp.Symbol) -> sp.Expr:
@@ -157,12 +155,28 @@ def _angle(
     for root in real_roots(flat, u, value, symbolic, True):
         if root.expression is None:
             continue
-        turns = round(float((there - root.value) / (2 * PI)))
+        turns = round(float((there - value(root.expression)) / (2 * PI)))
         first = 0 if abs(turns) <= TURNS else turns
         for n in range(min(first, turns), max(first, turns) + 1):
             expr = (root.expression + 2 * sp.pi * n - start) / rate
             number = value(expr)
             found.append(Root(expr, number))
+    return found
+
+
+def _unwound(expr: sp.Expr, value: Valuation) -> sp.Expr:
+    """The angle whose tangent is the cotangent of another: the complement of that."""
+
+    def plain(e: sp.Expr) -> sp.Expr:
+        below = 1 / e.args[0]
+        if not isinstance(below, sp.tan):
+            return e
+        angle = sp.pi / 2 - below.args[0]
+        turns = (value(e) - value(angle)) / PI
+        whole = round(turns)
+        return angle + whole * sp.pi if abs(turns - whole) <= Decimal("1e-20") else e
+
+    found: sp.Expr = expr.replace(lambda e: isinstance(e, sp.atan), plain)
     return found
 
 
@@ -172,6 +186,6 @@ def _tidied(roots: list[Root], value: Valuation) -> list[Root]:
     for r in roots:
         expr = r.expression
         if expr is not None and not longer(expr, 200):
-            expr = simplified(expr)
+            expr = simplified(_unwound(expr, value))
         found.append(Root(expr, r.value))
     return sorted(found, key=lambda r: r.value)

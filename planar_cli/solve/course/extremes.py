@@ -54,7 +54,8 @@ def stationary(
         raise Undecided("what is largest or smallest here depends on several unknowns at once")
     rows = [[sp.diff(p, x) for x in letters] for p in (*related, objective)]
     condition = _proper(simplified(sp.Matrix(rows).det(method="berkowitz")), unknowns)
-    words = f"{like.words}: stationary for all neighbouring {', '.join(x.name for x in letters if x in kept)}"
+    free = ", ".join(x.name for x in letters if x in kept and "__" not in x.name)
+    words = f"{like.words}, so it does not change with a small change of {free}"
     found = [Equation(p, "link", "what is left when the others are put in", like.stop) for p in related]
     return [*found, Equation(condition, "extreme", words, like.stop, mark=like.mark)]
 

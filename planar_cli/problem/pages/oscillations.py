@@ -1,0 +1,52 @@
+"""Oscillations: equilibrium, stability, small oscillations, and damped motion.
+
+Equilibrium
+  A state that says `equilibrium` is a position in which everything that is free can stay at rest: free speeds and their
+  rates vanish. It stands apart from the order of the other states. What else it says chooses the position, if there are
+  several: `[equilibrium, theta > 0]`, `[equilibrium, x = 0]`. Relative equilibrium, on something that turns at a
+  constant rate under `motion`, is said in the same way.
+
+      states: {hang: [equilibrium, s > 0]}
+      find: {s_rest: s @ hang, holds: stable(hang), T: period(hang), f: frequency(hang) in Hz}
+
+Small oscillations about it
+  The equation of motion is linearised there, and its linear part printed.
+
+  stable(s)            is a small deviation drawn back? true or false
+  period(s)            2*pi/omega_d, of the damped oscillation if there is damping
+  frequency(s)         its inverse: 1/s or Hz; the circular frequency with `in rad/s`
+
+  A period exists for one free coordinate; of several only `stable(s)` is asked. Where the motion creeps back without
+  oscillation, or the equilibrium is unstable, that is said instead (PL632). Dry friction has no small oscillations.
+
+The whole motion
+  The equation of motion is a find without an instant: `ddot(x)`. A motion from given initial conditions is one over
+  time, with states (planar explain states): where it turns (`v(b).x = 0`), where it passes (`x = 0`), and whether it does
+  (`reached(cross)`). Linear equations with constant coefficients are solved exactly, under-damped, critically damped or
+  over-damped, free or driven by a force that is a polynomial, exponential or sinusoidal function of time. A pendulum that
+  swings far is integrated exactly as far as speeds go (v dv = a ds), and in numbers as far as times go.
+
+    title: Block between a spring and a damper
+    plane: horizontal
+    given: {m: 2 kg, k: 200 N/m, c: 8 N*s/m, x_0: 100 mm}
+    coordinates: {x: m}
+    points: {W: [-0.5 m, 0], P: [x, 0]}
+    bodies: {block: {particle: P, mass: m}}
+    joints:
+      - guide: {point: P, along: 0 deg, name: rail}
+    loads:
+      - spring: {between: [W, P], stiffness: k, relaxed_at: [x = 0]}
+      - damper: {between: [W, P], coefficient: c}
+    find: {law: ddot(x)}
+    cases:
+      small:
+        states: {rest: [equilibrium, x = 0]}
+        find: {holds: stable(rest), T: period(rest), f: frequency(rest) in Hz, omega_d: frequency(rest) in rad/s}
+      let_go:
+        states:
+          1: [t = 0, x = x_0, at rest]
+          cross: [x = 0]
+          turn: [v(block).x = 0]
+        find: {crosses: reached(cross), t_cross: t @ cross, x_turn: x @ turn in mm}
+    answers: {holds: true, T: 0.641275 s, omega_d: 9.79796 rad/s, crosses: true, t_cross: 0.18087 s, x_turn: -52.6621 mm}
+"""

@@ -1,0 +1,75 @@
+"""States: the instants of a motion, in their order.
+
+    states:
+      launch: [t = 0, v(P).mag = 10 m/s, v(P).angle = 45 deg]
+      top: [y(P) is largest]
+      land: [y(P) = 0]
+      later: [t = 3 s]
+
+Each state has a name and a list of relations that hold then; a quantity in it without `@` is at that state.
+
+Order
+  States stand in the order in which they happen. The first one starts the motion: time is counted from it unless it
+  says `t = …`, and points are drawn there (a relation that contradicts the drawing is an error). Every other state is
+  the *first* instant after the one before it at which its relations hold, so that `land` above is not the launch
+  itself, and `y(P) = 2 m` after `top` is on the way down. A state with a given time, `t = 3 s`, may stand anywhere.
+  Inequalities choose among positions and roots: `[x(P) = 4 m, y(P) > 0]`.
+
+What starts a motion
+  `at rest`: whatever `motion` does not drive has no velocity; `P at rest` says it of one body. What is not stated of the
+  first state may follow from later ones: a target, a duration. A constant is sought when it stands under `unknowns`.
+
+Largest and smallest
+  `X is largest` uses up one freedom. In a state that nothing else dates, it is the time: the instant at which X is
+  largest. In a state that something else dates (`y(P) = 0`, or a given time), it is a constant under `unknowns`: the one
+  with which X there is largest.
+
+At a turning point
+  A speed is zero there, so a contact may stick from then on, and a rope go slack. What is asked at that state (an
+  acceleration, a friction force) is what holds as the body arrives, under the equations of the span that ends there.
+  Whether it stays is asked of the motion after it, or of the position itself with `instant: [at rest]` and `mode(C)`.
+
+Infinity
+  `t = infinity` is where the motion tends: a terminal velocity, a place of rest. A speed is printed there that is never
+  quite reached; `[v(P).mag = 0.95*v_end]` and the like are ordinary states.
+
+States that do not happen
+  A state that is never reached is an error (PL621), unless `reached(s)` asks about it: then the answer is true or false.
+
+Each state complete in itself
+  A file that says nothing of time may list several positions, each with its own velocities. These are solved apart.
+  `equilibrium` states stand apart too: planar explain oscillations. `just after 1` (same place and time as state 1; an
+  impact or impulse in between) is read, but a motion is solved only between blows.
+
+Time, a turning point, and a place that is reached too late or never:
+
+    title: Block sent up a slope
+    plane: vertical
+    given: {v_0: 6 m/s, beta: 30 deg, mu: 0.2}
+    points: {A: [0, 0]}
+    surfaces: {slope: {through: A, angle: beta}}
+    bodies: {block: {particle: A, mass: any}}
+    joints:
+      - contact: {between: [block, slope], at: A, mu: mu}
+    states:
+      start: [t = 0, v(block).along(beta) = v_0]
+      top: [v(block).mag = 0]
+      back: [y(block) = 0]
+      far: [r(block).mag = 10 m, y(block) > 0]
+    find: {t_top: t @ top, d: r(block).mag @ top, t_back: t @ back, v_back: v(block).mag @ back, gets_there: reached(far)}
+    answers: {t_top: 0.908513 s, d: 2.72554 m, t_back: 2.21252 s, v_back: 4.18036 m/s, gets_there: false}
+
+The largest of two kinds: over the time at `top`, over the sought angle at `land`:
+
+    title: Longest throw from a tower
+    plane: vertical
+    given: {h: 20 m, v_0: 15 m/s}
+    unknowns: {alpha: deg}
+    bodies: {stone: {particle: [0, h], mass: any}}
+    states:
+      throw: [t = 0, v(stone).mag = v_0, v(stone).angle = alpha]
+      top: [y(stone) is largest]
+      land: [y(stone) = 0, x(stone) is largest]
+    find: {angle: alpha in deg, y_top: y(stone) @ top, x_max: x(stone) @ land}
+    answers: {angle: 31.1186 deg, y_top: 23.0631 m, x_max: 37.9932 m}
+"""
