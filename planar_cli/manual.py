@@ -19,7 +19,8 @@ PAGES = Path(__file__).parent / "problem" / "pages"
 SHELVES = ("joints", "loads", "principles")
 # The order in which a newcomer reads.
 ORDER = ("language", "sections", "names_units", "points_surfaces", "bodies", "joints", "loads", "quantities")
-AFTER = ("statements_motion_instant", "states_finds", "cases", "answers", "examples", "pitfalls")
+AFTER = ("statements_instant", "motion_laws", "states", "finds", "spans", "oscillations", "paths_hodographs")
+LAST = ("cases", "answers", "examples", "pitfalls")
 
 
 @cache
@@ -30,7 +31,7 @@ def pages() -> dict[str, str]:
 
 
 def _place(path: Path) -> int:
-    order = (*ORDER, *AFTER)
+    order = (*ORDER, *AFTER, *LAST)
     return order.index(path.stem) if path.stem in order else len(order)
 
 

@@ -1,8 +1,8 @@
 """A root that SymPy loses is not lost: positions, path lengths, dampers, friction, data that repeat each other.
 
-Every scene is one for which the plain call of SymPy (`solve`, `integrate`, `dsolve`, `rank`) returns too few roots, half
-of an integral, the wrong regime, or nothing for a long time. The right values are written out, or worked out here from
-a formula that is not the program's.
+Every scene is one for which the plain call of SymPy (`solve`, `integrate`, `dsolve`, `rank`) returns too few roots,
+half of an integral, the wrong regime, or nothing for a long time. The right values are written out, or worked out here
+from a formula that is not the program's.
 """
 
 from __future__ import annotations
@@ -194,20 +194,20 @@ def test_the_mean_of_a_size() -> None:
 
 def test_a_rectified_force() -> None:
     """∫|sin cos| over a turn is 2, and not 1."""
-    found = solve(f"""
+    found = solve("""
 title: Force with a rectified sine
 plane: horizontal
-given: {{w: 1 rad/s, F: 1 N}}
-points: {{P: [0, 0]}}
-bodies: {{b: {{particle: P, mass: 1 kg}}}}
+given: {w: 1 rad/s, F: 1 N}
+points: {P: [0, 0]}
+bodies: {b: {particle: P, mass: 1 kg}}
 joints:
-  - guide: {{point: P, along: 0 deg}}
+  - guide: {point: P, along: 0 deg}
 loads:
-  - force: {{body: b, at: P, magnitude: F*abs(sin(w*t)*cos(w*t)), angle: 0 deg, name: push}}
+  - force: {body: b, at: P, magnitude: F*abs(sin(w*t)*cos(w*t)), angle: 0 deg, name: push}
 states:
   start: [t = 0, at rest]
   end: [t = (2*pi) s]
-find: {{v_end: v(b).x @ end, J: impulse(push).x @ start->end}}
+find: {v_end: v(b).x @ end, J: impulse(push).x @ start->end}
 """)
     assert_close(found["v_end"], 2)
     assert_close(found["J"], 2)
@@ -239,7 +239,7 @@ def root_x5(outside: Any, upper: float = 1) -> str:
 def test_work_without_an_elementary_form() -> None:
     found = solve(
         f"title: Push\n{X5}"
-        + """
+        """
 coordinates: {x: m}
 points: {P: [x, 0]}
 bodies: {b: {particle: P, mass: 2 kg}}
@@ -279,7 +279,7 @@ def test_an_arc_without_an_elementary_form() -> None:
     """y = 2/7 x^(7/2), so that ds = √(1 + x⁵) dx."""
     found = solve(
         f"title: Arc\n{X5}"
-        + """
+        """
 bodies: {b: {particle: [0, 0], mass: any}}
 motion: [x(b) = u*t, y(b) = 2/7*c*(u*t/c)^(7/2)]
 states: {1: [t = 0], 2: [t = 1 s]}
@@ -342,8 +342,7 @@ def test_three_regimes_in_letters(c: str, shape: str) -> None:
     """One formula with √(c² - 4 k m) would divide by zero in the middle one; s = t √(k/m)."""
     names = f"symbols: {{m: kg, k: N/m, x_0: m, T: s}}\nassume: [x_0 < 3 m]\ngiven: {{c: {c}}}"
     found = solve(
-        BLOCK.format(names=names)
-        + "states: {start: [t = 0, x = x_0, at rest], end: [t = T]}\nfind: {x_T: x @ end}\n"
+        BLOCK.format(names=names) + "states: {start: [t = 0, x = x_0, at rest], end: [t = T]}\nfind: {x_T: x @ end}\n"
     )["x_T"]
     assert found.expressions is not None
     m, k, x_0, T = sp.symbols("m k x_0 T", positive=True)

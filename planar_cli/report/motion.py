@@ -21,7 +21,7 @@ from planar_cli.solve.course.route import Leg, Result, Route
 from planar_cli.solve.course.unfold import Unfolded
 
 MOST_ROOTS = 4
-LONGEST = 60
+LONGEST = 90
 """A longer formula is told by its value alone."""
 
 
@@ -219,6 +219,8 @@ class MotionTelling:
     def _sides(self, e: Relation, route: Route) -> tuple[Any, ...]:
         """A relation as left = right, its own letter on the left."""
         residual = e.residual.xreplace(route.plain)
+        if longer(residual, LONGEST) and e.kind == "extreme":
+            return line("the rate of this quantity"), line("0")
         letter = _letter(e)
         if letter is not None:
             own = letter**2 if e.kind == "v(q)" else letter

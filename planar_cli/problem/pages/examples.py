@@ -21,21 +21,18 @@ An unknown in a case, and a later question about it:
         find: {k_critical: k_G}
     answers: {alpha: 6.186 rad/s^2 cw, friction: 39.18 N, k_critical: 0.3674 m}
 
-A blow, and the swing after it:
+A motion over time, and how far it goes:
 
-    title: Rod struck while hanging
+    title: Hanging rod set swinging
     plane: vertical
-    points: {A: [0, 0], B: [0, -2 m], S: [0, -1.5 m]}
+    points: {A: [0, 0], B: [0, -2 m]}
     bodies: {rod: {rod: [A, B], mass: 12 kg}}
     joints:
       - pin: {at: A, between: [ground, rod]}
-    loads:
-      - impulse: {body: rod, at: S, magnitude: 1000 N * 0.03 s, angle: 0 deg, during: 1->2}
     states:
-      1: [at rest]
-      2: [just after 1]
-      3: [omega(rod) = 0]
-    find: {omega_1: omega(rod) @ 2, kick: impulse(A).x @ 1->2, phi_max: theta(rod) @ 3 - theta(rod) @ 1 in deg}
+      1: [t = 0, omega(rod) = 2.8125 rad/s]
+      2: [omega(rod) = 0]
+    find: {phi_max: theta(rod) @ 2 - theta(rod) @ 1 in deg, t_2: t @ 2, pull: reaction(A).mag @ 1}
 
 Does it slip, and when would it:
 

@@ -8,8 +8,11 @@ mathematics. There is one way to say each thing. A file says, in this order of t
   the scene          points, surfaces, bodies                 planar explain points, planar explain bodies
   how it is joined   joints                                   planar explain joints
   what acts          loads (weight acts by itself)            planar explain loads
-  how it moves       motion, instant or states                planar explain statements, planar explain states
-  what is asked      find, cases                              planar explain quantities, planar explain cases
+  how it moves       motion, instant or states                planar explain statements, planar explain motion
+  at which instants  states                                   planar explain states
+  what is asked      find, cases                              planar explain finds, planar explain quantities,
+                                                              planar explain spans, planar explain oscillations,
+                                                              planar explain paths, planar explain cases
   what a key says    answers                                  planar explain answers
 
 An example:

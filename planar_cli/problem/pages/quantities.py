@@ -13,7 +13,8 @@ point or body, `j` a joint, `f` a load, `all` the whole system. A stroke joins t
                                 does not turn, A its origin; seen from body b, its origin at the mass centre (of a rod,
                                 at its first point) and its x axis along theta(b)
   hodograph(P)                  the curve of the tip of its velocity; its axes are v_x and v_y
-                                Both hold throughout, whatever the instant or state of the other finds
+                                Both hold throughout, whatever the instant or state of the other finds: planar
+                                explain paths
   N(j) friction(j) reaction(j)  at joint j, on the body whose partner is the ground; else `reaction(j/b)`: on b.
   moment(j) tension(j)          N, moment and tension are numbers, the others vectors
   force(f)                      the force of a load
@@ -23,13 +24,13 @@ point or body, `j` a joint, `f` a load, `all` the whole system. A stroke joins t
   H(b/P)                        angular momentum about P
   power(f)                      of a load
 
-  with a span, @ 1->2:
+  with a span, @ 1->2 (planar explain spans):
   work(f) impulse(f)            of a load, joint, body (all forces on it) or `all`; impulse(f/P): angular, about P
   heat(j)                       energy that friction takes
   path_length(P)                distance run
   mean(…) count(…)              mean of a quantity; how often a relation happens: count(theta(b) = 0)
 
-  of a state, in files with `states`:
+  of a state, in files with `states` (planar explain states, planar explain oscillations):
   reached(s)                    does the state occur?
   period(s) frequency(s)        of small oscillations about an equilibrium state
   stable(s)                     is that equilibrium stable?

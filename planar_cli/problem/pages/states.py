@@ -24,10 +24,11 @@ Largest and smallest
   largest. In a state that something else dates (`y(P) = 0`, or a given time), it is a constant under `unknowns`: the one
   with which X there is largest.
 
-At a turning point
-  A speed is zero there, so a contact may stick from then on, and a rope go slack. What is asked at that state (an
-  acceleration, a friction force) is what holds as the body arrives, under the equations of the span that ends there.
-  Whether it stays is asked of the motion after it, or of the position itself with `instant: [at rest]` and `mode(C)`.
+Where what acts changes
+  Places and velocities are the same before and after it. Accelerations, forces and modes may jump; at a state they are
+  those just after it: of a block that has just come to rest on a slope, `mode(A) @ top` says whether it stays, and
+  `a(block) @ top` is its acceleration downwards, or zero. What a state itself states, such as `N(C) = 0`, is read as
+  the body arrives.
 
 Infinity
   `t = infinity` is where the motion tends: a terminal velocity, a place of rest. A speed is printed there that is never
@@ -56,8 +57,14 @@ Time, a turning point, and a place that is reached too late or never:
       top: [v(block).mag = 0]
       back: [y(block) = 0]
       far: [r(block).mag = 10 m, y(block) > 0]
-    find: {t_top: t @ top, d: r(block).mag @ top, t_back: t @ back, v_back: v(block).mag @ back, gets_there: reached(far)}
-    answers: {t_top: 0.908513 s, d: 2.72554 m, t_back: 2.21252 s, v_back: 4.18036 m/s, gets_there: false}
+    find:
+      t_top: t @ top
+      d: r(block).mag @ top
+      stays: mode(A) @ top = stick
+      t_back: t @ back
+      v_back: v(block).mag @ back
+      gets_there: reached(far)
+    answers: {t_top: 0.90851 s, d: 2.72553 m, stays: false, t_back: 2.21252 s, v_back: 4.18025 m/s, gets_there: false}
 
 The largest of two kinds: over the time at `top`, over the sought angle at `land`:
 

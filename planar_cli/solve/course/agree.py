@@ -12,7 +12,7 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.exact import Unvalued
+from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.problem.geometry import Vec
 from planar_cli.solve.course.regime import Regime
 from planar_cli.solve.course.simulate import Followed
@@ -98,7 +98,7 @@ def power_digits(regime: Regime) -> int | None:
         total, given = regime.closed(energy), regime.closed(power)
         law = regime.accelerations[u]
         left = sp.diff(total, u) * law + sp.Add(*(sp.diff(total, q) * r for q, r in regime.rates.items()))
-        here = general.value
+        here = _anywhere(regime)
         a, b = here(left), here(given)
         size = max(abs(a), abs(b), here.size(left) if left.is_Add else abs(a))
     except (ArithmeticError, Unvalued):
@@ -107,3 +107,12 @@ def power_digits(regime: Regime) -> int | None:
         return FULL
     off = abs(a - b) / size
     return FULL if off == 0 else min(int(-off.log10()), FULL) if off < Decimal(1) else 0
+
+
+def _anywhere(regime: Regime) -> Valuation:
+    """Numbers of a position like no other; where loops close, those of the position that was drawn."""
+    general = regime.general
+    if general.constraints:
+        return general.value
+    letters = (*(c.symbol for c in regime.coordinates), *regime.free)
+    return general.value.extended({s: general.value(s) + Decimal(i + 3) / 17 for i, s in enumerate(letters)})

@@ -29,7 +29,7 @@ from planar_cli.solve.passages import Passage
 from planar_cli.solve.solution import Found
 from planar_cli.units import Unit, parse_unit
 
-CLOSED_OPS = 90
+CLOSED_OPS, LONGEST = 90, 600
 
 
 @dataclass(slots=True)
@@ -155,9 +155,8 @@ class FindReader:
     def closed(self, expr: sp.Expr, route: Route) -> sp.Expr:
         """The formula of a find down to the names of the file."""
         expr = self.put_in(expr, route)
-        if expr.is_number or expr.is_Symbol or longer(expr, 600):
-            return expr
-        return simplified(expr)
+        most = LONGEST if self.course.symbolic else CLOSED_OPS
+        return expr if expr.is_number or expr.is_Symbol or longer(expr, most) else simplified(expr)
 
     def unit_of(self, find: Find) -> Unit:
         if find.found.unit is not None:

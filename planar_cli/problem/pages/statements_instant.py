@@ -3,7 +3,7 @@
 `motion` holds relations that are true all the time, so they may be differentiated: `omega(OB) = 2 rad/s` means that
 the rate is constant. With `during 1->2` behind it a relation holds in that span only. `instant` holds relations that
 are true at the one instant asked about: there `omega(OB) = 2 rad/s` says nothing about the acceleration. `assume`
-holds relations between names.
+holds relations between names. Laws of motion over time: planar explain motion.
 
     motion: [omega(OB) = 2 rad/s, a(P).x = 3 m/s^2 during 1->2]
     instant: [beta = 60 deg, at rest]
