@@ -27,5 +27,6 @@ between them, constant before the first and after the last):
     magnitude: 10 N/s * t
     magnitude: {table: [[0 s, 0 N], [2 s, 50 N]]}
 
-A mass may vary too: `mass: M - q*t`. How motions under such loads are integrated: planar explain motion. `planar explain force` (torque, spring, …) prints the page of each.
+A mass may vary too: `mass: M - q*t`. `planar explain force` (torque, spring, …) prints the page of each, and `planar
+explain motion` says how motions under loads that vary are integrated.
 """

@@ -11,8 +11,8 @@ Kinematics alone, with laws under `motion`:
       - alpha(b) = -0.3 1/s * omega(b)               rotation alike; `dot(s)`, `ddot(s)` of a coordinate s
       - a(P).x = 0 during cruise->brake              in this span only
 
-Or kinetics: bodies with mass, and loads whose magnitude uses `t`, places, velocities, or a table (straight lines between
-its rows). Loads and joints with `during: 1->2` act in that span only; so a motion has phases.
+Or kinetics: bodies with mass, and loads whose magnitude uses `t`, places, velocities, or a table (straight lines
+between its rows). Loads and joints with `during: 1->2` act in that span only; so a motion has phases.
 
     - force: {body: b, magnitude: 20 N - 4 N/s * t, angle: 0 deg}
     - force: {body: b, magnitude: {table: [[0 s, 0 N], [2 s, 50 N], [6 s, 0 N]]}, angle: 0 deg}

@@ -21,10 +21,10 @@ Small oscillations about it
 
 The whole motion
   The equation of motion is a find without an instant: `ddot(x)`. A motion from given initial conditions is one over
-  time, with states (planar explain states): where it turns (`v(b).x = 0`), where it passes (`x = 0`), and whether it does
-  (`reached(cross)`). Linear equations with constant coefficients are solved exactly, under-damped, critically damped or
-  over-damped, free or driven by a force that is a polynomial, exponential or sinusoidal function of time. A pendulum that
-  swings far is integrated exactly as far as speeds go (v dv = a ds), and in numbers as far as times go.
+  time, with states (planar explain states): where it turns (`v(b).x = 0`), where it passes (`x = 0`), and whether it
+  does (`reached(cross)`). Linear equations with constant coefficients are solved exactly: under-damped, critically
+  damped or over-damped, free or driven by a force that is a polynomial, exponential or sinusoidal function of time. Of
+  a pendulum that swings far the speeds are exact (v dv = a ds), and the times are numbers.
 
     title: Block between a spring and a damper
     plane: horizontal
@@ -48,5 +48,5 @@ The whole motion
           cross: [x = 0]
           turn: [v(block).x = 0]
         find: {crosses: reached(cross), t_cross: t @ cross, x_turn: x @ turn in mm}
-    answers: {holds: true, T: 0.641275 s, omega_d: 9.79796 rad/s, crosses: true, t_cross: 0.18087 s, x_turn: -52.6621 mm}
+    answers: {holds: true, T: 0.641275 s, omega_d: 9.79796 rad/s, crosses: true, t_cross: 0.18087 s, x_turn: -52.66 mm}
 """

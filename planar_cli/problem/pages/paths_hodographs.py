@@ -6,14 +6,15 @@
   hodograph(P)         the curve of the tip of the velocity, drawn from one point; its axes are v_x and v_y
   rho(P)               radius of curvature of the path
 
-  A curve is told with its name (straight line, circle, ellipse, parabola, hyperbola, cycloid, spiral, …) and its equation,
-  from which the parameter is eliminated step by step; where that can not be done, by its parametric equations. Everything
-  must depend on one thing: the time, or one coordinate (else PL650). A curve holds throughout, whatever the instant or
-  state of the other finds. In `answers` it is an equation in x and y, in vx and vy, or r and theta.
+  A curve is told with its name (straight line, circle, ellipse, parabola, hyperbola, cycloid, spiral, …) and its
+  equation, from which the parameter is eliminated step by step; where that can not be done, by its parametric
+  equations. Everything must depend on one thing: the time, or one coordinate (else PL650). A curve holds throughout,
+  whatever the instant or state of the other finds. In `answers` it is an equation in x and y, in vx and vy (of a
+  hodograph), or in r and theta.
 
 Components
-  v(P).t a(P).t a(P).n         along the velocity, and towards the centre of curvature: a.n = v^2/rho. Where the speed is
-                               zero they mean nothing; on a circle use .across(P/O)
+  v(P).t a(P).t a(P).n         along the velocity, and towards the centre of curvature: a.n = v^2/rho. Where the speed
+                               is zero they mean nothing; on a circle use .across(P/O)
   r(P).mag v(P).r v(P).theta   polar, along r and 90 deg counterclockwise of it: a.r = ddot(r) - r*dot(theta)^2
   v(P/A).r, a(P/O).theta       the same from A or O instead of the origin
 
@@ -49,5 +50,10 @@ A coordinate instead of the time:
         motion: [dot(phi) = 2 rad/s]
         instant: [phi = 30 deg]
         find: {radius: rho(P), a_n: a(P).n, a_t: a(P).t}
-    answers: {curve: x^2/(l - b)^2 + y^2/b^2 = 1, circle: x^2 + y^2 = l^2, radius: 0.866025 m, a_n: 3.4641 m/s^2, a_t: 4 m/s^2}
+    answers:
+      curve: x^2/(l - b)^2 + y^2/b^2 = 1
+      circle: x^2 + y^2 = l^2
+      radius: 0.866025 m
+      a_n: 3.4641 m/s^2
+      a_t: 4 m/s^2
 """

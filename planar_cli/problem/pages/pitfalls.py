@@ -17,6 +17,9 @@ x**2                        x^2
 lb in a force               `lb` is a mass; the force is `lbf`
 omega = 5                   in `motion` constant, in `instant` only now
 several roots               the first instant after the state before; inequalities choose: `y(C) > 0`
+a state on the way back     a state of its own before it: `top: [y(P) is largest]`, then `[y(P) = 2 m]`
+X is largest, twice over    without another date it dates the state; beside `y(P) = 0` it fixes an unknown
+displacement, distance      x(P) @ 2 - x(P) @ 1, and path_length(P) @ 1->2
 KE(P) @ 2/KE(P) @ 1         `@` belongs to what stands just before it, so this is a ratio of two values
 a find without @            in a file with states only what is constant, or a formula that holds throughout
 force on whom               on the body whose partner is the ground; between two moving bodies reaction(B/AB)

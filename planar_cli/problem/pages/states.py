@@ -16,13 +16,14 @@ Order
   Inequalities choose among positions and roots: `[x(P) = 4 m, y(P) > 0]`.
 
 What starts a motion
-  `at rest`: whatever `motion` does not drive has no velocity; `P at rest` says it of one body. What is not stated of the
-  first state may follow from later ones: a target, a duration. A constant is sought when it stands under `unknowns`.
+  `at rest`: whatever `motion` does not drive has no velocity; `P at rest` says it of one body. What is not stated of
+  the first state may follow from later ones: a target, a duration. A constant is sought when it stands under
+  `unknowns`.
 
 Largest and smallest
   `X is largest` uses up one freedom. In a state that nothing else dates, it is the time: the instant at which X is
-  largest. In a state that something else dates (`y(P) = 0`, or a given time), it is a constant under `unknowns`: the one
-  with which X there is largest.
+  largest. In a state that something else dates (`y(P) = 0`, or a given time), it is a constant under `unknowns`: the
+  one with which X there is largest.
 
 Where what acts changes
   Places and velocities are the same before and after it. Accelerations, forces and modes may jump; at a state they are
@@ -35,7 +36,8 @@ Infinity
   quite reached; `[v(P).mag = 0.95*v_end]` and the like are ordinary states.
 
 States that do not happen
-  A state that is never reached is an error (PL621), unless `reached(s)` asks about it: then the answer is true or false.
+  A state that is never reached is an error (PL621), unless `reached(s)` asks about it: then the answer is true or
+  false.
 
 Each state complete in itself
   A file that says nothing of time may list several positions, each with its own velocities. These are solved apart.

@@ -13,7 +13,6 @@ from decimal import Decimal
 import sympy as sp
 
 from planar_cli.equation.exact import Unvalued, Valuation
-from planar_cli.problem.geometry import Vec
 from planar_cli.solve.course.regime import Regime
 from planar_cli.solve.course.simulate import Followed
 from planar_cli.solve.course.unfold import Unfolded
@@ -65,40 +64,14 @@ def followed_digits(found: Unfolded, followed: Followed) -> int | None:
 
 def power_digits(regime: Regime) -> int | None:
     """To how many digits Newton's law and the balance of energy give the same du/dt; None where energy does not tell."""
-    if len(regime.free) != 1:
+    if regime.balance is None:
         return None
     u = regime.free[0]
-    general = regime.general
-    system, scene = general.trial.system, general.instant.scene
-    motion = general.quantities.motion
-    if not any(b.mass != 0 for b in scene.bodies.values()) or system.reactions is None:
-        return None
-    if any(p.kind == "drive" for p in system.pushes) or any(
-        d.kind == "given" for d in system.acceleration_conditions()
-    ):
-        return None
-    energy: sp.Expr = sp.S.Zero
-    for name, body in scene.bodies.items():
-        v, omega = motion.velocity(body.center, name), motion.velocities[name].angular
-        energy += body.mass * v.dot(v) / 2 + body.inertia * omega**2 / 2
-    power: sp.Expr = sp.S.Zero
-    for w in system.wrenches:
-        force = w.force or Vec(sp.S.Zero, sp.S.Zero)
-        power += force.dot(motion.velocity(w.point, w.body)) + w.couple * motion.velocities[w.body].angular
-    followers = {law.push for law in system.laws}
-    for push, value in system.reactions.pushes:
-        if push.name in followers:
-            for act in push.actions:
-                if act.force is not None:
-                    power += act.force.dot(motion.velocity(act.point, act.body)) * value
-                power += act.couple * value * motion.velocities[act.body].angular
-    if general.time in (energy.free_symbols | power.free_symbols):
-        return None
+    total, given = (regime.closed(e) for e in regime.balance)
+    left = sp.diff(total, u) * regime.accelerations[u]
+    left += sp.Add(*(sp.diff(total, q) * r for q, r in regime.rates.items()))
+    here = _anywhere(regime)
     try:
-        total, given = regime.closed(energy), regime.closed(power)
-        law = regime.accelerations[u]
-        left = sp.diff(total, u) * law + sp.Add(*(sp.diff(total, q) * r for q, r in regime.rates.items()))
-        here = _anywhere(regime)
         a, b = here(left), here(given)
         size = max(abs(a), abs(b), here.size(left) if left.is_Add else abs(a))
     except (ArithmeticError, Unvalued):

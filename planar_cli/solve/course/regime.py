@@ -18,6 +18,7 @@ from planar_cli.equation.displaced import Coordinate
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.plain import simplified
 from planar_cli.problem.facts import Test
+from planar_cli.solve.course.balance import balance_of
 from planar_cli.solve.course.general import General
 
 
@@ -43,6 +44,7 @@ class Regime:
     accelerations: dict[sp.Symbol, sp.Expr] = field(default_factory=dict)
     watches: tuple[Watch, ...] = ()
     slips: tuple[sp.Expr, ...] = ()
+    balance: tuple[sp.Expr, sp.Expr] | None = None
 
     @property
     def time(self) -> sp.Symbol:
@@ -70,9 +72,19 @@ class Regime:
         if self.rates and not wanted:
             return
         watches, slips = self._watches(), self._sliding()
+        self.balance = balance_of(general)
         self.exprs += wanted
         general.closed_forms.clear()
-        general.govern([*rates.values(), *accelerations.values(), *(w.expr for w in watches), *slips, *self.exprs])
+        general.govern(
+            [
+                *rates.values(),
+                *accelerations.values(),
+                *(w.expr for w in watches),
+                *slips,
+                *(self.balance or ()),
+                *self.exprs,
+            ]
+        )
         self.rates = {s: self.closed(e) for s, e in rates.items()}
         self.accelerations = {u: self.closed(e) for u, e in accelerations.items()}
         told = self.told
