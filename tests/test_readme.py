@@ -77,3 +77,21 @@ def test_every_command_is_in_the_table() -> None:
 def test_links_lead_somewhere() -> None:
     for target in re.findall(r"\]\(([^)#:]+)\)", readme()):
         assert (ROOT / target).exists(), target
+
+
+def test_every_folder_of_problems_is_in_the_table_with_its_count() -> None:
+    """`PLANAR_UPDATE=1` puts the counts right."""
+    rows = re.findall(r"^\| (`[a-z` -]+`) \| (.*) \((\d+(?:, \d+)*)\) \|$", readme(), re.MULTILINE)
+    counted = {folder: len(list((ROOT / "problems" / folder).glob("*.yaml"))) for folder in folders(rows)}
+    assert sorted(counted) == sorted(p.name for p in (ROOT / "problems").iterdir() if p.is_dir())
+    for names, words, numbers in rows:
+        right = ", ".join(str(counted[name]) for name in names.strip("`").split("` `"))
+        if os.environ.get("PLANAR_UPDATE"):
+            README.write_text(readme().replace(f"{words} ({numbers})", f"{words} ({right})"), encoding="utf-8")
+            continue
+        assert numbers == right, names
+
+
+def folders(rows: list[tuple[str, str, str]]) -> list[str]:
+    """The folders that the rows of the table name."""
+    return [name for names, _, _ in rows for name in names.strip("`").split("` `")]

@@ -15,7 +15,6 @@ from planar_cli.equation.ledger import display
 from planar_cli.equation.plain import PRINTABLE, longer
 from planar_cli.homework.answers import Verdict
 from planar_cli.report.effects import effects
-from planar_cli.report.json_motion import motion_steps
 from planar_cli.report.narrate import phrases_of
 from planar_cli.report.words import answer_text, rounded, si_text
 from planar_cli.solve.algebra import Line
@@ -42,7 +41,7 @@ def solution_data(solution: Solution, verdicts: Sequence[Verdict], figures: int,
         "steps": [
             *(step for case, instant in instants for step in _steps(case, instant)),
             *(step for part in solution.parts for step in _passages(part)),
-            *(step for part in solution.parts if part.motion for step in motion_steps(part.case, part.motion)),
+            *(step for part in solution.parts for step in _motion(part)),
         ],
         "checks": [
             *(str(text) for _, instant in instants for text in instant.checks.get("lines", ())),
@@ -53,6 +52,15 @@ def solution_data(solution: Solution, verdicts: Sequence[Verdict], figures: int,
         "rejected": [entry for case, instant in instants for entry in _rejected(case, instant)],
         "seconds": dict(solution.seconds),
     }
+
+
+def _motion(part: PartSolution) -> list[dict[str, Any]]:
+    """The steps of a motion over time; imported where there is one."""
+    if part.motion is None:
+        return []
+    from planar_cli.report.json_motion import motion_steps
+
+    return motion_steps(part.case, part.motion)
 
 
 def failure_data(problem: str, outcome: str, message: str, diagnostics: Sequence[Mapping[str, Any]]) -> dict[str, Any]:

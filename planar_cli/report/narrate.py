@@ -6,7 +6,6 @@ from planar_cli.report.blocks import Answer, Block, Check, Document, Heading, No
 from planar_cli.report.checks import check_blocks
 from planar_cli.report.discussion import discussion_lines
 from planar_cli.report.effects import effect_notes
-from planar_cli.report.motion import MotionTelling, motion_phrases
 from planar_cli.report.passages import tale_blocks
 from planar_cli.report.telling import Telling
 from planar_cli.report.words import Phrases, answer_line
@@ -56,6 +55,8 @@ def part_blocks(
             count = max(count, telling.count)
     phrases = phrases_of(part.instants[-1], figures) if part.instants else None
     if part.motion is not None:
+        from planar_cli.report.motion import MotionTelling, motion_phrases
+
         phrases = motion_phrases(part.motion, figures)
         steps = [b.label for b in blocks if isinstance(b, Heading) and b.label.startswith("STEP")]
         blocks += MotionTelling(part.motion, phrases, count + 1, _letters(part, why)).blocks(len(set(steps)) + 1)

@@ -15,9 +15,6 @@ from planar_cli.equation.system import System
 from planar_cli.errors import FileProblem, Mark, NoSolution
 from planar_cli.problem.scene import Find, Problem
 from planar_cli.registry import members
-from planar_cli.solve.course.formulas import at_given_time, in_general, is_kinematic, solve_formulas, without
-from planar_cli.solve.course.paths import is_curve
-from planar_cli.solve.course.run import runs_in_time, solve_course
 from planar_cli.solve.diagnose import OPEN, explain_failure, place, singular_position
 from planar_cli.solve.diagnose_cases import demand_cancelled, several, several_cases
 from planar_cli.solve.diagnose_clash import check_positions, demand_drawn
@@ -25,6 +22,7 @@ from planar_cli.solve.diagnose_open import demand_determined, demand_passable
 from planar_cli.solve.finish import Finisher
 from planar_cli.solve.instant import Instant, Trial, make_instant, search_modes
 from planar_cli.solve.passages import Tale
+from planar_cli.solve.roads import in_general, is_curve, is_kinematic, runs_in_time, without
 from planar_cli.solve.seek import seek
 from planar_cli.solve.solution import Found, InstantSolution, PartSolution, Solution
 from planar_cli.solve.states import solve_states
@@ -72,14 +70,14 @@ def solve_problem(problem: Problem, method: str | None = None) -> Solution:
 def solve_part(problem: Problem, case: str, units: dict[str, str], earlier: dict[str, Earlier]) -> PartSolution:
     """One part: formulas and curves; a motion over time; or instants that are each complete in themselves."""
     if in_general(problem):
-        return solve_formulas(problem, case, units, earlier)
+        return _formulas(problem, case, units, earlier)
     if is_kinematic(problem):
         try:
-            return solve_formulas(problem, case, units, earlier)
+            return _formulas(problem, case, units, earlier)
         except (NoSolution, Unvalued):
             pass
     if runs_in_time(problem):
-        return at_given_time(problem, solve_course(problem, case, units, earlier))
+        return _in_time(problem, case, units, earlier)
     curves = [f for f in problem.find if is_curve(f.found.what)]
     if curves:
         return _with_curves(problem, curves, case, units, earlier)
@@ -88,11 +86,11 @@ def solve_part(problem: Problem, case: str, units: dict[str, str], earlier: dict
         try:
             return solve_states(problem, case, always, units, earlier, solve_instant)
         except NoSolution:
-            return solve_course(problem, case, units, earlier)
+            return _in_time(problem, case, units, earlier)
         except FileProblem as error:
             if any(d.code != "PL560" for d in error.diagnostics):
                 raise
-            return solve_course(problem, case, units, earlier)
+            return _in_time(problem, case, units, earlier)
     try:
         solution, found = solve_instant(
             problem, always, problem.instant or (), problem.find, units, earlier, problem.instant is None
@@ -100,8 +98,23 @@ def solve_part(problem: Problem, case: str, units: dict[str, str], earlier: dict
     except (NoSolution, Unvalued):
         if problem.instant is not None or not problem.coordinates:
             raise
-        return solve_formulas(problem, case, units, earlier)
+        return _formulas(problem, case, units, earlier)
     return PartSolution(case, (solution,), tuple(found))
+
+
+def _formulas(problem: Problem, case: str, units: dict[str, str], earlier: dict[str, Earlier]) -> PartSolution:
+    """Formulas that hold throughout; imported when needed, as one instant needs none of it."""
+    from planar_cli.solve.course.formulas import solve_formulas
+
+    return solve_formulas(problem, case, units, earlier)
+
+
+def _in_time(problem: Problem, case: str, units: dict[str, str], earlier: dict[str, Earlier]) -> PartSolution:
+    """A motion from state to state; imported when needed."""
+    from planar_cli.solve.course.formulas import at_given_time
+    from planar_cli.solve.course.run import solve_course
+
+    return at_given_time(problem, solve_course(problem, case, units, earlier))
 
 
 def _with_curves(
@@ -110,7 +123,7 @@ def _with_curves(
     """Curves hold throughout, whatever instant the other finds are about."""
     rest = without(problem, curves)
     apart = replace(problem, find=tuple(curves), instant=None, states=())
-    drawn = solve_formulas(apart, case, units, earlier)
+    drawn = _formulas(apart, case, units, earlier)
     if not rest.find:
         return drawn
     part = solve_part(rest, case, units, earlier)

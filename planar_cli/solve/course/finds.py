@@ -20,12 +20,13 @@ from planar_cli.problem.scene import Find
 from planar_cli.solve.asked import quantities_in
 from planar_cli.solve.course.complete import TRUTHS, is_true
 from planar_cli.solve.course.course import Course
-from planar_cli.solve.course.paths import CurveReader, is_curve
+from planar_cli.solve.course.paths import CurveReader
 from planar_cli.solve.course.route import Route
 from planar_cli.solve.course.starts import started
 from planar_cli.solve.course.throughout import Throughout
 from planar_cli.solve.course.timeline import Reader, Stop
 from planar_cli.solve.passages import Passage
+from planar_cli.solve.roads import is_curve
 from planar_cli.solve.solution import Found
 from planar_cli.units import Unit, parse_unit
 

@@ -6,8 +6,8 @@ Forces come from the equations of the general position.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field, replace
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from decimal import Decimal
 from typing import Any
 
@@ -28,11 +28,12 @@ from planar_cli.problem.walk import walk
 from planar_cli.solve.asked import quantities_in
 from planar_cli.solve.course.differentiated import differentiated, rates_put_in
 from planar_cli.solve.course.functions import Functions, directed, drawn_start
-from planar_cli.solve.course.paths import CurveReader, is_curve
+from planar_cli.solve.course.paths import CurveReader
 from planar_cli.solve.course.plot import Stretch, Workshop, spans_of
 from planar_cli.solve.course.regime import Regime
 from planar_cli.solve.course.stories import Story
 from planar_cli.solve.passages import Passage, Tale, sides_of
+from planar_cli.solve.roads import asks_forces, is_curve
 from planar_cli.solve.solution import Found, PartSolution
 from planar_cli.solve.verify import Disagreement
 from planar_cli.solve.worked import unknowns_of
@@ -42,24 +43,6 @@ CLOSED_OPS = 90
 AGREE = Decimal("1e-25")
 LONG_ROW = 24
 """A place whose derivatives take more operations is better told with the numbers of the instant."""
-FORCES = frozenset(("N", "friction", "reaction", "moment", "tension", "force", "power", "mode"))
-
-
-def in_general(problem: Problem) -> bool:
-    """Are its finds formulas in time, or curves only? Then no drawn position answers them."""
-    if problem.instant is not None or problem.states:
-        return False
-    if all(is_curve(f.found.what) for f in problem.find):
-        return True
-    return any(isinstance(n, Name) and n.name == "t" for f in formulas(problem) for n in walk(f.tree))
-
-
-def is_kinematic(problem: Problem) -> bool:
-    """Is it all about places that are written with coordinates, without masses, loads and forces?"""
-    if problem.instant is not None or problem.states or not problem.coordinates or problem.loads:
-        return False
-    massive = any(b.mass is not None or b.weight is not None or b.any_mass for b in problem.bodies)
-    return not massive and not any(asks_forces(f) for f in problem.find)
 
 
 def general_regime(problem: Problem, earlier: Mapping[str, Any], exprs_of: Any) -> Regime:
@@ -98,11 +81,6 @@ def solve_formulas(problem: Problem, case: str, units: Mapping[str, str], earlie
         lines.append("velocities and accelerations along the joints agree")
     whole = not reader.kinetic and not reader.by_joints
     return PartSolution(case, (solution,), found, None, Tale(reader.passages(), whole))
-
-
-def asks_forces(find: Find) -> bool:
-    """Does a find need more than places and motion?"""
-    return any(q.word in FORCES for q in quantities_in(find.found.what))
 
 
 def _values(find: Find, quantities: Quantities) -> tuple[sp.Expr, ...]:
@@ -329,9 +307,3 @@ def at_given_time(problem: Problem, part: PartSolution) -> PartSolution:
     curves = part.tale.passages if part.tale is not None else ()
     part.tale = Tale((*told, Passage(f"All this is taken at {when}.", ()), *curves))
     return part
-
-
-def without(problem: Problem, finds: Iterable[Find]) -> Problem:
-    """The problem with fewer finds."""
-    left = {id(f) for f in finds}
-    return replace(problem, find=tuple(f for f in problem.find if id(f) not in left))

@@ -26,7 +26,6 @@ from planar_cli.solve.passages import Passage, Row, told_function
 from planar_cli.solve.solution import Found
 from planar_cli.units import parse_unit
 
-CURVES = ("path", "hodograph")
 PATH = (("x", "y"), ("r", "theta"))
 HODOGRAPH = (("v_x", "v_y"), ("v", "phi"))
 PLAIN_NAMES = {"v_x": "vx", "v_y": "vy"}
@@ -39,11 +38,6 @@ class Single:
     parameter: sp.Symbol
     functions: Functions
     place: Vec
-
-
-def is_curve(what: object) -> bool:
-    """Does a find ask for a curve?"""
-    return isinstance(what, Quantity) and what.word in CURVES
 
 
 @dataclass(slots=True)

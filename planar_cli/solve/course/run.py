@@ -8,10 +8,8 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.evaluate import refuse
-from planar_cli.problem.expression import JustAfter, Name, Quantity, Relation
-from planar_cli.problem.formulas import formulas
+from planar_cli.problem.expression import JustAfter
 from planar_cli.problem.scene import Problem
-from planar_cli.problem.walk import walk
 from planar_cli.solve.course.agree import compared
 from planar_cli.solve.course.complete import completed
 from planar_cli.solve.course.course import Course
@@ -19,31 +17,9 @@ from planar_cli.solve.course.plot import Workshop
 from planar_cli.solve.course.reached import reaching
 from planar_cli.solve.course.route import Router
 from planar_cli.solve.course.throughout import Throughout
-from planar_cli.solve.course.timeline import SPANNED
 from planar_cli.solve.course.unfold import Unfolder
 from planar_cli.solve.passages import Tale
 from planar_cli.solve.solution import PartSolution
-
-
-def runs_in_time(problem: Problem) -> bool:
-    """Does the file speak of time, of spans, or of what only a motion tells?"""
-    if not problem.states and not any(_says_time(s) for s in problem.instant or ()):
-        return False
-    if any(isinstance(s, JustAfter) for state in problem.states for s in state.relations):
-        return True
-    if any(law.during for law in problem.motion):
-        return True
-    return any(_timed(node) for formula in formulas(problem) for node in walk(formula.tree))
-
-
-def _says_time(statement: Any) -> bool:
-    return isinstance(statement, Relation) and any(isinstance(n, Name) and n.name == "t" for n in walk(statement))
-
-
-def _timed(node: Any) -> bool:
-    if isinstance(node, Name):
-        return node.name == "t"
-    return isinstance(node, Quantity) and (isinstance(node.at, tuple) or node.word in SPANNED)
 
 
 def _demand_smooth(problem: Problem) -> None:

@@ -31,6 +31,7 @@ from planar_cli.problem.expression import (
 from planar_cli.problem.geometry import Vec
 from planar_cli.solve.course.after import changes_at_once
 from planar_cli.solve.course.regime import Regime
+from planar_cli.solve.roads import SPANNED
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,9 +71,6 @@ class Demand:
     sign: int = 0
     extreme: int = 0
     trend: sp.Expr | None = None
-
-
-SPANNED = ("reached", "period", "frequency", "stable", "count")
 
 
 @dataclass(slots=True)

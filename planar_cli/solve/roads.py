@@ -1,0 +1,74 @@
+"""Which road a problem takes: one instant, formulas that hold throughout, curves, or a motion from state to state.
+
+Only the file is looked at, so that what is not needed is never imported.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import replace
+from typing import Any
+
+from planar_cli.problem.expression import JustAfter, Name, Quantity, Relation
+from planar_cli.problem.formulas import formulas
+from planar_cli.problem.scene import Find, Problem
+from planar_cli.problem.walk import walk
+from planar_cli.solve.asked import quantities_in
+
+CURVES = ("path", "hodograph")
+SPANNED = ("reached", "period", "frequency", "stable", "count")
+FORCES = frozenset(("N", "friction", "reaction", "moment", "tension", "force", "power", "mode"))
+
+
+def in_general(problem: Problem) -> bool:
+    """Are its finds formulas in time, or curves only? Then no drawn position answers them."""
+    if problem.instant is not None or problem.states:
+        return False
+    if all(is_curve(f.found.what) for f in problem.find):
+        return True
+    return any(isinstance(n, Name) and n.name == "t" for f in formulas(problem) for n in walk(f.tree))
+
+
+def is_kinematic(problem: Problem) -> bool:
+    """Is it all about places that are written with coordinates, without masses, loads and forces?"""
+    if problem.instant is not None or problem.states or not problem.coordinates or problem.loads:
+        return False
+    massive = any(b.mass is not None or b.weight is not None or b.any_mass for b in problem.bodies)
+    return not massive and not any(asks_forces(f) for f in problem.find)
+
+
+def asks_forces(find: Find) -> bool:
+    """Does a find need more than places and motion?"""
+    return any(q.word in FORCES for q in quantities_in(find.found.what))
+
+
+def without(problem: Problem, finds: Iterable[Find]) -> Problem:
+    """The problem with fewer finds."""
+    left = {id(f) for f in finds}
+    return replace(problem, find=tuple(f for f in problem.find if id(f) not in left))
+
+
+def is_curve(what: object) -> bool:
+    """Does a find ask for a curve?"""
+    return isinstance(what, Quantity) and what.word in CURVES
+
+
+def runs_in_time(problem: Problem) -> bool:
+    """Does the file speak of time, of spans, or of what only a motion tells?"""
+    if not problem.states and not any(_says_time(s) for s in problem.instant or ()):
+        return False
+    if any(isinstance(s, JustAfter) for state in problem.states for s in state.relations):
+        return True
+    if any(law.during for law in problem.motion):
+        return True
+    return any(_timed(node) for formula in formulas(problem) for node in walk(formula.tree))
+
+
+def _says_time(statement: Any) -> bool:
+    return isinstance(statement, Relation) and any(isinstance(n, Name) and n.name == "t" for n in walk(statement))
+
+
+def _timed(node: Any) -> bool:
+    if isinstance(node, Name):
+        return node.name == "t"
+    return isinstance(node, Quantity) and (isinstance(node.at, tuple) or node.word in SPANNED)
