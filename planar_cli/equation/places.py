@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any
 
 import sympy as sp
 
@@ -12,7 +13,19 @@ from planar_cli.equation.jets import Jet, constant, magnitude
 from planar_cli.equation.ledger import Ledger
 from planar_cli.problem.expression import Name, Relation, Statement
 from planar_cli.problem.geometry import Vec
-from planar_cli.problem.scene import At, Midpoint, Point, Polar, Towards, TwoFacts
+from planar_cli.problem.scene import (
+    At,
+    Midpoint,
+    Outline,
+    Particle,
+    Point,
+    Polar,
+    Rod,
+    Round,
+    Sector,
+    Towards,
+    TwoFacts,
+)
 
 Lookup = Callable[[str], Vec]
 Decide = Callable[[], Valuation]
@@ -144,3 +157,20 @@ def at_relations(ledger: Ledger, evaluator: Evaluator, relations: tuple[Statemen
             )
         expr = expr.subs(ledger.symbols[relation.left.name], evaluator.value(relation.right))
     return expr
+
+
+def own_points(shape: Any) -> tuple[str, ...]:
+    """The points by which a shape is drawn and which move with it."""
+    match shape:
+        case Particle():
+            return (shape.place,) if isinstance(shape.place, str) else ()
+        case Rod():
+            return (shape.start, shape.end) if shape.end else (shape.start,)
+        case Round() | Outline():
+            return (shape.center,) if shape.center else ()
+        case Sector():
+            return (shape.apex,)
+    pieces = getattr(shape, "pieces", None)
+    if pieces is not None:
+        return tuple(p for piece in pieces for p in own_points(piece.shape))
+    return (shape.center,)

@@ -4,6 +4,8 @@ state facts.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
@@ -14,7 +16,7 @@ from planar_cli.equation.evaluate import Evaluator, refuse
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.outlines import edges_at, outline_of
-from planar_cli.equation.places import at_relations, place_jet
+from planar_cli.equation.places import at_relations, own_points, place_jet
 from planar_cli.equation.plain import longer, trigonometric
 from planar_cli.errors import Mark
 from planar_cli.problem.expression import Name, Side, Statement
@@ -30,11 +32,9 @@ from planar_cli.problem.scene import (
     Problem,
     Rod,
     Round,
-    Sector,
     Surface,
     TwoFacts,
 )
-from planar_cli.problem.scene import Outline as OutlineShape
 
 if TYPE_CHECKING:
     from planar_cli.equation.displaced import Displacement
@@ -172,6 +172,15 @@ class Scene:
     def forget_valuations(self) -> None:
         """Draw the numbers anew when they are asked for again: symbols were added."""
         self._valuations = None
+
+    @contextmanager
+    def supposing(self, valuation: Valuation) -> Iterator[None]:
+        """Signs as they are with these numbers."""
+        kept, self._valuations = self._valuations, (valuation,)
+        try:
+            yield
+        finally:
+            self._valuations = kept
 
     @property
     def valuations(self) -> tuple[Valuation, ...]:
@@ -356,7 +365,7 @@ class Scene:
 
     def _owners(self) -> dict[str, list[str]]:
         owners: dict[str, list[str]] = {}
-        own = {p for b in self.problem.bodies for p in (*_own_points(b.shape), *b.points)}
+        own = {p for b in self.problem.bodies for p in (*own_points(b.shape), *b.points)}
         self.own_points = own | {b.name for b in self.problem.bodies}
 
         def belongs(point: str | None, body: str | None) -> None:
@@ -364,7 +373,7 @@ class Scene:
                 owners[point].append(body)
 
         for body in self.problem.bodies:
-            for point in (*_own_points(body.shape), *body.points):
+            for point in (*own_points(body.shape), *body.points):
                 belongs(point, body.name)
             if body.name in self.points:
                 belongs(body.name, body.name)
@@ -375,20 +384,3 @@ class Scene:
             for point, body_name in load.attachments():
                 belongs(point, body_name)
         return owners
-
-
-def _own_points(shape: Any) -> tuple[str, ...]:
-    """The points by which a shape is drawn and which move with it."""
-    match shape:
-        case Particle():
-            return (shape.place,) if isinstance(shape.place, str) else ()
-        case Rod():
-            return (shape.start, shape.end) if shape.end else (shape.start,)
-        case Round() | OutlineShape():
-            return (shape.center,) if shape.center else ()
-        case Sector():
-            return (shape.apex,)
-    pieces = getattr(shape, "pieces", None)
-    if pieces is not None:
-        return tuple(p for piece in pieces for p in _own_points(piece.shape))
-    return (shape.center,)

@@ -1,7 +1,8 @@
 """How a name of a file reads in mathematics: `omega_AB` as ω_AB, `v_D_AB` as v_D/AB; plain text and LaTeX.
 
-A name is a stem and pieces behind underscores; behind two underscores stands the state that it belongs to. Two pieces in capitals mean "relative to"; a component or an instant
-clings to the piece before it; other pieces are set off with a comma.
+A name is a stem and pieces behind underscores; behind two underscores stands the state that it belongs to. Two pieces
+in capitals mean "relative to"; a component or an instant clings to the piece before it; other pieces are set off with a
+comma.
 """
 
 from __future__ import annotations

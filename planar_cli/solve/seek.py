@@ -194,6 +194,7 @@ class Seeker:
             self.choice, (base,), given={s: v for s, v in solved.items() if s in self.unknowns}
         )
         objection = self._wrong_sign(constants) or trial.objection or self._inequalities(trial, solved)
+        objection = objection or self._behind(base, constants)
         objection = objection or loose_limit(self.instant, trial, constants)
         return Sought(branch, plan, writer, trial, unknowns, objection)
 
@@ -214,6 +215,19 @@ class Seeker:
         """Does the constant stand for a radius of gyration or a radius?"""
         exprs = [b.inertia for b in self.scene.bodies.values()]
         return any(s in sp.sympify(self.ledger.definitions.get(e, e)).free_symbols for e in exprs)
+
+    def _behind(self, base: Valuation, constants: dict[sp.Symbol, Decimal]) -> str:
+        """A contact whose body would lie on the other side of what it touches; so it was not drawn."""
+        if not set(self.ledger.coordinates) & set(constants):
+            return ""
+        with self.scene.supposing(base):
+            there = {joint.name: joint.modes(self.scene) for joint in self.instant.joints if joint.kind == "contact"}
+        for joint, drawn in self.instant.modes:
+            if joint.name in there and any(
+                a.facts.pushes != b.facts.pushes for a, b in zip(drawn, there[joint.name], strict=True)
+            ):
+                return f"what touches at {joint.name} would lie on the other side"
+        return ""
 
     def _inequalities(self, trial: Trial, solved: dict[sp.Symbol, Decimal]) -> str:
         quantities = trial.system.quantities()

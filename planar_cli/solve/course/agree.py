@@ -63,7 +63,7 @@ def followed_digits(found: Unfolded, followed: Followed) -> int | None:
 
 
 def power_digits(regime: Regime) -> int | None:
-    """To how many digits Newton's law and the balance of energy give the same du/dt; None where energy does not tell."""
+    """To how many digits Newton's law and the balance of energy give the same du/dt; None: it does not tell."""
     if regime.balance is None:
         return None
     u = regime.free[0]

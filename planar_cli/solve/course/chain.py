@@ -19,6 +19,7 @@ from planar_cli.equation.exact import PI, Unvalued, Valuation
 from planar_cli.errors import Undecided
 from planar_cli.solve.branches import vanishes
 from planar_cli.solve.course.equations import Equation
+from planar_cli.solve.course.holding import taken_out
 from planar_cli.solve.course.linked import linked_blocks
 from planar_cli.solve.course.regime import number_function
 from planar_cli.solve.elimination import Pending, alone, combined, eliminate
@@ -29,6 +30,8 @@ MOST_ROOTS = 6
 MOST_BRANCHES = 200
 AGREES = Decimal("1e-18")
 LATER = Decimal("1e-20")
+REACHES = (Decimal("1e-10"), Decimal("1e-8"), Decimal("5e-7"))
+"""So far about the truth, in parts of its size, a root is looked for."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -235,7 +238,7 @@ class Chain:
         self, pool: list[Pending], index: int, left: list[sp.Symbol], values: dict[sp.Symbol, Decimal]
     ) -> Iterator[list[Line]]:
         """Every root of the one equation that holds a single unknown, and the rest with it."""
-        residual = pool[index].residual
+        residual = taken_out(pool[index].residual)
         x = next(s for s in left if s in residual.free_symbols)
         here = self.value.extended(values)
         if vanishes(residual, x, here):
@@ -253,6 +256,10 @@ class Chain:
 
     def _roots(self, residual: sp.Expr, x: sp.Symbol, here: Valuation) -> list[Root]:
         """All real roots; a time only after the state before it, an angle with its turns."""
+        if x in self.truth and not residual.is_polynomial(x):
+            near = self._near_truth(residual, x, here)
+            if near is not None:
+                return [near]
         if x in self.times:
             return self._times(residual, x, here)
         try:
@@ -262,6 +269,24 @@ class Chain:
         if x in self.angles:
             found = self._turned(found, residual, x, here)
         return found
+
+    def _near_truth(self, residual: sp.Expr, x: sp.Symbol, here: Valuation) -> Root | None:
+        """The root next to what the motion that was followed shows; None: nothing changes its sign so near."""
+        at = Decimal(repr(self.truth[x]))
+        size = max(abs(at), Decimal("1e-3"))
+
+        def value(v: Decimal) -> Decimal:
+            return here.extended({x: v})(residual)
+
+        for reach in REACHES:
+            low, high = at - reach * size, at + reach * size
+            try:
+                a, b = value(low), value(high)
+                if a and b and (a > 0) != (b > 0):
+                    return Root(None, polish(value, low, high))
+            except (ArithmeticError, Unvalued):
+                continue
+        return None
 
     def _times(self, residual: sp.Expr, x: sp.Symbol, here: Valuation) -> list[Root]:
         before = self.times[x]

@@ -185,7 +185,7 @@ def _tidied(roots: list[Root], value: Valuation) -> list[Root]:
     found = []
     for r in roots:
         expr = r.expression
-        if expr is not None and not longer(expr, 200):
+        if expr is not None and not longer(expr, LONGEST):
             expr = simplified(_unwound(expr, value))
         found.append(Root(expr, r.value))
     return sorted(found, key=lambda r: r.value)

@@ -47,7 +47,8 @@ class Stretch:
 class Plot:
     """`stretches[i]` runs from `states[i]` to `states[i + 1]`. `turnings`: states that we put in, each with what
     vanishes there (a formula of the general position) and what happens. `equilibria`: states that stand beside the
-    order, as no motion leads to them, each with what acts there. `beyond`: from the last state on (None: what acted before it).
+    order, as no motion leads to them, each with what acts there. `beyond`: from the last state on (None: what acted
+    before it).
     """
 
     states: tuple[State, ...]

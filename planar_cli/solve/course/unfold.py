@@ -17,6 +17,7 @@ from planar_cli.problem.scene import Problem
 from planar_cli.solve.course.chain import Branch
 from planar_cli.solve.course.course import Course, first_plot, make_course
 from planar_cli.solve.course.finds import FindReader
+from planar_cli.solve.course.holding import holding
 from planar_cli.solve.course.newton import refined
 from planar_cli.solve.course.oscillation import Oscillation
 from planar_cli.solve.course.over_spans import SpanIntegral
@@ -99,6 +100,7 @@ class Unfolder:
             return changed
         if followed.missed is not None:
             raise self._never(course, followed.missed)
+        course.equations = holding(course.equations, followed.values, course.base())
         chain = course.chain()
         chain.truth = followed.values
         chain.leaning = _leaning(course, followed)
