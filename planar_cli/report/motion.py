@@ -162,11 +162,13 @@ class MotionTelling:
         """Where a relation comes from."""
         if e.span is not None:
             words = self._calculus(e)
-            return line(f"From {e.since} to {e.stop}, {words}:" if e.since else f"{words}:")
+            reach = f"From {e.since} to {e.stop}" if e.stop else f"From {e.since} on"
+            return line(f"{reach}, {words}:" if e.since else f"{words}:")
         if e.kind in DATA:
             return self._named(f"At {e.stop}: {e.words}:" if e.stop else f"{e.words}:")
         place = f"From {e.since} to {e.stop}, " if e.since else f"At {e.stop}, " if e.stop else ""
-        return self._named(f"{place}{e.words}:")
+        words = f"the loop closes, {e.words}" if e.kind == "loop" else e.words
+        return self._named(f"{place}{words}:")
 
     def _named(self, words: str) -> Line:
         """Words in which the names of symbols are set as mathematics."""

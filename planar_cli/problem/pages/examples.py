@@ -51,7 +51,7 @@ Does it slip, and when would it:
         instant: [beta = 60 deg, at rest]
         find: {stays: mode(A) = stick, foot: friction(A).x}
       flattest:
-        instant: [at rest, mode(A) = stick, beta is smallest]
+        instant: [at rest, mode(A) = stick, beta is smallest, beta > 0]
         find: {beta_min: beta in deg}
     answers: {stays: true, beta_min: 55.01 deg}
 

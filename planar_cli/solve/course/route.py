@@ -22,8 +22,11 @@ from planar_cli.errors import Undecided
 from planar_cli.solve.course.chain import Step
 from planar_cli.solve.course.closed import closed_roots
 from planar_cli.solve.course.equations import DATA, Equation
+from planar_cli.solve.linear import solve
 from planar_cli.solve.roots import Root
 
+WHOLE = 8
+"""So many unknowns at most are told as found together."""
 TOGETHER = 0.8
 """What solving equations together costs beside them."""
 HIDDEN = 1.5
@@ -141,7 +144,14 @@ class Router:
             edges += self._rings()
             best = self._cheapest(edges)
         if any(t not in best and t not in self.plain for t in targets):
-            best = self._cheapest(edges + self._large())
+            edges += self._large()
+            best = self._cheapest(edges)
+        for target in targets:
+            if target not in best and target not in self.plain:
+                whole = self._whole(target, best)
+                if whole is not None:
+                    edges.append(whole)
+                    best = self._cheapest(edges)
         order: list[Derivation] = []
         for target in targets:
             self._collect(target, best, order)
@@ -237,6 +247,39 @@ class Router:
                 cost = sum(e.cost for e in equations) + TOGETHER * len(equations)
                 found.append((equations, unknowns, inside - set(unknowns), cost))
         return found
+
+    def _whole(self, target: sp.Symbol, best: dict[sp.Symbol, Derivation]) -> Edge | None:
+        """All equations that fix a target together, found by adding those with the fewest further unknowns."""
+        equations: list[Equation] = []
+        unknowns = {target}
+        usable = [e for e in self.equations if not e.residual.has(sp.Integral) and e.kind not in ("v(q)", "q(v)")]
+        while len(unknowns) <= WHOLE:
+            further: list[tuple[int, float, int, Equation, set[sp.Symbol]]] = []
+            for e in usable:
+                fresh = {s for s in self._inside(e) if s not in best} - unknowns
+                if e not in equations and self._inside(e) & unknowns:
+                    further.append((len(fresh), e.cost, len(further), e, fresh))
+            for _, _, _, e, fresh in sorted(further, key=lambda f: f[:3]):
+                if self._adds([*equations, e], unknowns | fresh):
+                    equations.append(e)
+                    unknowns |= fresh
+                    break
+            else:
+                return None
+            if len(equations) == len(unknowns):
+                needs = frozenset().union(*(self._inside(e) for e in equations)) - unknowns
+                cost = sum(e.cost for e in equations) + TOGETHER * len(equations)
+                return tuple(equations), tuple(sorted(unknowns, key=lambda s: s.name)), needs, cost
+        return None
+
+    def _adds(self, equations: list[Equation], unknowns: set[sp.Symbol]) -> bool:
+        """Are these equations independent in these unknowns?"""
+        columns = sorted(unknowns, key=lambda s: s.name)
+        try:
+            rows = [[self.value(sp.diff(self.residual(e), x)) for x in columns] + [Decimal(0)] for e in equations]
+        except (ArithmeticError, Unvalued):
+            return False
+        return len(solve(rows, len(columns)).null) == len(columns) - len(equations)
 
     def _hidden(self, equation: Equation, x: sp.Symbol) -> float | None:
         """What it costs to solve for x: nothing where it enters plainly. None: the equation does not fix x here."""

@@ -69,7 +69,10 @@ class Throughout:
 
     def _begun(self, equation: Equation) -> Equation:
         """With what is known of the first state put in."""
-        return replace(equation, residual=equation.residual.xreplace(self.start))
+        residual, span = equation.residual.xreplace(self.start), equation.span
+        if span is not None and span.left is not None and span.right is not None:
+            span = replace(span, left=span.left.xreplace(self.start), right=span.right.xreplace(self.start))
+        return replace(equation, residual=residual, span=span)
 
     def _sample(self, fixed: set[sp.Symbol], equations: Sequence[Equation]) -> Valuation | None:
         """Numbers of a moment in the middle of the first stretch, to all digits."""
