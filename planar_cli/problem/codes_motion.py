@@ -40,6 +40,15 @@ _STATES = {
         "explain PL601` tells how that may be. Friction too large for rigid bodies is one cause, a constraint that "
         "jams another."
     ),
+    "PL623": (
+        "A motion is known when the state from which it starts is: all places and velocities of one instant, and every "
+        "constant of `unknowns`. Relations in later states may stand for what the first one leaves out, one for "
+        "each. Here some are too few. A state that only says `y(P) < 0` has no instant: it needs a relation with `=`."
+    ),
+    "PL624": (
+        "Two statements about one state can not both be true of this motion: a time and a place, say, that do not "
+        "go together. Leave one out; or, if a datum was meant to be found from them, name it under `unknowns`."
+    ),
     "PL633": (
         "A quantity over a span, `work(f) @ 1->2`, is an integral from the first state to the second, which must come "
         "later. In a state's own relations it must have a closed form, and the motion may not turn round meanwhile; "

@@ -8,6 +8,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from decimal import Decimal
 
 import sympy as sp
@@ -31,12 +32,17 @@ def compared(found: Unfolded) -> tuple[str, ...]:
             if digits < NEEDED:
                 raise Disagreement("the motion followed step by step differs from its equations")
             phrases.append(f"followed step by step from the first state: agrees to {digits} digits")
-    powers = [d for r in found.course.distinct_regimes() if (d := power_digits(r)) is not None]
-    if powers:
-        if min(powers) < NEEDED:
-            raise Disagreement("the balance of energy gives another equation of motion")
-        phrases.append(f"the balance of energy gives the same equation of motion, to {min(powers)} digits")
-    return tuple(phrases)
+    return (*phrases, *balanced(found.course.distinct_regimes()))
+
+
+def balanced(regimes: Iterable[Regime]) -> tuple[str, ...]:
+    """That the balance of energy gives the same equations of motion. Disagreement: it does not."""
+    powers = [d for r in regimes if (d := power_digits(r)) is not None]
+    if not powers:
+        return ()
+    if min(powers) < NEEDED:
+        raise Disagreement("the balance of energy gives another equation of motion")
+    return (f"the balance of energy gives the same equation of motion, to {min(powers)} digits",)
 
 
 def followed_digits(found: Unfolded, followed: Followed) -> int | None:

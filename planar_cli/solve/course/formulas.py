@@ -26,6 +26,7 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import Find, Polar, Problem
 from planar_cli.problem.walk import walk
 from planar_cli.solve.asked import quantities_in
+from planar_cli.solve.course.agree import balanced
 from planar_cli.solve.course.differentiated import differentiated, rates_put_in
 from planar_cli.solve.course.functions import Functions, directed, drawn_start
 from planar_cli.solve.course.paths import CurveReader
@@ -79,6 +80,7 @@ def solve_formulas(problem: Problem, case: str, units: Mapping[str, str], earlie
     if reader.compared:
         lines = solution.checks.setdefault("lines", [])
         lines.append("velocities and accelerations along the joints agree")
+    solution.checks.setdefault("lines", []).extend(balanced([regime]))
     whole = not reader.kinetic and not reader.by_joints
     return PartSolution(case, (solution,), found, None, Tale(reader.passages(), whole))
 

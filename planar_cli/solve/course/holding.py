@@ -67,5 +67,3 @@ def taken_out(expr: sp.Expr) -> sp.Expr:
 
     found: sp.Expr = expr.replace(lambda e: isinstance(e, sp.Integral) and len(e.limits) == 1, plain)
     return found
-
-

@@ -149,7 +149,7 @@ class Follower:
     def _stretch(self, i: int, regime: Regime, state: State) -> State | None:
         """Up to the next state, or None: something else comes first, or nothing does."""
         t0 = state[regime.time]
-        leg = Leg(regime, self._flow(regime, state), t0, t0, state, swing_of(regime, state, self.value))
+        leg = self.leg(regime, state)
         stop = self.course.stops[self.course.states[i + 1].name]
         time = self._time_of(i + 1, stop, leg)
         ends = self._ends(i, leg, time)
@@ -187,6 +187,15 @@ class Follower:
                 return leg.at(time)
         return self.done.legs[0].at(time)
 
+    def leg(self, regime: Regime, state: State) -> Leg:
+        """What one regime makes of a state, as far as it is asked for."""
+        t0 = state[regime.time]
+        return Leg(regime, self._flow(regime, state), t0, t0, state, swing_of(regime, state, self.value))
+
+    def begin(self, regime: Regime, state: State) -> State:
+        """The letters of a regime where it takes over: places stay, speeds follow from rates that are known."""
+        return self._begin(regime, state)
+
     def _flow(self, regime: Regime, state: State) -> Flow | None:
         letters = regime.letters[1:]
         if not letters:
@@ -213,11 +222,11 @@ class Follower:
             return self._extreme(extreme, leg)
         turning = self.course.plot.turnings.get(stop.name)
         if turning is not None:
-            g = self._function(stop.at(turning[0]), stop, leg)
+            g = self.function(stop.at(turning[0]), stop, leg)
             return next((r.value for r in events(g, leg)), None)
         if not equations:
             return None
-        gs = [self._function(d.residual, stop, leg) for d in equations]
+        gs = [self.function(d.residual, stop, leg) for d in equations]
         first = max(range(len(gs)), key=lambda k: not is_still(gs[k], leg))
         for root in itertools.islice(events(gs[first], leg), 60):
             if all(is_zero(g, root.value, leg) for k, g in enumerate(gs) if k != first) and self._allowed(
@@ -226,7 +235,7 @@ class Follower:
                 return root.value
         return None
 
-    def _function(self, residual: sp.Expr, stop: Stop, leg: Leg) -> Callable[[float], float]:
+    def function(self, residual: sp.Expr, stop: Stop, leg: Leg) -> Callable[[float], float]:
         """A residual of a state as a function of time along a leg."""
         letters = [stop.letters[s] for s in leg.regime.letters]
         known = self.value.extended({s: Decimal(repr(v)) for s, v in self.done.values.items()})
@@ -248,7 +257,7 @@ class Follower:
             expr = d.residual if d.kind == "inequality" else d.trend
             if expr is None:
                 continue
-            if self._function(expr, stop, leg)(t) < -SLACK:
+            if self.function(expr, stop, leg)(t) < -SLACK:
                 return False
         return True
 

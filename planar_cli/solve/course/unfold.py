@@ -14,6 +14,7 @@ import sympy as sp
 from planar_cli.equation.exact import Valuation
 from planar_cli.errors import Diagnostic, Mark, NoSolution, Undecided
 from planar_cli.problem.scene import Problem
+from planar_cli.solve.course.astray import clash, demand_agreement, missing, never
 from planar_cli.solve.course.chain import Branch
 from planar_cli.solve.course.course import Course, first_plot, make_course
 from planar_cli.solve.course.finds import FindReader
@@ -78,7 +79,11 @@ class Unfolder:
         """The course unfolded, or another plot to try."""
         start = certain_start(course)
         if start is Start.CONTRADICTS:
-            return self._next(course.plot, 0, "what is stated of the first state contradicts it")
+            try:
+                return self._next(course.plot, 0, "what is stated of the first state contradicts it")
+            except NoSolution as error:
+                early = [e for e in course.equations if e.stop == course.first.name]
+                raise clash(course, early) or error from error
         if start is Start.OPEN:
             return self._sought(course, finds)
         assert isinstance(start, dict)
@@ -99,7 +104,7 @@ class Unfolder:
         if changed is not None:
             return changed
         if followed.missed is not None:
-            raise self._never(course, followed.missed)
+            raise never(course, followed, course.base())
         course.equations = holding(course.equations, followed.values, course.base())
         chain = course.chain()
         chain.truth = followed.values
@@ -110,6 +115,7 @@ class Unfolder:
         guessed = {s for s in open_letters if s not in more}
         more |= {s: Decimal(repr(followed.values[s])) for s in guessed}
         value = course.base().extended({**more, **branch.values})
+        demand_agreement(course, value)
         return Unfolded(course, finds, branch, followed, value, frozenset(guessed))
 
     @staticmethod
@@ -151,12 +157,6 @@ class Unfolder:
             [Diagnostic(mark, "PL622", f"no assumption about the contacts holds from here on: {self.why}")]
         )
 
-    @staticmethod
-    def _never(course: Course, state: str) -> NoSolution:
-        stop = course.stops[state]
-        text = "; ".join(d.text for d in course.demands[state])
-        return NoSolution([Diagnostic(stop.mark, "PL621", f"state {state} is never reached: {text}")])
-
     # --- a start that is sought --------------------------------------------------------------------------------------
 
     def _sought(self, course: Course, finds: FindReader) -> Unfolded | Plot:
@@ -167,6 +167,7 @@ class Unfolder:
             value = course.base().extended(branch.values)
             start = {s: branch.values[own] for s, own in course.first.letters.items() if own in branch.values}
             if branch.left or set(start) != set(course.first.letters):
+                self._demand_told(course, finds, branch)
                 return Unfolded(course, finds, branch, None, value)
             try:
                 followed = Follower(course, value).run({s: float(v) for s, v in start.items()})
@@ -180,7 +181,18 @@ class Unfolder:
                 return Unfolded(course, finds, branch, followed, value)
         if changed is not None:
             return changed
-        raise NoSolution([Diagnostic(course.states[0].mark, "PL620", "no motion passes through these states")])
+        wrong = missing(course) or (None if branches else clash(course, course.equations))
+        text = "no motion passes through these states"
+        raise wrong or NoSolution([Diagnostic(course.states[0].mark, "PL620", text)])
+
+    @staticmethod
+    def _demand_told(course: Course, finds: FindReader, branch: Branch) -> None:
+        """NoSolution: letters that are asked for stay open, because a datum is missing."""
+        letters = {s for a in finds.asked for p in a.parts for s in finds.settled(a, p).free_symbols}
+        if letters & course.chain().unknowns - set(branch.values):
+            wrong = missing(course)
+            if wrong is not None:
+                raise wrong
 
     @staticmethod
     def _same(followed: Followed, branch: Branch) -> bool:

@@ -1,0 +1,231 @@
+"""What is wrong with a motion that can not be told: a datum is missing, data contradict, a state never comes.
+
+A datum is missing where the equations of the motion leave a letter of the first state, or a sought constant, loose;
+that is seen from their rank at a general place. Data contradict each other where the motion exists without one of them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from decimal import Decimal
+from itertools import islice
+from typing import TYPE_CHECKING
+
+import sympy as sp
+
+from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.errors import NOWHERE, Diagnostic, Mark, NoSolution, Undecided
+from planar_cli.solve.course.events import Leg, events, is_zero, scale_of
+from planar_cli.solve.course.plot import fixed_time
+from planar_cli.solve.course.simulate import Followed, Follower
+from planar_cli.solve.course.timeline import Demand, Stop
+from planar_cli.solve.linear import solve
+
+if TYPE_CHECKING:
+    from planar_cli.solve.course.course import Course
+    from planar_cli.solve.course.equations import Equation
+
+AGREES = Decimal("1e-7")
+SAMPLES = 60
+ROOTS = 20
+
+
+# --- a datum is missing ----------------------------------------------------------------------------------------------
+
+
+def loose_letters(course: Course) -> list[sp.Symbol]:
+    """Letters of states and sought constants that the equations do not fix."""
+    unknowns = sorted(course.chain().unknowns, key=lambda s: s.name)
+    value = course.base().extended({x: Decimal("0.31") + Decimal(i) / 7 for i, x in enumerate(unknowns)})
+    rows = []
+    for e in _independent(course.equations):
+        try:
+            row = [value(sp.diff(e.residual, x)) if e.residual.has(x) else Decimal(0) for x in unknowns]
+        except (ArithmeticError, Unvalued):
+            continue
+        rows.append([*row, Decimal(0)])
+    if not rows:
+        return unknowns
+    solved = solve(rows, len(unknowns))
+    return [x for j, x in enumerate(unknowns) if not solved.unique(j)]
+
+
+def _independent(equations: Iterable[Equation]) -> list[Equation]:
+    """As many of every family as say something new."""
+    count: dict[tuple[str, ...], int] = {}
+    found = []
+    for e in sorted(equations, key=lambda e: e.cost):
+        if e.residual.has(sp.Integral):
+            continue
+        if e.family:
+            count[e.family] = count.get(e.family, 0) + 1
+            if count[e.family] > e.rank:
+                continue
+        found.append(e)
+    return found
+
+
+def missing(course: Course) -> NoSolution | None:
+    """What the file should say; None: the equations leave nothing loose."""
+    loose = set(loose_letters(course))
+    sought = [s for s in course.sought() if s in loose]
+    first = course.first
+    open_first = [s for s in first.letters.values() if s in loose]
+    unsaid = [
+        s
+        for s in course.states[1:]
+        if not fixed_time(s.relations)
+        and all(d.kind == "inequality" for d in course.demands[s.name])
+        and s.name not in course.plot.turnings
+    ]
+    if unsaid and not sought and not open_first:
+        text = f"nothing says when state {unsaid[0].name} is"
+        hint = "give a relation with `=` that holds first in this state, or `t = …`"
+        return _wrong(unsaid[0].mark, "PL623", text, hint)
+    if not sought and not open_first:
+        return None
+    names = [s.name for s in sought] or list(dict.fromkeys(_title(course, first, s) for s in open_first))
+    mark = first.mark if not sought else _mark_of(course, sought[0])
+    what = " and ".join(", ".join(names).rsplit(", ", 1)) if len(names) > 1 else names[0]
+    text = f"{what} {'is' if len(names) == 1 else 'are'} open: no state tells enough"
+    hint = "give one more relation in a state, as a place, a velocity or a time"
+    return _wrong(mark, "PL623", text, hint)
+
+
+def _mark_of(course: Course, sought: sp.Symbol) -> Mark:
+    return next((u.mark for u in course.problem.unknowns if u.name == sought.name), course.first.mark)
+
+
+def _title(course: Course, stop: Stop, own: sp.Symbol) -> str:
+    """A letter of a state in words."""
+    general = next(k for k, v in stop.letters.items() if v == own)
+    for regime in course.distinct_regimes():
+        if general == regime.time:
+            return f"the time of state {stop.name}"
+        for c in regime.coordinates:
+            words = c.words or c.symbol.name
+            if general == c.symbol:
+                return f"{words} in state {stop.name}"
+            if general == c.speed:
+                return f"the rate of {words} in state {stop.name}"
+    return f"{general.name} in state {stop.name}"
+
+
+# --- data contradict each other --------------------------------------------------------------------------------------
+
+
+def demand_agreement(course: Course, value: Valuation) -> None:
+    """NoSolution: a state that was found by some of its relations does not satisfy the others."""
+    for state in course.states:
+        for d in course.demands[state.name]:
+            if d.kind not in ("equation", "inequality"):
+                continue
+            try:
+                number, size = value(d.residual), value.size(d.residual)
+            except (ArithmeticError, Unvalued):
+                continue
+            slack = AGREES * max(size, AGREES)
+            if number < -slack if d.kind == "inequality" else abs(number) > slack:
+                raise _contradiction(course, d, number)
+
+
+def _contradiction(course: Course, demand: Demand, number: Decimal) -> NoSolution:
+    others = [d.text for d in course.demands[demand.state] if d.text != demand.text and d.kind == "equation"]
+    others = others or ["what is stated of the states before it"]
+    text = f"state {demand.state}: `{demand.text}` contradicts {_quoted(others)}: the sides differ by {_short(number)}"
+    return _wrong(demand.mark, "PL624", text, "leave one of them out, or declare what they hold under `unknowns`")
+
+
+def _quoted(texts: list[str]) -> str:
+    return ", ".join(t if t.startswith("what ") else f"`{t}`" for t in texts)
+
+
+def _short(number: Decimal) -> str:
+    return f"{abs(float(number)):.4g} in SI units"
+
+
+def clash(course: Course, equations: Iterable[Equation]) -> NoSolution | None:
+    """Statements of which any one may go, and then there is a motion; None: no single one stands in the way."""
+    equations = list(equations)
+    stated = [e for e in equations if e.kind == "given" and e.mark != NOWHERE]
+    found = []
+    for e in stated:
+        try:
+            free = any(course.chain().branches([x for x in equations if x is not e]))
+        except (Undecided, ArithmeticError, Unvalued):
+            continue
+        if free:
+            found.append(e)
+    if len(found) < 1:
+        return None
+    texts = list(dict.fromkeys(e.words for e in found))
+    rest = f"contradicts {_quoted(texts[:-1])}" if len(texts) > 1 else "contradicts what else is known"
+    text = f"state {found[-1].stop}: `{texts[-1]}` {rest}"
+    return _wrong(found[-1].mark, "PL624", text, "leave one of them out, or declare what they hold under `unknowns`")
+
+
+# --- a state that never comes ----------------------------------------------------------------------------------------
+
+
+def never(course: Course, followed: Followed, value: Valuation) -> NoSolution:
+    """Why the state that was missed does not come."""
+    name = followed.missed
+    assert name is not None
+    stop, demands = course.stops[name], course.demands[name]
+    texts = "; ".join(d.text for d in demands)
+    if not demands or all(d.kind == "inequality" for d in demands):
+        lacking = missing(course)
+        if lacking is not None:
+            return lacking
+    if any(d.kind == "extreme" for d in demands):
+        hint = "on the way from the state before it nothing is stationary: it grows or shrinks without end"
+        return _wrong(stop.mark, "PL621", f"state {name} is never reached: {texts}", hint)
+    return _wrong(stop.mark, "PL621", f"state {name} is never reached: {texts}", _hint(course, followed, stop, value))
+
+
+def _hint(course: Course, followed: Followed, stop: Stop, value: Valuation) -> str:
+    """How near the motion comes, whether the relations hold one by one, or before the states that stand before."""
+    equations = [d for d in course.demands[stop.name] if d.kind == "equation"]
+    follower = Follower(course, value)
+    follower.done.values = dict(followed.values)
+    for leg in followed.legs:
+        when = _common(follower, equations, stop, leg, leg.t1)
+        if when is not None:
+            return f"it was reached before, at t = {when:.4g} s: states stand in the order in which they happen"
+    index = next(i for i, s in enumerate(course.states) if s.name == stop.name)
+    regime = course.regimes[index - 1]
+    leg = follower.leg(regime, follower.begin(regime, followed.at))
+    found = []
+    for d in equations:
+        g = follower.function(d.residual, stop, leg)
+        try:
+            first = next(events(g, leg), None)
+        except ArithmeticError:
+            return ""
+        if first is not None:
+            found.append(f"`{d.text}` holds at t = {first.value:.4g} s")
+            continue
+        run = 20 * scale_of(leg)
+        times = [leg.t0 + run * k / SAMPLES for k in range(SAMPLES + 1)]
+        away, at = min((abs(g(t)), t) for t in times)
+        apart = _short(Decimal(repr(away)))
+        found.append(f"`{d.text}` is nearest at t = {at:.4g} s, where the sides differ by {apart}")
+    return ", ".join(found)
+
+
+def _common(follower: Follower, equations: list[Demand], stop: Stop, leg: Leg, until: float) -> float | None:
+    """When all relations of a state hold on a stretch before it."""
+    if not equations or until <= leg.t0:
+        return None
+    gs = [follower.function(d.residual, stop, leg) for d in equations]
+    try:
+        for root in islice(events(gs[0], leg, until), ROOTS):
+            if all(is_zero(g, root.value, leg) for g in gs[1:]):
+                return root.value
+    except ArithmeticError:
+        pass
+    return None
+
+
+def _wrong(mark: Mark, code: str, text: str, hint: str = "") -> NoSolution:
+    return NoSolution([Diagnostic(mark, code, text, hint)])
