@@ -173,6 +173,8 @@ class Brancher:
         for line in reversed(lines):
             if line.value is None:
                 value = algebra.value(line.formula)
+                if value and algebra.value.is_zero(line.formula):
+                    value = Decimal(0)
                 algebra.value = algebra.value.extended({line.symbol: value})
                 algebra.formulas[line.symbol] = line.formula
                 found.append(Line(line.symbol, line.formula, value, line.equations))

@@ -195,8 +195,23 @@ class Seeker:
         )
         objection = self._wrong_sign(constants) or trial.objection or self._inequalities(trial, solved)
         objection = objection or self._behind(base, constants)
-        objection = objection or loose_limit(self.instant, trial, constants)
+        objection = objection or loose_limit(self.instant, trial, constants) or self._singular(constants)
         return Sought(branch, plan, writer, trial, unknowns, objection)
+
+    def _singular(self, constants: dict[sp.Symbol, Decimal]) -> str:
+        """Is it an isolated position in which the joints let something move that they hold everywhere near by?
+
+        A limit that is sought bounds positions that stay; such a position is no bound.
+        """
+        if not self.instant.statements.extremes:
+            return ""
+        base = self.scene.valuations[0]
+        near, here = (self._mobility(v) for v in (base, base.extended(constants)))
+        return "the joints do not hold it in this position" if here > near else ""
+
+    def _mobility(self, value: Valuation) -> int:
+        """How many velocities the joints leave open in a position."""
+        return len(solve_velocities(self.system, value, False, seek=False).free)
 
     def _wrong_sign(self, constants: dict[sp.Symbol, Decimal]) -> str:
         for s, v in constants.items():

@@ -17,6 +17,7 @@ from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.errors import NOWHERE, Diagnostic, Mark, NoSolution, Undecided
 from planar_cli.solve.course.events import Leg, events, is_zero, scale_of
 from planar_cli.solve.course.plot import fixed_time
+from planar_cli.solve.course.reached import asked_about
 from planar_cli.solve.course.simulate import Followed, Follower
 from planar_cli.solve.course.timeline import Demand, Stop
 from planar_cli.solve.linear import solve
@@ -147,7 +148,7 @@ def _short(number: Decimal) -> str:
 def clash(course: Course, equations: Iterable[Equation]) -> NoSolution | None:
     """Statements of which any one may go, and then there is a motion; None: no single one stands in the way."""
     equations = list(equations)
-    stated = [e for e in equations if e.kind == "given" and e.mark != NOWHERE]
+    stated = [e for e in equations if e.kind == "given" and e.mark != NOWHERE and e.residual.free_symbols != {course.first.t}]
     found = []
     for e in stated:
         try:
@@ -180,7 +181,8 @@ def never(course: Course, followed: Followed, value: Valuation) -> NoSolution:
     if any(d.kind == "extreme" for d in demands):
         hint = "on the way from the state before it nothing is stationary: it grows or shrinks without end"
         return _wrong(stop.mark, "PL621", f"state {name} is never reached: {texts}", hint)
-    return _wrong(stop.mark, "PL621", f"state {name} is never reached: {texts}", _hint(course, followed, stop, value))
+    hint = "" if name in asked_about(course.problem) else _hint(course, followed, stop, value)
+    return _wrong(stop.mark, "PL621", f"state {name} is never reached: {texts}", hint)
 
 
 def _hint(course: Course, followed: Followed, stop: Stop, value: Valuation) -> str:

@@ -100,7 +100,7 @@ class Chain:
         steps: tuple[Step, ...],
         left: tuple[Equation, ...],
     ) -> Iterator[Branch]:
-        if not self.accept(values):
+        if not self.truth and not self.accept(values):
             return
         here = self.value.extended(values)
         rest: list[tuple[Equation, frozenset[sp.Symbol]]] = []

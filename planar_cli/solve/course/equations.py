@@ -15,7 +15,7 @@ from planar_cli.calculus.laws import Moment, Span, relations
 from planar_cli.calculus.limits import limit
 from planar_cli.equation.displaced import Coordinate
 from planar_cli.equation.exact import Valuation
-from planar_cli.equation.plain import simplified
+from planar_cli.equation.plain import longer, simplified
 from planar_cli.errors import NOWHERE, Mark
 from planar_cli.problem.expression import Name
 from planar_cli.solve.course.constraints import fixed_by, start_of
@@ -25,6 +25,9 @@ from planar_cli.solve.course.timeline import Demand, Stop
 
 COSTS = {"given": 0.1, "turn": 0.2, "drawn": 0.1, "start": 0.1, "motion": 0.5, "link": 0.6, "loop": 1.2, "extreme": 0.8}
 COSTS |= {"q(t)": 1.0, "v(t)": 1.0, "v(q)": 1.05, "t(v)": 1.1, "q(v)": 1.1, "t(q)": 1.3}
+
+LONGEST = 150
+"""A law with more operations has no closed integral, and stays as it is."""
 
 DATA = ("given", "drawn", "start", "turn", "motion")
 
@@ -177,7 +180,8 @@ def _second_order(
         if other in f.free_symbols and set(link.factors) == {symbol} and link.drift == 0:
             f = f.subs(other, start[other] + link.factors[symbol] * (symbol - start[symbol]))
     v = sp.Dummy("v", real=True)
-    f = simplified(f.xreplace({u: v / factor}))
+    f = f.xreplace({u: v / factor})
+    f = f if longer(f, LONGEST) else simplified(f)
     if f.free_symbols & (set(regime.letters) - {regime.time, symbol}):
         return None
     if any(s.name.endswith("_ddot") for s in f.free_symbols) or regime.general.rate_of(u) in f.free_symbols:

@@ -14,7 +14,7 @@ from planar_cli.equation.exact import Valuation
 from planar_cli.solve.course.regime import Regime, number_function
 
 SLACK = 1e-9
-WINDOWS = (20, 200, 2000)
+WINDOWS = (20, 50, 100, 200, 500, 1000, 2000)
 """How far a state is looked for, in characteristic times; the motion is never followed much beyond what is found."""
 LOOKS, NEARBY, DEAD = 8, 0.01, 1e-12
 """A function is looked at so often before a zero, and so near to it; below this part of its size it has died out."""
@@ -72,6 +72,8 @@ def events(g: Callable[[float], float], leg: Leg, until: float | None = None) ->
     """Roots along a leg in order, window by window."""
     scale, begin = scale_of(leg), leg.t0
     for count in WINDOWS:
+        if begin > leg.t0 and _came_to_rest(leg, begin):
+            return
         end = leg.t0 + count * scale
         if until is not None:
             end = min(end, until)
@@ -84,6 +86,16 @@ def events(g: Callable[[float], float], leg: Leg, until: float | None = None) ->
         if until is not None and end >= until:
             return
         begin = end
+
+
+def _came_to_rest(leg: Leg, t: float) -> bool:
+    """Does nothing change any more, as far as machine numbers tell?"""
+    regime = leg.regime
+    laws = [*regime.rates.values(), *regime.accelerations.values()]
+    if leg.flow is None or any(regime.time in e.free_symbols for e in laws):
+        return False
+    first, now = leg.flow.rates(leg.t0), leg.flow.rates(t)
+    return max(abs(float(r)) for r in now) <= DEAD * max(abs(float(r)) for r in first)
 
 
 def _died_out(g: Callable[[float], float], t: float, leg: Leg) -> bool:

@@ -22,7 +22,7 @@ Solved = TypeVar("Solved")
 
 def reaching(problem: Problem, solve: Callable[[Problem], Solved]) -> Solved:
     """What `solve` makes of a problem, as few states left out as can be, the last ones first."""
-    doubtful = [s.name for s in problem.states if s.name in _asked_about(problem)]
+    doubtful = [s.name for s in problem.states if s.name in asked_about(problem)]
     first: NoSolution | None = None
     for left_out in _choices(doubtful):
         try:
@@ -40,7 +40,7 @@ def _choices(doubtful: list[str]) -> Iterator[tuple[str, ...]]:
         yield from combinations(reversed(doubtful), n)
 
 
-def _asked_about(problem: Problem) -> set[str]:
+def asked_about(problem: Problem) -> set[str]:
     """States that reached(s) names."""
     return {
         node.things[0]

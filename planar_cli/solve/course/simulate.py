@@ -7,6 +7,7 @@ happens; the equations of the motion then give the same values in closed form wh
 from __future__ import annotations
 
 import itertools
+import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from decimal import Decimal
@@ -206,7 +207,10 @@ class Follower:
         breaks = corners(regime, self.value)
         lengths = [abs(state[c.symbol]) for c in regime.coordinates if c.unit == "m"]
         size = max([x for x in lengths if x > SLACK], default=1.0)
-        floors = [SMALL * (size if c.unit == "m" else 1.0) for c in regime.coordinates] + [0.0] * len(regime.free)
+        floors = [SMALL * (size if c.unit == "m" else 1.0) for c in regime.coordinates]
+        turning = {c.speed for c in regime.coordinates if c.unit != "m"}
+        for u, a in zip(regime.free, rhs(*(state[s] for s in regime.letters))[len(floors) :], strict=True):
+            floors.append(SMALL * max(abs(state[u]), math.sqrt(abs(a) * (1.0 if u in turning else size))))
         return Flow(lambda t, y: rhs(t, *y), state[regime.time], begin, digits=13, breaks=breaks, floors=floors)
 
     def _time_of(self, index: int, stop: Stop, leg: Leg) -> float | None:
