@@ -158,8 +158,7 @@ def solve_instant(
 def _solve(
     instant: Instant, finds: tuple[Find, ...], units: dict[str, str], state: str
 ) -> tuple[InstantSolution, list[Found]]:
-    if not state or state == instant.scene.problem.states[0].name:
-        check_positions(instant)
+    check_positions(instant)
     if instant.must_seek():
         return _seek(instant, finds, units, state)
     held, rejected = search_modes(instant, instant.scene.valuations)
