@@ -1,12 +1,13 @@
-"""Positions of states that no motion leads to in numbers: carried over from the position that was drawn.
+"""Positions of states where nothing tells the speeds: carried over from the position that was drawn.
 
-Where nothing tells the speeds, a state is its position relations and the loops. What a relation is off at the state
-before shrinks to nothing in small steps, and the position follows: so it stays on the branch that was drawn.
+Such a state is its relations about places and the loops. What a relation is off at the state before shrinks to nothing
+in small steps, and the position follows: so it stays on the branch that was drawn.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from decimal import Decimal
 from typing import TYPE_CHECKING
 
@@ -14,48 +15,145 @@ import sympy as sp
 
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.errors import Diagnostic, NoSolution
+from planar_cli.solve.course.chain import Branch
 from planar_cli.solve.linear import solve
 
 if TYPE_CHECKING:
     from planar_cli.solve.course.course import Course
 
-STEPS, SMALLEST, NEWTON = 64, Decimal("1e-5"), 12
-CLOSE = Decimal("1e-25")
-FAR = Decimal("0.3")
-"""A position may move by so much, in radians or of the size of the scene, in one step."""
+STEP, SMALLEST, NEWTON = Decimal(1) / 32, Decimal("1e-4"), 10
+CLOSE, SAME = Decimal("1e-20"), Decimal("1e-9")
+JUMP = Decimal("0.5")
+"""Newton's method may move a position by so much in one step, in radians or parts of its size."""
+Places = dict[sp.Symbol, Decimal]
 
 
-def carried(course: Course) -> dict[sp.Symbol, float]:
-    """The coordinates of all states whose relations about places fix them. NoSolution: the way there is blocked by a
-    position in which the linkage may branch.
-    """
-    regime = course.regimes[0]
-    symbols = [c.symbol for c in regime.coordinates]
-    first = course.first
-    own = [first.letters[q] for q in symbols]
-    starts = [e.residual for e in course.equations if e.stop == first.name and e.kind == "drawn"]
-    at = {x: Decimal(0) for x in own}
-    for residual in starts:
-        for x in residual.free_symbols & set(own):
-            at[x] = course.base()(x - residual)
-    found = {x: float(v) for x, v in at.items()}
-    for state in course.states:
-        letters = course.stops[state.name].letters
-        now = [letters[q] for q in symbols]
-        before = dict(zip(now, at.values(), strict=True))
-        inside = set(now) | set(own)
-        stated = [e for e in course.equations if e.stop == state.name and e.residual.free_symbols & set(now)]
-        known = course.base().extended(dict(zip(own, map(Decimal, map(repr, (found[x] for x in own))), strict=True)))
-        fixed = [e for e in stated if e.residual.free_symbols - set(known.values) <= inside]
-        loops = [e.residual for e in fixed if e.kind == "loop"]
-        goals = [e.residual for e in fixed if e.kind in ("given", "drawn")]
-        if not goals:
-            return {}
-        reached = _Carrier(known, loops, goals, now).run(before)
-        if reached is None:
-            text = f"state {state.name}: the drawn position cannot be led there; on the way the linkage may branch or lock"
-            hint = "draw the points at this state, or give the motion that leads to it"
-            raise NoSolution([Diagnostic(state.mark, "PL620", text, hint)])
-        at = dict(zip(own, (reached[x] for x in now), strict=True))
-        found |= {x: float(v) for x, v in reached.items()}
-    return found
+class Blocked(Exception):
+    """On the way there the position stops, or could go on in several ways."""
+
+
+def carried_branch(course: Course, branches: Sequence[Branch]) -> Branch:
+    """Of several branches the one that the drawn position leads to. NoSolution: that cannot be told."""
+    places = [own for s in course.states for own in _letters(course, s.name)]
+    if all(_agree(b.values, branches[0].values, places) for b in branches):
+        return branches[0]
+    for state in course.states[1:]:
+        try:
+            led = _led(course, state.name)
+        except Blocked as error:
+            text = f"state {state.name}: several positions fit, and the drawn one leads to none of them: {error}"
+            hint = "draw the points in this state, or give the motion that leads to it"
+            raise NoSolution([Diagnostic(state.mark, "PL620", text, hint)]) from error
+        if led is None:
+            continue
+        branches = [b for b in branches if _agree(b.values, led, led)]
+        if not branches:
+            text = f"state {state.name}: its relations cannot hold in the way in which the linkage is drawn"
+            raise NoSolution([Diagnostic(state.mark, "PL620", text, "draw the points in this state")])
+    return branches[0]
+
+
+def _letters(course: Course, name: str) -> list[sp.Symbol]:
+    return [course.stops[name].letters[c.symbol] for c in course.regimes[0].coordinates]
+
+
+def _agree(one: Places, other: Places, letters: Sequence[sp.Symbol] | Places) -> bool:
+    both = [(one[s], other[s]) for s in letters if s in one and s in other]
+    return all(abs(a - b) <= SAME * max(abs(a), abs(b), Decimal(1)) for a, b in both)
+
+
+def _led(course: Course, name: str) -> Places | None:
+    """Where a state is, carried over from the drawn position; None: its relations do not fix it, or nothing is drawn."""
+    base = course.base()
+    now, own = _letters(course, name), _letters(course, course.first.name)
+    drawn: Places = {}
+    for e in course.equations:
+        inside = e.residual.free_symbols & set(own)
+        if e.kind == "drawn" and len(inside) == 1:
+            x = inside.pop()
+            drawn[x] = base(sp.expand(x - e.residual))
+    if set(drawn) != set(own):
+        return None
+    known = base.extended(drawn)
+    there = [e for e in course.equations if e.stop == name and e.kind in ("given", "loop", "motion")]
+    fixed = [e for e in there if e.residual.free_symbols & set(now)]
+    fixed = [e for e in fixed if not e.residual.free_symbols & (course.chain().unknowns - {*now, *own})]
+    loops = [e.residual for e in fixed if e.kind == "loop"]
+    goals = [e.residual for e in fixed if e.kind != "loop"]
+    start = dict(zip(now, (drawn[x] for x in own), strict=True))
+    return _Carrier(known, now).run([(r, False) for r in loops] + [(r, True) for r in goals], start)
+
+
+@dataclass(frozen=True, slots=True)
+class _Carrier:
+    """Leads letters from one position to another. `known`: numbers of everything else."""
+
+    known: Valuation
+    letters: Sequence[sp.Symbol]
+
+    def run(self, equations: Sequence[tuple[sp.Expr, bool]], start: Places) -> Places | None:
+        """`equations`: what vanishes, and whether only at the end. None: they leave something open."""
+        here = self.known.extended(start)
+        chosen: list[tuple[sp.Expr, Decimal]] = []
+        for residual, goal in equations:
+            trial = [*chosen, (residual, here(residual) if goal else Decimal(0))]
+            if solve(self._rows(trial, start, Decimal(0)), len(self.letters)).rank == len(trial):
+                chosen = trial
+        if len(chosen) < len(self.letters):
+            return None
+        at, done, step = start, Decimal(0), STEP
+        sense = self._sense(chosen, start)
+        while done < 1:
+            step = min(step, 1 - done)
+            reached = self._newton(chosen, at, done + step)
+            if reached is None:
+                step /= 2
+                if step < SMALLEST:
+                    raise Blocked("the position stops on the way")
+                continue
+            if done + step < 1 and self._sense(chosen, reached) != sense:
+                raise Blocked("on the way it could go on in two ways")
+            at, done, step = reached, done + step, min(2 * step, STEP)
+        return at
+
+    def _rows(self, chosen: Sequence[tuple[sp.Expr, Decimal]], at: Places, part: Decimal) -> list[list[Decimal]]:
+        here = self.known.extended(at)
+        return [[*(here(sp.diff(r, x)) for x in self.letters), here(r) - (1 - part) * off] for r, off in chosen]
+
+    def _newton(self, chosen: Sequence[tuple[sp.Expr, Decimal]], at: Places, part: Decimal) -> Places | None:
+        """The position at a part of the way; None: not found close by."""
+        moved = Decimal(0)
+        for _ in range(NEWTON):
+            try:
+                solved = solve(self._rows(chosen, at, part), len(self.letters))
+            except (ArithmeticError, Unvalued):
+                return None
+            if solved.rank < len(self.letters):
+                return None
+            at = {x: at[x] + d for x, d in zip(self.letters, solved.values, strict=True)}
+            sizes = [abs(d) / max(abs(at[x]), Decimal(1)) for x, d in zip(self.letters, solved.values, strict=True)]
+            moved += max(sizes)
+            if moved > JUMP:
+                return None
+            if max(sizes) <= CLOSE:
+                return at
+        return None
+
+    def _sense(self, chosen: Sequence[tuple[sp.Expr, Decimal]], at: Places) -> int:
+        """The sign of the determinant: where it changes, the position can branch."""
+        rows = [row[:-1] for row in self._rows(chosen, at, Decimal(0))]
+        sign = 1
+        for i in range(len(rows)):
+            pivot = max(range(i, len(rows)), key=lambda k: abs(rows[k][i]))
+            if not rows[pivot][i]:
+                return 0
+            if pivot != i:
+                rows[i], rows[pivot], sign = rows[pivot], rows[i], -sign
+            sign = sign if rows[i][i] > 0 else -sign
+            for k in range(i + 1, len(rows)):
+                factor = rows[k][i] / rows[i][i]
+                rows[k] = [a - factor * b for a, b in zip(rows[k], rows[i], strict=True)]
+        return sign
+
+
+__all__ = ["carried_branch"]

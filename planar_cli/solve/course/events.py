@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from decimal import Decimal
 
 import sympy as sp
 
 from planar_cli.calculus.first import Root, roots
 from planar_cli.calculus.flow import Flow
-from planar_cli.equation.exact import Valuation
+from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.solve.course.regime import Regime, number_function
 
 SLACK = 1e-9
@@ -24,7 +25,7 @@ State = dict[sp.Symbol, float]
 @dataclass(frozen=True, slots=True)
 class Leg:
     """One stretch in numbers: from t0 to t1, the letters of its regime by `flow`. `swing`: a time in which its laws
-    themselves change.
+    themselves change; `length`: what counts as a large length in it.
     """
 
     regime: Regime
@@ -33,6 +34,7 @@ class Leg:
     t1: float
     start: State
     swing: float = math.inf
+    length: float = 1.0
 
     def at(self, t: float) -> State:
         """All letters at a time."""
@@ -48,15 +50,47 @@ def scale_of(leg: Leg) -> float:
         return 1.0
     regime = leg.regime
     rates = [abs(float(r)) for r in leg.flow.rates(leg.t0)]
-    lengths = [abs(leg.start[c.symbol]) for c in regime.coordinates if c.unit == "m"]
-    size = max([x for x in lengths if x > SLACK], default=1.0)
-    times = [(size if c.unit == "m" else 1.0) / r for c, r in zip(regime.coordinates, rates, strict=False) if r > SLACK]
+    sizes = [leg.length if c.unit == "m" else 1.0 for c in regime.coordinates]
+    times = [size / r for size, r in zip(sizes, rates, strict=False) if r > SLACK * size]
     turning = {c.speed for c in regime.coordinates if c.unit != "m"}
     for u, a in zip(regime.free, rates[len(regime.coordinates) :], strict=True):
-        if a > SLACK:
-            times.append(math.sqrt((1.0 if u in turning else size) / a))
+        size = 1.0 if u in turning else leg.length
+        if a > SLACK * size:
+            times.append(math.sqrt(size / a))
     shortest = min([*times, leg.swing])
     return min(max(shortest if math.isfinite(shortest) else 1.0, 1e-9), 1e9)
+
+
+def length_of(regime: Regime, state: State, rates: Sequence[float], value: Valuation) -> float:
+    """The largest length in sight: of a coordinate, else of the drawing, else the way on which a speed changes by its
+    own size; 1 m where nothing has a length. `rates`: of the coordinates and the free speeds.
+    """
+    straight = [c for c in regime.coordinates if c.unit == "m"]
+    drawn = _drawn(regime, state, value)
+    largest = max((abs(state[c.symbol]) for c in straight), default=0.0)
+    if largest > SLACK * drawn:
+        return largest
+    if drawn:
+        return drawn
+    turning = {c.speed for c in regime.coordinates if c.unit != "m"}
+    speeds = [abs(r) for c, r in zip(regime.coordinates, rates, strict=False) if c.unit == "m"]
+    changes = [abs(a) for u, a in zip(regime.free, rates[len(regime.coordinates) :], strict=True) if u not in turning]
+    speed, change = max(speeds, default=0.0), max(changes, default=0.0)
+    way = speed * speed / change if change else 0.0
+    return way or 1.0
+
+
+def _drawn(regime: Regime, state: State, value: Valuation) -> float:
+    """The largest distance of a named point from the origin."""
+    here = value.extended({s: Decimal(repr(v)) for s, v in state.items()})
+    found = [0.0]
+    for place in regime.general.instant.scene.points.values():
+        for part in (place.x, place.y):
+            try:
+                found.append(abs(float(here(part))))
+            except (ArithmeticError, Unvalued):
+                continue
+    return max(found)
 
 
 def swing_of(regime: Regime, state: State, value: Valuation) -> float:

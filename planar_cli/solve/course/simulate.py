@@ -20,7 +20,7 @@ from planar_cli.equation.exact import Valuation
 from planar_cli.solve.course.after import asked_after
 from planar_cli.solve.course.course import Course
 from planar_cli.solve.course.equations import is_speed
-from planar_cli.solve.course.events import SLACK, Leg, State, events, is_still, is_zero, swing_of
+from planar_cli.solve.course.events import SLACK, Leg, State, events, is_still, is_zero, length_of, swing_of
 from planar_cli.solve.course.plot import fixed_time
 from planar_cli.solve.course.regime import Regime, corners, number_function
 from planar_cli.solve.course.timeline import Demand, Stop
@@ -191,22 +191,22 @@ class Follower:
     def leg(self, regime: Regime, state: State) -> Leg:
         """What one regime makes of a state, as far as it is asked for."""
         t0 = state[regime.time]
-        return Leg(regime, self._flow(regime, state), t0, t0, state, swing_of(regime, state, self.value))
+        exprs = [*regime.rates.values(), *regime.accelerations.values()]
+        rhs = self._numbers(regime, exprs)
+        length = length_of(regime, state, rhs(*(state[s] for s in regime.letters)), self.value)
+        flow = self._flow(regime, state, rhs, length)
+        return Leg(regime, flow, t0, t0, state, swing_of(regime, state, self.value), length)
 
     def begin(self, regime: Regime, state: State) -> State:
         """The letters of a regime where it takes over: places stay, speeds follow from rates that are known."""
         return self._begin(regime, state)
 
-    def _flow(self, regime: Regime, state: State) -> Flow | None:
+    def _flow(self, regime: Regime, state: State, rhs: Callable[..., list[float]], size: float) -> Flow | None:
         letters = regime.letters[1:]
         if not letters:
             return None
-        exprs = [*regime.rates.values(), *regime.accelerations.values()]
-        rhs = self._numbers(regime, exprs)
         begin = [state[s] for s in letters]
         breaks = corners(regime, self.value)
-        lengths = [abs(state[c.symbol]) for c in regime.coordinates if c.unit == "m"]
-        size = max([x for x in lengths if x > SLACK], default=1.0)
         floors = [SMALL * (size if c.unit == "m" else 1.0) for c in regime.coordinates]
         turning = {c.speed for c in regime.coordinates if c.unit != "m"}
         for u, a in zip(regime.free, rhs(*(state[s] for s in regime.letters))[len(floors) :], strict=True):
@@ -283,7 +283,7 @@ class Follower:
         best: float | None = None
         for root in found:
             v = demand.extreme * height(root.value)
-            if best is None or v > demand.extreme * height(best) + 1e-9 * max(abs(v), 1e-12):
+            if best is None or v > demand.extreme * height(best) + SLACK * abs(v):
                 best = root.value
         return best
 

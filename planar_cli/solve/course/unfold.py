@@ -15,6 +15,7 @@ from planar_cli.equation.exact import Valuation
 from planar_cli.errors import Diagnostic, Mark, NoSolution, Undecided
 from planar_cli.problem.scene import Problem
 from planar_cli.solve.course.astray import clash, demand_agreement, missing, never
+from planar_cli.solve.course.carried import carried_branch
 from planar_cli.solve.course.chain import Branch
 from planar_cli.solve.course.course import Course, first_plot, make_course
 from planar_cli.solve.course.finds import FindReader
@@ -167,8 +168,9 @@ class Unfolder:
             value = course.base().extended(branch.values)
             start = {s: branch.values[own] for s, own in course.first.letters.items() if own in branch.values}
             if branch.left or set(start) != set(course.first.letters):
+                branch = carried_branch(course, branches)
                 self._demand_told(course, finds, branch)
-                return Unfolded(course, finds, branch, None, value)
+                return Unfolded(course, finds, branch, None, course.base().extended(branch.values))
             try:
                 followed = Follower(course, value).run({s: float(v) for s, v in start.items()})
             except ArithmeticError:
