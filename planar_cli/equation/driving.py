@@ -8,6 +8,7 @@ from planar_cli.equation.conditions import ACCELERATION, order, stated
 from planar_cli.equation.form import linear_form
 from planar_cli.equation.motion import Motion
 from planar_cli.equation.system import System
+from planar_cli.problem.expression import Name, Relation
 from planar_cli.problem.facts import Action, Push
 from planar_cli.problem.geometry import Vec
 
@@ -35,7 +36,30 @@ def driving_pushes(system: System, free: Motion) -> tuple[Push, ...]:
                 actions = _actions(system, {parts[s]: c for s, c in form.terms.items()})
                 if actions:
                     found.append(Push(f"drive_{len(found) + 1}", "drive", "", relation.text, actions))
+        if not any(p.place == relation.text for p in found):
+            actions = _through_coordinate(system, relation)
+            if actions:
+                found.append(Push(f"drive_{len(found) + 1}", "drive", "", relation.text, actions))
     return tuple(found)
+
+
+def _through_coordinate(system: System, relation: Relation) -> tuple[Action, ...]:
+    """What drives a coordinate that is given as a function of time: a torque on the first body that turns with it, else
+    a force on the first whose centre goes with it.
+    """
+    ledger, scene = system.scene.ledger, system.scene
+    names = {side.name for side in (relation.left, relation.right) if isinstance(side, Name)}
+    for q in ledger.coordinates:
+        if q.name not in names or q not in ledger.values:
+            continue
+        for name, body in scene.bodies.items():
+            if scene.rigid(name) and (turn := sp.diff(body.theta, q)) != 0:
+                return _actions(system, {(name, "turn"): turn})
+        for name, body in scene.bodies.items():
+            x, y = sp.diff(body.center.x, q), sp.diff(body.center.y, q)
+            if x != 0 or y != 0:
+                return _actions(system, {(name, "x"): x, (name, "y"): y})
+    return ()
 
 
 def _actions(system: System, terms: dict[tuple[str, str], sp.Expr]) -> tuple[Action, ...]:

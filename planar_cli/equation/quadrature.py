@@ -8,7 +8,7 @@ Source: H. Takahasi and M. Mori, Double Exponential Formulas for Numerical Integ
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from decimal import Decimal
+from decimal import Decimal, getcontext
 from functools import lru_cache
 from typing import Any
 
@@ -21,6 +21,10 @@ SPLITS, VALUES_PER_DIGIT = 8, 230
 """An interval is halved so many times, and the integrand asked so often per digit, before the integral is given up."""
 GRID = 96
 """Changes of sign of a switching expression are looked for between so many points."""
+
+
+ROUNDED = 10
+"""Places that differ by no more than so many of their last digits are one place."""
 
 
 class Unsettled(ArithmeticError):
@@ -145,7 +149,12 @@ def breaks(switches: Sequence[Callable[[Decimal], Decimal]], a: Decimal, b: Deci
                 inside.append(xs[i])
             elif ys[i] * ys[i + 1] < 0:
                 inside.append(_bisected(g, xs[i], xs[i + 1]))
-    return [a, *sorted((x for x in set(inside) if x not in (a, b)), reverse=b < a), b]
+    same = max(abs(a), abs(b)).scaleb(ROUNDED - getcontext().prec)
+    places = [a]
+    for x in sorted(set(inside), reverse=b < a):
+        if min(abs(x - places[-1]), abs(x - b)) > same:
+            places.append(x)
+    return [*places, b]
 
 
 def _bisected(g: Callable[[Decimal], Decimal], a: Decimal, b: Decimal) -> Decimal:

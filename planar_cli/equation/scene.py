@@ -65,6 +65,8 @@ class Scene:
         self._lengths: dict[Vec, sp.Expr] = {}
         self._outlines: dict[tuple[str, Vec], Outline] = {}
         self._valuations: tuple[Valuation, ...] | None = None
+        self._decided: dict[Any, int] = {}
+        self._supposes = False
         self.gravity: sp.Expr = self._gravity()
         self._implicit_points()
         for point in problem.points:
@@ -176,17 +178,17 @@ class Scene:
     @contextmanager
     def supposing(self, valuation: Valuation) -> Iterator[None]:
         """Signs as they are with these numbers."""
-        kept, self._valuations = self._valuations, (valuation,)
+        kept, self._valuations, self._supposes = self._valuations, (valuation,), True
         try:
             yield
         finally:
-            self._valuations = kept
+            self._valuations, self._supposes = kept, False
 
     @property
     def valuations(self) -> tuple[Valuation, ...]:
         """Numbers for everything known, and for letters draws in which what is assumed holds."""
         if self._valuations is None:
-            self._valuations = self.ledger.valuations(self._assumed)
+            self._valuations = self.ledger.valuations(self._agrees) or self.ledger.valuations(self._assumed)
             if not self._valuations:
                 raise refuse(
                     Mark(self.problem.file, 1, 1), "PL532", "no numbers satisfy `assume`, or a length is not real"
@@ -282,7 +284,16 @@ class Scene:
         valuation = self.valuations[0]
         if valuation.is_zero(expr):
             return 0
-        return 1 if valuation(expr) > 0 else -1
+        found = 1 if valuation(expr) > 0 else -1
+        if not self._supposes:
+            self._decided[expr] = found
+            if not all(self._agrees(v) for v in self.valuations[1:]):
+                self._valuations = self.ledger.valuations(self._agrees) or self._valuations
+        return found
+
+    def _agrees(self, valuation: Valuation) -> bool:
+        """Does a draw have what is assumed, and every sign that was decided before?"""
+        return self._assumed(valuation) and all(sign * valuation(e) > 0 for e, sign in self._decided.items())
 
     def is_zero(self, expr: Any) -> bool:
         return expr == 0 or all(v.is_zero(expr) for v in self.valuations)

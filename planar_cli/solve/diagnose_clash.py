@@ -176,6 +176,8 @@ def _as_drawn(instant: Instant, relation: Relation) -> Diagnostic | None:
         sides = [vector_or_jet(s, quantities, quantities.evaluator) for s in (relation.left, relation.right)]
         if any(isinstance(s, Vec) for s in sides):
             return None
+        if any(instant.scene.rests_on_sought(sp.sympify(s.value)) for s in sides):
+            return None
         left, right = (value(sp.sympify(s.value)) for s in sides)
     except (PlanarError, Unvalued, ArithmeticError):
         return None

@@ -4,15 +4,23 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from decimal import Decimal
+from typing import TYPE_CHECKING
 
 import sympy as sp
 
+from planar_cli.equation.exact import Unvalued
+from planar_cli.equation.form import Nonlinear, linear_form
 from planar_cli.errors import Diagnostic
 from planar_cli.solve.candidates import Candidate
 from planar_cli.solve.diagnose_open import demand
 from planar_cli.solve.diagnose_words import listed, one_of, unknown_name
 from planar_cli.solve.instant import Instant, Trial
+from planar_cli.solve.linear import solve
+from planar_cli.solve.offers import body_residuals
 from planar_cli.solve.plan import Planner
+
+if TYPE_CHECKING:
+    from planar_cli.solve.seek import Seeker
 
 LOOSE = "is open"
 
@@ -67,3 +75,29 @@ def not_found(instant: Instant, trial: Trial, objections: list[str], loose: list
         return Diagnostic(find.mark, "PL606", text, one_of(names))
     text = "no solution is consistent" + (f": {'; '.join(said)}" if said else "")
     return Diagnostic(find.mark, "PL601", text, "change a given, or state one thing less")
+
+
+def contradiction(seeker: Seeker) -> Diagnostic | None:
+    """Equations that are linear in what is sought, and that contradict each other; None: there are none."""
+    unknowns = sorted(seeker.linear & set(seeker.unknowns), key=lambda s: s.name)
+    others = set(seeker.unknowns) - set(unknowns)
+    told = [(c, e) for c in seeker.conditions for e in c.rows()]
+    told += [(None, e) for body in seeker.scene.bodies for e in body_residuals(seeker.system, body)]
+    rows, sources = [], []
+    for condition, expr in told:
+        if expr.free_symbols & others:
+            continue
+        try:
+            form = linear_form(expr, set(unknowns))
+            rows.append([*(seeker.value(form.terms.get(x, sp.S.Zero)) for x in unknowns), seeker.value(form.constant)])
+        except (Nonlinear, Unvalued, ArithmeticError):
+            continue
+        sources.append(condition)
+    found = solve(rows, len(unknowns)).conflict
+    if found is None:
+        return None
+    part = [c for c, factor in zip(sources, found[0], strict=True) if factor and c is not None and c.kind == "given"]
+    if not part:
+        return None
+    text = f"these contradict each other: {'; '.join(dict.fromkeys(f'`{c.text}`' for c in part))}"
+    return Diagnostic(part[-1].mark, "PL602", text, "leave one of these out, or correct its numbers")

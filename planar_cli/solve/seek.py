@@ -30,7 +30,7 @@ from planar_cli.problem.facts import Test
 from planar_cli.solve.algebra import Algebra
 from planar_cli.solve.branches import Branch, Brancher
 from planar_cli.solve.candidates import Candidate
-from planar_cli.solve.diagnose_seek import loose_limit, not_found, open_symbols
+from planar_cli.solve.diagnose_seek import contradiction, loose_limit, not_found, open_symbols
 from planar_cli.solve.instant import Instant, Trial
 from planar_cli.solve.numbers import Numbers
 from planar_cli.solve.offers import Offers, body_residuals
@@ -332,6 +332,9 @@ def _nothing(instant: Instant, targets_of: Callable[[System], set[sp.Symbol]], o
     seekers = (Seeker(instant, c) for c in itertools.islice(instant.choices(), MOST_CHOICES))
     seeker = next((s for s in seekers if not s.conflict), None) or Seeker(instant, next(instant.choices()))
     targets = targets_of(seeker.system)
+    clashing = None if seeker.conflict or objections else contradiction(seeker)
+    if clashing is not None:
+        return clashing
     loose: list[sp.Symbol] = []
     if not seeker.conflict and not objections:
         found, numbers = seeker.candidates((), targets)

@@ -8,12 +8,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from decimal import Decimal
 
 import sympy as sp
 
 from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.solve.course.events import LOOKS
 from planar_cli.solve.course.regime import Regime
 from planar_cli.solve.course.simulate import Followed
 from planar_cli.solve.course.unfold import Unfolded
@@ -46,14 +47,15 @@ def balanced(regimes: Iterable[Regime]) -> tuple[str, ...]:
 
 
 def followed_digits(found: Unfolded, followed: Followed) -> int | None:
-    """To how many digits the letters of all states agree, measured by the largest of the same dimension."""
+    """To how many digits the letters of all states agree, measured by the largest of the same dimension on the way."""
     worst: float | None = None
     sizes: dict[str, float] = {}
     units = found.course.ledger.units
     kinds = {own: str(units[own].dimension) for stop in found.course.stops.values() for own in stop.letters.values()}
-    for s, v in followed.values.items():
-        if s in kinds:
-            sizes[kinds[s]] = max(sizes.get(kinds[s], 0.0), abs(v))
+    for s, v in _passed(followed):
+        if s in units:
+            kind = str(units[s].dimension)
+            sizes[kind] = max(sizes.get(kind, 0.0), abs(v))
     for s, v in followed.values.items():
         if s in found.guessed or s not in kinds or not sizes[kinds[s]]:
             continue
@@ -66,6 +68,14 @@ def followed_digits(found: Unfolded, followed: Followed) -> int | None:
     if worst is None:
         return None
     return int(min(-math.log10(max(worst, 1e-13)), 13))
+
+
+def _passed(followed: Followed) -> Iterator[tuple[sp.Symbol, float]]:
+    """The letters of the states with their values, and those of the general position on the way between them."""
+    yield from followed.values.items()
+    for leg in followed.legs:
+        for k in range(1, LOOKS):
+            yield from leg.at(leg.t0 + (leg.t1 - leg.t0) * k / LOOKS).items()
 
 
 def power_digits(regime: Regime) -> int | None:

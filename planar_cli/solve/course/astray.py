@@ -6,7 +6,7 @@ that is seen from their rank at a general place. Data contradict each other wher
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from decimal import Decimal
 from itertools import islice
 from typing import TYPE_CHECKING
@@ -115,19 +115,33 @@ def _title(course: Course, stop: Stop, own: sp.Symbol) -> str:
 # --- data contradict each other --------------------------------------------------------------------------------------
 
 
-def demand_agreement(course: Course, value: Valuation) -> None:
-    """NoSolution: a state that was found by some of its relations does not satisfy the others."""
+def demand_agreement(course: Course, value: Valuation, guessed: Collection[sp.Symbol] = ()) -> None:
+    """NoSolution: a state that was found by some of its relations does not satisfy the others. `guessed`: letters with
+    machine numbers, whose rounding is measured by the largest value that they have in any state.
+    """
+    large = value.extended(_largest(course, value, guessed))
     for state in course.states:
         for d in course.demands[state.name]:
             if d.kind not in ("equation", "inequality"):
                 continue
             try:
-                number, size = value(d.residual), value.size(d.residual)
+                number, size = value(d.residual), max(value.size(d.residual), large.size(d.residual))
             except (ArithmeticError, Unvalued):
                 continue
             slack = AGREES * max(size, AGREES)
             if number < -slack if d.kind == "inequality" else abs(number) > slack:
                 raise _contradiction(course, d, number)
+
+
+def _largest(course: Course, value: Valuation, letters: Collection[sp.Symbol]) -> dict[sp.Symbol, Decimal]:
+    """The largest value that letters of states have in any of the states."""
+    sizes: dict[sp.Symbol, Decimal] = {}
+    for stop in course.stops.values():
+        for general, own in stop.letters.items():
+            if own in value.values:
+                sizes[general] = max(sizes.get(general, Decimal(0)), abs(value(own)))
+    general_of = {own: general for stop in course.stops.values() for general, own in stop.letters.items()}
+    return {own: sizes[general_of[own]] for own in letters if own in general_of and general_of[own] in sizes}
 
 
 def _contradiction(course: Course, demand: Demand, number: Decimal) -> NoSolution:

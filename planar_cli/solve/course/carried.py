@@ -26,6 +26,8 @@ CLOSE, SAME = Decimal("1e-20"), Decimal("1e-9")
 JUMP = Decimal("0.5")
 """Newton's method may move a position by so much in one step, in radians or parts of its size."""
 Places = dict[sp.Symbol, Decimal]
+Way = tuple[sp.Expr, Decimal, tuple[sp.Expr, ...]]
+"""What vanishes in the end, what it is at the start, and its derivatives."""
 
 
 class Blocked(Exception):
@@ -63,7 +65,7 @@ def _agree(one: Places, other: Places, letters: Sequence[sp.Symbol] | Places) ->
 
 
 def _led(course: Course, name: str) -> Places | None:
-    """Where a state is, carried over from the drawn position; None: its relations do not fix it, or nothing is drawn."""
+    """Where a state is, carried over from the drawn position; None: its relations do not fix it."""
     base = course.base()
     now, own = _letters(course, name), _letters(course, course.first.name)
     drawn: Places = {}
@@ -94,9 +96,10 @@ class _Carrier:
     def run(self, equations: Sequence[tuple[sp.Expr, bool]], start: Places) -> Places | None:
         """`equations`: what vanishes, and whether only at the end. None: they leave something open."""
         here = self.known.extended(start)
-        chosen: list[tuple[sp.Expr, Decimal]] = []
+        chosen: list[Way] = []
         for residual, goal in equations:
-            trial = [*chosen, (residual, here(residual) if goal else Decimal(0))]
+            slopes = tuple(sp.diff(residual, x) for x in self.letters)
+            trial = [*chosen, (residual, here(residual) if goal else Decimal(0), slopes)]
             if solve(self._rows(trial, start, Decimal(0)), len(self.letters)).rank == len(trial):
                 chosen = trial
         if len(chosen) < len(self.letters):
@@ -116,11 +119,11 @@ class _Carrier:
             at, done, step = reached, done + step, min(2 * step, STEP)
         return at
 
-    def _rows(self, chosen: Sequence[tuple[sp.Expr, Decimal]], at: Places, part: Decimal) -> list[list[Decimal]]:
+    def _rows(self, chosen: Sequence[Way], at: Places, part: Decimal) -> list[list[Decimal]]:
         here = self.known.extended(at)
-        return [[*(here(sp.diff(r, x)) for x in self.letters), here(r) - (1 - part) * off] for r, off in chosen]
+        return [[*map(here, slopes), here(r) - (1 - part) * off] for r, off, slopes in chosen]
 
-    def _newton(self, chosen: Sequence[tuple[sp.Expr, Decimal]], at: Places, part: Decimal) -> Places | None:
+    def _newton(self, chosen: Sequence[Way], at: Places, part: Decimal) -> Places | None:
         """The position at a part of the way; None: not found close by."""
         moved = Decimal(0)
         for _ in range(NEWTON):
@@ -139,7 +142,7 @@ class _Carrier:
                 return at
         return None
 
-    def _sense(self, chosen: Sequence[tuple[sp.Expr, Decimal]], at: Places) -> int:
+    def _sense(self, chosen: Sequence[Way], at: Places) -> int:
         """The sign of the determinant: where it changes, the position can branch."""
         rows = [row[:-1] for row in self._rows(chosen, at, Decimal(0))]
         sign = 1

@@ -15,6 +15,7 @@ from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.solve.course.regime import Regime, number_function
 
 SLACK = 1e-9
+NOTICEABLE = 0.1
 WINDOWS = (20, 50, 100, 200, 500, 1000, 2000)
 """How far a state is looked for, in characteristic times; the motion is never followed much beyond what is found."""
 LOOKS, NEARBY, DEAD = 8, 0.01, 1e-12
@@ -62,8 +63,8 @@ def scale_of(leg: Leg) -> float:
 
 
 def length_of(regime: Regime, state: State, rates: Sequence[float], value: Valuation) -> float:
-    """The largest length in sight: of a coordinate, else of the drawing, else the way on which a speed changes by its
-    own size; 1 m where nothing has a length. `rates`: of the coordinates and the free speeds.
+    """The largest length in sight: of a coordinate, else of the drawing, else a noticeable part of the way on which
+    a speed changes by its own size; 1 m where nothing has a length. `rates`: of the coordinates and the free speeds.
     """
     straight = [c for c in regime.coordinates if c.unit == "m"]
     drawn = _drawn(regime, state, value)
@@ -77,7 +78,7 @@ def length_of(regime: Regime, state: State, rates: Sequence[float], value: Valua
     changes = [abs(a) for u, a in zip(regime.free, rates[len(regime.coordinates) :], strict=True) if u not in turning]
     speed, change = max(speeds, default=0.0), max(changes, default=0.0)
     way = speed * speed / change if change else 0.0
-    return way or 1.0
+    return NOTICEABLE * way or 1.0
 
 
 def _drawn(regime: Regime, state: State, value: Valuation) -> float:
@@ -123,12 +124,15 @@ def events(g: Callable[[float], float], leg: Leg, until: float | None = None) ->
 
 
 def _came_to_rest(leg: Leg, t: float) -> bool:
-    """Does nothing change any more, as far as machine numbers tell?"""
+    """Does nothing change any more, as far as machine numbers tell, or can they not tell it?"""
     regime = leg.regime
     laws = [*regime.rates.values(), *regime.accelerations.values()]
     if leg.flow is None or any(regime.time in e.free_symbols for e in laws):
         return False
-    first, now = leg.flow.rates(leg.t0), leg.flow.rates(t)
+    try:
+        first, now = leg.flow.rates(leg.t0), leg.flow.rates(t)
+    except ArithmeticError:
+        return True
     return max(abs(float(r)) for r in now) <= DEAD * max(abs(float(r)) for r in first)
 
 

@@ -116,7 +116,7 @@ class Leg:
         exprs = [*(self.regime.rates[c.symbol] for c in self.regime.coordinates), *self.regime.accelerations.values()]
         rhs = machine_function([*exprs, *more], self.regime.letters, self.value, digits)
         first = [*map(_plain(digits), initial), *(0 for _ in more)]
-        breaks = corners(self.regime, self.value)
+        breaks = corners(self.regime, self.value, begin, self.t1)
         flow = Flow(lambda t, y: rhs(t, *y[: len(initial)]), begin, first, digits, breaks=breaks)
         if not more and since is None:
             self._flows[digits] = flow

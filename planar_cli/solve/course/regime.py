@@ -8,18 +8,23 @@ What moves is described by the coordinates q and the free speeds u; every other 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field
 from decimal import Decimal
+from itertools import islice
 from typing import Any
 
 import sympy as sp
 
+from planar_cli.calculus.first import polish, roots
 from planar_cli.equation.displaced import Coordinate
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.plain import simplified
 from planar_cli.problem.facts import Test
 from planar_cli.solve.course.balance import balance_of
 from planar_cli.solve.course.general import General
+
+MOST_CORNERS = 200
 
 
 @dataclass(frozen=True, slots=True)
@@ -96,6 +101,10 @@ class Regime:
         pushes = set(self.general.trial.system.symbols.values())
         return not expr.free_symbols & (pushes - set(self.general.instant.scene.ledger.letters))
 
+    def moves(self) -> bool:
+        """Do the velocities hold together, so that there is a motion at all?"""
+        return self.general.trial.system.reactions is not None
+
     def moved(self) -> str:
         """What speaks against this regime in any position: contradicting equations; "" when nothing does."""
         return self.general.trial.objection if self.general.trial.objection in ("contradiction", "velocities") else ""
@@ -156,12 +165,31 @@ def one_way(expr: sp.Expr, ways: Mapping[sp.Symbol, int]) -> sp.Expr:
     return simplified(expr.xreplace(inside)) if inside else expr
 
 
-def corners(regime: Regime, value: Valuation) -> list[Decimal]:
-    """Times at which the rates of a regime have corners: where the lines of a table meet."""
+def corners(regime: Regime, value: Valuation, since: Decimal, until: Decimal | None = None) -> list[Decimal]:
+    """Times at which the rates of a regime have corners: where the lines of a table meet, and after `since` where what
+    stands between the bars of an absolute value, or in a sign, vanishes.
+    """
     exprs = [*regime.rates.values(), *regime.accelerations.values()]
     conditions = {c for e in exprs for p in e.atoms(sp.Piecewise) for c in p.atoms(sp.core.relational.Relational)}
     found = {value(c.rhs) for c in conditions if c.lhs == regime.time and not c.rhs.free_symbols & set(regime.letters)}
+    barred = {a.args[0] for e in exprs for a in e.atoms(sp.Abs, sp.sign)}
+    for inside in sorted(barred, key=sp.default_sort_key):
+        if inside.free_symbols & set(regime.letters) == {regime.time}:
+            found |= set(_changes(inside, regime.time, value, since, until))
     return sorted(found)
+
+
+def _changes(expr: sp.Expr, time: sp.Symbol, value: Valuation, since: Decimal, until: Decimal | None) -> list[Decimal]:
+    """The first times after `since` at which a function of time alone changes its sign."""
+    g = number_function([expr], [time], value)
+    here = decimal_function(expr, [time], value)
+    end = None if until is None else float(until)
+    found: list[Decimal] = []
+    with suppress(ArithmeticError):
+        for root in islice(roots(lambda t: g(t)[0], float(since), end), MOST_CORNERS):
+            if root.kind == "crossing":
+                found.append(polish(here, Decimal(root.low), Decimal(root.high)))
+    return found
 
 
 def number_function(

@@ -8,9 +8,11 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.evaluate import refuse
+from planar_cli.equation.exact import Unvalued
 from planar_cli.problem.expression import JustAfter
 from planar_cli.problem.scene import Problem
 from planar_cli.solve.course.agree import compared
+from planar_cli.solve.course.astray import missing
 from planar_cli.solve.course.complete import completed
 from planar_cli.solve.course.course import Course
 from planar_cli.solve.course.plot import Workshop
@@ -36,7 +38,11 @@ def solve_course(problem: Problem, case: str, units: dict[str, str], earlier: Ma
     """All finds of a problem whose states follow each other in time."""
     _demand_smooth(problem)
     workshop = Workshop(earlier)
-    found = completed(reaching(problem, lambda p: Unfolder(p, workshop, units).run()))
+    unfolded = reaching(problem, lambda p: Unfolder(p, workshop, units).run())
+    try:
+        found = completed(unfolded)
+    except Unvalued as error:
+        raise missing(unfolded.course) or error from error
     course = found.course
     unknowns = course.chain().unknowns
     targets = {s for a in found.finds.asked for p in a.parts for s in found.finds.settled(a, p).free_symbols}
@@ -45,7 +51,7 @@ def solve_course(problem: Problem, case: str, units: dict[str, str], earlier: Ma
     begun = router.route(course.first.letters.values())
     start = {s: found.finds.closed(s, begun) for s in course.first.letters.values()}
     found.finds.throughout = Throughout(course, found.followed, found.value, start)
-    found.checks = compared(found)
+    found.checks = (*found.checks, *compared(found))
     answers = tuple(found.finds.answer(a, found.route, found.value) for a in found.finds.asked)
     instants = tuple(r.general.solution for r in found.course.distinct_regimes() if r.general.solution is not None)
     tale = Tale(tuple(found.finds.curves), whole=False) if found.finds.curves else None

@@ -19,6 +19,7 @@ from planar_cli.calculus.flow import Flow
 from planar_cli.equation.exact import Valuation
 from planar_cli.solve.course.after import asked_after
 from planar_cli.solve.course.course import Course
+from planar_cli.solve.course.dying import by_formula
 from planar_cli.solve.course.equations import is_speed
 from planar_cli.solve.course.events import SLACK, Leg, State, events, is_still, is_zero, length_of, swing_of
 from planar_cli.solve.course.plot import fixed_time
@@ -153,6 +154,8 @@ class Follower:
         leg = self.leg(regime, state)
         stop = self.course.stops[self.course.states[i + 1].name]
         time = self._time_of(i + 1, stop, leg)
+        dying = by_formula(self.course, stop, leg) if time is None else None
+        time = time if dying is None else dying[regime.time]
         ends = self._ends(i, leg, time)
         if ends is not None:
             self.done.ends = ends
@@ -164,6 +167,8 @@ class Follower:
                 self.done.missed = stop.name
             return earlier
         self.done.legs.append(Leg(regime, leg.flow, t0, time, state))
+        if dying is not None:
+            return dying
         return leg.at(time) if time >= t0 else self._earlier(time)
 
     def _before_given_times(self, i: int, stop: Stop) -> State | None:
@@ -206,12 +211,30 @@ class Follower:
         if not letters:
             return None
         begin = [state[s] for s in letters]
-        breaks = corners(regime, self.value)
+        breaks = corners(regime, self.value, Decimal(repr(state[regime.time])), self._latest())
         floors = [SMALL * (size if c.unit == "m" else 1.0) for c in regime.coordinates]
         turning = {c.speed for c in regime.coordinates if c.unit != "m"}
         for u, a in zip(regime.free, rhs(*(state[s] for s in regime.letters))[len(floors) :], strict=True):
             floors.append(SMALL * max(abs(state[u]), math.sqrt(abs(a) * (1.0 if u in turning else size))))
         return Flow(lambda t, y: rhs(t, *y), state[regime.time], begin, digits=13, breaks=breaks, floors=floors)
+
+    def _latest(self) -> Decimal | None:
+        """The latest time that a state is given at; None: not all of them have one, or it is infinite."""
+        times = []
+        for state in self.course.states:
+            unending = any(d.kind == "limit" for d in self.course.demands[state.name])
+            if unending or fixed_time(state.relations) is None:
+                return None
+            times.append(self._fixed(state.name))
+        return Decimal(repr(max(times)))
+
+    def _fixed(self, name: str) -> float:
+        """The time that a state is given at."""
+        stop = self.course.stops[name]
+        stated = fixed_time(stop.relations)
+        assert stated is not None
+        own = next(d for d in self.course.demands[name] if d.kind == "equation" and d.text == stated.text)
+        return float(self.value(sp.solve(own.residual, stop.t)[0]))
 
     def _time_of(self, index: int, stop: Stop, leg: Leg) -> float | None:
         """When a state is reached."""
@@ -219,8 +242,7 @@ class Follower:
         demands = self.course.demands[stop.name]
         equations = [d for d in demands if d.kind == "equation"]
         if stated is not None:
-            own = next(d for d in equations if d.text == stated.text)
-            return float(self.value(sp.solve(own.residual, stop.t)[0]))
+            return self._fixed(stop.name)
         extreme = next((d for d in demands if d.kind == "extreme"), None)
         if extreme is not None and not equations:
             return self._extreme(extreme, leg)

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from decimal import Decimal
 from enum import Enum
 
 import sympy as sp
 
-from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.equation.exact import CERTAIN, Unvalued, Valuation
 from planar_cli.solve.course.course import Course
 from planar_cli.solve.course.regime import Regime
 
@@ -68,3 +68,38 @@ def resting(course: Course, start: Mapping[sp.Symbol, Decimal]) -> frozenset[str
             return frozenset(u.name for u in idle)
         idle -= moved
     return frozenset()
+
+
+def untold(course: Course) -> bool:
+    """Does nothing tell how the speeds change, as where nothing has mass and nothing drives?"""
+    for regime in course.regimes:
+        rates = {regime.general.rate_of(u) for u in regime.free}
+        if any(f.free_symbols & rates for f in regime.accelerations.values()):
+            return True
+    return False
+
+
+def balanced(course: Course, start: Mapping[sp.Symbol, Decimal]) -> frozenset[str]:
+    """All free speeds, where the motion starts at rest in equilibrium: whatever acts, nothing changes any more."""
+    value = course.base().extended(dict(start))
+    for regime in course.regimes:
+        changes = [*regime.rates.values(), *regime.accelerations.values()]
+        if not regime.free or any(start.get(u, 1) for u in regime.free):
+            return frozenset()
+        if any(regime.time in e.free_symbols for e in changes):
+            return frozenset()
+        try:
+            if not all(_vanishes(e, start, value) for e in changes):
+                return frozenset()
+        except (Unvalued, ArithmeticError):
+            return frozenset()
+    return frozenset(u.name for r in course.regimes for u in r.free)
+
+
+def _vanishes(expr: sp.Expr, letters: Iterable[sp.Symbol], value: Valuation) -> bool:
+    """Is a formula zero, as far as the digits of these letters tell?"""
+    if expr == 0 or value.is_zero(expr):
+        return True
+    inside = [s for s in letters if s in expr.free_symbols]
+    slack = sum((abs(value(sp.diff(expr, s)) * value(s)) for s in inside), Decimal(0))
+    return abs(value(expr)) <= CERTAIN * slack

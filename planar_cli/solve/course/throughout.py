@@ -11,9 +11,10 @@ import sympy as sp
 from planar_cli.equation.exact import Valuation
 from planar_cli.solve.course.course import Course
 from planar_cli.solve.course.equations import Equation, law_equations, link_equations
+from planar_cli.solve.course.events import Leg, scale_of
 from planar_cli.solve.course.newton import refined
 from planar_cli.solve.course.route import Route, Router
-from planar_cli.solve.course.simulate import Followed
+from planar_cli.solve.course.simulate import Followed, Follower
 from planar_cli.solve.course.timeline import Stop
 
 
@@ -36,7 +37,7 @@ class Throughout:
         inside = {s for p in parts for s in p.free_symbols if s in letters}
         targets = inside - own - {regime.time}
         alone = len(parts) == 1 and parts[0] in own
-        if self.followed is None or not self.followed.legs or (not targets and not alone):
+        if self.followed is None or (not targets and not alone):
             return None
         for fixed in ([own] if own and not alone else []) + [{regime.time}]:
             wanted = inside - fixed
@@ -67,6 +68,13 @@ class Throughout:
         router = Router(begun, frozenset(set(regime.letters) - fixed), value, True)
         return router.route(sorted(wanted, key=lambda s: s.name))
 
+    def _leg(self, followed: Followed) -> Leg:
+        """The first stretch as it was followed; from the only state on, where there is no other."""
+        if followed.legs:
+            return followed.legs[0]
+        follower, regime = Follower(self.course, self.value), self.course.regimes[0]
+        return follower.leg(regime, follower.begin(regime, followed.at))
+
     def _begun(self, equation: Equation) -> Equation:
         """With what is known of the first state put in."""
         residual, span = equation.residual.xreplace(self.start), equation.span
@@ -77,10 +85,10 @@ class Throughout:
     def _sample(self, fixed: set[sp.Symbol], equations: Sequence[Equation]) -> Valuation | None:
         """Numbers of a moment in the middle of the first stretch, to all digits."""
         assert self.followed is not None
-        leg = self.followed.legs[0]
-        middle = leg.t0 + 0.43 * (leg.t1 - leg.t0) if leg.t1 > leg.t0 else leg.t0 + 0.5
         try:
-            here = leg.at(middle)
+            leg = self._leg(self.followed)
+            run = leg.t1 - leg.t0 if leg.t1 > leg.t0 else scale_of(leg)
+            here = leg.at(leg.t0 + 0.43 * run)
         except ArithmeticError:
             return None
         exact = {s: Decimal(repr(here[s])) for s in fixed}

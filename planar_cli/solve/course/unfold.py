@@ -26,10 +26,13 @@ from planar_cli.solve.course.over_spans import SpanIntegral
 from planar_cli.solve.course.plot import Plot, Workshop
 from planar_cli.solve.course.route import Route
 from planar_cli.solve.course.simulate import Followed, Follower
-from planar_cli.solve.course.starts import Start, certain_start, resting
+from planar_cli.solve.course.starts import Start, balanced, certain_start, resting, untold
+from planar_cli.solve.diagnose import explain_failure, singular_position
+from planar_cli.solve.instant import make_instant, search_modes
 
 CHANGES = 40
 AGREE = 1e-6
+STAYS = "it begins at rest in equilibrium, where every acceleration vanishes: nothing moves"
 
 
 @dataclass(slots=True)
@@ -53,18 +56,26 @@ class Unfolded:
 
 @dataclass(slots=True)
 class Unfolder:
-    """Unfolds one problem. `tried`: choices of modes that failed, by stretch of a plot."""
+    """Unfolds one problem. `tried`: choices of modes that failed, by stretch of a plot; `lack`: what is wrong with the
+    first of them in which no motion passes through the states.
+    """
 
     problem: Problem
     workshop: Workshop
     units: dict[str, str]
     tried: dict[tuple[str, ...], list[tuple[int, ...]]] = field(default_factory=dict)
     why: str = ""
+    lack: NoSolution | None = None
+    stays: bool = False
 
     def run(self) -> Unfolded:
         plot = first_plot(self.problem, self.workshop)
         for _ in range(CHANGES):
             course = make_course(self.problem, plot, self.workshop)
+            blocked = next((i for i, r in enumerate(course.regimes) if not r.moves()), None)
+            if blocked is not None:
+                plot = self._unblocked(plot, blocked)
+                continue
             finds = FindReader(course, self.units)
             finds.read()
             course.read()
@@ -72,6 +83,7 @@ class Unfolder:
                 return Unfolded(course, finds, course.still.branch, None, course.base())
             found = self._unfold(course, finds)
             if isinstance(found, Unfolded):
+                found.checks = (STAYS,) if self.stays else ()
                 return found
             plot = found
         raise Undecided("the contacts of this motion change too often")
@@ -85,13 +97,28 @@ class Unfolder:
             except NoSolution as error:
                 early = [e for e in course.equations if e.stop == course.first.name]
                 raise clash(course, early) or error from error
-        if start is Start.OPEN:
+        if start is Start.OPEN or untold(course):
             return self._sought(course, finds)
         assert isinstance(start, dict)
-        still = resting(course, start)
+        kept = balanced(course, start)
+        self.stays = self.stays or bool(kept)
+        still = resting(course, start) | kept
         if still - course.plot.stretches[0].still:
             return course.plot.stilled(still | course.plot.stretches[0].still)
         return self._followed(course, finds, start)
+
+    def _unblocked(self, plot: Plot, i: int) -> Plot:
+        """Another choice of modes, where the velocities of this one contradict each other in every position."""
+        try:
+            return self._next(plot, i, "the joints contradict what is given of the velocities")
+        except NoSolution as error:
+            span = plot.stretch(i).span
+            instant = make_instant(span.problem, span.always, (), dict(self.workshop.earlier), False)
+            held, rejected = search_modes(instant, instant.scene.valuations)
+            if held:
+                raise
+            singular_position(instant, rejected, self.problem.find)
+            raise explain_failure(instant, rejected, self.problem.find) from error
 
     def _next(self, plot: Plot, i: int, why: str) -> Plot:
         """The same plot with another choice of modes on stretch i."""
@@ -116,7 +143,7 @@ class Unfolder:
         guessed = {s for s in open_letters if s not in more}
         more |= {s: Decimal(repr(followed.values[s])) for s in guessed}
         value = course.base().extended({**more, **branch.values})
-        demand_agreement(course, value)
+        demand_agreement(course, value, guessed)
         return Unfolded(course, finds, branch, followed, value, frozenset(guessed))
 
     @staticmethod
@@ -167,10 +194,10 @@ class Unfolder:
         for branch in branches:
             value = course.base().extended(branch.values)
             start = {s: branch.values[own] for s, own in course.first.letters.items() if own in branch.values}
-            if branch.left or set(start) != set(course.first.letters):
-                branch = carried_branch(course, branches)
-                self._demand_told(course, finds, branch)
-                return Unfolded(course, finds, branch, None, course.base().extended(branch.values))
+            if branch.left or set(start) != set(course.first.letters) or untold(course):
+                led = carried_branch(course, branches)
+                self._demand_told(course, finds, led)
+                return Unfolded(course, finds, led, None, course.base().extended(led.values))
             try:
                 followed = Follower(course, value).run({s: float(v) for s, v in start.items()})
             except ArithmeticError:
@@ -185,7 +212,13 @@ class Unfolder:
             return changed
         wrong = missing(course) or (None if branches else clash(course, course.equations))
         text = "no motion passes through these states"
-        raise wrong or NoSolution([Diagnostic(course.states[0].mark, "PL620", text)])
+        self.lack = self.lack or wrong or NoSolution([Diagnostic(course.states[0].mark, "PL620", text)])
+        if branches:
+            raise self.lack
+        try:
+            return self._next(course.plot, 0, text)
+        except NoSolution:
+            raise self.lack from None
 
     @staticmethod
     def _demand_told(course: Course, finds: FindReader, branch: Branch) -> None:
