@@ -8,7 +8,7 @@ left to conditions between coordinates. (An Introduction to Planar Dynamics, 1.3
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 import sympy as sp
@@ -30,7 +30,7 @@ ZERO = sp.S.Zero
 @dataclass(frozen=True, slots=True)
 class Coordinate:
     """One freedom of the tree. `drawn`: its value as drawn (None: open). `speed`: the velocity unknown that goes with
-    it; its rate is factor · speed. `unit`: "m" or "rad". `words`: what it is.
+    it; its rate is factor · speed + extra. `unit`: "m" or "rad". `words`: what it is.
     """
 
     symbol: sp.Symbol
@@ -40,6 +40,12 @@ class Coordinate:
     factor: sp.Expr
     words: str
     body: str
+    extra: sp.Expr = ZERO
+
+    @property
+    def rate(self) -> sp.Expr:
+        """How fast it grows, in the velocity unknowns of its tree."""
+        return self.factor * self.speed + self.extra
 
 
 @dataclass(frozen=True, slots=True)
@@ -134,10 +140,41 @@ class Displacer:
             if joining.drift is not None:
                 meeting = meeting + parent.vector(joining.drift) * (-self.time if edge.backward else self.time)
             return Pose(body.center, meeting + own.vector(body.center - start), before, now)
+        if self._rim_on_line(edge):
+            return Pose(body.center, self._sliding_rim(edge), before, now)
         track = self._track(edge)
         if edge.backward:
             return Pose(body.center, parent.point(start) + own.vector(body.center - track), before, now)
         return Pose(body.center, parent.point(track) + own.vector(body.center - start), before, now)
+
+    def _rim_on_line(self, edge: Edge) -> bool:
+        """Does a round body slide with its rim along a straight path?"""
+        joining, shape = edge.joining, self.scene.bodies[edge.body].shape
+        if joining is None or joining.path is None or edge.backward or not isinstance(shape, Round):
+            return False
+        off = joining.point - self.scene.bodies[edge.body].center
+        surface = self.scene.surfaces.get(self.surface_of(joining.joint))
+        straight = surface is None or isinstance(surface.shape, Line)
+        return straight and not self.scene.is_zero(off.dot(off)) and self.scene.is_zero(joining.path.curvature)
+
+    def _sliding_rim(self, edge: Edge) -> Vec:
+        """The centre moves along the line; the rim slides under it: ẇ = v - h (ω - ω_base), h the centre's height."""
+        joining, center = edge.joining, self.scene.bodies[edge.body].center
+        assert joining is not None
+        assert joining.path is not None
+        assert edge.slide is not None
+        t = joining.path.tangent
+        height = t.cross(center - joining.point)
+        spins = {e.body: e.spin for e in self.tree.edges}
+        turning = (edge.spin or ZERO) - (spins.get(edge.parent) or ZERO)
+        drift = joining.drift or Vec(ZERO, ZERO)
+        extra = simplified(-height * turning + drift.dot(t))
+        name = self.scene.center_name(edge.body) or edge.body
+        words = f"way of {name}"
+        w = self._coordinate(f"s_{name}", "m", ZERO, edge.slide, sp.S.One, words, edge.body)
+        if self.coordinates and self.coordinates[-1].symbol == w:
+            self.coordinates[-1] = replace(self.coordinates[-1], extra=extra)
+        return self.poses[edge.parent].point(center + t * w)
 
     def _free(self, edge: Edge) -> Pose:
         body = self.scene.bodies[edge.body]

@@ -201,7 +201,10 @@ def power(base: Decimal, exponent: Any, value: Valuation) -> Decimal:
 
 
 def integral(expr: sp.Integral, value: Valuation) -> Decimal:
-    """The value of a definite integral over one variable, with `OF_INTEGRAL` digits, or `AT_TURNING` at least."""
+    """The value of a definite integral over one variable, with `OF_INTEGRAL` digits, or `AT_TURNING` at least.
+
+    A root has a corner where what stands under it touches zero: among the places where that is stationary.
+    """
     if len(expr.limits) != 1 or len(expr.limits[0]) != 3:
         raise ArithmeticError("an integral without two limits")
     x, start, end = expr.limits[0]
@@ -213,10 +216,13 @@ def integral(expr: sp.Integral, value: Valuation) -> Decimal:
     def f(point: Any) -> Any:
         return mpmath.mpf(str(at(expr.function, Decimal(mpmath.nstr(point, DIGITS + 10)))))
 
-    switches = [partial(at, s) for s in switching(expr.function) if s.has(x)]
-    places = breaks(switches, value(start), value(end))
-    for digits in (OF_INTEGRAL, AT_TURNING):
+    low, high = value(start), value(end)
+    plain = [s for s in switching(expr.function) if s.has(x)]
+    roots = [sp.diff(p.base, x) for p in expr.function.atoms(sp.Pow) if not p.exp.is_integer and p.base.has(x)]
+    tries = [(OF_INTEGRAL, plain), *([(OF_INTEGRAL, [*plain, *roots])] if roots else []), (AT_TURNING, plain)]
+    for digits, switches in tries:
         try:
+            places = breaks([partial(at, s) for s in switches], low, high)
             return sum((quad(f, a, b, digits) for a, b in pairwise(places)), ZERO)
         except ArithmeticError:
             if digits == AT_TURNING:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
+from planar_cli.equation.conditions import Condition
 from planar_cli.equation.exact import Unvalued
 from planar_cli.equation.form import Nonlinear, linear_form
 from planar_cli.errors import Diagnostic
@@ -81,7 +82,7 @@ def contradiction(seeker: Seeker) -> Diagnostic | None:
     """Equations that are linear in what is sought, and that contradict each other; None: there are none."""
     unknowns = sorted(seeker.linear & set(seeker.unknowns), key=lambda s: s.name)
     others = set(seeker.unknowns) - set(unknowns)
-    told = [(c, e) for c in seeker.conditions for e in c.rows()]
+    told: list[tuple[Condition | None, sp.Expr]] = [(c, e) for c in seeker.conditions for e in c.rows()]
     told += [(None, e) for body in seeker.scene.bodies for e in body_residuals(seeker.system, body)]
     rows, sources = [], []
     for condition, expr in told:

@@ -12,7 +12,7 @@ from planar_cli.equation.evaluate import refuse
 from planar_cli.equation.exact import Unvalued
 from planar_cli.equation.setup import Earlier, first_unit
 from planar_cli.equation.system import System
-from planar_cli.errors import FileProblem, Mark, NoSolution
+from planar_cli.errors import FileProblem, Mark, NoSolution, Undecided
 from planar_cli.problem.scene import Find, Problem
 from planar_cli.registry import members
 from planar_cli.solve.diagnose import OPEN, explain_failure, place, singular_position
@@ -49,9 +49,9 @@ def solve_problem(problem: Problem, method: str | None = None) -> Solution:
     earlier: dict[str, Earlier] = {}
     parts: list[PartSolution] = []
     if problem.find:
-        parts.append(solve_part(problem, "", units, {}))
+        parts.append(_told(problem, "", units, {}))
     for case in problem.cases:
-        part = solve_part(case.problem, case.name, units, earlier)
+        part = _told(case.problem, case.name, units, earlier)
         parts.append(part)
         for found in part.found:
             if found.values is not None and len(found.values) == 1:
@@ -65,6 +65,16 @@ def solve_problem(problem: Problem, method: str | None = None) -> Solution:
         for instant in part.instants:
             instant.method = chosen
     return Solution(problem, tuple(parts), {"solve": time.perf_counter() - started})
+
+
+def _told(problem: Problem, case: str, units: dict[str, str], earlier: dict[str, Earlier]) -> PartSolution:
+    """One part; where numbers give out that nothing else has told, that is said of what is asked first."""
+    try:
+        return solve_part(problem, case, units, earlier)
+    except (ArithmeticError, Unvalued, AssertionError) as error:
+        mark = problem.find[0].mark
+        text = f"{mark.file}:{mark.line}: the numbers do not settle what is asked here, so that nothing is told"
+        raise Undecided(text) from error
 
 
 def solve_part(problem: Problem, case: str, units: dict[str, str], earlier: dict[str, Earlier]) -> PartSolution:

@@ -29,6 +29,8 @@ if TYPE_CHECKING:
 AGREES = Decimal("1e-7")
 SAMPLES = 60
 ROOTS = 20
+BEFORE = 1e-6
+"""What happens within this part of a stretch before its end happens at its end."""
 
 
 # --- a datum is missing ----------------------------------------------------------------------------------------------
@@ -162,7 +164,9 @@ def _short(number: Decimal) -> str:
 def clash(course: Course, equations: Iterable[Equation]) -> NoSolution | None:
     """Statements of which any one may go, and then there is a motion; None: no single one stands in the way."""
     equations = list(equations)
-    stated = [e for e in equations if e.kind == "given" and e.mark != NOWHERE and e.residual.free_symbols != {course.first.t}]
+    stated = [
+        e for e in equations if e.kind == "given" and e.mark != NOWHERE and e.residual.free_symbols != {course.first.t}
+    ]
     found = []
     for e in stated:
         try:
@@ -227,6 +231,20 @@ def _hint(course: Course, followed: Followed, stop: Stop, value: Valuation) -> s
         apart = _short(Decimal(repr(away)))
         found.append(f"`{d.text}` is nearest at t = {at:.4g} s, where the sides differ by {apart}")
     return ", ".join(found)
+
+
+def passed_before(course: Course, followed: Followed, value: Valuation) -> bool:
+    """Did what is stated of a state at a given time hold before, on the way from the state before it?"""
+    follower = Follower(course, value)
+    follower.done.values = dict(followed.values)
+    for state, leg in zip(course.states[1:], followed.legs, strict=False):
+        stated = fixed_time(state.relations)
+        equations = [d for d in course.demands[state.name] if d.kind == "equation"]
+        others = [d for d in equations if stated is not None and d.text != stated.text]
+        until = leg.t1 - BEFORE * (leg.t1 - leg.t0)
+        if stated is not None and _common(follower, others, course.stops[state.name], leg, until) is not None:
+            return True
+    return False
 
 
 def _common(follower: Follower, equations: list[Demand], stop: Stop, leg: Leg, until: float) -> float | None:

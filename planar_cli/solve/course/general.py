@@ -103,7 +103,9 @@ def make_general(
         idle = frozenset(
             c.speed.name
             for c in displacement.coordinates
-            if c.drawn is not None and all(not v.values.get(c.speed, Decimal(1)) for v in found.trial.velocities)
+            if c.drawn is not None
+            and c.extra == 0
+            and all(not v.values.get(c.speed, Decimal(1)) for v in found.trial.velocities)
         )
         if not idle - still:
             return found
@@ -120,7 +122,7 @@ def _general(
     resting: frozenset[str],
 ) -> General:
     user = _user_coordinates(drawn)
-    constraints = constraints_of(drawn, choice, displacement, (*user, *displacement.coordinates))
+    constraints = constraints_of(drawn, loosened(drawn, choice), displacement, (*user, *displacement.coordinates))
     course = Course(displacement, ranges(drawn, displacement), _projector(constraints, displacement, user))
     instant = Instant(Setup(problem, Statements.of(always, ()), earlier, True, course))
     system = instant.system(choice)
@@ -182,11 +184,20 @@ def _projector(
     return place
 
 
+def loosened(drawn: Instant, choice: tuple[int, ...]) -> tuple[int, ...]:
+    """The choice of modes by which places are described: what sticks here may have slid before."""
+    found = []
+    for (_, modes), i in zip(drawn.modes, choice, strict=True):
+        slips = [j for j, mode in enumerate(modes) if mode.name == "slip"]
+        found.append(slips[0] if modes[i].name == "stick" and slips else i)
+    return tuple(found)
+
+
 def displaced(
     drawn: Instant, choice: tuple[int, ...], still: frozenset[str], made: dict[str, sp.Symbol]
 ) -> Displacement:
     """All bodies of the drawn scene along the tree of this choice of modes."""
-    system = drawn.system(choice)
+    system = drawn.system(loosened(drawn, choice))
     scene = drawn.scene
     coordinates = set(scene.ledger.coordinates)
     formula = frozenset(

@@ -22,7 +22,7 @@ from planar_cli.equation.exact import Valuation
 from planar_cli.equation.plain import simplified
 from planar_cli.problem.facts import Test
 from planar_cli.solve.course.balance import balance_of
-from planar_cli.solve.course.general import General
+from planar_cli.solve.course.general import General, loosened
 
 MOST_CORNERS = 200
 
@@ -71,7 +71,7 @@ class Regime:
     def work(self, exprs: Iterable[sp.Expr]) -> None:
         """Work out rates and accelerations, and whatever these expressions need."""
         general = self.general
-        rates = {c.symbol: c.factor * c.speed for c in general.coordinates}
+        rates = {c.symbol: self._rate(c) for c in general.coordinates}
         accelerations = {u: general.rate_of(u) for u in general.free}
         wanted = [e for e in exprs if e not in self.exprs]
         if self.rates and not wanted:
@@ -95,6 +95,22 @@ class Regime:
         told = self.told
         self.watches = tuple(w for w in (Watch(w.test, self.closed(w.expr)) for w in watches) if told(w.expr))
         self.slips = tuple(e for e in map(self.closed, slips) if told(e))
+
+    def _rate(self, c: Coordinate) -> sp.Expr:
+        """The rate of a coordinate; of a slide that this regime holds, what its motion makes of it."""
+        general = self.general
+        tree = general.trial.system.tree
+        known = {s.name for s in tree.velocity_unknowns()}
+        rates = (r for r, _ in general.instant.scene.evaluator.motions.values() if isinstance(r, sp.Symbol))
+        known |= {r.name for r in rates}
+        if c.speed.name in known:
+            return c.rate
+        loose = general.instant.system(loosened(general.instant, general.choice)).tree
+        edge = next((e for e in loose.edges if e.slide is not None and e.slide.name == c.speed.name), None)
+        slide = sp.S.Zero
+        if edge is not None and edge.joining is not None:
+            slide = general.quantities.motion.slide_speed(edge.joining)
+        return c.rate.xreplace({c.speed: slide})
 
     def told(self, expr: sp.Expr) -> bool:
         """Is everything in a closed formula known once the letters are? Where nothing has mass, forces are not."""
@@ -180,15 +196,16 @@ def corners(regime: Regime, value: Valuation, since: Decimal, until: Decimal | N
 
 
 def _changes(expr: sp.Expr, time: sp.Symbol, value: Valuation, since: Decimal, until: Decimal | None) -> list[Decimal]:
-    """The first times after `since` at which a function of time alone changes its sign."""
+    """The first times after `since` at which a function of time alone changes its sign, also for as long again beyond
+    `until`: a step may go beyond it.
+    """
     g = number_function([expr], [time], value)
     here = decimal_function(expr, [time], value)
-    end = None if until is None else float(until)
+    end = None if until is None else float(until + (until - since))
     found: list[Decimal] = []
     with suppress(ArithmeticError):
-        for root in islice(roots(lambda t: g(t)[0], float(since), end), MOST_CORNERS):
-            if root.kind == "crossing":
-                found.append(polish(here, Decimal(root.low), Decimal(root.high)))
+        changes = (r for r in roots(lambda t: g(t)[0], float(since), end) if r.kind == "crossing")
+        found.extend(polish(here, Decimal(r.low), Decimal(r.high)) for r in islice(changes, MOST_CORNERS))
     return found
 
 

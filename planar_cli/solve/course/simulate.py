@@ -131,15 +131,23 @@ class Follower:
             for watch, v in zip(regime.watches, values, strict=True):
                 if v < -SLACK * max(1.0, abs(v)):
                     return watch.test.words
-                if not watch.test.pushes and abs(v) <= SLACK and becomes_negative(regime, watch.expr, here, self.value):
+                if abs(v) <= SLACK and becomes_negative(regime, watch.expr, here, self.value):
                     return watch.test.words
         for slip in regime.slips:
             speed = self._numbers(regime, [slip])(*here)[0]
             if speed < -1e-9:
                 return "it slides the other way"
-            if abs(speed) <= 1e-9 and self._numbers(regime, [regime.derivative(slip)])(*here)[0] <= 0:
+            if abs(speed) <= 1e-9 and not self._starts_to_slide(regime, slip, here):
                 return "nothing makes it slide"
         return ""
+
+    def _starts_to_slide(self, regime: Regime, slip: sp.Expr, here: list[float]) -> bool:
+        """Does the speed of slip grow from zero, at once or as the load grows?"""
+        rate = regime.derivative(slip)
+        first = self._numbers(regime, [rate])(*here)[0]
+        if abs(first) > SLACK:
+            return first > 0
+        return self._numbers(regime, [regime.derivative(rate)])(*here)[0] > 0
 
     def _alone(self, symbol: sp.Symbol, regime: Regime) -> bool:
         """Is a speed of the state not accounted for by the regime's own?"""

@@ -14,7 +14,7 @@ import sympy as sp
 from planar_cli.equation.exact import Valuation
 from planar_cli.errors import Diagnostic, Mark, NoSolution, Undecided
 from planar_cli.problem.scene import Problem
-from planar_cli.solve.course.astray import clash, demand_agreement, missing, never
+from planar_cli.solve.course.astray import clash, demand_agreement, missing, never, passed_before
 from planar_cli.solve.course.carried import carried_branch
 from planar_cli.solve.course.chain import Branch
 from planar_cli.solve.course.course import Course, first_plot, make_course
@@ -83,7 +83,7 @@ class Unfolder:
                 return Unfolded(course, finds, course.still.branch, None, course.base())
             found = self._unfold(course, finds)
             if isinstance(found, Unfolded):
-                found.checks = (STAYS,) if self.stays else ()
+                found.checks = (*found.checks, *((STAYS,) if self.stays else ()))
                 return found
             plot = found
         raise Undecided("the contacts of this motion change too often")
@@ -169,7 +169,12 @@ class Unfolder:
         if followed.misfit is not None:
             return self._next(plot, followed.misfit, followed.why)
         if followed.ends is not None:
-            return plot.turned(followed.ends.stretch, followed.ends.expr, followed.ends.words)
+            ends = followed.ends
+            changed = plot.turned(ends.stretch, ends.expr, ends.words)
+            regime = course.regimes[ends.stretch]
+            if any(ends.expr == w.expr for w in regime.watches) or ends.expr in regime.slips:
+                return self._next(changed, ends.stretch + 1, ends.words)
+            return changed
         return None
 
     def _other(self, plot: Plot, i: int, why: str, mark: Mark) -> tuple[int, ...]:
@@ -188,8 +193,11 @@ class Unfolder:
     # --- a start that is sought --------------------------------------------------------------------------------------
 
     def _sought(self, course: Course, finds: FindReader) -> Unfolded | Plot:
-        """All branches of the equations; the first that, followed from its start, happens so."""
+        """All branches of the equations; the first that, followed from its start, happens so. One in which a state at a
+        given time is the first of its kind goes before those that pass such a state earlier.
+        """
         changed: Plot | None = None
+        again: list[Unfolded] = []
         branches = course.candidates()
         for branch in branches:
             value = course.base().extended(branch.values)
@@ -207,10 +215,17 @@ class Unfolder:
                 changed = changed or other
                 continue
             if followed.missed is None and self._same(followed, branch):
-                return Unfolded(course, finds, branch, followed, value)
+                found = Unfolded(course, finds, branch, followed, value)
+                if not course.sought() or not passed_before(course, followed, value):
+                    found.checks = _left_out(course, again, "pass such a state before, and are left out")
+                    return found
+                again.append(found)
+        if again:
+            again[0].checks = _left_out(course, again[1:], "fit as well")
+            return again[0]
         if changed is not None:
             return changed
-        wrong = missing(course) or (None if branches else clash(course, course.equations))
+        wrong = (None if branches else clash(course, course.equations)) or missing(course)
         text = "no motion passes through these states"
         self.lack = self.lack or wrong or NoSolution([Diagnostic(course.states[0].mark, "PL620", text)])
         if branches:
@@ -235,6 +250,14 @@ class Unfolder:
             if s in branch.values and abs(float(branch.values[s]) - v) > AGREE * max(abs(v), 1e-3):
                 return False
         return True
+
+
+def _left_out(course: Course, others: list[Unfolded], why: str) -> tuple[str, ...]:
+    """Values of sought constants with which the motion is another, in a phrase."""
+    if not others:
+        return ()
+    names = [f"{s.name} = {others[-1].branch.values[s]:.4g} (SI units)" for s in course.sought()]
+    return (f"other roots, as {', '.join(names)}, {why}",)
 
 
 def _leaning(course: Course, followed: Followed) -> dict[sp.Symbol, float]:
