@@ -75,7 +75,11 @@ def _passed(followed: Followed) -> Iterator[tuple[sp.Symbol, float]]:
     yield from followed.values.items()
     for leg in followed.legs:
         for k in range(1, LOOKS):
-            yield from leg.at(leg.t0 + (leg.t1 - leg.t0) * k / LOOKS).items()
+            try:
+                here = leg.at(leg.t0 + (leg.t1 - leg.t0) * k / LOOKS)
+            except ArithmeticError:
+                break
+            yield from here.items()
 
 
 def power_digits(regime: Regime) -> int | None:

@@ -20,6 +20,7 @@ from planar_cli.solve.course.equations import (
     at_limits,
     drawn_equations,
     ending_equations,
+    later_equations,
     law_equations,
     laws_of,
     link_equations,
@@ -200,6 +201,7 @@ class Course:
         first = self.first
         placed = {x for d in self.placed[first.name] for x in d.residual.free_symbols} - {first.t}
         found = [e for e in drawn_equations(self.regimes[0], first) if not e.residual.free_symbols & placed]
+        found += list(later_equations(self.regimes, first))
         since = 0
         for i, state in enumerate(self.states):
             stop = self.stops[state.name]

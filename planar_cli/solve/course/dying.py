@@ -1,4 +1,5 @@
-"""When a motion that dies out passes a place: by its formula, where machine numbers no longer tell.
+"""When a motion passes a place, by its formula: where it dies out, and where its accelerations are constant, so that
+touching a place, or just missing it, is told exactly.
 
 The sum of the terms of a formula is compared with the sum of their sizes, in decimals that never underflow. So a swing
 of e^-100 of the first passes zero as cleanly as the first, and a formula whose terms have one sign never does.
@@ -13,14 +14,17 @@ import sympy as sp
 
 from planar_cli.calculus.first import roots
 from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.errors import Undecided
 from planar_cli.solve.course.events import WINDOWS, Leg, State, scale_of
 from planar_cli.solve.course.legs import explicit
 from planar_cli.solve.course.starts import certain_start
 from planar_cli.solve.course.timeline import Stop
+from planar_cli.solve.roots import real_roots
 
 if TYPE_CHECKING:
     from planar_cli.solve.course.course import Course
 
+SAME = Decimal("1e-13")
 LOOKS, MOST = 8, 4000
 """Zeros whose inequalities do not hold are passed over, so many of them; evaluations that are spent."""
 
@@ -79,3 +83,64 @@ class _Relative:
         parts = [here(term) for term in self.terms]
         size = sum((abs(p) for p in parts), Decimal(0))
         return float(sum(parts, Decimal(0)) / size) if size else 0.0
+
+
+# --- constant accelerations ------------------------------------------------------------------------------------------
+
+
+def steady_time(course: Course, stop: Stop, leg: Leg) -> tuple[State | None] | None:
+    """Where a state with one equation is next reached, or (None,): never; exactly, from constant accelerations and a
+    first state that is known. None: it is not such a motion.
+    """
+    index = next(i for i, s in enumerate(course.states) if s.name == stop.name)
+    demands = course.demands[stop.name]
+    equations = [d for d in demands if d.kind == "equation" and d.trend is None]
+    limits = [d for d in demands if d.kind == "inequality"]
+    if len(equations) != 1 or len(demands) != 1 + len(limits) or course.plot.turnings:
+        return None
+    if any(r is not leg.regime for r in course.regimes[:index]) or not _is_steady(leg):
+        return None
+    start = certain_start(course)
+    if not isinstance(start, dict):
+        return None
+    value = course.base().extended({course.first.letters[s]: v for s, v in start.items()})
+    found = _steady_formulas(leg, course.first)
+    time = leg.regime.time
+    general = {own: letter for letter, own in stop.letters.items()}
+    exprs = [sp.expand(d.residual.xreplace(general).xreplace(found)) for d in (*equations, *limits)]
+    if time not in exprs[0].free_symbols or not exprs[0].is_polynomial(time):
+        return None
+    after = Decimal(repr(leg.t0))
+    try:
+        for root in real_roots(exprs[0], time, value, False, False):
+            later = root.value - after > SAME * max(abs(after), Decimal(repr(scale_of(leg))) * SAME)
+            here = value.extended({time: root.value})
+            if later and all(here(e) >= 0 for e in exprs[1:]):
+                return (_there(leg, found, here),)
+    except (ArithmeticError, Unvalued, Undecided):
+        return None
+    return (None,)
+
+
+def _is_steady(leg: Leg) -> bool:
+    regime = leg.regime
+    letters, free = set(regime.letters), set(regime.free)
+    if regime.general.constraints or not free:
+        return False
+    if any(f.free_symbols & letters for f in regime.accelerations.values()):
+        return False
+    return all(
+        r.free_symbols & letters <= free and all(not sp.diff(r, u).free_symbols & letters for u in free)
+        for r in regime.rates.values()
+    )
+
+
+def _steady_formulas(leg: Leg, first: Stop) -> dict[sp.Symbol, sp.Expr]:
+    """Speeds and places in time and the letters of the first state."""
+    regime = leg.regime
+    run = regime.time - first.letters[regime.time]
+    found = {u: first.letters[u] + a * run for u, a in regime.accelerations.items()}
+    half = {u: first.letters[u] + a * run / 2 for u, a in regime.accelerations.items()}
+    for q, rate in regime.rates.items():
+        found[q] = first.letters[q] + rate.xreplace(half) * run
+    return found

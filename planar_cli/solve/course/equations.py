@@ -361,6 +361,22 @@ def ending_equations(laws: Laws, stop: Stop, regime: Regime, value: Valuation) -
         yield Equation(residual, "given", "in the end the speed no longer changes", stop.name)
 
 
+def later_equations(regimes: Sequence[Regime], first: Stop) -> Iterator[Equation]:
+    """What moves only in later regimes: as drawn, and at rest."""
+    own = set(regimes[0].letters)
+    told: set[sp.Symbol] = set()
+    for regime in regimes[1:]:
+        for c in regime.coordinates:
+            if c.symbol in own or c.symbol in told or c.drawn is None:
+                continue
+            told.add(c.symbol)
+            yield Equation(first.letters[c.symbol] - c.drawn, "drawn", "as drawn", first.name)
+        for u in regime.free:
+            if u not in own and u not in told:
+                told.add(u)
+                yield Equation(first.letters[u], "start", "it rests", first.name)
+
+
 def stated_equations(demands: Iterable[Demand], kind: str = "given") -> Iterator[Equation]:
     """The equations among what the file states of a state, or (kind "motion") of places at all times."""
     for d in demands:

@@ -19,7 +19,7 @@ from planar_cli.calculus.flow import Flow
 from planar_cli.equation.exact import Valuation
 from planar_cli.solve.course.after import asked_after
 from planar_cli.solve.course.course import Course
-from planar_cli.solve.course.dying import by_formula
+from planar_cli.solve.course.dying import by_formula, steady_time
 from planar_cli.solve.course.equations import is_speed
 from planar_cli.solve.course.events import SLACK, Leg, State, events, is_still, is_zero, length_of, swing_of
 from planar_cli.solve.course.plot import fixed_time
@@ -161,9 +161,10 @@ class Follower:
         t0 = state[regime.time]
         leg = self.leg(regime, state)
         stop = self.course.stops[self.course.states[i + 1].name]
-        time = self._time_of(i + 1, stop, leg)
-        dying = by_formula(self.course, stop, leg) if time is None else None
-        time = time if dying is None else dying[regime.time]
+        told = None if fixed_time(stop.relations) else steady_time(self.course, stop, leg)
+        time = self._time_of(i + 1, stop, leg) if told is None else None
+        there = told[0] if told is not None else by_formula(self.course, stop, leg) if time is None else None
+        time = time if there is None else there[regime.time]
         ends = self._ends(i, leg, time)
         if ends is not None:
             self.done.ends = ends
@@ -175,8 +176,8 @@ class Follower:
                 self.done.missed = stop.name
             return earlier
         self.done.legs.append(Leg(regime, leg.flow, t0, time, state))
-        if dying is not None:
-            return dying
+        if there is not None:
+            return there
         return leg.at(time) if time >= t0 else self._earlier(time)
 
     def _before_given_times(self, i: int, stop: Stop) -> State | None:
