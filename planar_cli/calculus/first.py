@@ -196,7 +196,8 @@ class _Walk:
         zero = 4 * panel.noise
         before = self.before
         same = before is None or (v > 0) == (before[1] > 0)
-        closeness = max(zero, (MISS if same else THROUGH) * self.size) if stationary else zero
+        miss = MISS if same and before is not None else THROUGH
+        closeness = max(zero, miss * self.size) if stationary else zero
         if abs(v) <= closeness:
             if stationary and before is not None and self.touch is None and self.size > 10 * zero:
                 reach = min((panel.hi - panel.lo) / 8, (t - before[0]) / 2)

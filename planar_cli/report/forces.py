@@ -7,7 +7,7 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.problem.facts import Push
+from planar_cli.problem.facts import Push, Wrench
 from planar_cli.report.blocks import Forces, Line, Math, Text
 from planar_cli.report.words import Phrases
 from planar_cli.solve.solution import InstantSolution
@@ -40,7 +40,7 @@ def _acting(instant: InstantSolution, body: str, phrases: Phrases) -> Line:
         if w.body == body:
             where = _at(instant, w.point) if w.kind != "weight" else f"at {instant.instant.scene.center_name(body)}"
             if w.force is not None:
-                parts.append([phrases.math(w.magnitude), Text(f" {phrases.arrow(w.force.x, w.force.y)} {where}")])
+                parts.append([phrases.math(w.magnitude), Text(f" {_sense(w, phrases)} {where}")])
             elif w.couple != 0:
                 parts.append([phrases.math(w.couple), Text(" ↺")])
     assert system.reactions is not None
@@ -51,6 +51,15 @@ def _acting(instant: InstantSolution, body: str, phrases: Phrases) -> Line:
     for i, part in enumerate(parts):
         joined += [Text(",  ")] * bool(i) + part
     return tuple(joined)
+
+
+def _sense(w: Wrench, phrases: Phrases) -> str:
+    """The direction in which a positive magnitude acts; drag is against a velocity whose sense may be open."""
+    assert w.force is not None
+    if w.kind == "drag" and phrases.symbolic:
+        return "against its velocity"
+    reversed_sense = phrases.value(sp.sympify(w.magnitude)) < 0
+    return phrases.arrow(-w.force.x, -w.force.y) if reversed_sense else phrases.arrow(w.force.x, w.force.y)
 
 
 def _push(push: Push, expr: sp.Expr, action: Any, phrases: Phrases, place: str) -> list[Any]:

@@ -9,8 +9,10 @@ from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.ledger import display
 from planar_cli.equation.plain import longer, simplified
-from planar_cli.report.blocks import Block, Equation, Heading, Line, Math, Name, Paragraph, line
+from planar_cli.problem.expression import Relation as FoundRelation
+from planar_cli.report.blocks import Block, Equation, Heading, Line, Math, Name, Paragraph, Value, line
 from planar_cli.report.names import plain_name
 from planar_cli.report.oscillation import oscillation_blocks
 from planar_cli.report.span_integrals import span_blocks
@@ -39,6 +41,7 @@ class MotionTelling:
         self.found, self.phrases, self.next, self.wanted = found, phrases, first, wanted
         self.course = found.course
         self.general = {own: general for stop in self.course.stops.values() for general, own in stop.letters.items()}
+        self.varying = {s for regime in self.course.distinct_regimes() for s in regime.letters}
         self._told_laws: set[sp.Symbol] = set()
 
     def blocks(self, step: int) -> list[Block]:
@@ -56,6 +59,7 @@ class MotionTelling:
         yield from self._turnings()
         if self.found.route is not None:
             yield from self._route(self.found.route)
+        yield from self._asked()
         for name, route in self.found.finds.passing.items():
             if any(not leg.datum for leg in route.legs):
                 yield Paragraph(line(f"{name} throughout the motion:"))
@@ -64,6 +68,50 @@ class MotionTelling:
             yield from span_blocks(span, self.phrases, self.phrases.symbolic)
         for swing in self.found.oscillations:
             yield from oscillation_blocks(swing, self.found.value, self.phrases, self.phrases.symbolic)
+
+    def _asked(self) -> Iterator[Block]:
+        """What is asked in the letters of its states, where it is more than a letter."""
+        finds = self.found.finds
+        told = False
+        for asked in finds.asked:
+            name = asked.find.name
+            if name in finds.passing or (self.wanted is not None and not self.wanted):
+                continue
+            parts = [self._signed(finds.settled(asked, p)) for p in asked.parts]
+            if isinstance(asked.find.found.what, FoundRelation) or not parts:
+                continue
+            if any(p.is_Symbol or p.is_number or longer(p, LONGEST) or p.free_symbols & self.varying for p in parts):
+                continue
+            if not told:
+                yield Paragraph(line("What is asked, in these letters:"))
+                told = True
+            for axis, part in zip(("x", "y") if len(parts) > 1 else ("",), parts, strict=True):
+                sides: list[Any] = [line(Name(name), f", {axis}" if axis else ""), self.phrases.math(part)]
+                numbers = self.phrases.numbers(part)
+                if numbers is not None:
+                    sides.append(numbers)
+                if not self.phrases.symbolic:
+                    unit = finds.unit_of(asked.find)
+                    value = self.found.value(part)
+                    sides.append(Value(display(value, unit), unit.text, self.phrases.figures))
+                yield Equation(tuple(sides))
+
+    def _signed(self, expr: sp.Expr) -> sp.Expr:
+        """|a| and sign a by the number that a has at its state."""
+        if self.phrases.symbolic or not expr.has(sp.Abs, sp.sign):
+            return expr
+
+        def sense(a: sp.Expr) -> int:
+            try:
+                return int(self.found.value(sp.sign(a)))
+            except (ArithmeticError, LookupError):
+                return 0
+
+        def put(x: Any) -> Any:
+            s = sense(x.args[0])
+            return x if not s else (s * x.args[0] if isinstance(x, sp.Abs) else sp.Integer(s))
+
+        return simplified(expr.replace(lambda x: isinstance(x, sp.Abs | sp.sign), put))
 
     def _turnings(self) -> Iterator[Block]:
         for name, (expr, words) in self.course.plot.turnings.items():
@@ -246,6 +294,8 @@ class MotionTelling:
         """letter = formula = numbers = value."""
         sides: list[Any] = [self.phrases.math(r.unknown)]
         formula = r.formula
+        if formula is not None and formula.free_symbols & self.varying:
+            return self.phrases.math(r.unknown), self.phrases.math(formula)
         if formula is not None and not longer(formula, LONGEST) and (not formula.is_number or self.phrases.symbolic):
             sides.append(self.phrases.math(formula))
             numbers = self.phrases.numbers(formula)

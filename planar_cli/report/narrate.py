@@ -74,7 +74,8 @@ def part_blocks(
     blocks += [b for i, b in enumerate(checks) if b not in checks[:i]]
     if part.motion is not None:
         blocks += [Check(line(text)) for text in part.motion.checks]
-    if not any(mode.tests for instant in part.instants for mode in instant.trial.system.modes.values()):
+    tested = any(mode.tests for instant in part.instants for mode in instant.trial.system.modes.values())
+    if not tested and part.motion is None and part.tale is None:
         blocks += [Note("Discussion", remark) for remark in discussion_lines(part.found, phrases)]
     return blocks
 

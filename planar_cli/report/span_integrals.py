@@ -34,7 +34,7 @@ def span_blocks(found: SpanIntegral, phrases: Phrases, symbolic: bool) -> Iterat
     for piece in [p for p in found.pieces if p.integrand != 0] or found.pieces[:1]:
         yield from _piece(piece, phrases, symbolic, UNITS.get(q.word, ""))
     if found.duration != 1:
-        sides: list[Inline | Line] = [line("divided by the time ", phrases.math(found.duration))]
+        sides: list[Inline | Line] = [line("mean = the sum divided by ", phrases.math(found.duration))]
         if not symbolic:
             sides.append(Value(found.number, ""))
         yield Equation(tuple(sides))

@@ -6,13 +6,15 @@ that is seen from their rank at a general place. Data contradict each other wher
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable
+from collections.abc import Callable, Collection, Iterable
+from contextlib import suppress
 from decimal import Decimal
 from itertools import islice
 from typing import TYPE_CHECKING
 
 import sympy as sp
 
+from planar_cli.calculus.first import first_extreme
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.errors import NOWHERE, Diagnostic, Mark, NoSolution, Undecided
 from planar_cli.solve.course.events import Leg, events, is_zero, scale_of
@@ -227,7 +229,7 @@ def _hint(course: Course, followed: Followed, stop: Stop, value: Valuation) -> s
             continue
         run = 20 * scale_of(leg)
         times = [leg.t0 + run * k / SAMPLES for k in range(SAMPLES + 1)]
-        away, at = min((abs(g(t)), t) for t in times)
+        away, at = _nearest(g, times)
         apart = _short(Decimal(repr(away)))
         found.append(f"`{d.text}` is nearest at t = {at:.4g} s, where the sides differ by {apart}")
     return ", ".join(found)
@@ -245,6 +247,16 @@ def passed_before(course: Course, followed: Followed, value: Valuation) -> bool:
         if stated is not None and _common(follower, others, course.stops[state.name], leg, until) is not None:
             return True
     return False
+
+
+def _nearest(g: Callable[[float], float], times: list[float]) -> tuple[float, float]:
+    """The smallest size of a function and when it has it: by samples, and the best of them looked at closely."""
+    k = min(range(len(times)), key=lambda i: abs(g(times[i])))
+    with suppress(ArithmeticError):
+        near = first_extreme(lambda t: abs(g(t)), times[max(k - 1, 0)], times[min(k + 1, len(times) - 1)], -1)
+        if near is not None:
+            return near.value, near.at
+    return abs(g(times[k])), times[k]
 
 
 def _common(follower: Follower, equations: list[Demand], stop: Stop, leg: Leg, until: float) -> float | None:

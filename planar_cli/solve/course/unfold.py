@@ -225,7 +225,8 @@ class Unfolder:
             return again[0]
         if changed is not None:
             return changed
-        wrong = (None if branches else clash(course, course.equations)) or missing(course)
+        clashing = None if branches else clash(course, course.equations)
+        wrong = clashing if clashing is not None and course.sought() else missing(course) or clashing
         text = "no motion passes through these states"
         self.lack = self.lack or wrong or NoSolution([Diagnostic(course.states[0].mark, "PL620", text)])
         if branches:

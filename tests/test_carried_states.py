@@ -1,0 +1,107 @@
+"""States without times: led there from the drawn position; equilibrium; formulas from one state on; sought constants."""
+
+from __future__ import annotations
+
+import mpmath
+import pytest
+from answered import assert_close, solve
+
+from planar_cli.errors import NoSolution, PlanarError
+
+BAR = """
+title: Four-bar
+points:
+  A: [0, 0]
+  D: [0.6 m, 0]
+  B: {{from: A, distance: 0.2 m, angle: 60 deg}}
+  C: {{distances: {{B: 0.5 m, D: 0.4 m}}, side: {side}}}
+bodies: {{AB: {{rod: [A, B]}}, BC: {{rod: [B, C]}}, DC: {{rod: [D, C]}}}}
+joints:
+  - pin: {{at: A, between: [ground, AB]}}
+  - pin: {{at: B, between: [AB, BC]}}
+  - pin: {{at: C, between: [BC, DC]}}
+  - pin: {{at: D, between: [ground, DC]}}
+"""
+
+
+@pytest.mark.parametrize("speeds", ["", ", omega(AB) = 2 rad/s"], ids=["places", "speeds"])
+@pytest.mark.parametrize(("side", "sign"), [("above", 1), ("below", -1)])
+def test_a_four_bar_is_led_to_its_state(side: str, sign: int, speeds: str) -> None:
+    """Not answered as drawn, and on the branch that is drawn: C above or below of the line BD."""
+    states = f"states:\n  1: [theta(AB) = 60 deg{speeds}]\n  2: [theta(AB) = 135 deg{speeds}]\n"
+    found = solve(f"{BAR.format(side=side)}{states}find: {{x_C: x(C) @ 2, y_C: y(C) @ 2}}\n")
+    x, y = -0.2 / mpmath.sqrt(2), 0.2 / mpmath.sqrt(2)
+    across, down = 0.6 - x, -y
+    d = mpmath.hypot(across, down)
+    along = (0.25 - 0.16 + d**2) / (2 * d)
+    off = sign * mpmath.sqrt(0.25 - along**2)
+    assert_close(found["x_C"], str(x + (along * across - off * down) / d), 12)
+    assert_close(found["y_C"], str(y + (along * down + off * across) / d), 12)
+
+
+def test_a_state_that_the_linkage_cannot_have() -> None:
+    states = "states:\n  1: [theta(AB) = 60 deg]\n  2: [x(B) = 0.3 m]\n"
+    with pytest.raises(PlanarError):
+        solve(f"{BAR.format(side='above')}{states}find: {{y_B: y(B) @ 2}}\n")
+
+
+SPRING = """
+title: Block on a spring
+plane: horizontal
+{more}
+coordinates: {{x: m}}
+points: {{W: [-3 m, 0], P: [x, 0]}}
+bodies: {{b: {{particle: P, mass: m}}}}
+joints:
+  - guide: {{point: P, along: 0 deg}}
+loads:
+  - spring: {{between: [W, P], stiffness: 2 N/m, relaxed_at: [x = 0]}}
+"""
+
+
+@pytest.mark.parametrize("end", ["", ", end: [t = infinity]"])
+def test_a_formula_from_the_only_state_on(end: str) -> None:
+    damper = "  - damper: {between: [W, P], coefficient: 2 N*s/m}\n"
+    text = SPRING.format(more="given: {m: 1 kg}") + damper
+    found = solve(f"{text}states: {{1: [t = 0, x = 1 m, at rest]{end}}}\nfind: {{x_t: x}}\n")["x_t"]
+    assert found.expressions is not None
+    assert {s.name for s in found.expressions[0].free_symbols} <= {"t", "m"}
+    assert found.expressions[0].has(next(s for s in found.expressions[0].free_symbols if s.name == "t"))
+
+
+def test_the_first_instant_fixes_a_mass() -> None:
+    """Lighter blocks are at x = 0 after 1 s as well, but for the second, third, … time."""
+    text = SPRING.format(more="unknowns: {m: kg}")
+    found = solve(f"{text}states: {{1: [t = 0, x = 1 m, at rest], 2: [t = 1 s, x = 0]}}\nfind: {{mass: m}}\n")
+    assert_close(found["mass"], str(8 / mpmath.pi**2), 12)
+
+
+def test_a_free_rotation_is_named() -> None:
+    with pytest.raises(NoSolution, match="angle of b"):
+        solve("""
+title: To and fro
+given: {w: 1 rad/s, a: 1 m}
+coordinates: {x: m}
+points: {P: [x, 0]}
+bodies: {b: {points: [P], center: P}}
+motion: [x = a*sin(w*t)^2]
+states: {start: [t = 0], end: [t = (2*pi) s]}
+find: {s: path_length(P) @ start->end}
+""")
+
+
+def test_a_flat_square_in_time_is_a_change_point() -> None:
+    with pytest.raises(NoSolution, match="change point"):
+        solve("""
+title: Flat square
+points: {A: [0, 0], D: [1 m, 0], B: [1 m, 0], C: [2 m, 0]}
+bodies: {AB: {rod: [A, B]}, BC: {rod: [B, C]}, DC: {rod: [D, C]}}
+joints:
+  - pin: {at: A, between: [ground, AB]}
+  - pin: {at: B, between: [AB, BC]}
+  - pin: {at: C, between: [BC, DC]}
+  - pin: {at: D, between: [ground, DC]}
+motion: [omega(AB) = 1 rad/s]
+states: {start: [t = 0], after: [t = 0.5 s]}
+find: {w: omega(DC) @ after}
+""")
