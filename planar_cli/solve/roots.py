@@ -7,7 +7,7 @@ only.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from decimal import Decimal
 
@@ -18,6 +18,7 @@ from planar_cli.equation.exact import DIGITS, PI, Unvalued, Valuation
 from planar_cli.errors import Undecided
 
 TINY = Decimal("1e-25")
+EDGE_STEPS = 40
 
 
 @dataclass(frozen=True, slots=True)
@@ -205,7 +206,7 @@ def _scan(expr: sp.Expr, x: sp.Symbol, value: Valuation, angle: bool) -> list[De
         grid = [*(-p for p in reversed(powers)), *powers]
     found = []
     last: tuple[Decimal, Decimal] | None = None
-    for v in grid:
+    for v in _with_edges(f, grid):
         y = f(v)
         if y is None:
             last = None
@@ -218,6 +219,22 @@ def _scan(expr: sp.Expr, x: sp.Symbol, value: Valuation, angle: bool) -> list[De
                 found.append(root)
         last = (v, y)
     return found
+
+
+def _with_edges(f: Callable[[Decimal], Decimal | None], grid: list[Decimal]) -> Iterator[Decimal]:
+    """The grid, closer and closer to where the function ceases to be real, as before a logarithm's end."""
+    before: Decimal | None = None
+    for v in grid:
+        if before is not None and (f(before) is None) != (f(v) is None):
+            inside, outside = (before, v) if f(v) is None else (v, before)
+            for _ in range(EDGE_STEPS):
+                middle = (inside + outside) / 2
+                inside, outside = (inside, middle) if f(middle) is None else (middle, outside)
+            start = before if f(v) is None else v
+            steps = [start + (inside - start) * (1 - Decimal(2) ** -k) for k in range(1, EDGE_STEPS, 2)]
+            yield from steps if f(v) is None else reversed(steps)
+        yield v
+        before = v
 
 
 def _refine(f: Callable[[Decimal], Decimal | None], a: Decimal, b: Decimal) -> Decimal | None:
