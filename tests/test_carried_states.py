@@ -1,4 +1,4 @@
-"""States without times: led there from the drawn position; equilibrium; formulas from one state on; sought constants."""
+"""States without times, led there from the drawing; equilibrium; formulas from one state on; sought constants."""
 
 from __future__ import annotations
 
