@@ -232,9 +232,9 @@ class MotionTelling:
         if e.law.f == 0 and e.kind == "v(t)":
             return f"no acceleration, {e.law.coordinate.words}"
         q = e.law.coordinate
-        single = plain_name(q.symbol.name.split("_")[0]) if q.unit == "m" else plain_name(q.symbol.name)
+        single = plain_name(q.symbol.name.split("_")[0]) if q.unit != "rad" else plain_name(q.symbol.name)
         words = re.sub(r"\bdq\b", f"d{single}", e.span.words)
-        if q.unit != "m":
+        if q.unit == "rad":
             words = re.sub(r"\b(d?)v\b", r"\1ω", re.sub(r"\ba\b", "α", words))
         return f"{words}, {q.words}" if q.words != q.symbol.name else words
 

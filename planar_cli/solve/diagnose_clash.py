@@ -7,8 +7,9 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.conditions import POSITION, order, vector_or_jet
+from planar_cli.equation.conditions import POSITION, gap, order, vector_or_jet
 from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.equation.jets import Jet
 from planar_cli.equation.polar import TOGETHER
 from planar_cli.equation.quantities import Quantities
 from planar_cli.equation.setup import Setup
@@ -98,11 +99,11 @@ def _left_out(instant: Instant, trial: Trial, relation: Relation, others: list[s
             relation.mark, code, f"`{relation.text}` contradicts what {reason} {verb} of {left_of(relation)}", hint
         )
     unit = unit_of(instant, relation.right, relation.left)
-    gap = f"they differ by {in_unit(abs(left - right), unit)}"
+    off = f"they differ by {in_unit(abs(left - right), unit)}"
     return Diagnostic(
         relation.mark,
         code,
-        f"`{relation.text}`, but {reason} {verb} {left_of(relation)} = {in_unit(left, unit)}; {gap}",
+        f"`{relation.text}`, but {reason} {verb} {left_of(relation)} = {in_unit(left, unit)}; {off}",
         hint,
     )
 
@@ -175,7 +176,7 @@ def _as_drawn(instant: Instant, relation: Relation) -> Diagnostic | None:
     try:
         sides = [vector_or_jet(s, quantities, quantities.evaluator) for s in (relation.left, relation.right)]
         if any(isinstance(s, Vec) for s in sides):
-            return None
+            return _vectors_off(instant, relation, gap(sides[0], sides[1])) if relation.operator == "=" else None
         if any(instant.scene.rests_on_sought(sp.sympify(s.value)) for s in sides):
             return None
         left, right = (value(sp.sympify(s.value)) for s in sides)
@@ -187,13 +188,26 @@ def _as_drawn(instant: Instant, relation: Relation) -> Diagnostic | None:
     if instant.scene.ledger.symbolic:
         return Diagnostic(relation.mark, "PL609", f"`{relation.text}` does not hold in the drawn position", hint)
     unit = unit_of(instant, relation.right, relation.left)
-    gap = f"it is off by {in_unit(abs(left - right), unit)}"
+    off = f"it is off by {in_unit(abs(left - right), unit)}"
     return Diagnostic(
         relation.mark,
         "PL609",
-        f"`{relation.text}`, but as drawn {left_of(relation)} = {in_unit(left, unit)}; {gap}",
+        f"`{relation.text}`, but as drawn {left_of(relation)} = {in_unit(left, unit)}; {off}",
         hint,
     )
+
+
+def _vectors_off(instant: Instant, relation: Relation, apart: Jet | Vec) -> Diagnostic | None:
+    """What is wrong with a relation between places as vectors."""
+    assert isinstance(apart, Vec)
+    parts = [sp.sympify(p.value) for p in (apart.x, apart.y)]
+    value = instant.scene.valuations[0]
+    if any(instant.scene.rests_on_sought(p) for p in parts):
+        return None
+    if all(abs(value(p)) <= NEGLIGIBLE * max(value.size(p), Decimal("1e-3")) for p in parts):
+        return None
+    hint = "draw the points at this instant, or write one of them with a coordinate"
+    return Diagnostic(relation.mark, "PL609", f"`{relation.text}` does not hold in the drawn position", hint)
 
 
 def demand_drawn(instant: Instant, trial: Trial) -> None:

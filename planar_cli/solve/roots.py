@@ -196,7 +196,7 @@ def _scan(expr: sp.Expr, x: sp.Symbol, value: Valuation, angle: bool) -> list[De
     def f(v: Decimal) -> Decimal | None:
         try:
             return value.extended({x: v})(expr)
-        except (ArithmeticError, Unvalued):
+        except (ArithmeticError, Unvalued, ValueError):
             return None
 
     if angle:

@@ -17,6 +17,7 @@ from planar_cli.solve.course.regime import Regime, number_function
 SLACK = 1e-9
 NOTICEABLE = 0.1
 WINDOWS = (20, 50, 100, 200, 500, 1000, 2000)
+SLOW_WINDOWS = (1, 3, 10, 30, 100)
 """How far a state is looked for, in characteristic times; the motion is never followed much beyond what is found."""
 LOOKS, NEARBY, DEAD = 8, 0.01, 1e-12
 """A function is looked at so often before a zero, and so near to it; below this part of its size it has died out."""
@@ -51,30 +52,40 @@ def scale_of(leg: Leg) -> float:
         return 1.0
     regime = leg.regime
     rates = [abs(float(r)) for r in leg.flow.rates(leg.t0)]
-    sizes = [leg.length if c.unit == "m" else 1.0 for c in regime.coordinates]
-    times = [size / r for size, r in zip(sizes, rates, strict=False) if r > SLACK * size]
-    turning = {c.speed for c in regime.coordinates if c.unit != "m"}
+    sizes = [leg.length if c.unit != "rad" else 1.0 for c in regime.coordinates]
+    times = [size / r for size, r in zip(sizes, rates, strict=False) if r]
+    turning = {c.speed for c in regime.coordinates if c.unit == "rad"}
     for u, a in zip(regime.free, rates[len(regime.coordinates) :], strict=True):
         size = 1.0 if u in turning else leg.length
-        if a > SLACK * size:
+        if a:
             times.append(math.sqrt(size / a))
     shortest = min([*times, leg.swing])
     return min(max(shortest if math.isfinite(shortest) else 1.0, 1e-9), 1e9)
+
+
+def windows(leg: Leg, scale: float) -> Iterator[float]:
+    """How far a state is looked for: so many characteristic times, and as long as the speeds change slowly."""
+    yield from (count * scale for count in WINDOWS)
+    if leg.flow is None:
+        return
+    rates = [abs(float(r)) for r in leg.flow.rates(leg.t0)][len(leg.regime.coordinates) :]
+    slow = max((abs(leg.start[u]) / a for u, a in zip(leg.regime.free, rates, strict=True) if a), default=0.0)
+    yield from (count * slow for count in SLOW_WINDOWS if count * slow > WINDOWS[-1] * scale)
 
 
 def length_of(regime: Regime, state: State, rates: Sequence[float], value: Valuation) -> float:
     """The largest length in sight: of a coordinate, else of the drawing, else a noticeable part of the way on which
     a speed changes by its own size; 1 m where nothing has a length. `rates`: of the coordinates and the free speeds.
     """
-    straight = [c for c in regime.coordinates if c.unit == "m"]
+    straight = [c for c in regime.coordinates if c.unit != "rad"]
     drawn = _drawn(regime, state, value)
     largest = max((abs(state[c.symbol]) for c in straight), default=0.0)
     if largest > SLACK * drawn:
         return largest
     if drawn:
         return drawn
-    turning = {c.speed for c in regime.coordinates if c.unit != "m"}
-    speeds = [abs(r) for c, r in zip(regime.coordinates, rates, strict=False) if c.unit == "m"]
+    turning = {c.speed for c in regime.coordinates if c.unit == "rad"}
+    speeds = [abs(r) for c, r in zip(regime.coordinates, rates, strict=False) if c.unit != "rad"]
     changes = [abs(a) for u, a in zip(regime.free, rates[len(regime.coordinates) :], strict=True) if u not in turning]
     speed, change = max(speeds, default=0.0), max(changes, default=0.0)
     way = speed * speed / change if change else 0.0
@@ -106,10 +117,10 @@ def swing_of(regime: Regime, state: State, value: Valuation) -> float:
 def events(g: Callable[[float], float], leg: Leg, until: float | None = None) -> Iterator[Root]:
     """Roots along a leg in order, window by window."""
     scale, begin = scale_of(leg), leg.t0
-    for count in WINDOWS:
+    for reach in windows(leg, scale):
         if begin > leg.t0 and _came_to_rest(leg, begin):
             return
-        end = leg.t0 + count * scale
+        end = leg.t0 + reach
         if until is not None:
             end = min(end, until)
         try:

@@ -221,8 +221,8 @@ class Follower:
             return None
         begin = [state[s] for s in letters]
         breaks = corners(regime, self.value, Decimal(repr(state[regime.time])), self._latest())
-        floors = [SMALL * (size if c.unit == "m" else 1.0) for c in regime.coordinates]
-        turning = {c.speed for c in regime.coordinates if c.unit != "m"}
+        floors = [SMALL * (size if c.unit != "rad" else 1.0) for c in regime.coordinates]
+        turning = {c.speed for c in regime.coordinates if c.unit == "rad"}
         for u, a in zip(regime.free, rhs(*(state[s] for s in regime.letters))[len(floors) :], strict=True):
             floors.append(SMALL * max(abs(state[u]), math.sqrt(abs(a) * (1.0 if u in turning else size))))
         return Flow(lambda t, y: rhs(t, *y), state[regime.time], begin, digits=13, breaks=breaks, floors=floors)
