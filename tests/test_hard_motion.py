@@ -128,16 +128,19 @@ def test_a_pendulum_upright_after_a_minute() -> None:
     assert number(found["w"]) == 0
 
 
-@pytest.mark.parametrize("beside", ["0.01", "1e-4", "1e-6"])
-def test_a_pendulum_nearly_upright(beside: str) -> None:
-    """The time to leave grows with the logarithm of how near: K - F of the elliptic integrals."""
+@pytest.mark.parametrize(("beside", "digits"), [("0.01", 11), ("1e-4", 11), ("1e-6", 9)])
+def test_a_pendulum_nearly_upright(beside: str, digits: int) -> None:
+    """The time to leave grows with the logarithm of how near: K - F of the elliptic integrals.
+
+    The motion is followed from a start in machine numbers: a millionth beside pi has ten digits of its own.
+    """
     states = f"states:\n  start: [t = 0, theta = pi - {beside}, at rest]\n  away: [theta = pi - 0.1]\n"
     found = solve(f"{PENDULUM}{states}find: {{t_away: t @ away}}\n")
     with mpmath.workdps(40):
         k = mpmath.cos(mpmath.mpf(beside) / 2)
         phi = mpmath.asin(mpmath.cos(mpmath.mpf("0.05")) / k)
         time = (mpmath.ellipk(k**2) - mpmath.ellipf(phi, k**2)) / mpmath.sqrt(mpmath.mpf("9.81"))
-        assert_close(found["t_away"], mpmath.nstr(time, 30), 11)
+        assert_close(found["t_away"], mpmath.nstr(time, 30), digits)
 
 
 # --- grazing ---------------------------------------------------------------------------------------------------------

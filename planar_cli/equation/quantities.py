@@ -250,15 +250,17 @@ class Quantities:
         return Jet(sp.Add(*parts), sp.Add(*rates), None)
 
     def _q_pe(self, q: Quantity) -> Jet:
-        """m g y_G, from y = 0."""
-        return only(
-            sp.Add(
-                *(
-                    self.scene.bodies[n].mass * self.scene.gravity * self.scene.bodies[n].center.y
-                    for n in self._bodies(q)
-                )
-            )
-        )
+        """m g y_G, from y = 0; of the whole system also k s²/2 of every spring, s its stretch."""
+        parts = [
+            self.scene.bodies[n].mass * self.scene.gravity * self.scene.bodies[n].center.y for n in self._bodies(q)
+        ]
+        if q.things[0] == "all" and self.reactions is not None:
+            pulls = {w.name: w.magnitude for w in self.reactions.wrenches if w.kind == "spring"}
+            for load in self.scene.problem.loads:
+                if load.name in pulls and load.kind == "spring":
+                    stiffness = self.scene.value(getattr(load, "stiffness"))  # noqa: B009
+                    parts.append(sp.sympify(pulls[load.name]) ** 2 / (2 * stiffness))
+        return only(sp.Add(*parts))
 
     def _q_momentum(self, q: Quantity) -> Vec:
         total = Vec(sp.S.Zero, sp.S.Zero)
