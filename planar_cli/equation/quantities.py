@@ -257,9 +257,9 @@ class Quantities:
         if q.things[0] == "all" and self.reactions is not None:
             pulls = {w.name: w.magnitude for w in self.reactions.wrenches if w.kind == "spring"}
             for load in self.scene.problem.loads:
-                if load.name in pulls and load.kind == "spring":
-                    stiffness = self.scene.value(getattr(load, "stiffness"))  # noqa: B009
-                    parts.append(sp.sympify(pulls[load.name]) ** 2 / (2 * stiffness))
+                stiffness = getattr(load, "stiffness", None)
+                if load.name in pulls and stiffness is not None:
+                    parts.append(sp.sympify(pulls[load.name]) ** 2 / (2 * self.scene.value(stiffness)))
         return only(sp.Add(*parts))
 
     def _q_momentum(self, q: Quantity) -> Vec:

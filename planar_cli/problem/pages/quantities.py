@@ -20,7 +20,8 @@ point or body, `j` a joint, `f` a load, `all` the whole system. A stroke joins t
   force(f)                      the force of a load
   mode(j)                       stick, slip, apart or tip of a contact; taut or slack of a rope (does it slip?)
   mass(b) I(b) I(b/P)           mass; moment of inertia about the mass centre, or about P
-  KE(b) PE(b) momentum(b)       kinetic and potential energy (of the weight; `PE(all)` with the springs), linear momentum
+  KE(b) PE(b) momentum(b)       kinetic and potential energy, linear momentum; PE is that of the weight,
+                                `PE(all)` has the springs as well
   H(b/P)                        angular momentum about P
   power(f)                      of a load
 

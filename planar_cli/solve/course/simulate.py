@@ -152,7 +152,8 @@ class Follower:
     def _alone(self, symbol: sp.Symbol, regime: Regime) -> bool:
         """Is a speed of the state not accounted for by the regime's own?"""
         twin = {r.name for r in regime.free}
-        return symbol.name not in twin and not any(c.speed == symbol for c in regime.coordinates)
+        moving = (c for c in regime.coordinates if regime.rates[c.symbol] != 0)
+        return symbol.name not in twin and not any(c.speed == symbol for c in moving)
 
     # --- one stretch -------------------------------------------------------------------------------------------------
 

@@ -97,6 +97,11 @@ class Unfolder:
             except NoSolution as error:
                 early = [e for e in course.equations if e.stop == course.first.name]
                 raise clash(course, early) or error from error
+        if isinstance(start, dict) and untold(course):
+            # A wrong assumption may be why a state says nothing: at rest nothing comes to rest.
+            other = self._changed(course, Follower(course, course.base()).run({k: float(v) for k, v in start.items()}))
+            if other is not None:
+                return other
         if start is Start.OPEN or untold(course):
             return self._sought(course, finds)
         assert isinstance(start, dict)
