@@ -11,7 +11,7 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.exact import Valuation
+from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.errors import Diagnostic, Mark, NoSolution, Undecided
 from planar_cli.problem.scene import Problem
 from planar_cli.solve.course.astray import clash, demand_agreement, missing, never, passed_before
@@ -99,7 +99,7 @@ class Unfolder:
                 raise clash(course, early) or error from error
         if isinstance(start, dict) and untold(course):
             # A wrong assumption may be why a state says nothing: at rest nothing comes to rest.
-            other = self._changed(course, Follower(course, course.base()).run({k: float(v) for k, v in start.items()}))
+            other = self._tried(course, start)
             if other is not None:
                 return other
         if start is Start.OPEN or untold(course):
@@ -111,6 +111,14 @@ class Unfolder:
         if still - course.plot.stretches[0].still:
             return course.plot.stilled(still | course.plot.stretches[0].still)
         return self._followed(course, finds, start)
+
+    def _tried(self, course: Course, start: dict[sp.Symbol, Decimal]) -> Plot | None:
+        """Another plot, if following this one as far as it goes shows a wrong assumption."""
+        try:
+            followed = Follower(course, course.base()).run({s: float(v) for s, v in start.items()})
+        except (ArithmeticError, Unvalued):
+            return None
+        return self._changed(course, followed)
 
     def _unblocked(self, plot: Plot, i: int) -> Plot:
         """Another choice of modes, where the velocities of this one contradict each other in every position."""
