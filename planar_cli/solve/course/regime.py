@@ -221,7 +221,10 @@ def number_function(
     made: Any = sp.lambdify(list(letters), [e.xreplace(inside) for e in exprs], modules="math")
 
     def call(*arguments: float) -> list[float]:
-        return [float(x) for x in made(*arguments)]
+        try:
+            return [float(x) for x in made(*arguments)]
+        except ValueError as error:
+            raise ArithmeticError("a formula has no real value here") from error
 
     return call
 
