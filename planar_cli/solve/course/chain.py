@@ -137,7 +137,7 @@ class Chain:
                 return False
             return equation.trend is None or value(equation.trend) >= -AGREES
         except ArithmeticError:
-            return equation.kind == "given" and False
+            return False
         except Unvalued:
             return True
 

@@ -216,7 +216,7 @@ class Course:
             found += list(law_equations(laws, start, stop, regime, regime.general.value))
             found += list(link_equations(laws, start, stop, regime))
             if stop.t in self.infinite():
-                found += list(ending_equations(laws, stop, regime, regime.general.value))
+                found += list(ending_equations(laws, stop, regime))
             found += list(resting_equations(regime, self.stops[self.states[i - 1].name], stop))
         return found
 

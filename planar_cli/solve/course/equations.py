@@ -85,9 +85,6 @@ class Laws:
     links: tuple[Link, ...]
     loose: tuple[Coordinate, ...]
 
-    def law_of(self, symbol: sp.Symbol) -> Law | None:
-        return next((law for law in self.laws if law.coordinate.symbol == symbol), None)
-
 
 def laws_of(regime: Regime) -> Laws:
     """Sort the coordinates of a regime: with a law of their own, linked to others, or loose."""
@@ -96,6 +93,7 @@ def laws_of(regime: Regime) -> Laws:
     links: list[Link] = []
     laws: list[Law] = []
     loose: list[Coordinate] = []
+    driven: list[Coordinate] = []
     rest: list[Coordinate] = []
     for c in regime.coordinates:
         rate = regime.rates[c.symbol]
@@ -106,13 +104,9 @@ def laws_of(regime: Regime) -> Laws:
                 laws.append(Law(c, 1, rate, sp.Dummy("v", real=True)))
             else:
                 rest.append(c)
-            continue
-        link = _link(regime, c, masters)
-        if link is None:
-            loose.append(c)
         else:
-            links.append(link)
-    for c in rest:
+            driven.append(c)
+    for c in (*driven, *rest):
         link = _link(regime, c, masters)
         if link is None:
             loose.append(c)
@@ -349,7 +343,7 @@ def at_limits(equations: list[Equation], infinite: Mapping[sp.Symbol, sp.Expr], 
     return found
 
 
-def ending_equations(laws: Laws, stop: Stop, regime: Regime, value: Valuation) -> Iterator[Equation]:
+def ending_equations(laws: Laws, stop: Stop, regime: Regime) -> Iterator[Equation]:
     """After a very long time a speed that tends to a limit no longer changes: q̈ = f(v) = 0."""
     for law in laws.laws:
         if law.order != 2 or law.speed is None or law.f.free_symbols & {regime.time, law.coordinate.symbol}:

@@ -78,7 +78,7 @@ class Follower:
             done.at = state
             if any(d.kind == "limit" for d in course.demands[course.states[i + 1].name]):
                 continue
-            begun = self._begin(regime, state)
+            begun = self.begin(regime, state)
             if not self._fits(i, regime, begun, state):
                 return done
             reached = self._stretch(i, regime, begun)
@@ -89,7 +89,7 @@ class Follower:
         done.at = state
         last = len(course.states) - 1
         if course.beyond is not None and last > 0 and asked_after(course.problem, course.states[last].name):
-            self._fits(last, course.beyond, self._begin(course.beyond, state), state)
+            self._fits(last, course.beyond, self.begin(course.beyond, state), state)
         return done
 
     def _fits(self, i: int, regime: Regime, begun: State, before: State) -> bool:
@@ -107,7 +107,7 @@ class Follower:
 
     # --- beginning ---------------------------------------------------------------------------------------------------
 
-    def _begin(self, regime: Regime, state: State) -> State:
+    def begin(self, regime: Regime, state: State) -> State:
         """The letters of a regime where it takes over: places stay, speeds follow from rates that are known."""
         begun = dict(state)
         for c in regime.coordinates:
@@ -211,10 +211,6 @@ class Follower:
         length = length_of(regime, state, rhs(*(state[s] for s in regime.letters)), self.value)
         flow = self._flow(regime, state, rhs, length)
         return Leg(regime, flow, t0, t0, state, swing_of(regime, state, self.value), length)
-
-    def begin(self, regime: Regime, state: State) -> State:
-        """The letters of a regime where it takes over: places stay, speeds follow from rates that are known."""
-        return self._begin(regime, state)
 
     def _flow(self, regime: Regime, state: State, rhs: Callable[..., list[float]], size: float) -> Flow | None:
         letters = regime.letters[1:]
