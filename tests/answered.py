@@ -3,15 +3,32 @@
 from __future__ import annotations
 
 from decimal import Decimal
+from pathlib import Path
 
 from planar_cli.commands._limit import time_limit
 from planar_cli.errors import FileProblem
+from planar_cli.homework.checking import read
 from planar_cli.problem.structure import load_text
 from planar_cli.solve.run import solve_problem
 from planar_cli.solve.solution import Found
 
 SECONDS = 60
 Answers = dict[str, Found]
+
+FOUR_BAR = """
+title: Four-bar linkage
+points:
+  A: [0, 0]
+  D: [0.6 m, 0]
+  B: {{from: A, distance: 0.2 m, angle: 60 deg}}
+  C: {{distances: {{B: 0.5 m, D: 0.4 m}}, side: {side}}}
+bodies: {{AB: {{rod: [A, B]}}, BC: {{rod: [B, C]}}, DC: {{rod: [D, C]}}}}
+joints:
+  - pin: {{at: A, between: [ground, AB]}}
+  - pin: {{at: B, between: [AB, BC]}}
+  - pin: {{at: C, between: [BC, DC]}}
+  - pin: {{at: D, between: [ground, DC]}}
+"""
 
 
 def solve(text: str, seconds: float = SECONDS) -> Answers:
@@ -21,6 +38,19 @@ def solve(text: str, seconds: float = SECONDS) -> Answers:
         raise FileProblem(wrong)
     with time_limit(seconds):
         return {f.name: f for part in solve_problem(problem).parts for f in part.found}
+
+
+def solved(tmp_path: Path, text: str) -> Answers:
+    """All finds of a text that is read from a file."""
+    file = tmp_path / "problem.yaml"
+    file.write_text(text, encoding="utf-8")
+    return {f.name: f for part in solve_problem(read(str(file))).parts for f in part.found}
+
+
+def first(found: Found) -> float:
+    """The first number of a find, in SI units."""
+    assert found.values is not None
+    return float(found.values[0])
 
 
 def number(found: Found) -> Decimal:

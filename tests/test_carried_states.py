@@ -4,24 +4,9 @@ from __future__ import annotations
 
 import mpmath
 import pytest
-from answered import assert_close, solve
+from answered import FOUR_BAR, assert_close, solve
 
 from planar_cli.errors import NoSolution, PlanarError
-
-BAR = """
-title: Four-bar
-points:
-  A: [0, 0]
-  D: [0.6 m, 0]
-  B: {{from: A, distance: 0.2 m, angle: 60 deg}}
-  C: {{distances: {{B: 0.5 m, D: 0.4 m}}, side: {side}}}
-bodies: {{AB: {{rod: [A, B]}}, BC: {{rod: [B, C]}}, DC: {{rod: [D, C]}}}}
-joints:
-  - pin: {{at: A, between: [ground, AB]}}
-  - pin: {{at: B, between: [AB, BC]}}
-  - pin: {{at: C, between: [BC, DC]}}
-  - pin: {{at: D, between: [ground, DC]}}
-"""
 
 
 @pytest.mark.parametrize("speeds", ["", ", omega(AB) = 2 rad/s"], ids=["places", "speeds"])
@@ -29,7 +14,7 @@ joints:
 def test_a_four_bar_is_led_to_its_state(side: str, sign: int, speeds: str) -> None:
     """Not answered as drawn, and on the branch that is drawn: C above or below of the line BD."""
     states = f"states:\n  1: [theta(AB) = 60 deg{speeds}]\n  2: [theta(AB) = 135 deg{speeds}]\n"
-    found = solve(f"{BAR.format(side=side)}{states}find: {{x_C: x(C) @ 2, y_C: y(C) @ 2}}\n")
+    found = solve(f"{FOUR_BAR.format(side=side)}{states}find: {{x_C: x(C) @ 2, y_C: y(C) @ 2}}\n")
     x, y = -0.2 / mpmath.sqrt(2), 0.2 / mpmath.sqrt(2)
     across, down = 0.6 - x, -y
     d = mpmath.hypot(across, down)
@@ -42,7 +27,7 @@ def test_a_four_bar_is_led_to_its_state(side: str, sign: int, speeds: str) -> No
 def test_a_state_that_the_linkage_cannot_have() -> None:
     states = "states:\n  1: [theta(AB) = 60 deg]\n  2: [x(B) = 0.3 m]\n"
     with pytest.raises(PlanarError):
-        solve(f"{BAR.format(side='above')}{states}find: {{y_B: y(B) @ 2}}\n")
+        solve(f"{FOUR_BAR.format(side='above')}{states}find: {{y_B: y(B) @ 2}}\n")
 
 
 SPRING = """

@@ -14,7 +14,7 @@ from typing import Any
 import mpmath
 import pytest
 import sympy as sp
-from answered import assert_close, number, solve
+from answered import FOUR_BAR, assert_close, number, solve
 
 from planar_cli.errors import NoSolution
 
@@ -105,22 +105,6 @@ find: {t_d: t @ down, way: v(P).angle @ down}
 """)
     assert_close(found["t_d"], Decimal(16) / Decimal("9.81"))
     assert_close(found["way"], math.atan(2) - math.pi, 14)
-
-
-FOUR_BAR = """
-title: Four-bar linkage
-points:
-  A: [0, 0]
-  D: [0.6 m, 0]
-  B: {{from: A, distance: 0.2 m, angle: 60 deg}}
-  C: {{distances: {{B: 0.5 m, D: 0.4 m}}, side: {side}}}
-bodies: {{AB: {{rod: [A, B]}}, BC: {{rod: [B, C]}}, DC: {{rod: [D, C]}}}}
-joints:
-  - pin: {{at: A, between: [ground, AB]}}
-  - pin: {{at: B, between: [AB, BC]}}
-  - pin: {{at: C, between: [BC, DC]}}
-  - pin: {{at: D, between: [ground, DC]}}
-"""
 
 
 def rocker(crank: float, above: bool) -> float:

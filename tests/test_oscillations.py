@@ -7,11 +7,10 @@ from pathlib import Path
 
 import pytest
 import sympy as sp
+from answered import first as number
+from answered import solved
 
 from planar_cli.errors import FileProblem, NoSolution
-from planar_cli.homework.checking import read
-from planar_cli.solve.run import solve_problem
-from planar_cli.solve.solution import Found
 
 BLOCK = """
 title: Block
@@ -60,18 +59,6 @@ loads:
 states: {rest: [x = 0, y = 0, equilibrium]}
 find: {FIND}
 """
-
-
-def solved(tmp_path: Path, text: str) -> dict[str, Found]:
-    """All finds of a file."""
-    file = tmp_path / "problem.yaml"
-    file.write_text(text, encoding="utf-8")
-    return {f.name: f for part in solve_problem(read(str(file))).parts for f in part.found}
-
-
-def number(found: Found) -> float:
-    assert found.values is not None
-    return float(found.values[0])
 
 
 def block(find: str, c: int) -> str:
