@@ -202,6 +202,9 @@ class Motion:
         joining: Joining, speed: sp.Expr, pace: sp.Expr, base_spin: sp.Expr, mover_spin: sp.Expr
     ) -> Vec:
         """Relative and Coriolis acceleration of the mover's point over the base's, or that of rolling outlines."""
+        if joining.pace is not None:
+            demanded: Vec = joining.pace + (joining.path.tangent * pace if joining.path is not None else STILL)
+            return demanded
         if joining.path is not None:
             t = joining.path.tangent
             along: Vec = t * pace + t.turned() * (joining.path.curvature * speed**2 + 2 * base_spin * speed)
@@ -241,7 +244,7 @@ class Motion:
 
     def row_acceleration(self, row: Row) -> sp.Expr:
         """The rate of a row: the same on accelerations, plus the turning of its free segments."""
-        found = self._row(row, self.acceleration, self.accelerations)
+        found = self._row(row, self.acceleration, self.accelerations) - row.pace
         for s in row.segments:
             if s.length is None:
                 continue

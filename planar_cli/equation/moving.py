@@ -14,6 +14,7 @@ from planar_cli.equation.motion import Motion
 from planar_cli.equation.plain import MANY, longer, simplified
 from planar_cli.equation.quantities import quantities_of
 from planar_cli.equation.scene import Scene
+from planar_cli.equation.struck import StruckScene
 from planar_cli.errors import Mark, Undecided
 from planar_cli.loads.base import mode_key
 from planar_cli.problem.expression import Side
@@ -107,8 +108,12 @@ class Moving:
 def all_wrenches(
     scene: Scene, motion: Motion, numbers: Any, skids: Iterable[Skid] = (), idle: Container[str] = ()
 ) -> tuple[Wrench, ...]:
-    """Weights of all bodies, every load of the file that is not idle, and the friction of bodies that skid."""
+    """Weights of all bodies, every load of the file that is not idle, and the friction of bodies that skid; in a blow
+    the impulses and the momenta with which bodies arrive.
+    """
     setting = Moving(scene, motion, numbers)
+    if isinstance(scene, StruckScene):
+        return scene.blows(setting)
     weight = members("loads")["weight"]
     found: list[Wrench] = []
     for body in scene.problem.bodies:

@@ -40,8 +40,8 @@ class Course:
 
 
 class Setup:
-    """Makes ledger, evaluator and scene; `open_form`: coordinates stay letters of the answer (a formula that holds
-    throughout).
+    """Makes ledger, evaluator and scene (of class `scene`); `open_form`: coordinates stay letters of the answer (a
+    formula that holds throughout).
     """
 
     def __init__(
@@ -51,6 +51,7 @@ class Setup:
         earlier: Mapping[str, Earlier],
         open_form: bool,
         course: Course | None = None,
+        scene: type[Scene] = Scene,
     ) -> None:
         self.problem, self.statements, self.earlier = problem, statements, earlier
         self.ledger = Ledger(us=problem.us)
@@ -65,7 +66,7 @@ class Setup:
         if course is not None:
             displacement = course.displacement
             self._open_course(course)
-        self.scene = Scene(problem, self.ledger, self.evaluator, displacement)
+        self.scene = scene(problem, self.ledger, self.evaluator, displacement)
         if course is not None:
             for symbol in list(self.ledger.sought):
                 self.ledger.release(symbol)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 
 import sympy as sp
@@ -100,13 +101,27 @@ class System:
         self.reactions = self._reactions()
 
     def hanging(self) -> set[sp.Symbol]:
-        """Velocities of bodies that only ropes hold, across them."""
+        """Velocities of bodies that hang straight down on ropes alone, across them, where nothing sets them swinging."""
         ropes = {name for name, mode in self.modes.items() if mode.name in ("taut", "slack")}
         found = set()
         for edge in self.tree.edges:
-            if edge.joining is None or edge.joining.joint in ropes:
+            if (edge.joining is None or edge.joining.joint in ropes) and not self._swings(edge.body):
                 found |= {s for s in (edge.slide, edge.rise) if s is not None}
         return found if ropes else set()
+
+    def _swings(self, body: str) -> bool:
+        """Is a body struck or sent off sideways, or does a rope pull it aslant where it is drawn?"""
+        if body in self.scene.problem.struck or self.scene.problem.plane == "horizontal":
+            return True
+        if self.scene.displacement is None:
+            return False
+        drawn = {c.symbol: c.drawn for c in self.scene.displacement.coordinates if c.drawn is not None}
+        facts = [mode.facts for mode in self.modes.values() if mode.name in ("taut", "slack")]
+        segments = [s for f in facts for row in f.rows for s in row.segments]
+        ends = [s.direction for s in segments if body in (s.start.body, s.end.body)]
+        swung = [j for f in facts for j in f.joinings if body in (j.mover, j.base) and j.path is not None]
+        ends += [j.path.tangent.turned() for j in swung if j.path is not None]
+        return any(not self.scene.is_zero(d.x.xreplace(drawn)) for d in ends)
 
     def states(self, level: int) -> bool:
         """Does the file state anything of this level: a velocity, or an acceleration or force?"""
@@ -196,14 +211,17 @@ def make_system(
     aliases: dict[str, str],
     plain: frozenset[str],
     drivers: tuple[Push, ...] = (),
+    named: Callable[[Push], tuple[str, str]] = lambda push: (push.name, push.unit),
 ) -> System:
-    """The equations for one choice of modes; `symbols` keeps the symbol of each push across choices."""
+    """The equations for one choice of modes; `symbols` keeps the symbol of each push across choices; `named`: how it is
+    called, and its unit.
+    """
     facts = [mode.facts for mode in modes.values()]
     tree = builder.build(j for f in facts for j in f.joinings)
     pushes = (*natural_pushes(scene, facts, plain), *drivers)
     for push in pushes:
         if push.name not in symbols:
-            symbols[push.name] = scene.ledger.fresh(push.name, push.unit)
+            symbols[push.name] = scene.ledger.fresh(*named(push))
     laws = tuple(law for f in facts for law in f.laws)
     first = Motion(tree, scene.center, {})
     return System(

@@ -11,6 +11,7 @@ A joint is what keeps bodies from moving freely past each other. A member is one
 
 - `kind` is the word in the file; the fields declared with `key(...)` are its YAML keys and its part of the JSON Schema.
 - `choices` names the groups of keys of which exactly one is written.
+- `strikes`: it acts only in a blow, between a state and one just after it.
 - `name` is the joint's own `name:`; else that of its point; else that of its first body. Reading a file settles it.
 - `during` is the span of states in which the joint acts; None: always.
 - `mark` is the place of the entry in the file.
@@ -25,10 +26,11 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from planar_cli.errors import Mark
+from planar_cli.problem.blows import in_a_blow
 from planar_cli.problem.facts import Mode
 from planar_cli.problem.keys import Choice
 from planar_cli.problem.residuals import Residual
-from planar_cli.problem.setting import Setting
+from planar_cli.problem.setting import Setting, StruckSetting
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -37,6 +39,7 @@ class Joint(ABC):
 
     kind: ClassVar[str]
     choices: ClassVar[tuple[Choice, ...]] = ()
+    strikes: ClassVar[bool] = False
 
     name: str
     during: tuple[str, str] | None
@@ -49,6 +52,10 @@ class Joint(ABC):
     @abstractmethod
     def modes(self, scene: Setting) -> tuple[Mode, ...]:
         """The ways in which the joint may act, the natural assumption first; each with the facts that it states."""
+
+    def blows(self, scene: StruckSetting) -> tuple[Mode, ...]:
+        """The ways in which the joint may act in a blow: pushes are impulses, accelerations the velocities after it."""
+        return tuple(in_a_blow(mode) for mode in self.modes(scene))
 
     @abstractmethod
     def residuals(self, scene: Setting, mode: Mode) -> tuple[Residual, ...]:

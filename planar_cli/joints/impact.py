@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import ClassVar
+from dataclasses import dataclass, replace
+from typing import Any, ClassVar
 
 from planar_cli.joints.base import Joint
 from planar_cli.problem.expression import Side
-from planar_cli.problem.facts import Mode
+from planar_cli.problem.facts import Action, Anchor, Facts, Law, Meeting, Mode, Pull, Push, Row, Test
+from planar_cli.problem.geometry import Vec
 from planar_cli.problem.keys import PartnersKey, SideKey, key
 from planar_cli.problem.residuals import Residual
-from planar_cli.problem.setting import Setting
+from planar_cli.problem.setting import Setting, StruckSetting
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -51,6 +52,7 @@ class Impact(Joint):
     """
 
     kind: ClassVar[str] = "impact"
+    strikes: ClassVar[bool] = True
 
     between: tuple[str, ...] = key(PartnersKey(), "the two bodies, or a body and a surface")
     normal: Side | None = key(SideKey("deg", angle=True), "direction of the common normal", default=None)
@@ -58,13 +60,69 @@ class Impact(Joint):
     mu: Side | None = key(SideKey("1"), "coefficient of friction during the impact", default=None)
 
     def modes(self, scene: Setting) -> tuple[Mode, ...]:
-        raise scene.refuse(
-            self.mark,
-            "PL590",
-            "an impact joins two states",
-            "state the velocities after it: instants, and motions between impacts, are solved",
-        )
+        """Nothing: an impact acts only in the blow."""
+        return (Mode("", "", Facts()),)
 
     def residuals(self, scene: Setting, mode: Mode) -> tuple[Residual, ...]:
         """None: an impact keeps no places."""
         return ()
+
+    def blows(self, scene: StruckSetting) -> tuple[Mode, ...]:
+        meeting = scene.meeting(self.between, self.normal, self.mark)
+        a, b = (scene.carrier(p) for p in self.between)
+        rough = self.mu is not None and not scene.is_zero(scene.value(self.mu))
+        pushes = [self._push("N", "normal", a, b, meeting.point, meeting.normal)]
+        if rough:
+            pushes.append(self._push("F", "friction", a, b, meeting.point, meeting.normal.turned()))
+        rebound = self._rebound(scene, a, b, meeting)
+        facts = Facts(rows=(rebound,), pushes=tuple(pushes))
+        pressed = (Test(self.name, f"N_{self.name} presses", ((f"N_{self.name}", 1),)),) if meeting.told else ()
+        hits = [*self._rough(scene, facts, pressed, a, b, meeting)] if rough else [Mode("", "", facts, pressed)]
+        return (*hits, self._missed(scene, a, b, meeting)) if meeting.told else tuple(hits)
+
+    def _push(self, stem: str, kind: str, a: str, b: str, point: Vec, along: Vec) -> Push:
+        """On the second body along the direction, reversed on the first."""
+        actions = (Action(b, point, along), Action(a, point, -along))
+        return Push(f"{stem}_{self.name}", kind, self.name, self.name, actions)
+
+    def _approach(self, scene: StruckSetting, a: str, b: str, meeting: Meeting) -> Any:
+        """(v_b1 - v_a1) · n, negative where they approach."""
+        return (scene.arriving(meeting.point, b) - scene.arriving(meeting.point, a)).dot(meeting.normal)
+
+    def _apart(self, a: str, b: str, meeting: Meeting, along: Vec, title: str, pace: Any = 0) -> Row:
+        pulls = (Pull(Anchor(b, meeting.point), along), Pull(Anchor(a, meeting.point), -along))
+        return Row(self.name, title, pulls, pace=pace)
+
+    def _rebound(self, scene: StruckSetting, a: str, b: str, meeting: Meeting) -> Row:
+        e = scene.unknown(f"e_{self.name}", "1") if self.restitution is None else scene.value(self.restitution)
+        title = f"restitution between {self.between[0]} and {self.between[1]}, along the common normal"
+        return self._apart(a, b, meeting, meeting.normal, title, -e * self._approach(scene, a, b, meeting))
+
+    def _rough(
+        self, scene: StruckSetting, facts: Facts, pressed: tuple[Test, ...], a: str, b: str, meeting: Meeting
+    ) -> list[Mode]:
+        """The touching points stick at the end of the blow, or still slide."""
+        assert self.mu is not None
+        mu, n, f = scene.value(self.mu), f"N_{self.name}", f"F_{self.name}"
+        words = f"{self.between[0]} and {self.between[1]}"
+        sliding = self._apart(a, b, meeting, meeting.normal.turned(), f"{words} do not slide on each other")
+        within = tuple(Test(self.name, "friction impulse within its limit", ((n, mu), (f, s))) for s in (-1, 1))
+        stuck = replace(facts, rows=(*facts.rows, sliding))
+        found = [Mode("stick", f"{words} do not slide at the end of the blow", stuck, (*pressed, *within), sliding)]
+        for direction in (1, -1):
+            moves = Test(self.name, f"{words} slide as assumed", row=sliding, sense=direction)
+            slipping = replace(facts, laws=(Law(f, -direction * mu, n),))
+            found.append(
+                Mode("slip", f"{words} slide throughout the blow", slipping, (*pressed, moves), sliding, direction)
+            )
+        return found
+
+    def _missed(self, scene: StruckSetting, a: str, b: str, meeting: Meeting) -> Mode:
+        """They do not approach, and part."""
+        words = f"{self.between[0]} and {self.between[1]} do not approach each other"
+        row = self._apart(a, b, meeting, meeting.normal, words)
+        tests = (
+            Test(self.name, words, (), self._approach(scene, a, b, meeting)),
+            Test(self.name, words, row=row),
+        )
+        return Mode("apart", words, Facts(), tests)

@@ -12,6 +12,7 @@ one file with one final class:
 
 - `kind` is the word in the file; the fields declared with `key(...)` are its YAML keys and its part of the JSON Schema.
 - `choices` names the groups of keys of which exactly one is written.
+- `strikes`: it acts only in a blow, between a state and one just after it.
 - `name` is the load's own `name:`; else that of its point; else that of its first body. Reading a file settles it.
 - `during` is the span of states in which the load acts; None: always.
 - `mark` is the place of the entry in the file.
@@ -29,7 +30,7 @@ from planar_cli.errors import Mark
 from planar_cli.problem.facts import Mode, Wrench
 from planar_cli.problem.keys import Choice
 from planar_cli.problem.residuals import Residual
-from planar_cli.problem.setting import MovingSetting, Setting
+from planar_cli.problem.setting import MovingSetting, Setting, StruckSetting
 
 
 def mode_key(load: str) -> str:
@@ -43,6 +44,7 @@ class Load(ABC):
 
     kind: ClassVar[str]
     choices: ClassVar[tuple[Choice, ...]] = ()
+    strikes: ClassVar[bool] = False
 
     name: str
     during: tuple[str, str] | None
@@ -58,6 +60,10 @@ class Load(ABC):
 
     def residuals(self, scene: Setting, mode: Mode) -> tuple[Residual, ...]:
         """A load keeps no places."""
+        return ()
+
+    def impulses(self, scene: StruckSetting) -> tuple[Wrench, ...]:
+        """What the load does to each body in a blow: nothing, where it is a finite force."""
         return ()
 
     @abstractmethod

@@ -9,7 +9,7 @@ from planar_cli.loads.base import Load
 from planar_cli.problem.expression import Side
 from planar_cli.problem.facts import Wrench
 from planar_cli.problem.keys import BodyKey, Choice, PointKey, SideKey, key
-from planar_cli.problem.setting import MovingSetting
+from planar_cli.problem.setting import MovingSetting, StruckSetting
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -49,6 +49,7 @@ class Impulse(Load):
     """
 
     kind: ClassVar[str] = "impulse"
+    strikes: ClassVar[bool] = True
     choices: ClassVar[tuple[Choice, ...]] = (
         Choice(
             (("magnitude", "angle"), ("at", "magnitude", "angle"), ("moment",)),
@@ -62,5 +63,19 @@ class Impulse(Load):
     angle: Side | None = key(SideKey("deg", angle=True), "its direction from +x, counterclockwise", default=None)
     moment: Side | None = key(SideKey("N*m*s"), "an angular impulse, counterclockwise positive", default=None)
 
+    def attachments(self) -> tuple[tuple[str, str], ...]:
+        return () if self.at is None else ((self.at, self.body),)
+
     def wrenches(self, scene: MovingSetting) -> tuple[Wrench, ...]:
-        raise scene.refuse(self.mark, "PL590", "an impulse joins two states", "state the velocities after it")
+        """None: a blow is no force."""
+        return ()
+
+    def impulses(self, scene: StruckSetting) -> tuple[Wrench, ...]:
+        point = scene.point(self.at) if self.at is not None else scene.center(self.body)
+        if self.moment is not None:
+            moment = scene.value(self.moment)
+            return (Wrench(self.name, "impulse", self.body, point, None, moment, moment),)
+        assert self.magnitude is not None
+        assert self.angle is not None
+        size = scene.value(self.magnitude)
+        return (Wrench(self.name, "impulse", self.body, point, scene.unit(self.angle) * size, 0, size),)

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from planar_cli import units
 from planar_cli.errors import Diagnostic
+from planar_cli.joints.base import Joint
 from planar_cli.problem.dimensions import (
     ANGLE,
     ANY,
@@ -18,6 +19,7 @@ from planar_cli.problem.dimensions import (
 )
 from planar_cli.problem.expression import Name, Number, Quantity, Side
 from planar_cli.problem.formulas import Formula, formulas
+from planar_cli.problem.scene import Particle
 from planar_cli.problem.scope import Scope
 from planar_cli.units import UnitError, parse_unit
 
@@ -78,10 +80,13 @@ def about(quantity: Quantity, scope: Scope) -> str | None:
     first, second = quantity.things
     if second in scope.bodies and second not in scope.points:
         return None
-    on_body = any(
-        second in scope.partners(m) for m in scope.members.get(first, ()) if m.kind not in ("force", "impulse")
-    )
-    return None if second in scope.bodies and on_body else second
+    if second not in scope.bodies:
+        return second
+    shape = scope.bodies[second].shape
+    names = {second, shape.place} if isinstance(shape, Particle) else {second}
+    joints = [m for m in scope.members.get(first, ()) if isinstance(m, Joint)]
+    held = any(second in scope.partners(m) or names & scope.mentioned(m) for m in joints)
+    return None if held else second
 
 
 def unit_kind(text: str) -> Kind:

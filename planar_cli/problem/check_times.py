@@ -64,17 +64,19 @@ def _words(tree: Tree) -> Iterator[Diagnostic]:
 
 
 def blows_have_spans(scope: Scope) -> Iterator[Diagnostic]:
-    """Impacts and impulses say between which states they happen; the second is `just after` the first."""
+    """Impacts and impulses say between which states they happen; the second is `just after` the first. An impact that
+    does not say so happens in every blow.
+    """
     p = scope.problem
     after = {s.name: r.state for s in p.states for r in s.relations if isinstance(r, JustAfter)}
     for member in members_of(p):
         if member.kind not in ("impact", "impulse"):
             continue
-        if member.during is None:
+        if member.during is None and not (member.kind == "impact" and after):
             yield Diagnostic(
                 member.mark, "PL433", f"the {member.kind} does not say when it happens", "write `during: 1->2`"
             )
-        elif set(member.during) <= set(scope.states) and after.get(member.during[1]) != member.during[0]:
+        elif member.during is not None and set(member.during) <= set(scope.states) and after.get(member.during[1]) != member.during[0]:
             start, end = member.during
             message = f"the {member.kind} takes no time, but state {end} is not just after state {start}"
             yield Diagnostic(member.mark, "PL433", message, f"write `{end}: [just after {start}]`")

@@ -49,7 +49,7 @@ class Joining:
     The mover's material point at `point` has the velocity of the base's point there, plus a slide along `path` (None:
     no slide), plus `drift` (a vector: the speed of a running belt's surface). `turns`: may the mover turn relative to
     the base? `place`: the point's name in print. `rolling`: contact without slip between outlines, whose points of
-    contact differ in their normal acceleration.
+    contact differ in their normal acceleration. `pace`: what is added to the acceleration besides (None: nothing).
     """
 
     joint: str
@@ -61,6 +61,7 @@ class Joining:
     turns: bool = True
     rolling: Rolling | None = None
     drift: Vec | None = None
+    pace: Vec | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,7 +90,7 @@ class Row:
     """A scalar relation between velocities, Σ pulls + Σ factor · ω(body) = rate, and its derivative.
 
     The derivative has the same coefficients on the accelerations, and for every segment of finite length the term
-    (relative velocity across it)² / length. `title` is what the relation says, in words.
+    (relative velocity across it)² / length; it equals `pace`, the rate of `rate`. `title`: the relation in words.
     """
 
     joint: str
@@ -98,6 +99,7 @@ class Row:
     spins: tuple[tuple[str, Any], ...] = ()
     rate: Any = 0
     segments: tuple[Segment, ...] = ()
+    pace: Any = 0
 
 
 @dataclass(frozen=True, slots=True)
@@ -226,3 +228,14 @@ class Outline:
     center_name: str = ""
     drift: Vec | None = None
     extent: tuple[Any, Any] | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Meeting:
+    """Where two bodies strike each other: the point, and the unit normal from the first to the second. `told`: does the
+    drawing tell on which side each of them is?
+    """
+
+    point: Vec
+    normal: Vec
+    told: bool

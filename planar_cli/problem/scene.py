@@ -248,7 +248,10 @@ class Case:
 
 @dataclass(frozen=True, slots=True)
 class Problem:
-    """A whole problem file. `plane`: vertical, horizontal, or None. `us`: all of `given` is in US customary units."""
+    """A whole problem file. `plane`: vertical, horizontal, or None. `us`: all of `given` is in US customary units.
+
+    `struck`: in what acts during one span, the bodies that blows of the whole file strike.
+    """
 
     file: str
     title: str
@@ -275,3 +278,4 @@ class Problem:
     tolerance: Side | None
     method: str | None
     us: bool
+    struck: frozenset[str] = frozenset()

@@ -6,7 +6,7 @@ from typing import Any, Protocol
 
 from planar_cli.errors import Mark
 from planar_cli.problem.expression import Side, Statement
-from planar_cli.problem.facts import Outline
+from planar_cli.problem.facts import Meeting, Outline
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.keys import Table
 
@@ -49,3 +49,11 @@ class MovingSetting(Setting, Protocol):
     def mass(self, body: str) -> Any: ...
     def against(self, velocity: Vec, size: Any) -> Vec: ...
     def size(self, magnitude: Side | Table, mark: Mark) -> Any: ...
+
+
+class StruckSetting(Setting, Protocol):
+    """The scene in a blow: bodies still have the velocities with which they arrive."""
+
+    def arriving(self, point: Vec, body: str) -> Vec: ...
+    def meeting(self, between: tuple[str, ...], normal: Side | None, mark: Mark) -> Meeting: ...
+    def unknown(self, name: str, unit: str) -> Any: ...

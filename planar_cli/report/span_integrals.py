@@ -44,6 +44,12 @@ def span_blocks(found: SpanIntegral, phrases: Phrases, symbolic: bool) -> Iterat
 
 def _piece(piece: Piece, phrases: Phrases, symbolic: bool, unit: str) -> Iterator[Block]:
     time = sp.Symbol("t", real=True)
+    if piece.how == "blow":
+        blow: list[Inline | Line] = [phrases.math(piece.integrand)]
+        if not symbolic:
+            blow.append(Value(piece.number, unit))
+        yield Equation(tuple(blow), None, line(f"in the blow from {piece.since.name} to {piece.until.name}:"))
+        return
     integrand = piece.over_time if piece.how in ("integral", "quadrature") else piece.integrand
     shown = sp.Integral(integrand, (time, piece.since.t, piece.until.t))
     sides: list[Inline | Line] = [phrases.math(shown)]

@@ -128,6 +128,8 @@ class Assembly:
             normal = self.number(joining.rolling.tangent).turned()
             bend = (base - mover) ** 2 / self.value(joining.rolling.mover - joining.rolling.base)
         row[-1] = row.get(-1, ZERO) - bend * normal.dot(direction)
+        if joining.pace is not None:
+            row[-1] -= self.number(joining.pace).dot(direction)
         if joining.drift is not None and joining.path is None and base:
             # A belt that is carried along: its surface turns with the body.
             row[-1] -= 2 * base * self.number(joining.drift).turned().dot(direction)
@@ -135,7 +137,7 @@ class Assembly:
 
     def row(self, row: Row) -> dict[int, Decimal]:
         """The acceleration of a row."""
-        found: dict[int, Decimal] = {}
+        found: dict[int, Decimal] = {-1: -self.value(row.pace)} if row.pace != 0 else {}
         for pull in row.pulls:
             self._add(found, pull.anchor.body, self.number(pull.anchor.point), self.number(pull.direction), 1)
         for body, factor in row.spins:

@@ -53,7 +53,7 @@ class Instant:
         self.setup, self.scene, self.statements = setup, setup.scene, setup.statements
         self.joints = distinct(self.scene.problem.joints)
         self.aliases = alias_of(self.scene.problem.joints, self.joints)
-        self.modes: list[tuple[Joint | Load, tuple[Mode, ...]]] = [(j, j.modes(self.scene)) for j in self.joints]
+        self.modes: list[tuple[Joint | Load, tuple[Mode, ...]]] = [(j, self.modes_of(j)) for j in self.joints]
         for load in self.scene.problem.loads:
             found = load.modes(self.scene)
             if found:
@@ -61,12 +61,24 @@ class Instant:
                 self.aliases[mode_key(load.name)] = load.name
         self.scene.forget_valuations()
         names = [b.name for b in self.scene.problem.bodies]
-        self.builder = TreeBuilder(self.scene.ledger, self.scene.rigid, self.scene.center_name, names)
+        self.builder = self.tree_builder(names)
         self.symbols: dict[str, sp.Symbol] = {}
         apart = TreeBuilder(Ledger(), self.scene.rigid, self.scene.center_name, names)
         self.free = Motion(apart.build((), hang=False), self.scene.center, {})
         self.drivers: tuple[Push, ...] = ()
         self.plain = asked_by_axis(self.scene.problem, self.joints)
+
+    def modes_of(self, joint: Joint) -> tuple[Mode, ...]:
+        """The ways in which a joint may act."""
+        return joint.modes(self.scene)
+
+    def tree_builder(self, bodies: list[str]) -> TreeBuilder:
+        """What makes the unknowns of the motion."""
+        return TreeBuilder(self.scene.ledger, self.scene.rigid, self.scene.center_name, bodies)
+
+    def name_of(self, push: Push) -> tuple[str, str]:
+        """How a push is called, and its unit."""
+        return push.name, push.unit
 
     @property
     def at_rest(self) -> bool:
@@ -122,8 +134,9 @@ class Instant:
     def system(self, choice: tuple[int, ...]) -> System:
         """The equations of one choice of modes."""
         modes = {j.name: found[i] for (j, found), i in zip(self.modes, choice, strict=True)}
+        scene, builder, statements = self.scene, self.builder, self.statements
         return make_system(
-            self.scene, self.builder, self.statements, modes, self.symbols, self.aliases, self.plain, self.drivers
+            scene, builder, statements, modes, self.symbols, self.aliases, self.plain, self.drivers, self.name_of
         )
 
     def choices(self) -> Iterator[tuple[int, ...]]:

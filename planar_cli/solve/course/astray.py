@@ -80,6 +80,7 @@ def missing(course: Course) -> NoSolution | None:
         s
         for s in course.states[1:]
         if not fixed_time(s.relations)
+        and not any(blow.stop.name == s.name for blow in course.blows.values())
         and all(d.kind == "inequality" for d in course.demands[s.name])
         and s.name not in course.plot.turnings
     ]
@@ -216,7 +217,7 @@ def _hint(course: Course, followed: Followed, stop: Stop, value: Valuation) -> s
             return f"it was reached before, at t = {when:.4g} s: states stand in the order in which they happen"
     index = next(i for i, s in enumerate(course.states) if s.name == stop.name)
     regime = course.regimes[index - 1]
-    leg = follower.leg(regime, follower.begin(regime, followed.at))
+    leg = follower.leg(regime, follower.begin(regime, followed.at, course.readers[course.states[index - 1].name].regime))
     found = []
     for d in equations:
         g = follower.function(d.residual, stop, leg)

@@ -112,7 +112,9 @@ def start_of(coordinates: Iterable[Coordinate]) -> dict[sp.Symbol, sp.Expr]:
 def constraints_of(
     drawn: Instant, choice: tuple[int, ...], displacement: Displacement, coordinates: tuple[Coordinate, ...]
 ) -> tuple[Constraint, ...]:
-    """All conditions between the coordinates that the tree has not already built in."""
+    """All conditions between the coordinates that the tree has not already built in; what a joint keeps only for some
+    time depends on where it begins.
+    """
     scene = drawn.scene
     base = scene.valuations[0]
     start = start_of(coordinates)
@@ -121,6 +123,8 @@ def constraints_of(
     poses = GeneralPoses(displacement, start, value, scene.ledger.symbols["t"])
     found: list[Constraint] = []
     for (joint, modes), index in zip(drawn.modes, choice, strict=True):
+        if joint.during is not None:
+            continue
         curve = curve_under(drawn, joint)
         if curve is not None:
             expr = _off_curve(drawn, joint, curve, poses)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from decimal import Decimal
 from typing import Any
 
@@ -10,9 +10,11 @@ import sympy as sp
 
 from planar_cli.equation.conditions import order
 from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.equation.motion import Edge
 from planar_cli.errors import Mark
 from planar_cli.problem.expression import Relation, Statement
 from planar_cli.problem.scene import Problem, State
+from planar_cli.solve.course.blow import Blow, arriving, asked_of_blows, make_blow
 from planar_cli.solve.course.chain import Branch, Chain
 from planar_cli.solve.course.equations import (
     Equation,
@@ -29,9 +31,10 @@ from planar_cli.solve.course.equations import (
     stated_equations,
 )
 from planar_cli.solve.course.extremes import stationary
+from planar_cli.solve.course.handing import edges_of, handed
 from planar_cli.solve.course.oscillation import Oscillation, tell_oscillations
 from planar_cli.solve.course.over_spans import Asked, ask_spans, tell_spans
-from planar_cli.solve.course.plot import Plot, Stretch, Workshop, fixed_time, spans_of
+from planar_cli.solve.course.plot import Plot, Stretch, Workshop, arriving_at, blow_before, fixed_time, spans_of
 from planar_cli.solve.course.plot import Span as PlotSpan
 from planar_cli.solve.course.regime import Regime
 from planar_cli.solve.course.still import Still, is_equilibrium, stand_still
@@ -45,7 +48,8 @@ class Course:
     """The motion of one problem along one plot. `regimes[i]` acts from state i to the next; `beyond` from the last on.
     `readers`: who reads what a state states, `tellers`: what is asked of it and may jump there. `told`: what stand-ins
     for quantities about states are; `still`: the equilibrium states, solved; `spanned`: quantities over spans;
-    `swings`: about equilibrium states.
+    `swings`: about equilibrium states. `blows[i]`: between state i and the next; `handings`: by regime, the free speeds
+    of others in its own motion.
     """
 
     problem: Problem
@@ -64,6 +68,8 @@ class Course:
     still: Still | None = None
     spanned: dict[sp.Symbol, Asked] = field(default_factory=dict)
     swings: dict[str, Oscillation] = field(default_factory=dict)
+    blows: dict[int, Blow] = field(default_factory=dict)
+    handings: dict[int, dict[sp.Symbol, sp.Expr]] = field(default_factory=dict)
 
     @property
     def states(self) -> tuple[State, ...]:
@@ -90,13 +96,14 @@ class Course:
         by_regime: dict[int, Reader] = {}
 
         def reader_of(regime: Regime) -> Reader:
-            made = Reader(regime, self.stops, self.readers, self.tellers, self.told)
+            made = Reader(self.problem, regime, self.stops, self.readers, self.tellers, self.told)
             return by_regime.setdefault(id(regime), made)
 
         for i, state in enumerate(self.states):
             begins = self.regimes[i] if i < len(self.regimes) else self.beyond
             assert begins is not None
-            self.readers[state.name] = reader_of(self.regimes[max(i - 1, 0)])
+            struck = i > 0 and self.plot.stretches[i - 1].blow is not None
+            self.readers[state.name] = reader_of(begins if struck else self.regimes[max(i - 1, 0)])
             self.tellers[state.name] = reader_of(begins)
         for state, regime in apart:
             self.readers[state.name] = self.tellers[state.name] = reader_of(regime)
@@ -129,23 +136,51 @@ class Course:
         always = {s.name: self.readers[s.name].raw(self._places(i)) for i, s in enumerate(self.states)}
         beside = {s.name: self.readers[s.name].raw(s.relations) for s, _ in self.plot.equilibria}
         self.spanned = ask_spans(self)
+        self._ask_handing()
         for regime in self.distinct_regimes():
             exprs = [e for r in self.distinct_readers() if r.regime is regime for e in r.exprs]
             regime.work(exprs)
+        for s in self.states:
+            self.placed[s.name] = self.readers[s.name].demands(self.stops[s.name], always[s.name])
+        self._strike()
         tell_oscillations(self)
         if self.spanned:
             tell_spans(self, raw)
         self.still = stand_still(self, beside)
         for s in self.states:
-            reader = self.readers[s.name]
-            self.demands[s.name] = reader.demands(self.stops[s.name], raw[s.name])
-            self.placed[s.name] = reader.demands(self.stops[s.name], always[s.name])
+            self.demands[s.name] = self.readers[s.name].demands(self.stops[s.name], raw[s.name])
         self.laws = [laws_of(r) for r in self.regimes]
         self.equations = []
         if self.states:
             whole = self.regimes[0].general.value
             self.equations = at_limits([*self._stated(), *self._moving()], self.infinite(), whole)
             self.equations += self._stationary()
+
+    def edges(self) -> dict[sp.Symbol, Edge]:
+        """What the free speeds of all regimes are, by their letters."""
+        regimes = self.distinct_regimes()
+        return {s: e for r in regimes for s, e in edges_of(r.general.trial.system.tree).items() if s in r.free}
+
+    def _ask_handing(self) -> None:
+        """Free speeds of other regimes, and how bodies arrive at blows, are worked out with each regime."""
+        edges = self.edges()
+        for reader in self.distinct_readers():
+            own = reader.regime
+            motion, scene = own.general.quantities.motion, own.general.instant.scene
+            found = {u: handed(u, e, motion, scene) for u, e in edges.items() if u not in own.letters}
+            self.handings[id(own)] = {u: e for u, e in found.items() if e is not None}
+            reader.exprs += self.handings[id(own)].values()
+        for i, stretch in enumerate(self.plot.stretches):
+            if stretch.blow is not None:
+                reader = self.readers[self.states[i].name]
+                reader.exprs += [e for v, spin in arriving(reader.regime).values() for e in (v.x, v.y, spin)]
+
+    def _strike(self) -> None:
+        """The blows, once the velocities before them are worked out."""
+        for i, stretch in enumerate(self.plot.stretches):
+            if stretch.blow is not None:
+                self.blows[i] = make_blow(self, i, stretch.blow, stretch.blow_choice)
+                self.blows[i].work(asked_of_blows(self.problem))
 
     def infinite(self) -> dict[sp.Symbol, sp.Expr]:
         """Letters that become infinite in their state."""
@@ -205,11 +240,14 @@ class Course:
         since = 0
         for i, state in enumerate(self.states):
             stop = self.stops[state.name]
-            regime = self.regimes[max(i - 1, 0)]
+            regime = self.readers[state.name].regime
+            if i - 1 in self.blows:
+                found += self.blows[i - 1].equations
+                continue
             found += list(loop_equations(regime, self.first, stop))
             if i == 0:
                 continue
-            if i >= 2 and self.regimes[i - 1] is not self.regimes[i - 2]:
+            if i >= 2 and (i - 2 in self.blows or self.regimes[i - 1] is not self.regimes[i - 2]):
                 since = i - 1
             start = self.stops[self.states[since].name]
             laws = self.laws[i - 1]
@@ -217,7 +255,8 @@ class Course:
             found += list(link_equations(laws, start, stop, regime))
             if stop.t in self.infinite():
                 found += list(ending_equations(laws, stop, regime))
-            found += list(resting_equations(regime, self.stops[self.states[i - 1].name], stop))
+            handing = {u: regime.closed(e) for u, e in self.handings[id(regime)].items()}
+            found += list(resting_equations(regime, self.stops[self.states[i - 1].name], stop, handing))
         return found
 
     # --- solution ----------------------------------------------------------------------------------------------------
@@ -247,14 +286,16 @@ class Course:
 
     def chain(self) -> Chain:
         """The solver of the equations."""
-        unknowns = frozenset([*(v for s in self.stops.values() for v in s.letters.values()), *self.sought()])
+        own = [s for blow in self.blows.values() for s in blow.letters]
+        unknowns = frozenset([*(v for s in self.stops.values() for v in s.letters.values()), *self.sought(), *own])
         times: dict[sp.Symbol, sp.Symbol | None] = {}
         angles: dict[sp.Symbol, sp.Symbol | None] = {}
         before: Stop | None = None
         units = self.ledger.units
         for state in self.states:
             stop = self.stops[state.name]
-            times[stop.t] = None if before is None or fixed_time(state.relations) else before.t
+            struck = any(blow.stop is stop for blow in self.blows.values())
+            times[stop.t] = None if before is None or struck or fixed_time(state.relations) else before.t
             for general, own in stop.letters.items():
                 if units[own].angle and general.name != "t" and units[own].text in ("rad", "deg", "rev"):
                     angles[own] = before.letters[general] if before is not None else None
@@ -270,6 +311,7 @@ class Course:
             if (
                 before is not None
                 and not fixed_time(state.relations)
+                and not any(blow.stop is stop for blow in self.blows.values())
                 and {stop.t, before.t} <= set(values)
                 and values[stop.t] <= values[before.t] + TINY * max(abs(values[before.t]), TINY)
             ):
@@ -302,7 +344,8 @@ class Course:
                         v = Decimal(0)
                     keys.append(-round(v * d.extreme, 12))
             keys.append(branch.values.get(stop.t, Decimal(0)))
-        return tuple(keys)
+        negative = sum(branch.values.get(s, Decimal(0)) < 0 for s in self.sought())
+        return (negative if self.blows else 0, *keys)
 
 
 def first_plot(problem: Problem, workshop: Workshop) -> Plot:
@@ -314,9 +357,16 @@ def first_plot(problem: Problem, workshop: Workshop) -> Plot:
         return Stretch(span, next(workshop.drawn(span).choices()))
 
     stretches = tuple(stretch(s) for s in spans_of(problem, moving)) if moving else ()
+    beyond = None
+    for i, state in enumerate(moving[1:]):
+        struck = blow_before(problem, moving[i], state)
+        if struck is not None:
+            begun = replace(stretch(arriving_at(problem, moving[i])), blow=struck[0])
+            stretches = (*stretches[:i], begun, *stretches[i + 1 :])
+            beyond = stretch(struck[1]) if i + 2 == len(moving) else None
     spans = spans_of(problem, states)
     beside = [(s, spans[min(i, len(spans) - 1)]) for i, s in enumerate(states) if is_equilibrium(s)]
-    return Plot(moving, stretches, equilibria=tuple((s, stretch(span)) for s, span in beside))
+    return Plot(moving, stretches, equilibria=tuple((s, stretch(span)) for s, span in beside), beyond=beyond)
 
 
 def make_course(problem: Problem, plot: Plot, workshop: Workshop) -> Course:

@@ -18,7 +18,7 @@ from planar_cli.errors import PlanarError
 from planar_cli.problem.expression import Name, Relation, Side
 from planar_cli.solve.instant import Instant
 
-NEAR, FAR = Decimal("0.07"), Decimal("0.23")
+NEAR, FAR = Decimal("0.02"), Decimal("0.07")
 """So far from a value, in parts of the size of the scene or of a radian, coordinates are drawn."""
 INSIDE = Decimal("0.3")
 """So far from both ends, in parts of an interval."""

@@ -98,6 +98,8 @@ def steady_time(course: Course, stop: Stop, leg: Leg) -> tuple[State | None] | N
     limits = [d for d in demands if d.kind == "inequality"]
     if len(equations) != 1 or len(demands) != 1 + len(limits) or course.plot.turnings:
         return None
+    if any(i < index for i in course.blows):
+        return None
     if any(r is not leg.regime for r in course.regimes[:index]) or not _is_steady(leg):
         return None
     start = certain_start(course)

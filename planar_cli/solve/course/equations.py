@@ -24,6 +24,7 @@ from planar_cli.solve.course.regime import Regime
 from planar_cli.solve.course.timeline import Demand, Stop
 
 COSTS = {"given": 0.1, "turn": 0.2, "drawn": 0.1, "start": 0.1, "motion": 0.5, "link": 0.6, "loop": 1.2, "extreme": 0.8}
+COSTS |= {"blow": 1.0, "handed": 0.3}
 COSTS |= {"q(t)": 1.0, "v(t)": 1.0, "v(q)": 1.05, "t(v)": 1.1, "q(v)": 1.1, "t(q)": 1.3}
 
 LONGEST = 150
@@ -35,7 +36,8 @@ DATA = ("given", "drawn", "start", "turn", "motion")
 @dataclass(frozen=True, slots=True)
 class Equation:
     """`residual` vanishes. `kind`: given, drawn, start, motion, link, loop, extreme, or that of a span. `family`: of
-    which only `rank` are independent. `stop`: the state at its end, `since` the one at its beginning.
+    which only `rank` are independent. `stop`: the state at its end, `since` the one at its beginning. `source`: what it
+    was planned from.
     """
 
     residual: sp.Expr
@@ -49,6 +51,7 @@ class Equation:
     mark: Mark = NOWHERE
     law: Law | None = None
     trend: sp.Expr | None = None
+    source: Any = None
 
     @property
     def cost(self) -> float:
@@ -265,11 +268,16 @@ def link_equations(laws: Laws, since: Stop, stop: Stop, regime: Regime) -> Itera
         yield Equation(residual, "link", words, stop.name, since.name, family=("link", q.name, stop.name), rank=1)
 
 
-def resting_equations(regime: Regime, since: Stop, stop: Stop) -> Iterator[Equation]:
-    """What moves only in other regimes stays where it is."""
+def resting_equations(
+    regime: Regime, since: Stop, stop: Stop, handing: Mapping[sp.Symbol, sp.Expr]
+) -> Iterator[Equation]:
+    """What moves only in other regimes stays where it is. `handing`: speeds of other regimes in this motion."""
     own = set(regime.letters)
     for letter, end in stop.letters.items():
         if letter in own:
+            continue
+        if handing.get(letter, sp.S.Zero) != 0:
+            yield Equation(end - stop.at(handing[letter]), "handed", "the same motion", stop.name, since.name)
             continue
         residual = end - since.letters[letter] if not is_speed(letter) else end
         yield Equation(residual, "link", "it rests meanwhile", stop.name, since.name)

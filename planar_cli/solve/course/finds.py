@@ -13,10 +13,12 @@ from planar_cli.equation.evaluate import refuse
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.plain import longer, rounded_inside, simplified
 from planar_cli.equation.system import mode_of
-from planar_cli.problem.dimensions import dimension_of
-from planar_cli.problem.expression import Quantity, Relation
+from planar_cli.problem.check_dimensions import about
+from planar_cli.problem.dimensions import Kind, dimension_of
+from planar_cli.problem.expression import Name, Quantity, Relation
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import Find
+from planar_cli.problem.scope import Scope
 from planar_cli.solve.asked import quantities_in
 from planar_cli.solve.course.complete import TRUTHS, is_true
 from planar_cli.solve.course.course import Course
@@ -28,7 +30,7 @@ from planar_cli.solve.course.timeline import Reader, Stop
 from planar_cli.solve.passages import Passage
 from planar_cli.solve.roads import is_curve
 from planar_cli.solve.solution import Found
-from planar_cli.units import Unit, parse_unit
+from planar_cli.units import IMPULSE, Unit, parse_unit
 
 CLOSED_OPS, LONGEST = 90, 600
 
@@ -167,7 +169,14 @@ class FindReader:
         setup = self.course.readers[next(iter(self.course.stops))].regime.general.instant.setup
         what = find.found.what
         assert not isinstance(what, Relation)
-        return setup.unit_for(dimension_of(what, setup.lookup))
+        scope = Scope(self.course.problem, ())
+
+        def lookup(thing: Name | Quantity) -> Kind | None:
+            if isinstance(thing, Quantity) and thing.word == "impulse" and about(thing, scope) is None:
+                return Kind(IMPULSE)
+            return setup.lookup(thing)
+
+        return setup.unit_for(dimension_of(what, lookup))
 
     def _mode(self, what: Any, asked: Asked) -> tuple[str, str] | None:
         """A mode that is asked, or compared."""

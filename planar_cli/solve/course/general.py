@@ -11,6 +11,7 @@ import sympy as sp
 
 from planar_cli.equation.displaced import Coordinate, Displacement, Displacer
 from planar_cli.equation.exact import Valuation
+from planar_cli.equation.motion import Tree
 from planar_cli.equation.quantities import Quantities
 from planar_cli.equation.setup import Course, Setup
 from planar_cli.equation.system import Statements
@@ -30,7 +31,7 @@ class General:
     """One choice of modes in a general position.
 
     `coordinates`: what varies. `free`: the velocity unknowns that nothing else fixes; they are letters. `trial`: the
-    choice solved for draws of all letters. After `govern`: `rates` of coordinates and `accelerations` of free speeds
+    choice solved for draws of all letters. `position`: how the scene is displaced. After `govern`: `rates` of coordinates and `accelerations` of free speeds
     as formulas in coordinates, free speeds and t; `solution` tells how.
     """
 
@@ -40,12 +41,18 @@ class General:
     free: tuple[sp.Symbol, ...]
     trial: Trial
     quantities: Quantities
-    displacement: Displacement
+    position: Course
     constraints: tuple[Constraint, ...]
     finisher: Finisher | None = None
     stages: list[Stage] = field(default_factory=list)
     solution: InstantSolution | None = None
     closed_forms: dict[sp.Expr, sp.Expr] = field(default_factory=dict)
+
+    @property
+    def displacement(self) -> Displacement:
+        """Where every body is, by the coordinates."""
+        assert self.position.displacement is not None
+        return self.position.displacement
 
     @property
     def time(self) -> sp.Symbol:
@@ -142,7 +149,7 @@ def _general(
         trial = instant.try_choice(choice, valuations, given=given)
     quantities = trial.system.quantities() if trial.outcomes else trial.system.quantities_of(trial.system.first, None)
     coordinates = (*_user_coordinates(instant), *displacement.coordinates)
-    return General(instant, choice, coordinates, independent, trial, quantities, displacement, constraints)
+    return General(instant, choice, coordinates, independent, trial, quantities, course, constraints)
 
 
 def _independent(found: Velocities, tree: tuple[sp.Symbol, ...], displacement: Displacement) -> tuple[sp.Symbol, ...]:
@@ -193,12 +200,18 @@ def loosened(drawn: Instant, choice: tuple[int, ...]) -> tuple[int, ...]:
     return tuple(found)
 
 
+def loose_tree(drawn: Instant, choice: tuple[int, ...]) -> Tree:
+    """The tree along which places are described: of the joints that hold all the time, one for all spans."""
+    modes = drawn.system(loosened(drawn, choice)).modes
+    lasting = {joint.name for joint, _ in drawn.modes if joint.during is None}
+    return drawn.builder.build(j for name, mode in modes.items() if name in lasting for j in mode.facts.joinings)
+
+
 def displaced(
     drawn: Instant, choice: tuple[int, ...], still: frozenset[str], made: dict[str, sp.Symbol]
 ) -> Displacement:
     """All bodies of the drawn scene along the tree of this choice of modes."""
-    system = drawn.system(loosened(drawn, choice))
-    scene = drawn.scene
+    tree, scene = loose_tree(drawn, choice), drawn.scene
     coordinates = set(scene.ledger.coordinates)
     formula = frozenset(
         name
@@ -213,7 +226,7 @@ def displaced(
         names = [getattr(n, "name", n) for n in names]
         return next((n for n in names if isinstance(n, str) and n in scene.surfaces), "")
 
-    return Displacer(scene, system.tree, surface_of, scene.ledger.symbols["t"], formula, still, made).run()
+    return Displacer(scene, tree, surface_of, scene.ledger.symbols["t"], formula, still, made).run()
 
 
 def _user_coordinates(instant: Instant) -> tuple[Coordinate, ...]:

@@ -148,7 +148,7 @@ def legs(course: Course, value: Valuation) -> tuple[Leg, ...]:
 
     Unvalued: a letter of the state where a leg begins has no number.
     """
-    begins = [0, *(i for i in range(1, len(course.regimes)) if course.regimes[i] is not course.regimes[i - 1])]
+    begins = _begins(course)
     origin = {
         start_symbol(c): value(course.first.letters[c.symbol])
         for r in course.regimes
@@ -158,8 +158,8 @@ def legs(course: Course, value: Valuation) -> tuple[Leg, ...]:
     found = []
     for n, i in enumerate(begins):
         regime, start = course.regimes[i], course.stops[course.states[i].name]
-        until = begins[n + 1] + 1 if n + 1 < len(begins) else len(course.states)
-        ends = [course.stops[s.name].t for s in course.states[i:until]]
+        until = min([j for j in (*begins[n + 1 :], *course.blows) if j > i], default=len(course.states))
+        ends = [course.stops[s.name].t for s in course.states[i : until + 1]]
         times = [value(t) for t in ends if t in value.values]
         t0 = value(start.t)
         known = value.extended(_begun(regime, start, course, value))
@@ -168,6 +168,15 @@ def legs(course: Course, value: Valuation) -> tuple[Leg, ...]:
         formulas = explicit(laws, regime, start, known, t0, max([t0, *times]))
         found.append(Leg(regime, start, t0, max([t0, *times]), known, formulas, origin))
     return tuple(found)
+
+
+def _begins(course: Course) -> list[int]:
+    """The stretches with which a leg begins: the first, one after a blow, one in another regime than that before."""
+    found = []
+    for i, regime in enumerate(course.regimes):
+        if i not in course.blows and (i == 0 or i - 1 in course.blows or regime is not course.regimes[i - 1]):
+            found.append(i)
+    return found
 
 
 def _begun(regime: Regime, start: Stop, course: Course, value: Valuation) -> dict[sp.Symbol, Decimal]:

@@ -29,6 +29,8 @@ from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.equation.plain import simplified
 from planar_cli.errors import Diagnostic, NoSolution, Undecided
 from planar_cli.problem.expression import Quantity, Relation, Statement
+from planar_cli.solve.course.blow import Blow
+from planar_cli.solve.course.blow_spans import over_blow
 from planar_cli.solve.course.legs import ENOUGH, FEW_DIGITS, MANY_DIGITS, Leg, legs
 from planar_cli.solve.course.potential import potential, signed_speed
 from planar_cli.solve.course.span_rates import rates_of
@@ -60,7 +62,7 @@ class Asked:
 class Piece:
     """Part of a span in one regime, between two states: the integrand, a function G of which it is the rate (None:
     there is none), the integrand over time where q(t) is known, the instants at which it changes its sign (of a path
-    length), the result in letters of states, and its number. `how`: difference, integral, quadrature or flow.
+    length), the result in letters of states, and its number. `how`: difference, integral, quadrature, flow or blow.
     """
 
     since: Stop
@@ -92,9 +94,10 @@ def ask_spans(course: Course) -> dict[sp.Symbol, Asked]:
     found: dict[sp.Symbol, Asked] = {}
     readers = course.distinct_readers()
     moving = {id(r) for r in course.regimes}
+    used = set().union(*(e.free_symbols for r in readers for e in map(sp.sympify, r.exprs)))
     for reader in readers:
         for symbol, q in list(reader.spans.items()):
-            if not isinstance(q.at, tuple):
+            if not isinstance(q.at, tuple) or symbol not in used:
                 continue
             rates: dict[int, tuple[sp.Expr, ...]] = {}
             for other in readers:
@@ -125,7 +128,11 @@ def _difference(course: Course, asked: Asked, early: list[sp.Expr]) -> sp.Expr:
     reader = course.readers[asked.span[1]]
     rates = tuple(reader.closed(e) for e in asked.rates[id(reader.regime)])
     g = None
-    if len({id(r) for r in course.regimes}) == 1 and q.word != "count":
+    order = {s.name: i for i, s in enumerate(course.states)}
+    since, until = order[a.name], order[b.name]
+    if all(i in course.blows for i in range(since, until)):
+        return sp.Add(*(over_blow(course.blows[i], q) for i in range(since, until)))
+    if len({id(r) for r in course.regimes}) == 1 and q.word != "count" and not course.blows:
         rate = signed_speed(rates[0], rates[1], reader.regime)[0] if q.word == "path_length" else rates[0]
         g = potential(rate, reader.regime)
     if g is None:
@@ -176,6 +183,7 @@ class SpanSolver:
             n = len(events)
             return SpanIntegral(symbol, q, (), Decimal(n), sp.Integer(n), events=events)
         pieces = tuple(self._piece(p, r, asked, leg) for p, r, leg in parts)
+        pieces += tuple(self._blow(blow, q) for blow in self._blows(asked))
         number = sum((p.number for p in pieces), Decimal(0))
         formulas = [p.formula for p in pieces]
         formula = None if None in formulas else sp.Add(*formulas)
@@ -187,9 +195,31 @@ class SpanSolver:
             symbol, q, pieces, number / self.value(time), None if formula is None else formula / time, time
         )
 
+    def _blows(self, asked: Asked) -> list[Blow]:
+        """The blows inside a span."""
+        order = {s.name: i for i, s in enumerate(self.course.states)}
+        a, b = (order.get(n, -1) for n in asked.span)
+        return [blow for i, blow in self.course.blows.items() if a <= i < b]
+
+    def _blow(self, blow: Blow, q: Quantity) -> Piece:
+        formula = over_blow(blow, q)
+        loose = formula.free_symbols & set(blow.undetermined)
+        if loose:
+            text = f"not unique: {', '.join(sorted(s.name for s in loose))}; the scene has more supports than equations"
+            raise NoSolution([Diagnostic(q.mark, "PL603", text, "ask for what is unique, or leave a support out")])
+        return Piece(blow.since, blow.stop, formula, "blow", self.value(formula), formula)
+
     def _parts(self, asked: Asked) -> list[tuple[Stop, Stop, Leg]]:
-        """The span cut where the regime changes."""
+        """The span cut where a blow falls, and where the regime changes."""
         a, b = (self.course.stops[n] for n in asked.span)
+        found = []
+        for blow in self._blows(asked):
+            found += self._between(a, blow.since, asked) if a is not blow.since else []
+            a = blow.stop
+        return [*found, *self._between(a, b, asked)] if a is not b else found
+
+    def _between(self, a: Stop, b: Stop, asked: Asked) -> list[tuple[Stop, Stop, Leg]]:
+        """Part of a span without blows, cut where the regime changes."""
         ta, tb = self.value(a.t), self.value(b.t)
         if tb < ta:
             q = asked.quantity

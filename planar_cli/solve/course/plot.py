@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
 import sympy as sp
 
 from planar_cli.equation.setup import has_quantity, names_in
-from planar_cli.problem.expression import Name, Relation, Statement
+from planar_cli.problem.expression import JustAfter, Name, Relation, Statement
 from planar_cli.problem.scene import Problem, State
 from planar_cli.solve.course.general import General, drawn_instant, make_general
 from planar_cli.solve.course.regime import Regime
@@ -34,13 +34,16 @@ class Span:
 class Stretch:
     """What acts from one state (also one that we put in) to the next: a span in one choice of modes. `still`: names of
     free speeds that are zero from the beginning and stay so. `ways`: signs of free speeds by name, where a resistance
-    asks for them.
+    asks for them. `blow`: what strikes, and the joints that hold after it, where the next state is just after this one;
+    `blow_choice`: their modes (None: the first). The span then tells of the motion before it.
     """
 
     span: Span
     choice: tuple[int, ...]
     still: frozenset[str] = frozenset()
     ways: tuple[tuple[str, int], ...] = ()
+    blow: Span | None = None
+    blow_choice: tuple[int, ...] | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,6 +76,11 @@ class Plot:
             found[j] = replace(found[j], choice=choice)
         return replace(self, stretches=tuple(found))
 
+    def struck(self, i: int, choice: tuple[int, ...]) -> Plot:
+        """Other modes of the blow on stretch i."""
+        stretch = replace(self.stretches[i], blow_choice=choice)
+        return replace(self, stretches=(*self.stretches[:i], stretch, *self.stretches[i + 1 :]))
+
     def going(self, i: int, ways: Mapping[str, int]) -> Plot:
         """Other signs of speeds from stretch i on."""
         found = list(self.stretches)
@@ -101,19 +109,47 @@ class Plot:
 
 def spans_of(problem: Problem, states: tuple[State, ...]) -> list[Span]:
     """The spans between states in their order, each with the laws, joints and loads that act in it."""
+    if not states:
+        return [_span(problem, lambda during: during is None)]
+    return [_span(problem, acting_from(problem, s)) for s in states[: max(len(states) - 1, 1)]]
+
+
+def acting_from(problem: Problem, state: State) -> Callable[[tuple[str, str] | None], bool]:
+    """Does what is said `during` a span act from a state on?"""
     order = {s.name: i for i, s in enumerate(problem.states)}
+    here = order.get(state.name, 0)
+    return lambda during: during is None or order[during[0]] <= here < order[during[1]]
 
-    def acts(during: tuple[str, str] | None, i: int) -> bool:
-        return during is None or order[during[0]] <= order[states[i].name] < order[during[1]]
 
-    found = []
-    for i in range(max(len(states) - 1, 1)):
-        always = tuple(law.statement for law in problem.motion if acts(law.during, i))
-        joints = tuple(j for j in problem.joints if acts(j.during, i))
-        loads = tuple(x for x in problem.loads if acts(x.during, i))
-        whole = joints == problem.joints and loads == problem.loads
-        found.append(Span(problem if whole else replace(problem, joints=joints, loads=loads), always))
-    return found
+def _span(problem: Problem, acts: Callable[[tuple[str, str] | None], bool]) -> Span:
+    always = tuple(law.statement for law in problem.motion if acts(law.during))
+    joints = tuple(j for j in problem.joints if acts(j.during) and not j.strikes)
+    loads = tuple(x for x in problem.loads if acts(x.during) and not x.strikes)
+    if joints == problem.joints and loads == problem.loads:
+        return Span(problem, always)
+    strikes = (m for m in (*problem.joints, *problem.loads) if m.strikes)
+    struck = frozenset(name for m in strikes for name in (*getattr(m, "between", ()), getattr(m, "body", "")))
+    return Span(replace(problem, joints=joints, loads=loads, struck=struck), always)
+
+
+def blow_before(problem: Problem, before: State, state: State) -> tuple[Span, Span] | None:
+    """What strikes between two states of which the second is just after the first, and what acts after it; None: time
+    passes between them.
+    """
+    if not any(isinstance(s, JustAfter) for s in state.relations):
+        return None
+    after = _span(problem, acting_from(problem, state))
+    now = acting_from(problem, before)
+    joints = tuple(j for j in problem.joints if now(j.during) or j in after.problem.joints)
+    loads = tuple(x for x in problem.loads if x.strikes and now(x.during))
+    return Span(replace(problem, joints=joints, loads=loads), after.always), after
+
+
+def arriving_at(problem: Problem, state: State) -> Span:
+    """What acts as a state is reached: joints that begin there do not hold yet."""
+    order = {s.name: i for i, s in enumerate(problem.states)}
+    now, here = acting_from(problem, state), order.get(state.name, 0)
+    return _span(problem, lambda during: during is None or (now(during) and order[during[0]] < here))
 
 
 @dataclass(slots=True)

@@ -22,7 +22,8 @@ from planar_cli.equation.exact import Valuation
 from planar_cli.equation.plain import simplified
 from planar_cli.problem.facts import Test
 from planar_cli.solve.course.balance import balance_of
-from planar_cli.solve.course.general import General, loosened
+from planar_cli.solve.course.general import General, loose_tree
+from planar_cli.solve.course.handing import edges_of, handed
 
 MOST_CORNERS = 200
 
@@ -97,7 +98,7 @@ class Regime:
         self.slips = tuple(e for e in map(self.closed, slips) if told(e))
 
     def _rate(self, c: Coordinate) -> sp.Expr:
-        """The rate of a coordinate; of a slide that this regime holds, what its motion makes of it."""
+        """The rate of a coordinate; of a speed that this regime does not have, what its motion makes of it."""
         general = self.general
         tree = general.trial.system.tree
         known = {s.name for s in tree.velocity_unknowns()}
@@ -105,12 +106,13 @@ class Regime:
         known |= {r.name for r in rates}
         if c.speed.name in known:
             return c.rate
-        loose = general.instant.system(loosened(general.instant, general.choice)).tree
-        edge = next((e for e in loose.edges if e.slide is not None and e.slide.name == c.speed.name), None)
-        slide = sp.S.Zero
-        if edge is not None and edge.joining is not None:
-            slide = general.quantities.motion.slide_speed(edge.joining)
-        return c.rate.xreplace({c.speed: slide})
+        edges = edges_of(loose_tree(general.instant, general.choice))
+        motion, scene = general.quantities.motion, general.instant.scene
+        inside: dict[sp.Symbol, sp.Expr] = {}
+        for s in c.rate.free_symbols:
+            if s.name not in known and s in edges:
+                inside[s] = handed(s, edges[s], motion, scene) or sp.S.Zero
+        return c.rate.xreplace({c.speed: sp.S.Zero, **inside})
 
     def told(self, expr: sp.Expr) -> bool:
         """Is everything in a closed formula known once the letters are? Where nothing has mass, forces are not."""

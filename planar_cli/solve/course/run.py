@@ -7,9 +7,7 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.equation.evaluate import refuse
 from planar_cli.equation.exact import Unvalued
-from planar_cli.problem.expression import JustAfter
 from planar_cli.problem.scene import Problem
 from planar_cli.solve.course.agree import compared
 from planar_cli.solve.course.astray import missing
@@ -24,19 +22,8 @@ from planar_cli.solve.passages import Tale
 from planar_cli.solve.solution import PartSolution
 
 
-def _demand_smooth(problem: Problem) -> None:
-    """A motion without blows: `just after` joins two states by an impact or an impulse."""
-    for statement in (s for state in problem.states for s in state.relations):
-        if isinstance(statement, JustAfter):
-            text = f"`just after {statement.state}` joins two states by an impact or an impulse"
-            raise refuse(
-                statement.mark, "PL590", text, "state the velocities after it: a motion is solved between blows"
-            )
-
-
 def solve_course(problem: Problem, case: str, units: dict[str, str], earlier: Mapping[str, Any]) -> PartSolution:
     """All finds of a problem whose states follow each other in time."""
-    _demand_smooth(problem)
     workshop = Workshop(earlier)
     unfolded = reaching(problem, lambda p: Unfolder(p, workshop, units).run())
     try:

@@ -47,7 +47,8 @@ class Ends:
 class Followed:
     """What came of following a course. `values`: letters of the states that were reached. `ends`: an assumption that
     ended first; `misfit`: the stretch whose assumptions do not even hold at its beginning, `ways`: the signs that
-    speeds have there, if that is all; `missed`: the state that is never reached.
+    speeds have there, if that is all; `missed`: the state that is never reached; `blow`: the blow whose modes do not
+    hold.
     """
 
     legs: list[Leg] = field(default_factory=list)
@@ -58,6 +59,7 @@ class Followed:
     missed: str | None = None
     ways: dict[str, int] = field(default_factory=dict)
     at: State = field(default_factory=dict)
+    blow: int | None = None
 
 
 class Follower:
@@ -76,9 +78,18 @@ class Follower:
             if i + 1 >= len(course.states):
                 break
             done.at = state
+            if i in course.blows:
+                stroke = course.blows[i].strike(state, self.value)
+                if stroke.objection:
+                    done.blow, done.why = i, stroke.objection
+                    return done
+                state = stroke.after
+                done.values |= stroke.own
+                self._record(course.stops[course.states[i + 1].name], state)
+                continue
             if any(d.kind == "limit" for d in course.demands[course.states[i + 1].name]):
                 continue
-            begun = self.begin(regime, state)
+            begun = self.begin(regime, state, course.readers[course.states[i].name].regime)
             if not self._fits(i, regime, begun, state):
                 return done
             reached = self._stretch(i, regime, begun)
@@ -89,7 +100,8 @@ class Follower:
         done.at = state
         last = len(course.states) - 1
         if course.beyond is not None and last > 0 and asked_after(course.problem, course.states[last].name):
-            self._fits(last, course.beyond, self.begin(course.beyond, state), state)
+            arrived = course.readers[course.states[last].name].regime
+            self._fits(last, course.beyond, self.begin(course.beyond, state, arrived), state)
         return done
 
     def _fits(self, i: int, regime: Regime, begun: State, before: State) -> bool:
@@ -107,13 +119,17 @@ class Follower:
 
     # --- beginning ---------------------------------------------------------------------------------------------------
 
-    def begin(self, regime: Regime, state: State) -> State:
-        """The letters of a regime where it takes over: places stay, speeds follow from rates that are known."""
+    def begin(self, regime: Regime, state: State, old: Regime) -> State:
+        """The letters of a regime where it takes over from an old one: places and velocities stay."""
         begun = dict(state)
         for c in regime.coordinates:
             if c.symbol not in begun and c.drawn is not None:
                 begun[c.symbol] = float(self.value(c.drawn))
+        handing = self.course.handings[id(old)]
+        told = all(s in state for s in old.letters)
         for u in regime.free:
+            if u not in begun and u in handing and told:
+                begun[u] = self._numbers(old, [old.closed(handing[u])])(*(state[s] for s in old.letters))[0]
             begun.setdefault(u, 0.0)
         return begun
 

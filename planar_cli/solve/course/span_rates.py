@@ -61,20 +61,26 @@ def _reactions(quantities: Quantities, q: Quantity) -> Reactions:
 
 def _push(q: Quantity, quantities: Quantities) -> sp.Expr:
     """The component of a force, or its moment about a point: what an impulse is made of."""
-    acting = _on_bodies(q, _reactions(quantities, q))
-    if len(q.things) == 1:
+    return moment_or_force(q, quantities, on_bodies(q, _reactions(quantities, q)))
+
+
+def moment_or_force(q: Quantity, quantities: Quantities, acting: list[Wrench]) -> sp.Expr:
+    """Σ of the component of what acts that `q` names, or of its moments about the point of `impulse(f/P)`."""
+    if q.parts:
         forces = [w.force for w in acting if w.force is not None]
         return sp.Add(*(f.x if q.parts[0].kind == "x" else f.y for f in forces))
     place = quantities.place(q.things[1])
-    about = Vec(place.x.value, place.y.value)
-    arms = [(w.point - about).cross(w.force) for w in acting if w.force is not None]
+    center = Vec(place.x.value, place.y.value)
+    arms = [(w.point - center).cross(w.force) for w in acting if w.force is not None]
     return sp.Add(*arms, *(w.couple for w in acting))
 
 
-def _on_bodies(q: Quantity, reactions: Reactions) -> list[Wrench]:
+def on_bodies(q: Quantity, reactions: Reactions) -> list[Wrench]:
     """What acts on bodies that move; of a joint or load on the body whose partner is the ground."""
     name = q.things[0]
     acting = [w for w in reactions.acting(name) if w.body != GROUND]
+    if len(q.things) == 2 and any(w.body == q.things[1] for w in acting) and name not in (q.things[1], "all"):
+        return [w for w in acting if w.body == q.things[1]]
     bodies = {w.body for w in acting}
     owned = name == "all" or name in bodies
     if not owned and len(bodies) > 1:

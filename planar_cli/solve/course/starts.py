@@ -48,7 +48,7 @@ def certain_start(course: Course) -> dict[sp.Symbol, Decimal] | Start:
     """The letters of the first state, where its own statements tell them all."""
     if course.regimes[0].moved():
         return Start.CONTRADICTS
-    if course.sought():
+    if course.sought() or any(blow.scene.open_names for blow in course.blows.values()):
         return Start.OPEN
     own = set(course.first.letters.values())
     branches = list(course.chain().branches([e for e in course.equations if e.stop == course.first.name]))

@@ -17,6 +17,7 @@ from planar_cli.equation.polar import VectorStatement, grouped
 from planar_cli.equation.quantities import Quantities
 from planar_cli.equation.system import mode_of
 from planar_cli.errors import NOWHERE, Mark
+from planar_cli.problem.check_dimensions import about
 from planar_cli.problem.expression import (
     AtRest,
     Equilibrium,
@@ -29,6 +30,8 @@ from planar_cli.problem.expression import (
     Statement,
 )
 from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scene import Problem
+from planar_cli.problem.scope import Scope
 from planar_cli.solve.course.after import changes_at_once
 from planar_cli.solve.course.regime import Regime
 from planar_cli.solve.roads import SPANNED
@@ -75,13 +78,14 @@ class Demand:
 
 @dataclass(slots=True)
 class Reader:
-    """Reads statements and finds in one regime. `readers`: who reads at each state, by its name, `tellers`: what may
+    """Reads statements and finds of a problem in one regime. `readers`: who reads at each state, by its name, `tellers`: what may
     jump there; `stops`: all states.
 
     `pending`: stand-ins for quantities at other states, with who reads them there; `spans`: stand-ins for quantities
     over spans or about states, `told`: what these are, in letters of states.
     """
 
+    problem: Problem
     regime: Regime
     stops: dict[str, Stop]
     readers: dict[str, Reader]
@@ -143,7 +147,7 @@ class Reader:
     def _over(self, q: Quantity) -> Jet | Vec:
         """Stand-ins for a quantity over a span: of a vector for both components, which `parts` then name."""
         whole = replace(q, parts=())
-        vector = q.word == "impulse" and len(q.things) == 1
+        vector = q.word == "impulse" and about(q, Scope(self.problem, ())) is None
         if q.word == "mean":
             assert q.argument is not None
             assert not isinstance(q.argument, Relation)

@@ -20,6 +20,7 @@ from planar_cli.solve.course.chain import Branch
 from planar_cli.solve.course.course import Course, first_plot, make_course
 from planar_cli.solve.course.finds import FindReader
 from planar_cli.solve.course.holding import holding
+from planar_cli.solve.course.idle import without_idle_times
 from planar_cli.solve.course.newton import refined
 from planar_cli.solve.course.oscillation import Oscillation
 from planar_cli.solve.course.over_spans import SpanIntegral
@@ -90,6 +91,7 @@ class Unfolder:
 
     def _unfold(self, course: Course, finds: FindReader) -> Unfolded | Plot:
         """The course unfolded, or another plot to try."""
+        course.equations = without_idle_times(course, finds)
         start = certain_start(course)
         if start is Start.CONTRADICTS:
             try:
@@ -105,9 +107,9 @@ class Unfolder:
         if start is Start.OPEN or untold(course):
             return self._sought(course, finds)
         assert isinstance(start, dict)
-        kept = balanced(course, start)
+        kept = frozenset() if course.blows else balanced(course, start)
         self.stays = self.stays or bool(kept)
-        still = resting(course, start) | kept
+        still = frozenset() if course.blows else resting(course, start) | kept
         if still - course.plot.stretches[0].still:
             return course.plot.stilled(still | course.plot.stretches[0].still)
         return self._followed(course, finds, start)
@@ -177,6 +179,8 @@ class Unfolder:
     def _changed(self, course: Course, followed: Followed) -> Plot | None:
         """The next plot to try, None when this one holds."""
         plot = course.plot
+        if followed.blow is not None:
+            return plot.struck(followed.blow, self._other_blow(course, followed.blow, followed.why))
         if followed.misfit is not None and followed.ways:
             return plot.going(followed.misfit, followed.ways)
         if followed.misfit is not None:
@@ -203,6 +207,18 @@ class Unfolder:
             [Diagnostic(mark, "PL622", f"no assumption about the contacts holds from here on: {self.why}")]
         )
 
+    def _other_blow(self, course: Course, i: int, why: str) -> tuple[int, ...]:
+        """Other modes of the joints in a blow."""
+        name = ("blow", *(s.name for s in course.plot.states[: i + 1]))
+        failed = self.tried.setdefault(name, [])
+        failed.append(course.blows[i].choice)
+        self.why = self.why or why
+        for choice in course.blows[i].struck.choices():
+            if choice not in failed:
+                return choice
+        text = f"no assumption about the contacts holds in the blow: {self.why}"
+        raise NoSolution([Diagnostic(course.states[i + 1].mark, "PL622", text)])
+
     # --- a start that is sought --------------------------------------------------------------------------------------
 
     def _sought(self, course: Course, finds: FindReader) -> Unfolded | Plot:
@@ -228,7 +244,8 @@ class Unfolder:
                 changed = changed or other
                 continue
             if followed.missed is None and self._same(followed, branch):
-                found = Unfolded(course, finds, branch, followed, value)
+                more = {s: Decimal(repr(v)) for s, v in followed.values.items() if s not in branch.values}
+                found = Unfolded(course, finds, branch, followed, value.extended(more), frozenset(more))
                 if not course.sought() or not passed_before(course, followed, value):
                     found.checks = _left_out(course, again, "pass such a state before, and are left out")
                     return found
@@ -242,6 +259,11 @@ class Unfolder:
         wrong = clashing if clashing is not None and course.sought() else missing(course) or clashing
         text = "no motion passes through these states"
         self.lack = self.lack or wrong or NoSolution([Diagnostic(course.states[0].mark, "PL620", text)])
+        for i in course.blows:
+            try:
+                return course.plot.struck(i, self._other_blow(course, i, text))
+            except NoSolution:
+                continue
         if branches:
             raise self.lack
         try:

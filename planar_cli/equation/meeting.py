@@ -1,0 +1,205 @@
+"""Where two bodies meet that strike each other, and along which line: the point of contact and the common normal.
+
+A particle meets where it is, a round body where the line of centres, or its radius across the other's edge, leaves its
+rim, a rod or a plate with the end or corner that is nearest. (An Introduction to Planar Dynamics, 3.7, 4.6.)
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import sympy as sp
+
+from planar_cli.equation.evaluate import refuse
+from planar_cli.equation.outlines import outline_of
+from planar_cli.errors import FileProblem, Mark
+from planar_cli.problem.facts import Meeting
+from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scene import GROUND, Circle, Line, Particle, Plate, Rod, Round
+
+if TYPE_CHECKING:
+    from planar_cli.equation.scene import Scene
+
+
+@dataclass(frozen=True, slots=True)
+class Partner:
+    """One of the two. `center`, `radius`: of a round one. `line`: a point and the direction of a straight one.
+    `corners`: points with which it may meet another. `body`: who carries it.
+    """
+
+    name: str
+    body: str
+    center: Vec | None = None
+    radius: sp.Expr | None = None
+    line: tuple[Vec, Vec] | None = None
+    corners: tuple[Vec, ...] = ()
+    particle: bool = False
+
+
+def meeting_of(scene: Scene, between: tuple[str, ...], normal: Vec | None, mark: Mark) -> Meeting:
+    """Where `between` meet. `normal`: the direction that the file gives; refused where the shapes leave it open."""
+    a, b = (_partner(scene, name) for name in between)
+    point = _point(scene, a, b)
+    if point is None and normal is not None:
+        point = a.center or b.center
+    if point is None:
+        text = f"where {a.name} and {b.name} touch is open"
+        raise refuse(mark, "PL528", text, "let a particle, a round rim or the end of a rod touch the other")
+    across = normal or _normal(scene, a, b, point, mark)
+    if across is None:
+        text = f"the direction in which {a.name} and {b.name} strike each other is open"
+        raise refuse(mark, "PL528", text, "write `normal: 0 deg`, the direction of the common normal")
+    side = _side(scene, a, b, across, point)
+    return Meeting(point, across * side if side else across, bool(side))
+
+
+def _partner(scene: Scene, name: str) -> Partner:
+    surface = scene.surfaces.get(name)
+    if surface is not None:
+        body, shape = surface.body or GROUND, surface.shape
+        if isinstance(shape, Line):
+            return Partner(name, body, line=(scene.point(shape.through), scene.surface_angle(surface)))
+        if isinstance(shape, Circle):
+            return Partner(name, body, scene.point(shape.center), scene.value(shape.radius))
+        return Partner(name, body)
+    if name == GROUND:
+        return Partner(name, GROUND)
+    found = scene.bodies[name]
+    shape = found.shape
+    if isinstance(shape, Particle):
+        return Partner(name, name, found.center, sp.S.Zero, particle=True)
+    if isinstance(shape, Round):
+        return Partner(name, name, scene.point(shape.center), scene.value(shape.radius))
+    if isinstance(shape, Rod):
+        return _rod(scene, name, shape)
+    if isinstance(shape, Plate):
+        return Partner(name, name, corners=_corners(scene, name, shape))
+    own = tuple(scene.point(p) for p, owners in scene.owners.items() if name in owners)
+    return Partner(name, name, corners=own)
+
+
+def _rod(scene: Scene, name: str, shape: Rod) -> Partner:
+    start, along = scene.point(shape.start), scene.direction(name)
+    if shape.end is not None:
+        return Partner(name, name, line=(start, along), corners=(start, scene.point(shape.end)))
+    end = start + (scene.bodies[name].center - start) * 2
+    return Partner(name, name, line=(start, along), corners=(start, end))
+
+
+def _corners(scene: Scene, name: str, shape: Plate) -> tuple[Vec, ...]:
+    angle = (scene.value(shape.angle) if shape.angle is not None else sp.S.Zero) + scene.turn(name)
+    along, center = Vec(sp.cos(angle), sp.sin(angle)), scene.point(shape.center)
+    half, depth = scene.value(shape.width) / 2, scene.value(shape.height) / 2
+    return tuple(center + along * (i * half) + along.turned() * (j * depth) for i in (-1, 1) for j in (-1, 1))
+
+
+# --- the point -------------------------------------------------------------------------------------------------------
+
+
+def _point(scene: Scene, a: Partner, b: Partner) -> Vec | None:
+    for one, other in ((a, b), (b, a)):
+        if one.particle:
+            return one.center
+    if a.center is not None and b.center is not None:
+        return _between_rims(scene, a, b)
+    for one, other in ((a, b), (b, a)):
+        if one.center is not None and one.radius is not None:
+            return _on_rim(scene, one, other)
+    for one, other in ((a, b), (b, a)):
+        if other.line is not None and one.corners:
+            return _nearest(scene, one.corners, _off(other.line))
+    if a.corners and b.corners:
+        pairs = [(p, (p - q).dot(p - q)) for p in a.corners for q in b.corners]
+        value = scene.valuations[0]
+        return min(pairs, key=lambda pair: value(pair[1]))[0]
+    return (a.corners or b.corners or (None,))[0]
+
+
+def _between_rims(scene: Scene, a: Partner, b: Partner) -> Vec:
+    """On the line of centres; a body inside a ring touches it beyond its own centre."""
+    assert a.center is not None
+    assert b.center is not None
+    moving, other = (b, a) if a.body == GROUND else (a, b)
+    reach = other.center - moving.center
+    inside = scene.surfaces.get(other.name) is not None and scene.sign(other.radius**2 - reach.dot(reach)) > 0
+    out = reach / scene.length(reach) * (-1 if inside else 1)
+    found: Vec = moving.center + out * moving.radius
+    return found
+
+
+def _on_rim(scene: Scene, one: Partner, other: Partner) -> Vec | None:
+    """Where the rim meets an edge: at the foot on its line, or at a corner beyond the ends of the edge."""
+    assert one.center is not None
+    assert one.radius is not None
+    value = scene.valuations[0]
+    if other.line is not None:
+        start, along = other.line
+        way = (one.center - start).dot(along)
+        foot = start + along * way
+        if not other.corners:
+            return foot
+        reach = (other.corners[1] - other.corners[0]).dot(along)
+        if 0 <= value(way) <= value(reach):
+            return foot
+    if other.corners:
+        center = one.center
+        return _nearest(scene, other.corners, lambda p: (p - center).dot(p - center))
+    return None
+
+
+def _off(line: tuple[Vec, Vec]) -> Callable[[Vec], sp.Expr]:
+    """The square of the distance from a line."""
+    return lambda p: (p - line[0]).cross(line[1]) ** 2
+
+
+def _nearest(scene: Scene, points: tuple[Vec, ...], square: Callable[[Vec], sp.Expr]) -> Vec:
+    value = scene.valuations[0]
+    return min(points, key=lambda p: value(square(p)))
+
+
+# --- the normal ------------------------------------------------------------------------------------------------------
+
+
+def _normal(scene: Scene, a: Partner, b: Partner, point: Vec, mark: Mark) -> Vec | None:
+    for partner in (a, b):
+        if partner.center is not None and not partner.particle:
+            other = b if partner is a else a
+            if other.line is None or other.corners:
+                out = point - partner.center
+                if not scene.is_zero(out.dot(out)):
+                    return out / scene.length(out)
+    for partner in sorted((a, b), key=lambda p: bool(p.corners)):
+        if partner.line is not None:
+            return partner.line[1].turned()
+    if a.particle and b.particle:
+        assert a.center is not None
+        assert b.center is not None
+        reach = b.center - a.center
+        return None if scene.is_zero(reach.dot(reach)) else reach / scene.length(reach)
+    for partner in (a, b):
+        if partner.name in scene.surfaces or partner.name in scene.bodies:
+            try:
+                tangent = outline_of(scene, partner.name, point, mark).tangent
+            except FileProblem:
+                continue
+            if tangent is not None:
+                return tangent.turned()
+    return None
+
+
+def _side(scene: Scene, a: Partner, b: Partner, normal: Vec, point: Vec) -> int:
+    """+1 where b lies on the side of the normal, -1 where it lies on the other; 0 where the drawing does not tell."""
+    for partner, sense in ((b, 1), (a, -1)):
+        if partner.body == GROUND:
+            continue
+        center = partner.center or scene.center(partner.body)
+        side = scene.sign((center - point).dot(normal)) * sense
+        if side:
+            return side
+    if a.particle and b.particle:
+        assert a.center is not None
+        assert b.center is not None
+        return scene.sign((b.center - a.center).dot(normal))
+    return 0

@@ -1,0 +1,68 @@
+"""The scene in a blow: a collision, an impulse, a joint that takes hold of moving parts.
+
+    momentum before + impulses = momentum after          m v_1 + ΣJ = m v_2,   H_1 + Σ r × J = H_2
+
+(An Introduction to Planar Dynamics, 3.4, 3.7, 4.6.) It takes no time: nothing moves, finite forces have no impulse. The
+same machinery as at an instant at rest works it out: impulses stand for forces, velocities just after the blow for
+accelerations, and the momenta with which the bodies arrive act like known impulses.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.equation.meeting import meeting_of
+from planar_cli.equation.motion import Twist
+from planar_cli.equation.scene import Scene
+from planar_cli.errors import Mark
+from planar_cli.problem.expression import Side
+from planar_cli.problem.facts import Meeting, Wrench
+from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scene import GROUND
+
+AXES = (Vec(sp.S.One, sp.S.Zero), Vec(sp.S.Zero, sp.S.One))
+
+
+class StruckScene(Scene):
+    """`before`: the motion of every body just before the blow; `open_names`: unknowns that joints brought in."""
+
+    before: Mapping[str, Twist]
+    open_names: dict[str, sp.Symbol]
+
+    def arriving(self, point: Vec, body: str) -> Vec:
+        """The velocity of a body's point just before the blow."""
+        if body == GROUND:
+            return Vec(sp.S.Zero, sp.S.Zero)
+        twist = self.before[body]
+        found: Vec = twist.linear + (point - twist.point).turned() * twist.angular
+        return found
+
+    def meeting(self, between: tuple[str, ...], normal: Side | None, mark: Mark) -> Meeting:
+        """Where two bodies strike each other."""
+        return meeting_of(self, between, None if normal is None else self.unit(normal), mark)
+
+    def unknown(self, name: str, unit: str) -> sp.Symbol:
+        """A constant of the blow that the file leaves open."""
+        if name not in self.open_names:
+            self.open_names[name] = self.ledger.letter(name, unit)
+        return self.open_names[name]
+
+    def blows(self, setting: Any) -> tuple[Wrench, ...]:
+        """The impulses of the file, and the momenta with which the bodies arrive."""
+        found: list[Wrench] = []
+        for name, body in self.bodies.items():
+            v = self.arriving(body.center, name)
+            for part, axis in zip((v.x, v.y), AXES, strict=True):
+                if body.mass != 0 and part != 0:
+                    size = body.mass * part
+                    found.append(Wrench("", "momentum", name, body.center, axis * size, 0, size))
+            spin = self.before[name].angular
+            if body.inertia != 0 and spin != 0:
+                size = body.inertia * spin
+                found.append(Wrench("", "momentum", name, body.center, None, size, size))
+        for load in self.problem.loads:
+            found += load.impulses(setting)
+        return tuple(found)

@@ -1,0 +1,240 @@
+"""A blow in a motion: the equations between a state and the one just after it.
+
+    momentum before + impulses = momentum after, for every body and group, along every direction, about every point
+
+The plan of equations is that of an instant; its letters are those of the two states, and one for each impulse.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+from decimal import Decimal
+from typing import TYPE_CHECKING, Any
+
+import sympy as sp
+
+from planar_cli.equation.exact import Valuation
+from planar_cli.equation.motion import Edge, Motion
+from planar_cli.equation.setup import Course as Position
+from planar_cli.equation.struck import StruckScene
+from planar_cli.equation.system import System
+from planar_cli.problem.expression import Quantity
+from planar_cli.problem.formulas import formulas
+from planar_cli.problem.geometry import Vec
+from planar_cli.problem.walk import walk
+from planar_cli.solve.course.equations import Equation
+from planar_cli.solve.course.handing import handed
+from planar_cli.solve.course.plot import Span
+from planar_cli.solve.course.regime import Regime
+from planar_cli.solve.course.struck import Struck, struck_instant
+from planar_cli.solve.course.timeline import Stop
+from planar_cli.solve.instant import Trial
+from planar_cli.solve.stages import Stage, StageMaker, acceleration_unknowns
+from planar_cli.solve.worked import unknowns_of
+
+if TYPE_CHECKING:
+    from planar_cli.solve.course.course import Course
+
+ABOUT_PUSHES = ("impulse", "work", "heat", "mean")
+
+
+def arriving(regime: Regime) -> dict[str, tuple[Vec, sp.Expr]]:
+    """Velocity of the mass centre and angular velocity of every body, as the regime's own unknowns."""
+    motion, scene = regime.general.quantities.motion, regime.general.instant.scene
+    return {b: (motion.velocity(scene.center(b), b), motion.velocities[b].angular) for b in scene.bodies}
+
+
+@dataclass(frozen=True, slots=True)
+class Stroke:
+    """A blow in numbers: `after`, by the letters of the general position; `own`: its impulses; `objection`: what speaks
+    against its modes.
+    """
+
+    after: dict[sp.Symbol, float]
+    own: dict[sp.Symbol, float]
+    objection: str
+
+
+@dataclass(slots=True, eq=False)
+class Blow:
+    """One blow. `before`: the regime that tells the velocities at state `since`; `after`: that at `stop`.
+
+    `drawn`: coordinates put where they were drawn, if nothing has moved yet. `letters`: unknowns of its own, impulses
+    above all. `trial`: its modes for draws of all letters, `stage`: its plan of equations. `edges`: what the speeds of
+    all regimes are, by their letters.
+    """
+
+    since: Stop
+    stop: Stop
+    before: Regime
+    after: Regime
+    struck: Struck
+    drawn: Mapping[sp.Symbol, sp.Expr]
+    choice: tuple[int, ...]
+    trial: Trial
+    edges: Mapping[sp.Symbol, Edge]
+    stage: Stage | None = None
+    letters: tuple[sp.Symbol, ...] = ()
+    equations: list[Equation] = field(default_factory=list)
+
+    @property
+    def system(self) -> System:
+        return self.trial.system
+
+    @property
+    def scene(self) -> StruckScene:
+        found = self.struck.scene
+        assert isinstance(found, StruckScene)
+        return found
+
+    @property
+    def undetermined(self) -> tuple[sp.Symbol, ...]:
+        """Impulses that are asked and not unique."""
+        return () if self.stage is None else self.stage.undetermined
+
+    # --- equations ---------------------------------------------------------------------------------------------------
+
+    def work(self, asked: Iterable[str]) -> None:
+        """Plan the equations of the velocities after the blow, and of the impulses of joints that are `asked`."""
+        if not self.trial.outcomes:
+            return
+        unknowns = set(acceleration_unknowns(self.system))
+        handing = list(self._handed())
+        targets = {s for _, e in handing for s in e.free_symbols & unknowns}
+        targets |= set(self.stop.letters.values()) & unknowns | self._asked(asked) & unknowns
+        base = self.trial.outcomes[0].value
+        value = Valuation({s: v for s, v in base.values.items() if s not in unknowns}, base.definitions)
+        self.stage = StageMaker(self.system, value, True).accelerations(targets, kinetics=True)
+        self.equations = [*self._same_place(), *self._planned(self.stage), *self._zero(self.stage)]
+        for u, expr in handing:
+            words = "what moves after the blow"
+            self.equations.append(Equation(self.stop.letters[u] - self.here(expr), "blow", words, self.stop.name))
+        inside = set().union(*(e.residual.free_symbols for e in self.equations)) if self.equations else set()
+        own = {*unknowns, *self.scene.open_names.values()} & inside
+        self.letters = tuple(sorted(own - set(self.stop.letters.values()), key=lambda s: s.name))
+
+    def here(self, expr: sp.Expr) -> sp.Expr:
+        """An expression of the blow in letters of its states and its own; named lines are put in."""
+        explicit = {} if self.stage is None else {x.symbol: x.expression for x in self.stage.lines}
+        definitions = self.scene.ledger.definitions
+        for _ in range(40):
+            inside = {s: explicit[s] for s in expr.free_symbols if s in explicit}
+            inside |= {s: definitions[s] for s in expr.free_symbols if s in definitions}
+            if not inside:
+                break
+            expr = expr.xreplace(inside)
+        return self.stop.at(expr)
+
+    def _same_place(self) -> Iterator[Equation]:
+        """Nothing moves in a blow."""
+        regime = self.after
+        for letter in (regime.time, *(c.symbol for c in regime.coordinates)):
+            residual = self.stop.letters[letter] - self.since.letters[letter]
+            yield Equation(residual, "link", "a blow takes no time", self.stop.name, self.since.name)
+
+    def _planned(self, stage: Stage) -> Iterator[Equation]:
+        for block in stage.blocks:
+            for w in block.equations:
+                yield Equation(
+                    self.here(w.residual), "blow", w.words, self.stop.name, self.since.name, source=(self, w)
+                )
+
+    def _zero(self, stage: Stage) -> Iterator[Equation]:
+        for s in stage.zero:
+            yield Equation(self.here(s), "blow", "nothing acts that way", self.stop.name, self.since.name)
+
+    def _handed(self) -> Iterator[tuple[sp.Symbol, sp.Expr]]:
+        """Free speeds after the blow that are no unknowns of it, in its own unknowns."""
+        own = set(acceleration_unknowns(self.system))
+        for u in self.after.free:
+            if self.stop.letters[u] in own or u not in self.edges:
+                continue
+            expr = handed(u, self.edges[u], self._motion, self.scene, after=True)
+            if expr is not None:
+                yield u, expr
+
+    def _asked(self, joints: Iterable[str]) -> set[sp.Symbol]:
+        """The impulses of these joints."""
+        names = set(joints)
+        every = "all" in names or names & set(self.scene.bodies)
+        aliases = self.system.aliases
+        return {
+            self.system.symbols[p.name] for p in self.system.pushes if every or aliases.get(p.joint, p.joint) in names
+        }
+
+    # --- numbers -----------------------------------------------------------------------------------------------------
+
+    def strike(self, state: Mapping[sp.Symbol, Any], value: Valuation) -> Stroke:
+        """What comes of the letters just before the blow. `state`: by the letters of the general position. `value`:
+        numbers of everything that does not vary.
+        """
+        number = {s: Decimal(repr(float(v))) for s, v in state.items()}
+        more = {own: number[s] for s, own in self.since.letters.items() if s in number}
+        known = value.extended({**number, **more})
+        draws = self.scene.valuations[0]
+        here = Valuation({**draws.values, **known.values}, draws.definitions)
+        trial = self.struck.try_choice(self.choice, (here,))
+        if not trial.outcomes:
+            return Stroke({}, {}, trial.objection)
+        outcome = trial.outcomes[0]
+        unknowns = unknowns_of(trial.system, outcome)
+        found = here.extended(unknowns)
+        after = {s: state[s] for s in (self.after.time, *(c.symbol for c in self.after.coordinates)) if s in state}
+        after |= {u: float(found(own)) for u, own in self.stop.letters.items() if own in unknowns}
+        for u, edge in self.edges.items():
+            expr = None if u in after else handed(u, edge, self._motion, self.scene, after=True)
+            if expr is not None and u in self.stop.letters:
+                after[u] = float(found(expr))
+        own = {s: float(unknowns[s]) for s in self.letters if s in unknowns and self._unique(s, outcome)}
+        return Stroke(after, own, trial.objection)
+
+    @property
+    def _motion(self) -> Motion:
+        assert self.system.motion is not None
+        return self.system.motion
+
+    def _unique(self, symbol: sp.Symbol, outcome: Any) -> bool:
+        """Is an impulse determined at all?"""
+        name = next((n for n, s in self.system.symbols.items() if s == symbol), None)
+        columns = outcome.assembly.columns
+        return name is None or name not in columns or bool(outcome.solved.unique(columns[name]))
+
+
+def asked_of_blows(problem: Any) -> list[str]:
+    """Whose impulses the file asks for: names of joints, bodies or `all`."""
+    found = []
+    for formula in formulas(problem):
+        for node in walk(formula.tree):
+            if isinstance(node, Quantity) and node.word in ABOUT_PUSHES and node.things:
+                found.append(node.things[0])
+    return found
+
+
+def make_blow(course: Course, i: int, span: Span, choice: tuple[int, ...] | None) -> Blow:
+    """The blow between states i and i + 1, its modes not yet tried but in draws."""
+    since, stop = (course.stops[course.states[k].name] for k in (i, i + 1))
+    before, after = course.readers[since.name].regime, course.readers[stop.name].regime
+    drawn = _as_drawn(course, i, before)
+    named = {u: since.letters[u] for u in before.free}
+    told = {}
+    for body, (v, spin) in arriving(before).items():
+        parts = [before.closed(e).xreplace({**named, **drawn}) for e in (v.x, v.y, spin)]
+        told[body] = (Vec(parts[0], parts[1]), parts[2])
+    inside = set().union(*(e.free_symbols for v, w in told.values() for e in (v.x, v.y, w)))
+    ledger = course.ledger
+    letters = {s: ledger.units[s].text for s in named.values() if s in inside}
+    known = {u.name: own for u, own in stop.letters.items()}
+    position = Position(None, {}) if drawn else before.general.position
+    mark = f"__{stop.name}" if sum(s.blow is not None for s in course.plot.stretches) > 1 else ""
+    struck = struck_instant(span.problem, span.always, course.workshop.earlier, position, told, letters, known, mark)
+    choice = choice if choice is not None else next(struck.choices())
+    trial = struck.try_choice(choice, struck.scene.valuations[:1])
+    return Blow(since, stop, before, after, struck, drawn, choice, trial, course.edges())
+
+
+def _as_drawn(course: Course, i: int, before: Regime) -> dict[sp.Symbol, sp.Expr]:
+    """The coordinates as drawn, if nothing but blows happens before state i."""
+    if any(s.blow is None for s in course.plot.stretches[:i]) or course.placed[course.first.name]:
+        return {}
+    return {c.symbol: c.drawn for c in before.coordinates if c.drawn is not None}

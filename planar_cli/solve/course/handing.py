@@ -1,0 +1,38 @@
+"""Speeds handed over where what acts changes: a free speed of one regime, read in the motion of another."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from planar_cli.equation.motion import Edge, Motion, Tree
+from planar_cli.equation.scene import Scene
+from planar_cli.problem.geometry import Vec
+
+
+def edges_of(tree: Tree) -> dict[sp.Symbol, Edge]:
+    """The edges of a tree by each of their velocity unknowns."""
+    found = {}
+    for e in tree.edges:
+        found.update({s: e for s in (e.slide, e.rise, e.spin) if s is not None})
+    return found
+
+
+def handed(speed: sp.Symbol, edge: Edge, motion: Motion, scene: Scene, after: bool = False) -> sp.Expr | None:
+    """A velocity unknown of some tree in another motion of the same bodies; None: it is none of the tree's own.
+
+    `after`: read what stands where accelerations stand, the velocities after a blow.
+    """
+    twists = motion.accelerations if after else motion.velocities
+    point_motion = motion.acceleration if after else motion.velocity
+    if speed == edge.spin:
+        return twists[edge.body].angular
+    if edge.joining is None:
+        v = point_motion(scene.center(edge.body), edge.body)
+        return v.x if speed == edge.slide else v.y
+    if edge.joining.path is None:
+        return None
+    joining = edge.joining
+    relative: Vec = point_motion(joining.point, joining.mover) - point_motion(joining.point, joining.base)
+    if joining.drift is not None:
+        relative = relative - joining.drift
+    return relative.dot(joining.path.tangent)

@@ -1,0 +1,55 @@
+"""Times that nobody needs: integrals for them are left out, as the motion followed step by step tells the order."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import sympy as sp
+
+from planar_cli.solve.course.equations import Equation
+
+if TYPE_CHECKING:
+    from planar_cli.solve.course.course import Course
+    from planar_cli.solve.course.finds import FindReader
+
+ONLY_TIMES = ("t(q)", "t(v)")
+
+
+def without_idle_times(course: Course, finds: FindReader) -> list[Equation]:
+    """The equations without those that only tell a time which is not asked, and on which nothing else rests."""
+    times = {course.stops[s.name].t for s in course.states}
+    needed = _asked(course, finds) & times
+    instants = {b.stop.t: b.since.t for b in course.blows.values()}
+    for e in course.equations:
+        inside = e.residual.free_symbols & times
+        if e.kind in (*ONLY_TIMES, "start") or not inside or _same_time(e, instants):
+            continue
+        needed |= inside
+    known = {course.first.t}
+    for blow in course.blows.values():
+        known |= {blow.stop.t} if blow.since.t in known else set()
+    links = [{blow.since.t, blow.stop.t} for blow in course.blows.values()]
+    while True:
+        telling = [e for e in course.equations if e.kind in ONLY_TIMES and course.stops[e.stop].t in needed - known]
+        more = {t for e in telling for t in e.residual.free_symbols & times}
+        more |= {t for pair in links if needed & pair for t in pair}
+        if more <= needed:
+            return [e for e in course.equations if e.kind not in ONLY_TIMES or e in telling]
+        needed |= more
+
+
+def _asked(course: Course, finds: FindReader) -> set[sp.Symbol]:
+    """Letters that finds ask for, and times on which quantities over spans rest."""
+    found = {s for a in finds.asked for p in a.parts for s in finds.settled(a, p).free_symbols}
+    order = {s.name: i for i, s in enumerate(course.states)}
+    for asked in course.spanned.values():
+        a, b = (order[n] for n in asked.span)
+        low, high = min(a, b), max(a, b)
+        if not all(i in course.blows for i in range(low, high)):
+            found |= {course.stops[s.name].t for s in course.states[: high + 1]}
+    return found
+
+
+def _same_time(e: Equation, instants: dict[sp.Symbol, sp.Symbol]) -> bool:
+    """Does it say no more than that a blow takes no time?"""
+    return e.kind == "link" and any(sp.expand(e.residual - (t - s)) == 0 for t, s in instants.items())
