@@ -191,7 +191,11 @@ def _normal(scene: Scene, a: Partner, b: Partner, point: Vec, mark: Mark) -> Vec
 
 def _side(scene: Scene, a: Partner, b: Partner, normal: Vec, point: Vec) -> int:
     """+1 where b lies on the side of the normal, -1 where it lies on the other; 0 where the drawing does not tell."""
-    for partner, sense in ((b, 1), (a, -1)):
+    for partner, other, sense in ((b, a, 1), (a, b, -1)):
+        if partner.particle and partner.center is not None and other.line is not None:
+            side = scene.sign((partner.center - other.line[0]).dot(normal)) * sense
+            if side:
+                return side
         if partner.body == GROUND:
             continue
         center = partner.center or scene.center(partner.body)

@@ -36,6 +36,7 @@ from planar_cli.solve.worked import unknowns_of
 if TYPE_CHECKING:
     from planar_cli.solve.course.course import Course
 
+MOVES = Decimal("1e-9")
 ABOUT_PUSHES = ("impulse", "work", "heat", "mean")
 
 
@@ -48,12 +49,13 @@ def arriving(regime: Regime) -> dict[str, tuple[Vec, sp.Expr]]:
 @dataclass(frozen=True, slots=True)
 class Stroke:
     """A blow in numbers: `after`, by the letters of the general position; `own`: its impulses; `objection`: what speaks
-    against its modes.
+    against its modes; `misfit`: what speaks against the modes after it.
     """
 
     after: dict[sp.Symbol, float]
     own: dict[sp.Symbol, float]
     objection: str
+    misfit: str = ""
 
 
 @dataclass(slots=True, eq=False)
@@ -181,13 +183,25 @@ class Blow:
         unknowns = unknowns_of(trial.system, outcome)
         found = here.extended(unknowns)
         after = {s: state[s] for s in (self.after.time, *(c.symbol for c in self.after.coordinates)) if s in state}
-        after |= {u: float(found(own)) for u, own in self.stop.letters.items() if own in unknowns}
-        for u, edge in self.edges.items():
-            expr = None if u in after else handed(u, edge, self._motion, self.scene, after=True)
-            if expr is not None and u in self.stop.letters:
-                after[u] = float(found(expr))
+        after |= {u: float(found(own)) for u in self.after.free if (own := self.stop.letters[u]) in unknowns}
+        after |= {u: float(found(expr)) for u, expr in self._handed()}
         own = {s: float(unknowns[s]) for s in self.letters if s in unknowns and self._unique(s, outcome)}
-        return Stroke(after, own, trial.objection)
+        return Stroke(after, own, trial.objection, self._moves(after, found, unknowns))
+
+    def _moves(self, after: Mapping[sp.Symbol, float], found: Valuation, unknowns: Mapping[sp.Symbol, Decimal]) -> str:
+        """Does something move after the blow that the regime after it takes for held?"""
+        if any(s not in after for s in self.after.letters):
+            return ""
+        known = found.extended({s: Decimal(repr(after[s])) for s in self.after.letters})
+        motion, scene = self._motion, self.scene
+        for body, (v, spin) in arriving(self.after).items():
+            w = motion.acceleration(scene.center(body), body)
+            here = (w.x, w.y, motion.accelerations[body].angular)
+            pairs = list(zip((v.x, v.y, spin), here, strict=True))
+            speeds = [abs(found(e)) for e in here]
+            if any(abs(known(self.after.closed(a)) - found(b)) > MOVES * max(speeds) for a, b in pairs):
+                return "it moves"
+        return ""
 
     @property
     def _motion(self) -> Motion:

@@ -6,7 +6,7 @@ a general position.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from decimal import Decimal
 from typing import Any
@@ -19,8 +19,10 @@ from planar_cli.equation.displaced import Coordinate, Displacement
 from planar_cli.equation.exact import DIGITS, Valuation
 from planar_cli.equation.plain import simplified
 from planar_cli.equation.pose import HERE
+from planar_cli.equation.scene import Scene
 from planar_cli.joints.base import Joint
 from planar_cli.loads.base import Load
+from planar_cli.problem.facts import Mode
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND, Curve, Surface
 from planar_cli.solve.instant import Instant
@@ -33,7 +35,7 @@ SMALL = Decimal("1e-45")
 @dataclass(frozen=True, slots=True)
 class Constraint:
     """A residual that vanishes in every position; `title` says what it keeps, `joint` whose it is. `kind`: "loop", or
-    "motion" where the file itself states it.
+    "motion" where the file itself states it, or "kept" where it only stays what it was as the joint took hold.
     """
 
     residual: sp.Expr
@@ -124,6 +126,8 @@ def constraints_of(
     found: list[Constraint] = []
     for (joint, modes), index in zip(drawn.modes, choice, strict=True):
         if joint.during is not None:
+            if GROUND in getattr(joint, "between", ()):
+                found += _residuals(scene, joint, modes[index], poses, value, start, "kept")
             continue
         curve = curve_under(drawn, joint)
         if curve is not None:
@@ -131,13 +135,26 @@ def constraints_of(
             if expr != 0 and not _vanishes(expr, value, start):
                 found.append(Constraint(expr, f"{joint.name}: stays on {curve.name}", joint.name))
             continue
-        for residual in joint.residuals(scene, modes[index]):
-            vanishing = residual.of(poses)
-            for part in (vanishing.x, vanishing.y) if isinstance(vanishing, Vec) else (vanishing,):
-                expr = simplified(part)
-                if expr != 0 and expr.free_symbols & set(start) and not _vanishes(expr, value, start):
-                    found.append(Constraint(expr, residual.title, joint.name))
+        found += _residuals(scene, joint, modes[index], poses, value, start, "loop")
     return tuple(found)
+
+
+def _residuals(
+    scene: Scene,
+    joint: Joint | Load,
+    mode: Mode,
+    poses: GeneralPoses,
+    value: Valuation,
+    start: Mapping[sp.Symbol, sp.Expr],
+    kind: str,
+) -> Iterator[Constraint]:
+    """The places that a joint keeps in one of its modes."""
+    for residual in joint.residuals(scene, mode):
+        vanishing = residual.of(poses)
+        for part in (vanishing.x, vanishing.y) if isinstance(vanishing, Vec) else (vanishing,):
+            expr = simplified(part)
+            if expr != 0 and expr.free_symbols & set(start) and not _vanishes(expr, value, start):
+                yield Constraint(expr, residual.title, joint.name, kind)
 
 
 def curve_under(drawn: Instant, joint: Joint | Load) -> Surface | None:

@@ -14,6 +14,7 @@ from planar_cli.equation.motion import Edge
 from planar_cli.errors import Mark
 from planar_cli.problem.expression import Relation, Statement
 from planar_cli.problem.scene import Problem, State
+from planar_cli.solve.course.after import asked_after
 from planar_cli.solve.course.blow import Blow, arriving, asked_of_blows, make_blow
 from planar_cli.solve.course.chain import Branch, Chain
 from planar_cli.solve.course.equations import (
@@ -21,6 +22,7 @@ from planar_cli.solve.course.equations import (
     Laws,
     at_limits,
     drawn_equations,
+    kept_equations,
     ending_equations,
     later_equations,
     law_equations,
@@ -139,7 +141,7 @@ class Course:
         self._ask_handing()
         for regime in self.distinct_regimes():
             exprs = [e for r in self.distinct_readers() if r.regime is regime for e in r.exprs]
-            regime.work(exprs)
+            regime.work(exprs, any(r is regime for r in self.running()))
         for s in self.states:
             self.placed[s.name] = self.readers[s.name].demands(self.stops[s.name], always[s.name])
         self._strike()
@@ -149,7 +151,7 @@ class Course:
         self.still = stand_still(self, beside)
         for s in self.states:
             self.demands[s.name] = self.readers[s.name].demands(self.stops[s.name], raw[s.name])
-        self.laws = [laws_of(r) for r in self.regimes]
+        self.laws = [laws_of(r) if r.runs else Laws((), (), ()) for r in self.regimes]
         self.equations = []
         if self.states:
             whole = self.regimes[0].general.value
@@ -161,6 +163,20 @@ class Course:
         regimes = self.distinct_regimes()
         return {s: e for r in regimes for s, e in edges_of(r.general.trial.system.tree).items() if s in r.free}
 
+    def running(self) -> list[Regime]:
+        """The regimes in which time passes, or in which what is asked of the last state is told."""
+        found = [r for i, r in enumerate(self.regimes) if self.plot.stretches[i].blow is None]
+        found += [self.workshop.regime(s) for _, s in self.plot.equilibria]
+        last = self.states[-1].name if self.states else ""
+        if self.beyond is not None and (not self.blows_last or asked_after(self.problem, last)):
+            found.append(self.beyond)
+        return found
+
+    @property
+    def blows_last(self) -> bool:
+        """Is the last state just after a blow?"""
+        return bool(self.plot.stretches) and self.plot.stretches[-1].blow is not None
+
     def _ask_handing(self) -> None:
         """Free speeds of other regimes, and how bodies arrive at blows, are worked out with each regime."""
         edges = self.edges()
@@ -171,8 +187,8 @@ class Course:
             self.handings[id(own)] = {u: e for u, e in found.items() if e is not None}
             reader.exprs += self.handings[id(own)].values()
         for i, stretch in enumerate(self.plot.stretches):
-            if stretch.blow is not None:
-                reader = self.readers[self.states[i].name]
+            for state in self.states[i : i + 2] if stretch.blow is not None else ():
+                reader = self.readers[state.name]
                 reader.exprs += [e for v, spin in arriving(reader.regime).values() for e in (v.x, v.y, spin)]
 
     def _strike(self) -> None:
@@ -253,6 +269,7 @@ class Course:
             laws = self.laws[i - 1]
             found += list(law_equations(laws, start, stop, regime, regime.general.value))
             found += list(link_equations(laws, start, stop, regime))
+            found += list(kept_equations(regime, start, stop))
             if stop.t in self.infinite():
                 found += list(ending_equations(laws, stop, regime))
             handing = {u: regime.closed(e) for u, e in self.handings[id(regime)].items()}

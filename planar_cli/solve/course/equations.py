@@ -299,6 +299,14 @@ def loop_equations(regime: Regime, first: Stop, stop: Stop) -> Iterator[Equation
             yield Equation(residual, c.kind, c.title, stop.name, family=("loop", str(n), stop.name), rank=1)
 
 
+def kept_equations(regime: Regime, since: Stop, stop: Stop) -> Iterator[Equation]:
+    """What a joint keeps that took hold after the first state."""
+    for c in regime.general.kept:
+        residual = simplified(stop.at(c.residual) - since.at(c.residual))
+        if residual != 0:
+            yield Equation(residual, "loop", c.title, stop.name, since.name)
+
+
 def drawn_equations(regime: Regime, first: Stop) -> Iterator[Equation]:
     """The first state is as drawn, but for what `motion` places elsewhere."""
     placed = _placed_elsewhere(regime, first)

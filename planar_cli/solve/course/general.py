@@ -31,7 +31,8 @@ class General:
     """One choice of modes in a general position.
 
     `coordinates`: what varies. `free`: the velocity unknowns that nothing else fixes; they are letters. `trial`: the
-    choice solved for draws of all letters. `position`: how the scene is displaced. After `govern`: `rates` of coordinates and `accelerations` of free speeds
+    choice solved for draws of all letters. `position`: how the scene is displaced. `kept`: what joints
+    that act only for some time keep as it was. After `govern`: `rates` of coordinates and `accelerations` of free speeds
     as formulas in coordinates, free speeds and t; `solution` tells how.
     """
 
@@ -43,6 +44,7 @@ class General:
     quantities: Quantities
     position: Course
     constraints: tuple[Constraint, ...]
+    kept: tuple[Constraint, ...]
     finisher: Finisher | None = None
     stages: list[Stage] = field(default_factory=list)
     solution: InstantSolution | None = None
@@ -129,7 +131,9 @@ def _general(
     resting: frozenset[str],
 ) -> General:
     user = _user_coordinates(drawn)
-    constraints = constraints_of(drawn, loosened(drawn, choice), displacement, (*user, *displacement.coordinates))
+    every = constraints_of(drawn, loosened(drawn, choice), displacement, (*user, *displacement.coordinates))
+    constraints = tuple(c for c in every if c.kind != "kept")
+    kept = tuple(c for c in every if c.kind == "kept")
     course = Course(displacement, ranges(drawn, displacement), _projector(constraints, displacement, user))
     instant = Instant(Setup(problem, Statements.of(always, ()), earlier, True, course))
     system = instant.system(choice)
@@ -149,7 +153,7 @@ def _general(
         trial = instant.try_choice(choice, valuations, given=given)
     quantities = trial.system.quantities() if trial.outcomes else trial.system.quantities_of(trial.system.first, None)
     coordinates = (*_user_coordinates(instant), *displacement.coordinates)
-    return General(instant, choice, coordinates, independent, trial, quantities, course, constraints)
+    return General(instant, choice, coordinates, independent, trial, quantities, course, constraints, kept)
 
 
 def _independent(found: Velocities, tree: tuple[sp.Symbol, ...], displacement: Displacement) -> tuple[sp.Symbol, ...]:

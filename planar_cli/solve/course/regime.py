@@ -40,7 +40,7 @@ class Watch:
 class Regime:
     """`rates`: of coordinates; `accelerations`: of free speeds; both closed formulas. `watches`: what must hold;
     `slips`: speeds of slip, positive the way that is assumed. `ways`: the signs of free speeds by name, where a law
-    asks for them; then it is written for this way.
+    asks for them; then it is written for this way. `runs`: time passes in it; else it only tells velocities at a blow.
     """
 
     general: General
@@ -51,6 +51,7 @@ class Regime:
     watches: tuple[Watch, ...] = ()
     slips: tuple[sp.Expr, ...] = ()
     balance: tuple[sp.Expr, sp.Expr] | None = None
+    runs: bool = False
 
     @property
     def time(self) -> sp.Symbol:
@@ -69,16 +70,17 @@ class Regime:
         """t, all coordinates, all free speeds."""
         return (self.time, *(c.symbol for c in self.coordinates), *self.free)
 
-    def work(self, exprs: Iterable[sp.Expr]) -> None:
-        """Work out rates and accelerations, and whatever these expressions need."""
+    def work(self, exprs: Iterable[sp.Expr], runs: bool = True) -> None:
+        """Work out rates and accelerations, and whatever these expressions need. `runs`: does time pass in it?"""
         general = self.general
         rates = {c.symbol: self._rate(c) for c in general.coordinates}
-        accelerations = {u: general.rate_of(u) for u in general.free}
         wanted = [e for e in exprs if e not in self.exprs]
-        if self.rates and not wanted:
+        if self.rates and not wanted and (self.runs or not runs):
             return
-        watches, slips = self._watches(), self._sliding()
-        self.balance = balance_of(general)
+        self.runs = runs = self.runs or runs
+        accelerations = {u: general.rate_of(u) for u in general.free} if runs else {}
+        watches, slips = (self._watches(), self._sliding()) if runs else ((), [])
+        self.balance = balance_of(general) if runs else None
         self.exprs += wanted
         general.closed_forms.clear()
         general.govern(

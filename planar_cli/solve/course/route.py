@@ -309,9 +309,9 @@ class Router:
             return False
         try:
             rows = [[self.value(sp.diff(self.residual(e), x)) for x in unknowns] for e in equations]
+            scaled = [[c / (max(abs(v) for v in row) or Decimal(1)) for c in row] for row in rows]
         except (ArithmeticError, Unvalued):
             return False
-        scaled = [[c / (max(abs(v) for v in row) or Decimal(1)) for c in row] for row in rows]
         return abs(_determinant(scaled)) > Decimal("1e-18")
 
     # --- work --------------------------------------------------------------------------------------------------------

@@ -40,7 +40,8 @@ def solve_course(problem: Problem, case: str, units: dict[str, str], earlier: Ma
     found.finds.throughout = Throughout(course, found.followed, found.value, start)
     found.checks = (*found.checks, *compared(found))
     answers = tuple(found.finds.answer(a, found.route, found.value) for a in found.finds.asked)
-    instants = tuple(r.general.solution for r in found.course.distinct_regimes() if r.general.solution is not None)
+    regimes = [r for r in found.course.distinct_regimes() if r.runs]
+    instants = tuple(r.general.solution for r in regimes if r.general.solution is not None)
     tale = Tale(tuple(found.finds.curves), whole=False) if found.finds.curves else None
     return PartSolution(case, instants, answers, found, tale)
 

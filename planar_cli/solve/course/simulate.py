@@ -83,6 +83,9 @@ class Follower:
                 if stroke.objection:
                     done.blow, done.why = i, stroke.objection
                     return done
+                if stroke.misfit:
+                    done.misfit, done.why = i + 1, stroke.misfit
+                    return done
                 state = stroke.after
                 done.values |= stroke.own
                 self._record(course.stops[course.states[i + 1].name], state)
@@ -131,7 +134,7 @@ class Follower:
             if u not in begun and u in handing and told:
                 begun[u] = self._numbers(old, [old.closed(handing[u])])(*(state[s] for s in old.letters))[0]
             begun.setdefault(u, 0.0)
-        return begun
+        return {s: v for s, v in begun.items() if s in regime.letters or not is_speed(s)}
 
     def _numbers(self, regime: Regime, exprs: Sequence[sp.Expr]) -> Callable[..., list[float]]:
         return number_function(exprs, regime.letters, self.value)
@@ -225,6 +228,8 @@ class Follower:
         exprs = [*regime.rates.values(), *regime.accelerations.values()]
         rhs = self._numbers(regime, exprs)
         length = length_of(regime, state, rhs(*(state[s] for s in regime.letters)), self.value)
+        before = max((x.length for x in self.done.legs), default=0.0)
+        length = length if length > SLACK * before else before
         flow = self._flow(regime, state, rhs, length)
         return Leg(regime, flow, t0, t0, state, swing_of(regime, state, self.value), length)
 

@@ -6,7 +6,7 @@ branches first, and each is followed to see whether it happens so.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from decimal import Decimal
 
 import sympy as sp
@@ -32,6 +32,7 @@ from planar_cli.solve.diagnose import explain_failure, singular_position
 from planar_cli.solve.instant import make_instant, search_modes
 
 CHANGES = 40
+BLOW = " blow"
 AGREE = 1e-6
 STAYS = "it begins at rest in equilibrium, where every acceleration vanishes: nothing moves"
 
@@ -209,7 +210,7 @@ class Unfolder:
 
     def _other_blow(self, course: Course, i: int, why: str) -> tuple[int, ...]:
         """Other modes of the joints in a blow."""
-        name = ("blow", *(s.name for s in course.plot.states[: i + 1]))
+        name = (BLOW, *(s.name for s in course.plot.states[: i + 1]))
         failed = self.tried.setdefault(name, [])
         failed.append(course.blows[i].choice)
         self.why = self.why or why
@@ -233,7 +234,13 @@ class Unfolder:
             start = {s: branch.values[own] for s, own in course.first.letters.items() if own in branch.values}
             if branch.left or set(start) != set(course.first.letters) or untold(course):
                 led = carried_branch(course, branches)
-                self._demand_told(course, finds, led)
+                try:
+                    self._demand_told(course, finds, led)
+                except NoSolution as error:
+                    if not course.blows:
+                        raise
+                    self.lack = self.lack or error
+                    continue
                 return Unfolded(course, finds, led, None, course.base().extended(led.values))
             try:
                 followed = Follower(course, value).run({s: float(v) for s, v in start.items()})
@@ -259,17 +266,31 @@ class Unfolder:
         wrong = clashing if clashing is not None and course.sought() else missing(course) or clashing
         text = "no motion passes through these states"
         self.lack = self.lack or wrong or NoSolution([Diagnostic(course.states[0].mark, "PL620", text)])
-        for i in course.blows:
-            try:
-                return course.plot.struck(i, self._other_blow(course, i, text))
-            except NoSolution:
-                continue
+        other = self._elsewhere(course, text)
+        if other is not None:
+            return other
         if branches:
             raise self.lack
         try:
             return self._next(course.plot, 0, text)
         except NoSolution:
             raise self.lack from None
+
+    def _elsewhere(self, course: Course, why: str) -> Plot | None:
+        """Other modes in a blow, or after one; None: there are no blows, or all have been tried."""
+        for i in course.blows:
+            try:
+                return course.plot.struck(i, self._other_blow(course, i, why))
+            except NoSolution:
+                continue
+        for i in course.blows:
+            try:
+                changed = self._next(course.plot, i + 1, why)
+            except NoSolution:
+                continue
+            self.tried = {k: v for k, v in self.tried.items() if k[0] != BLOW}
+            return replace(changed, stretches=tuple(replace(s, blow_choice=None) for s in changed.stretches))
+        return None
 
     @staticmethod
     def _demand_told(course: Course, finds: FindReader, branch: Branch) -> None:
