@@ -17,6 +17,7 @@ from planar_cli.equation.curves import curve_place
 from planar_cli.equation.motion import Edge, Tree
 from planar_cli.equation.plain import simplified
 from planar_cli.equation.pose import HERE, Pose
+from planar_cli.errors import NOWHERE
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND, Circle, Curve, Line, Round
 from planar_cli.units import parse_unit
@@ -319,7 +320,7 @@ class Displacer:
             return between_rims
         if len(rounds) == 1:
             (name, center), other = rounds[0], next(p for p in between if p != rounds[0][0])
-            if self._straight(other):
+            if self._straight(other, place):
                 carrier = self.poses[self.scene.carrier(other)]
                 return self._carried(name, center) + carrier.vector(place - center)
         return None
@@ -337,6 +338,9 @@ class Displacer:
             return self.scene.point(body.shape.center)
         return None
 
-    def _straight(self, partner: str) -> bool:
+    def _straight(self, partner: str, place: Vec) -> bool:
+        """Is it a line or an edge that a rim touches here? A corner or a particle takes the point along itself."""
         surface = self.scene.surfaces.get(partner)
-        return surface is None or isinstance(surface.shape, Line)
+        if surface is not None:
+            return isinstance(surface.shape, Line)
+        return self.scene.outline(partner, place, NOWHERE).kind == "straight"

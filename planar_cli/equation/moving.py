@@ -89,6 +89,10 @@ class Moving:
             return self._over_time(magnitude, mark)
         return quantities_of(self._scene, self._motion, None).evaluator.value(magnitude)
 
+    def heading(self, angle: sp.Expr) -> Vec:
+        """The unit vector in a direction that may vary with the motion."""
+        return Vec(sp.cos(angle), sp.sin(angle))
+
     def _over_time(self, table: Table, mark: Mark) -> sp.Expr:
         """Straight lines between the instants of a table, constant before the first and after the last."""
         scene = self._scene

@@ -92,13 +92,15 @@ class Reactions:
         return next(a for a in push.actions if a.body == body)
 
     def load(self, q: Quantity) -> Vec:
-        """The force of a load, on the named body, or on its only one."""
+        """The force of a load, on the named body, or on its only one; a stream pushes where it enters and leaves."""
         found = [w for w in self.wrenches if w.name == q.things[0] and w.force is not None]
         if len(q.things) == 2:
             found = [w for w in found if w.body == q.things[1]]
-        if not found:
-            return NONE
-        return found[0].force or NONE
+        total = NONE
+        for wrench in found:
+            if wrench.body == found[0].body and wrench.force is not None:
+                total = total + wrench.force
+        return total
 
     def power(self, q: Quantity, motion: Motion) -> sp.Expr:
         """Σ F · v + M ω of a load, of a joint, of all forces on a body, or of everything."""

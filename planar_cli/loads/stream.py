@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import Any, ClassVar
 
 from planar_cli.loads.base import Load
 from planar_cli.problem.expression import Side
 from planar_cli.problem.facts import Wrench
-from planar_cli.problem.keys import BodyKey, Choice, Flow, FlowKey, SideKey, key
+from planar_cli.problem.geometry import Vec
+from planar_cli.problem.keys import BodyKey, Choice, Flow, FlowKey, MagnitudeKey, Table, key
 from planar_cli.problem.setting import MovingSetting
 
 
@@ -18,8 +19,16 @@ class Stream(Load):
 
     Meaning
         Matter flows at `rate` (mass per time) into the body where it `enters` and out of it where it `leaves`: water
-        turned by a vane or pipe has both, a rocket only leaves, a wagon that is loaded only enters. Each is
-        `{at: point, speed: u, angle: direction}`. A mass that changes is written `mass: M - q*t`.
+        turned by a vane or a pipe does both, the gas of a rocket only leaves, sand that falls into a wagon only enters.
+        Each is `{at: point, speed: u, angle: direction}`. The velocity is the one *seen from the body*, less that of
+        the body's own point there: `speed` is its size, `angle` its direction from the fixed x axis. What is seen
+        from a moving body is written with quantities: a jet of speed c that hits a wagon has `speed: c - v(wagon).x`;
+        sand that falls straight down into a moving wagon comes, along the rails, from the front with
+        `speed: v(wagon).x, angle: 180 deg`. Rate, speeds and angles may use `t` and quantities, the rate also a table.
+
+        The mass of a body that a stream fills or empties is written by its own formula, `mass: M - q*t`; the stream
+        does not change it. The moment of inertia goes with the mass (an `inertia` without `t` is that at t = 0).
+        Pressures at the ends of a pipe are forces of their own.
 
     YAML
         title: Water in a bend
@@ -38,13 +47,18 @@ class Stream(Load):
         find: {R: reaction(A)}
 
     Equations
-        The force on the body is rate (u_in - u_out), u_in acting at the point of entry, u_out at that of exit.
+        The force on the body is rate u_in at the point of entry and -rate u_out at that of exit, so that
+        m(t) a = ΣF + rate_in u_in - rate_out u_out. Where the body turns, the flow through it also needs the Coriolis
+        force -2 rate ω × (r_out - r_in) at the mass centre and the couple -rate ω (r_out² - r_in²), r from the mass
+        centre; and where its moment of inertia changes, the couple -(dI/dt) ω.
 
     Signs
-        Angles are fixed in space; speeds are relative to the body.
+        Angles are those in which the matter moves, fixed in space; speeds are relative to the body.
 
     Valid when
-        The flow is steady as seen from the body.
+        The flow is steady as seen from the body, and the mass centre stays the same point of the body. What only
+        enters stays at the mass centre, what only leaves comes from there; water that reaches a turning body from out
+        of the plane enters with `speed: 0 m/s` where it does.
 
     Reference
         An Introduction to Planar Dynamics, 3.4.1, 4.6, Problem 4.45.
@@ -59,11 +73,46 @@ class Stream(Load):
     )
 
     body: str = key(BodyKey(), "the body that the stream meets")
-    rate: Side = key(SideKey("kg/s"), "mass per time")
+    rate: Side | Table = key(MagnitudeKey("kg/s"), "mass per time, or a table over time")
     enters: Flow | None = key(FlowKey(), "where and how it enters: {at, speed, angle}", default=None)
     leaves: Flow | None = key(FlowKey(), "where and how it leaves: {at, speed, angle}", default=None)
 
+    def attachments(self) -> tuple[tuple[str, str], ...]:
+        return tuple((flow.at, self.body) for flow, _ in self._flows())
+
     def wrenches(self, scene: MovingSetting) -> tuple[Wrench, ...]:
-        raise scene.refuse(
-            self.mark, "PL590", "a stream changes the mass over time", "replace it by the force that it causes"
-        )
+        rate = scene.size(self.rate, self.mark)
+        found: list[Wrench] = []
+        for flow, sense in self._flows():
+            magnitude = rate * scene.size(flow.speed, flow.mark)
+            if magnitude != 0:
+                direction = scene.heading(scene.size(flow.angle, flow.mark)) * sense
+                force = direction * magnitude
+                found.append(Wrench(self.name, "stream", self.body, scene.point(flow.at), force, 0, magnitude))
+        return (*found, *self._through(scene, rate))
+
+    def _flows(self) -> tuple[tuple[Flow, int], ...]:
+        """The ends of the stream, with the sign with which they bring momentum."""
+        return tuple((flow, sense) for flow, sense in ((self.enters, 1), (self.leaves, -1)) if flow is not None)
+
+    def _through(self, scene: MovingSetting, rate: Any) -> tuple[Wrench, ...]:
+        """What the flow from end to end of a turning body needs besides: ∫ -2 ρ ω × u dV = -2 rate ω × (r_out - r_in),
+        and its moment about the mass centre; neither depends on the way between the ends.
+        """
+        turn, center = scene.turn(self.body), scene.center(self.body)
+        if turn == 0:
+            return ()
+        arms = [(scene.point(flow.at) - center, sense) for flow, sense in self._flows()]
+        way = Vec(0, 0)
+        for arm, sense in arms:
+            way = way + arm * -sense
+        length = scene.length(way)
+        couple = turn * rate * sum(sense * arm.dot(arm) for arm, sense in arms)
+        found = []
+        if length != 0:
+            size = 2 * rate * turn * length
+            push = -way.turned() / length * size
+            found.append(Wrench(self.name, "stream", self.body, center, push, 0, size))
+        if couple != 0:
+            found.append(Wrench(self.name, "stream", self.body, center, None, couple, couple))
+        return tuple(found)

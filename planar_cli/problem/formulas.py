@@ -128,7 +128,9 @@ def _of_body(body: Body) -> Iterator[Formula]:
     if body.mass is not None:
         yield Formula(body.mass, f"the mass {what}", body.mass.mark, "kg", time=True)
     yield from _plain(body.weight, "weight", f"the weight {what}")
-    yield from _plain(body.inertia, "inertia", f"the moment of inertia {what}")
+    if body.inertia is not None:
+        words = f"the moment of inertia {what}"
+        yield Formula(body.inertia, words, body.inertia.mark, UNITS["inertia"], time=True)
     yield from _plain(body.gyration, "length", f"the radius of gyration {what}")
 
 
@@ -183,14 +185,15 @@ def _of_key(value: object, spec: KeySpec, what: str) -> Iterator[Formula]:
         case MagnitudeKey(unit=unit), _ if isinstance(value, Side):
             yield Formula(value, what, value.mark, unit, time=True, quantities=True)
         case SideKey(unit=unit, angle=angle), _ if isinstance(value, Side):
-            yield Formula(value, what, value.mark, unit, angle=angle, time=unit == "kg/s")
+            yield Formula(value, what, value.mark, unit, angle=angle)
         case DirectionKey(), _ if isinstance(value, Side):
             yield Formula(value, what, value.mark, "deg", angle=True)
         case StatementsKey(), tuple():
             for statement in value:
                 yield Formula(statement, what, statement.mark, quantities=True)
         case _, Flow():
-            yield from _plain(value.speed, "speed", f"the speed in {what}")
-            yield from _plain(value.angle, "angle", f"the angle in {what}")
+            for side, kind in ((value.speed, "speed"), (value.angle, "angle")):
+                words, turned = f"the {kind} in {what}", kind == "angle"
+                yield Formula(side, words, side.mark, UNITS[kind], angle=turned, time=True, quantities=True)
         case _:
             return

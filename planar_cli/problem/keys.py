@@ -111,7 +111,7 @@ class FlowKey:
 
 @dataclass(frozen=True, slots=True)
 class Flow:
-    """A stream at the point `at`: `speed` relative to the body, `angle` of its velocity, fixed in space."""
+    """A stream at the point `at`: `speed` relative to the body, `angle` of that velocity from the fixed x axis."""
 
     at: str
     speed: Side

@@ -41,6 +41,9 @@ from planar_cli.solve.course.plot import Span as PlotSpan
 from planar_cli.solve.course.regime import Regime
 from planar_cli.solve.course.still import Still, is_equilibrium, stand_still
 from planar_cli.solve.course.timeline import Demand, Reader, Stop, stop_of
+from planar_cli.solve.course.work_energy import Closed, Energies, closed_energies, energies_of, energy_equations
+
+
 
 TINY = Decimal("1e-15")
 
@@ -72,6 +75,8 @@ class Course:
     swings: dict[str, Oscillation] = field(default_factory=dict)
     blows: dict[int, Blow] = field(default_factory=dict)
     handings: dict[int, dict[sp.Symbol, sp.Expr]] = field(default_factory=dict)
+    raw_energies: dict[int, Energies | None] = field(default_factory=dict)
+    energies: list[Closed | None] = field(default_factory=list)
 
     @property
     def states(self) -> tuple[State, ...]:
@@ -139,12 +144,17 @@ class Course:
         beside = {s.name: self.readers[s.name].raw(s.relations) for s, _ in self.plot.equilibria}
         self.spanned = ask_spans(self)
         self._ask_handing()
+        for regime in self.running():
+            energies = self._raw_energies(regime)
+            if energies is not None:
+                next(r for r in self.distinct_readers() if r.regime is regime).exprs += energies.exprs()
         for regime in self.distinct_regimes():
             exprs = [e for r in self.distinct_readers() if r.regime is regime for e in r.exprs]
             regime.work(exprs, any(r is regime for r in self.running()))
         for s in self.states:
             self.placed[s.name] = self.readers[s.name].demands(self.stops[s.name], always[s.name])
         self._strike()
+        self.energies = [closed_energies(r, self._raw_energies(r)) if r.runs else None for r in self.regimes]
         tell_oscillations(self)
         if self.spanned:
             tell_spans(self, raw)
@@ -162,6 +172,10 @@ class Course:
         """What the free speeds of all regimes are, by their letters."""
         regimes = self.distinct_regimes()
         return {s: e for r in regimes for s, e in edges_of(r.general.trial.system.tree).items() if s in r.free}
+
+    def _raw_energies(self, regime: Regime) -> Energies | None:
+        """What a regime has of energy, made once."""
+        return self.raw_energies.setdefault(id(regime), energies_of(regime.general))
 
     def running(self) -> list[Regime]:
         """The regimes in which time passes, or in which what is asked of the last state is told."""
@@ -270,6 +284,7 @@ class Course:
             found += list(law_equations(laws, start, stop, regime, regime.general.value))
             found += list(link_equations(laws, start, stop, regime))
             found += list(kept_equations(regime, start, stop))
+            found += list(energy_equations(self, self.energies, i))
             if stop.t in self.infinite():
                 found += list(ending_equations(laws, stop, regime))
             handing = {u: regime.closed(e) for u, e in self.handings[id(regime)].items()}

@@ -24,7 +24,7 @@ from planar_cli.solve.course.regime import Regime
 from planar_cli.solve.course.timeline import Demand, Stop
 
 COSTS = {"given": 0.1, "turn": 0.2, "drawn": 0.1, "start": 0.1, "motion": 0.5, "link": 0.6, "loop": 1.2, "extreme": 0.8}
-COSTS |= {"blow": 1.0, "handed": 0.3}
+COSTS |= {"blow": 1.0, "handed": 0.3, "energy": 0.9, "momentum": 0.95}
 COSTS |= {"q(t)": 1.0, "v(t)": 1.0, "v(q)": 1.05, "t(v)": 1.1, "q(v)": 1.1, "t(q)": 1.3}
 
 LONGEST = 150
