@@ -35,6 +35,7 @@ class DAlembert(Principle):
     """
 
     kind: ClassVar[str] = "dalembert"
+    laws: ClassVar[frozenset[str]] = frozenset(("q(t)", "v(t)", "v(q)", "t(v)", "q(v)", "t(q)"))
     diagram: ClassVar[str] = "free-body diagram with inertial forces: equilibrium"
     inertia_as_force: ClassVar[bool] = True
 

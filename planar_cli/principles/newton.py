@@ -34,6 +34,7 @@ class Newton(Principle):
     """
 
     kind: ClassVar[str] = "newton"
+    laws: ClassVar[frozenset[str]] = frozenset(("q(t)", "v(t)", "v(q)", "t(v)", "q(v)", "t(q)"))
     diagram: ClassVar[str] = "free-body diagram = kinetic diagram"
 
     def objection(self, problem: Any) -> str:

@@ -12,6 +12,7 @@ import sympy as sp
 from planar_cli.equation.ledger import display
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.problem.expression import Relation as FoundRelation
+from planar_cli.report.between import BetweenTelling
 from planar_cli.report.blocks import Block, Equation, Heading, Line, Math, Name, Paragraph, Value, line
 from planar_cli.report.names import plain_name
 from planar_cli.report.oscillation import oscillation_blocks
@@ -43,6 +44,7 @@ class MotionTelling:
         self.general = {own: general for stop in self.course.stops.values() for general, own in stop.letters.items()}
         self.varying = {s for regime in self.course.distinct_regimes() for s in regime.letters}
         self._told_laws: set[sp.Symbol] = set()
+        self.between = BetweenTelling(found, phrases, {})
 
     def blocks(self, step: int) -> list[Block]:
         """Step `step` of the solution; empty when the motion needs no step of its own."""
@@ -239,6 +241,10 @@ class MotionTelling:
         return f"{words}, {q.words}" if q.words != q.symbol.name else words
 
     def _relation(self, e: Relation, route: Route) -> Iterator[Block]:
+        if e.source is not None:
+            self.between.plain = route.plain
+            yield from self.between.blocks(e.source, self._number())
+            return
         yield from self._law(e)
         yield Paragraph(self._head(e))
         yield from self._integral(e, route)

@@ -36,7 +36,8 @@ def solve_problem(problem: Problem, method: str | None = None) -> Solution:
     started = time.perf_counter()
     if not problem.find and not any(case.problem.find for case in problem.cases):
         raise refuse(Mark(problem.file, 1, 1), "PL571", "nothing is asked", "write `find: {a: a(G)}`")
-    chosen = method or problem.method or "newton"
+    problem = _by(problem, method)
+    chosen = problem.method or "newton"
     objection = members("principles")[chosen]().objection(problem)
     if objection:
         raise refuse(
@@ -63,8 +64,16 @@ def solve_problem(problem: Problem, method: str | None = None) -> Solution:
                 earlier[f"{case.name}.{found.name}"] = Earlier(exact, found.unit.text)
     for part in parts:
         for instant in part.instants:
-            instant.method = chosen
+            instant.method = chosen if members("principles")[chosen].inertia_as_force else "newton"
     return Solution(problem, tuple(parts), {"solve": time.perf_counter() - started})
+
+
+def _by(problem: Problem, method: str | None) -> Problem:
+    """The problem and its cases by another method than their own."""
+    if method is None:
+        return problem
+    cases = tuple(replace(c, problem=replace(c.problem, method=method)) for c in problem.cases)
+    return replace(problem, method=method, cases=cases)
 
 
 def _told(problem: Problem, case: str, units: dict[str, str], earlier: dict[str, Earlier]) -> PartSolution:

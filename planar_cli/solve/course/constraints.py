@@ -129,14 +129,37 @@ def constraints_of(
             if GROUND in getattr(joint, "between", ()):
                 found += _residuals(scene, joint, modes[index], poses, value, start, "kept")
             continue
-        curve = curve_under(drawn, joint)
-        if curve is not None:
-            expr = _off_curve(drawn, joint, curve, poses)
-            if expr != 0 and not _vanishes(expr, value, start):
-                found.append(Constraint(expr, f"{joint.name}: stays on {curve.name}", joint.name))
-            continue
-        found += _residuals(scene, joint, modes[index], poses, value, start, "loop")
+        found += _kept(drawn, joint, modes[index], poses, value, start)
     return tuple(found)
+
+
+def kept_while_held(
+    drawn: Instant, joint: Joint | Load, mode: Mode, displacement: Displacement, coordinates: tuple[Coordinate, ...]
+) -> tuple[Constraint, ...]:
+    """What a joint would keep in one of its modes, in the coordinates of a position in which it has parted."""
+    base = drawn.scene.valuations[0]
+    start = start_of(coordinates)
+    value = base.extended({v: Decimal("0.37") for v in start.values() if v.is_Symbol and v not in base.values})
+    poses = GeneralPoses(displacement, start, value, drawn.scene.ledger.symbols["t"])
+    return tuple(_kept(drawn, joint, mode, poses, value, start))
+
+
+def _kept(
+    drawn: Instant,
+    joint: Joint | Load,
+    mode: Mode,
+    poses: GeneralPoses,
+    value: Valuation,
+    start: Mapping[sp.Symbol, sp.Expr],
+) -> Iterator[Constraint]:
+    """The places that a joint keeps; on a curve y(x) or r(theta) exactly, not only near where it is drawn."""
+    curve = curve_under(drawn, joint)
+    if curve is None:
+        yield from _residuals(drawn.scene, joint, mode, poses, value, start, "loop")
+        return
+    expr = _off_curve(drawn, joint, curve, poses)
+    if expr != 0 and not _vanishes(expr, value, start):
+        yield Constraint(expr, f"{joint.name}: stays on {curve.name}", joint.name)
 
 
 def _residuals(

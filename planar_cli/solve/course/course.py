@@ -34,6 +34,7 @@ from planar_cli.solve.course.equations import (
 )
 from planar_cli.solve.course.extremes import stationary
 from planar_cli.solve.course.handing import edges_of, handed
+from planar_cli.solve.course.impulse_momentum import Candidate, Integrated, candidates_of, integrated, momentum_equations
 from planar_cli.solve.course.oscillation import Oscillation, tell_oscillations
 from planar_cli.solve.course.over_spans import Asked, ask_spans, tell_spans
 from planar_cli.solve.course.plot import Plot, Stretch, Workshop, arriving_at, blow_before, fixed_time, spans_of
@@ -77,6 +78,8 @@ class Course:
     handings: dict[int, dict[sp.Symbol, sp.Expr]] = field(default_factory=dict)
     raw_energies: dict[int, Energies | None] = field(default_factory=dict)
     energies: list[Closed | None] = field(default_factory=list)
+    raw_momenta: dict[int, list[Candidate]] = field(default_factory=dict)
+    momenta: list[list[Integrated]] = field(default_factory=list)
 
     @property
     def states(self) -> tuple[State, ...]:
@@ -146,8 +149,9 @@ class Course:
         self._ask_handing()
         for regime in self.running():
             energies = self._raw_energies(regime)
-            if energies is not None:
-                next(r for r in self.distinct_readers() if r.regime is regime).exprs += energies.exprs()
+            reader = next(r for r in self.distinct_readers() if r.regime is regime)
+            reader.exprs += [] if energies is None else energies.exprs()
+            reader.exprs += [e for c in self._raw_momenta(regime) for e in (c.momentum, c.rate)]
         for regime in self.distinct_regimes():
             exprs = [e for r in self.distinct_readers() if r.regime is regime for e in r.exprs]
             regime.work(exprs, any(r is regime for r in self.running()))
@@ -155,6 +159,7 @@ class Course:
             self.placed[s.name] = self.readers[s.name].demands(self.stops[s.name], always[s.name])
         self._strike()
         self.energies = [closed_energies(r, self._raw_energies(r)) if r.runs else None for r in self.regimes]
+        self.momenta = [integrated(r, self._raw_momenta(r)) if r.runs else [] for r in self.regimes]
         tell_oscillations(self)
         if self.spanned:
             tell_spans(self, raw)
@@ -176,6 +181,12 @@ class Course:
     def _raw_energies(self, regime: Regime) -> Energies | None:
         """What a regime has of energy, made once."""
         return self.raw_energies.setdefault(id(regime), energies_of(regime.general))
+
+    def _raw_momenta(self, regime: Regime) -> list[Candidate]:
+        """The momenta of a regime that no unknown reaction changes, made once."""
+        if id(regime) not in self.raw_momenta:
+            self.raw_momenta[id(regime)] = candidates_of(regime.general)
+        return self.raw_momenta[id(regime)]
 
     def running(self) -> list[Regime]:
         """The regimes in which time passes, or in which what is asked of the last state is told."""
@@ -285,6 +296,7 @@ class Course:
             found += list(link_equations(laws, start, stop, regime))
             found += list(kept_equations(regime, start, stop))
             found += list(energy_equations(self, self.energies, i))
+            found += list(momentum_equations(self, self.momenta, i))
             if stop.t in self.infinite():
                 found += list(ending_equations(laws, stop, regime))
             handing = {u: regime.closed(e) for u, e in self.handings[id(regime)].items()}

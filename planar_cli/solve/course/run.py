@@ -12,6 +12,7 @@ from planar_cli.problem.scene import Problem
 from planar_cli.solve.course.agree import compared
 from planar_cli.solve.course.astray import missing
 from planar_cli.solve.course.complete import completed
+from planar_cli.solve.course.methods import by_method, demand_reached
 from planar_cli.solve.course.course import Course
 from planar_cli.solve.course.plot import Workshop
 from planar_cli.solve.course.reached import reaching
@@ -33,8 +34,11 @@ def solve_course(problem: Problem, case: str, units: dict[str, str], earlier: Ma
     course = found.course
     unknowns = course.chain().unknowns
     targets = {s for a in found.finds.asked for p in a.parts for s in found.finds.settled(a, p).free_symbols}
-    router = Router(course.equations, unknowns, found.value, course.symbolic, found.branch.steps)
+    allowed = by_method(course.equations, problem.method)
+    router = Router(allowed, unknowns, found.value, course.symbolic, found.branch.steps)
     found.route = router.route(_in_order(course, targets & unknowns))
+    if len(allowed) < len(course.equations):
+        demand_reached(problem, found.route, targets & unknowns)
     begun = router.route(course.first.letters.values())
     start = {s: found.finds.closed(s, begun) for s in course.first.letters.values()}
     found.finds.throughout = Throughout(course, found.followed, found.value, start)

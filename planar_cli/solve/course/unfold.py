@@ -21,6 +21,7 @@ from planar_cli.solve.course.course import Course, first_plot, make_course
 from planar_cli.solve.course.finds import FindReader
 from planar_cli.solve.course.holding import holding
 from planar_cli.solve.course.idle import without_idle_times
+from planar_cli.solve.course.methods import by_method
 from planar_cli.solve.course.newton import refined
 from planar_cli.solve.course.oscillation import Oscillation
 from planar_cli.solve.course.over_spans import SpanIntegral
@@ -148,6 +149,9 @@ class Unfolder:
         if changed is not None:
             return changed
         if followed.missed is not None:
+            related = self._related(course, finds, followed.missed)
+            if related is not None:
+                return related
             raise never(course, followed, course.base())
         course.equations = holding(course.equations, followed.values, course.base())
         chain = course.chain()
@@ -161,6 +165,22 @@ class Unfolder:
         value = course.base().extended({**more, **branch.values})
         demand_agreement(course, value, guessed)
         return Unfolded(course, finds, branch, followed, value, frozenset(guessed))
+
+    def _related(self, course: Course, finds: FindReader, missed: str) -> Unfolded | None:
+        """States related by the balance of energy alone, where the file asks for that method and no motion leads there;
+        the speed that goes the way from state to state comes first.
+        """
+        if course.problem.method != "energy":
+            return None
+        course.equations = by_method(course.equations, "energy")
+        letters = {s for a in finds.asked for p in a.parts for s in finds.settled(a, p).free_symbols}
+        needed = letters & course.chain().unknowns
+        branches = [b for b in course.candidates() if needed <= set(b.values)]
+        if not branches:
+            return None
+        branch = max(branches, key=lambda b: _onward(course, b))
+        told = f"no motion leads to state {missed} by itself: the balance of energy alone relates the states"
+        return Unfolded(course, finds, branch, None, course.base().extended(branch.values), checks=(told,))
 
     @staticmethod
     def _refined(
@@ -307,6 +327,21 @@ class Unfolder:
             if s in branch.values and abs(float(branch.values[s]) - v) > AGREE * max(abs(v), 1e-3):
                 return False
         return True
+
+
+def _onward(course: Course, branch: Branch) -> int:
+    """How many coordinates move in their last state as they have moved from the state before."""
+    count = 0
+    for i in range(len(course.states) - 1):
+        a, b = (course.stops[course.states[k].name] for k in (i, i + 1))
+        values = course.base().extended(branch.values)
+        for c in course.regimes[i].coordinates:
+            try:
+                rate = values(b.at(course.regimes[i].rates[c.symbol]))
+                count += rate * (values(b.letters[c.symbol]) - values(a.letters[c.symbol])) > 0
+            except (ArithmeticError, Unvalued):
+                continue
+    return count
 
 
 def _left_out(course: Course, others: list[Unfolded], why: str) -> tuple[str, ...]:

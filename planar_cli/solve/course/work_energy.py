@@ -65,7 +65,9 @@ class Work:
 
 @dataclass(frozen=True, slots=True)
 class Balance:
-    """One energy equation: T at both states and the works, in letters of the states. `kinetic`: by body, at the end."""
+    """One energy equation: T at both states and the works, in letters of the states. `kinetic`: by body, at the end;
+    `idle`: the reactions that do no work, in words.
+    """
 
     since: Stop
     stop: Stop
@@ -73,6 +75,7 @@ class Balance:
     after: sp.Expr
     works: tuple[Work, ...]
     kinetic: tuple[tuple[str, sp.Expr], ...]
+    idle: str
 
 
 def energies_of(general: General) -> Energies | None:
@@ -138,6 +141,7 @@ class Closed:
 
     kinetic: tuple[tuple[str, sp.Expr], ...]
     functions: tuple[tuple[str, sp.Expr], ...]
+    idle: str
 
     @property
     def total(self) -> sp.Expr:
@@ -161,7 +165,17 @@ def closed_energies(regime: Regime, energies: Energies | None) -> Closed | None:
             return None
         if found.free_symbols & set(regime.letters):
             functions.append((source.words, found))
-    return Closed(kinetic, tuple(functions))
+    return Closed(kinetic, tuple(functions), _idle(regime.general))
+
+
+def _idle(general: General) -> str:
+    """The reactions that do no work, by their joints."""
+    system = general.trial.system
+    followers = {law.push for law in system.laws}
+    joints = dict.fromkeys(
+        system.aliases.get(p.joint, p.joint) for p in system.pushes if p.name not in followers and p.kind != "drive"
+    )
+    return f"the reactions at {', '.join(joints)}" if joints else ""
 
 
 def energy_equations(course: Course, closed: Sequence[Closed | None], k: int) -> Iterator[Equation]:
@@ -188,7 +202,7 @@ def _balance(course: Course, closed: Sequence[Closed | None], since: int, k: int
     works = tuple(Work(words, w) for words, parts in sums.items() if (w := simplified(sp.Add(*parts))) != 0)
     before, after = stops[0].at(first.total), stops[-1].at(last.total)
     balance = Balance(
-        stops[0], stops[-1], before, after, works, tuple((n, stops[-1].at(e)) for n, e in last.kinetic)
+        stops[0], stops[-1], before, after, works, tuple((n, stops[-1].at(e)) for n, e in last.kinetic), last.idle
     )
     residual = after - before - sp.Add(*(w.value for w in works))
     times = {s.t for s in stops}

@@ -1,0 +1,39 @@
+"""Which laws between states a method allows, and whether they reach what is asked."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+import sympy as sp
+
+from planar_cli.equation.evaluate import refuse
+from planar_cli.problem.scene import Problem
+from planar_cli.registry import members
+from planar_cli.solve.course.equations import Equation
+from planar_cli.solve.course.route import Route
+
+
+def laws_of_methods() -> frozenset[str]:
+    """The kinds of law that belong to some method; all other equations are data, geometry or blows."""
+    found: set[str] = set()
+    for principle in members("principles").values():
+        found |= principle.laws
+    return frozenset(found)
+
+
+def by_method(equations: Sequence[Equation], method: str | None) -> list[Equation]:
+    """The equations that a method allows; None: all of them."""
+    if method is None:
+        return list(equations)
+    barred = laws_of_methods() - members("principles")[method].laws
+    return [e for e in equations if e.kind not in barred]
+
+
+def demand_reached(problem: Problem, route: Route, targets: Iterable[sp.Symbol]) -> None:
+    """FileProblem: a method that was named does not lead to something that is asked."""
+    told = {r.unknown for leg in route.legs for r in leg.results} | set(route.plain)
+    missing = sorted(s.name.replace("__", "_") for s in targets if s not in told)
+    if missing:
+        text = f"method {problem.method} alone does not reach {', '.join(missing)}"
+        hint = "leave `method` out: the plan then takes the laws that lead there; `--compare` lists what each reaches"
+        raise refuse(problem.find[0].mark, "PL570", text, hint)

@@ -1,0 +1,133 @@
+"""Where things part: a contact that lifts off, a rope that slackens.
+
+A joint that has parted states nothing of places any more. What it kept as long as it held is then its gap, which opens
+from zero; where it closes again things strike each other, and only an `impact` tells what comes of that.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from decimal import Decimal
+from typing import TYPE_CHECKING
+
+import sympy as sp
+
+from planar_cli.equation.displaced import Coordinate, Displacement
+from planar_cli.equation.exact import Unvalued
+from planar_cli.equation.motion import Motion
+from planar_cli.problem.facts import Facts, Mode
+from planar_cli.solve.course.constraints import kept_while_held
+from planar_cli.solve.instant import Instant
+
+if TYPE_CHECKING:
+    from planar_cli.solve.course.regime import Regime
+
+DRAW = Decimal("0.61803")
+
+
+@dataclass(frozen=True, slots=True)
+class Parted:
+    """A joint that has parted, in velocity unknowns. `residual`: what it kept, of places; `openings`: by the mode in
+    which it held (its index), the velocity with which that opens, as drawn.
+    """
+
+    joint: str
+    words: str
+    residual: sp.Expr
+    openings: tuple[tuple[int, sp.Expr], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Gap:
+    """What opens where a joint has parted, a formula of the general position. `senses`: by the index of the mode in which
+    it held, 1 where the formula grows as it opens, else -1.
+    """
+
+    joint: str
+    words: str
+    expr: sp.Expr
+    senses: tuple[tuple[int, int], ...]
+
+    def opening(self, held: int | None) -> sp.Expr:
+        """What is positive where it is open. `held`: the mode in which it held before (None: the first that may be)."""
+        senses = dict(self.senses)
+        return senses.get(-1 if held is None else held, self.senses[0][1]) * self.expr
+
+
+def has_parted(mode: Mode) -> bool:
+    """Does a joint state nothing in a mode but that it has just held?"""
+    return mode.facts == Facts() and mode.touching != Facts()
+
+
+def parted_modes(drawn: Instant, choice: tuple[int, ...]) -> dict[str, tuple[Mode, ...]]:
+    """The modes, as drawn, of all joints that have parted in a choice."""
+    return {j.name: modes for (j, modes), i in zip(drawn.modes, choice, strict=True) if has_parted(modes[i])}
+
+
+def parted_joints(
+    drawn: Instant,
+    choice: tuple[int, ...],
+    displacement: Displacement,
+    coordinates: tuple[Coordinate, ...],
+    motion: Motion,
+) -> tuple[Parted, ...]:
+    """All joints that have parted in a choice of modes, and what they kept."""
+    found = []
+    for (joint, modes), i in zip(drawn.modes, choice, strict=True):
+        if not has_parted(modes[i]):
+            continue
+        held = [(k, m) for k, m in enumerate(modes) if _only_touches(m, modes[i])]
+        openings = tuple((k, _opening(m, motion)) for k, m in held)
+        kept = kept_while_held(drawn, joint, held[0][1], displacement, coordinates) if held else ()
+        if len(kept) == 1:
+            found.append(Parted(joint.name, modes[i].words, kept[0].residual, openings))
+    return tuple(found)
+
+
+def _only_touches(mode: Mode, parted: Mode) -> bool:
+    """Does a mode keep what still holds as a joint parts, and no more (also on the other side of a surface)?"""
+    one, other = (
+        (f.rows, tuple((j.mover, j.base, j.point, None if j.path is None else j.turns) for j in f.joinings))
+        for f in (mode.facts, parted.touching)
+    )
+    return one == other and any(p.kind in ("normal", "tension") for p in mode.facts.pushes)
+
+
+def _opening(mode: Mode, motion: Motion) -> sp.Expr:
+    """The velocity with which a joint opens that presses or pulls: the power of a unit of its reaction."""
+    push = next(p for p in mode.facts.pushes if p.kind in ("normal", "tension"))
+    power = sp.S.Zero
+    for a in push.actions:
+        if a.body == "ground":
+            continue
+        if a.force is not None:
+            power += a.force.dot(motion.velocity(a.point, a.body))
+        power += a.couple * motion.velocities[a.body].angular
+    return sp.expand(power)
+
+
+def gaps_of(regime: Regime) -> Iterator[Gap]:
+    """The gaps of a regime that is worked out, each with the sense in which it opens."""
+    general = regime.general
+    base = general.instant.scene.valuations[0]
+    drawn = {c.symbol: c.drawn for c in general.coordinates if c.drawn is not None}
+    numbers = {regime.time: Decimal(0), **{s: base(e) for s, e in drawn.items()}}
+    numbers |= {u: DRAW + Decimal(i) / 7 for i, u in enumerate(general.free)}
+    value = base.extended(numbers)
+    for parted in general.parted:
+        rate = sp.diff(parted.residual, regime.time)
+        rate += sum(sp.diff(parted.residual, q) * r for q, r in regime.rates.items())
+        senses = []
+        for index, opening in parted.openings:
+            try:
+                grows = value(rate * regime.closed(opening))
+            except (ArithmeticError, Unvalued):
+                continue
+            if grows:
+                senses.append((index, 1 if grows > 0 else -1))
+        if senses:
+            yield Gap(parted.joint, parted.words, parted.residual, tuple(senses))
+
+
+__all__ = ["Gap", "Parted", "gaps_of", "has_parted", "parted_joints", "parted_modes"]
