@@ -136,7 +136,14 @@ class MassReader:
             )
         if body.mass is None:
             return ZERO
-        return self._shown(self.evaluator.value(body.mass), self._named("m", body), "kg", f"mass of {body.name}")
+        mass = self.evaluator.value(body.mass)
+        if self._varies(mass):
+            return mass
+        return self._shown(mass, self._named("m", body), "kg", f"mass of {body.name}")
+
+    def _varies(self, expr: sp.Expr) -> bool:
+        """Does it change with time? Then it stays a formula, so that its rate can be told."""
+        return self.ledger.symbols["t"] in expr.free_symbols
 
     def _free(self, name: str) -> str:
         while name in self.ledger.symbols:
@@ -155,9 +162,9 @@ class MassReader:
             name = f"I_{shape.center_name}"
         unit = "kg*m^2"
         if body.inertia is not None:
-            value = self.evaluator.value(body.inertia)
+            value = self._with_mass(self.evaluator.value(body.inertia), mass, body)
             if body.about is None:
-                return self._shown(value, name, unit, title)
+                return value if self._varies(value) else self._shown(value, name, unit, title)
             value = value - mass * self._shift(body, shape)
         elif body.gyration is not None:
             value = mass * self.evaluator.value(body.gyration) ** 2
@@ -169,7 +176,19 @@ class MassReader:
             return symbol
         else:
             value = mass * shape.gyration_squared
-        return ZERO if value == 0 else self.ledger.define(name, value, unit, title, positive=True)
+        if value == 0 or self._varies(value):
+            return value
+        return self.ledger.define(name, value, unit, title, positive=True)
+
+    def _with_mass(self, inertia: sp.Expr, mass: sp.Expr, body: Body) -> sp.Expr:
+        """A moment of inertia written without `t` is that at t = 0, and grows and shrinks with the mass."""
+        if not self._varies(mass) or self._varies(inertia):
+            return inertia
+        begun = mass.xreplace({self.ledger.symbols["t"]: ZERO})
+        if begun == 0:
+            text = f"{body.name} has no mass at t = 0, so that its moment of inertia then does not tell the later ones"
+            raise refuse(body.mark, "PL520", text, "write `radius_of_gyration:`, or `inertia:` with `t`")
+        return inertia * mass / begun
 
     def _shift(self, body: Body, shape: Uniform) -> sp.Expr:
         d = shape.center - self.points(body.about or "")

@@ -77,6 +77,13 @@ FUNCTIONS: dict[type, Callable[..., Decimal]] = {
 }
 
 
+SLOPES: dict[type, Callable[[Decimal], Decimal]] = {
+    sp.sin: FUNCTIONS[sp.cos],
+    sp.cos: FUNCTIONS[sp.sin],
+    sp.tan: lambda x: ONE + FUNCTIONS[sp.tan](x) ** 2,
+}
+"""The sizes of the derivatives of functions that vanish at more than one place."""
+
 COMPARISONS: dict[type, Callable[[Decimal, Decimal], bool]] = {
     sp.StrictLessThan: operator.lt,
     sp.LessThan: operator.le,
@@ -177,6 +184,10 @@ class Valuation:
             return product
         if getattr(expr, "is_Pow", False) and expr.exp.is_Integer and expr.exp > 0:
             return self.size(expr.base) ** int(expr.exp)
+        slope = SLOPES.get(getattr(expr, "func", None))
+        if slope is not None:
+            # What is lost in the argument is lost in the value: cos(pi/2) is no small number, it is zero.
+            return abs(self(expr)) + self.size(expr.args[0]) * abs(slope(self(expr.args[0])))
         return abs(self(expr))
 
     def is_zero(self, expr: Any) -> bool:

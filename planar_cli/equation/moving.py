@@ -122,12 +122,20 @@ def all_wrenches(
     found: list[Wrench] = []
     for body in scene.problem.bodies:
         found += weight(name=body.name, during=None, mark=body.mark).wrenches(setting)
+        found += _growing(scene, motion, body.name)
     for load in scene.problem.loads:
         if mode_key(load.name) not in idle:
             found += load.wrenches(setting)
     for skid in skids:
         found += _skid(skid, setting, found)
     return tuple(_named(w, scene) for w in found)
+
+
+def _growing(scene: Scene, motion: Motion, body: str) -> list[Wrench]:
+    """The couple -(dI/dt) ω on a body whose moment of inertia changes with its mass: d(I ω)/dt = I α + (dI/dt) ω."""
+    change = sp.diff(scene.bodies[body].inertia, scene.ledger.symbols["t"])
+    couple = -change * motion.velocities[body].angular
+    return [] if couple == 0 else [Wrench("", "stream", body, scene.center(body), None, couple, couple)]
 
 
 def _named(wrench: Wrench, scene: Scene) -> Wrench:

@@ -88,7 +88,9 @@ class System:
         return [*self._conditions(quantities, VELOCITY), *self._touching()]
 
     def _touching(self) -> list[Condition]:
-        """What is about to part, tip or slacken still has no velocity apart."""
+        """What is about to part, tip or slacken at this instant still has no velocity apart."""
+        if self.scene.displacement is not None:
+            return []
         touching = [mode.touching for mode in self.modes.values()]
         closures = tuple(j for t in touching for j in t.joinings)
         rows = [row for t in touching for row in t.rows]
@@ -187,9 +189,15 @@ class System:
         found += coordinate_conditions(quantities, set(self.scene.ledger.coordinates), level)
         return found + self._rest(quantities.motion, level)
 
+    def balanced(self) -> tuple[str | None, ...]:
+        """The bodies in equilibrium; where everything is and no `motion` drives anything, all of them."""
+        named = self.statements.equilibrium
+        driven = any(always for _, always in self.statements.relations)
+        return named if driven or None not in named else tuple(self.scene.bodies)
+
     def _rest(self, motion: Motion, level: int) -> list[Condition]:
         found = []
-        for name in self.statements.rest if level == VELOCITY else self.statements.equilibrium:
+        for name in self.statements.rest if level == VELOCITY else self.balanced():
             if name is None:
                 continue
             twists = motion.velocities if level == VELOCITY else motion.accelerations

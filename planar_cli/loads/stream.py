@@ -106,13 +106,11 @@ class Stream(Load):
         way = Vec(0, 0)
         for arm, sense in arms:
             way = way + arm * -sense
-        length = scene.length(way)
-        couple = turn * rate * sum(sense * arm.dot(arm) for arm, sense in arms)
         found = []
-        if length != 0:
-            size = 2 * rate * turn * length
-            push = -way.turned() / length * size
-            found.append(Wrench(self.name, "stream", self.body, center, push, 0, size))
-        if couple != 0:
+        if not scene.is_zero(way.dot(way)):
+            push = way.turned() * (-2 * rate * turn)
+            found.append(Wrench(self.name, "stream", self.body, center, push, 0, 2 * rate * turn * scene.length(way)))
+        couple = turn * rate * sum(sense * arm.dot(arm) for arm, sense in arms)
+        if not scene.is_zero(couple):
             found.append(Wrench(self.name, "stream", self.body, center, None, couple, couple))
         return tuple(found)
