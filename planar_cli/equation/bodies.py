@@ -26,7 +26,8 @@ class BodyModel:
     """One body as principles see it.
 
     `mass` [kg] (0: massless), `inertia` [kg m²] about the mass centre at `center`; `center_name` in print. `theta`: the
-    direction that its angle measures. `rigid`: False for a particle, which has no angle.
+    direction that its angle measures. `rigid`: False for a particle, which has no angle. Mass and inertia may be
+    formulas in the time t.
     """
 
     name: str
@@ -37,6 +38,10 @@ class BodyModel:
     center: Vec
     center_name: str
     theta: sp.Expr
+
+    def varies(self, time: sp.Symbol) -> bool:
+        """Does its mass or its moment of inertia change with time?"""
+        return time in self.mass.free_symbols | self.inertia.free_symbols
 
 
 @dataclass(frozen=True, slots=True)

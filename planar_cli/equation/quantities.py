@@ -226,8 +226,13 @@ class Quantities:
     def _bodies(self, q: Quantity) -> list[str]:
         return list(self.scene.bodies) if q.things[0] == "all" else [q.things[0]]
 
+    def _over_time(self, value: sp.Expr) -> Jet:
+        """What changes with the time alone, such as a mass."""
+        time = self.scene.ledger.symbols["t"]
+        return Jet(value, sp.diff(value, time), sp.diff(value, time, 2))
+
     def _q_mass(self, q: Quantity) -> Jet:
-        return constant(sp.Add(*(self.scene.bodies[b].mass for b in self._bodies(q))))
+        return self._over_time(sp.Add(*(self.scene.bodies[b].mass for b in self._bodies(q))))
 
     def _q_i(self, q: Quantity) -> Jet:
         parts = []
@@ -236,7 +241,7 @@ class Quantities:
             about = self.scene.point(q.things[1]) if len(q.things) == 2 else body.center
             arm = body.center - about
             parts.append(body.inertia + body.mass * arm.dot(arm))
-        return constant(sp.Add(*parts))
+        return self._over_time(sp.Add(*parts))
 
     def _q_ke(self, q: Quantity) -> Jet:
         """Σ m v_G²/2 + I_G ω²/2, with its rate."""
@@ -246,7 +251,9 @@ class Quantities:
             v, a = self.motion.velocity(body.center, name), self.motion.acceleration(body.center, name)
             omega, alpha = self.motion.velocities[name].angular, self.motion.accelerations[name].angular
             parts.append(body.mass * v.dot(v) / 2 + body.inertia * omega**2 / 2)
+            change, spread = (sp.diff(e, self.scene.ledger.symbols["t"]) for e in (body.mass, body.inertia))
             rates.append(body.mass * v.dot(a) + body.inertia * omega * alpha)
+            rates.append(change * v.dot(v) / 2 + spread * omega**2 / 2)
         return Jet(sp.Add(*parts), sp.Add(*rates), None)
 
     def _q_pe(self, q: Quantity) -> Jet:

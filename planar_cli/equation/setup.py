@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from decimal import Decimal
 
 import sympy as sp
@@ -16,6 +16,7 @@ from planar_cli.equation.scene import Scene
 from planar_cli.equation.system import Statements
 from planar_cli.problem.dimensions import Kind, dimension_of
 from planar_cli.problem.expression import Binary, Function, Name, Negate, Number, Quantity, Relation, Scaled, Side
+from planar_cli.problem.facts import Mode
 from planar_cli.problem.scene import Problem, Symbol
 from planar_cli.units import PURE, Unit, default_unit, parse_unit
 
@@ -31,12 +32,14 @@ class Earlier:
 @dataclass(frozen=True, slots=True)
 class Course:
     """A scene in a general position: how it is displaced (None: as drawn), within which ranges letters are drawn, and
-    how draws of coordinates are moved to where loops close.
+    how draws of coordinates are moved to where loops close. `parted`: modes of joints that have parted, as drawn; what
+    they joined may be anywhere.
     """
 
     displacement: Displacement | None
     ranges: Mapping[str, tuple[Decimal, Decimal]]
     project: Callable[[Valuation], Mapping[sp.Symbol, Decimal]] | None = None
+    parted: Mapping[str, tuple[Mode, ...]] = field(default_factory=dict)
 
 
 class Setup:
@@ -54,6 +57,7 @@ class Setup:
         scene: type[Scene] = Scene,
     ) -> None:
         self.problem, self.statements, self.earlier = problem, statements, earlier
+        self.parted = course.parted if course is not None else {}
         self.ledger = Ledger(us=problem.us)
         self._given = {s.name: s for s in problem.given}
         self._waiting: list[str] = []

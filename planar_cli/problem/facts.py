@@ -209,6 +209,11 @@ class Mode:
     direction: int = 0
     touching: Facts = Facts()
 
+    @property
+    def parted(self) -> bool:
+        """Does the joint state nothing but that it has just held: apart, slack?"""
+        return self.facts == Facts() and self.touching != Facts()
+
 
 @dataclass(frozen=True, slots=True)
 class Outline:

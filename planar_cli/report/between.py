@@ -53,18 +53,19 @@ class BetweenTelling:
         idle = f"; {b.idle} do no work" if b.idle else ""
         yield Paragraph(line(f"From {b.since.name} to {b.stop.name}, work and kinetic energy{idle}:"))
         before = self._put(b.before)
-        yield Equation((line(Name("T_1")), self.phrases.math(before)))
+        first, last = f"T_{b.since.name}", f"T_{b.stop.name}"
+        yield Equation((line(Name(first)), self.phrases.math(before)))
         for body, kinetic in b.kinetic if len(b.kinetic) > 1 else ():
             put = self._put(kinetic)
             if put != 0:
-                yield Equation((line(Name("T_2"), f" of {body}"), self.phrases.math(put)))
+                yield Equation((line(Name(last), f" of {body}"), self.phrases.math(put)))
         after = self._put(b.after)
-        yield Equation((line(Name("T_2")), self.phrases.math(after)))
+        yield Equation((line(Name(last)), self.phrases.math(after)))
         works = [(w.words, put) for w in b.works if (put := self._put(w.value)) != 0]
         for words, put in works:
             yield Equation((line(Name("U"), f" of the {words}"), self.phrases.math(put)))
         work = sp.Add(*(w for _, w in works))
-        lead = line(Name("T_1"), " + ", Name("U"), " = ", Name("T_2"), ":")
+        lead = line(Name(first), " + ", Name("U"), " = ", Name(last), ":")
         yield Equation((self.phrases.math(before + work), self.phrases.math(after)), number, lead)
 
     # --- impulse and momentum ----------------------------------------------------------------------------------------

@@ -24,6 +24,7 @@ from planar_cli.solve.course.route import Leg, Result, Route
 from planar_cli.solve.course.unfold import Unfolded
 
 MOST_ROOTS = 4
+SHORT = 40
 LONGEST = 90
 """A longer formula is told by its value alone."""
 
@@ -51,7 +52,10 @@ class MotionTelling:
         body = list(self._body())
         if not body:
             return []
-        return [Heading(f"STEP {step}", "Motion over time", self._states()), *body]
+        route = self.found.route
+        timed = route is None or any(e.law is not None for leg in route.legs for e in leg.derivation.equations)
+        title = "Motion over time" if timed or self.found.spans or self.found.finds.passing else "From state to state"
+        return [Heading(f"STEP {step}", title, self._states()), *body]
 
     def _states(self) -> str:
         names = [s.name for s in self.course.states if s.name]
@@ -302,7 +306,7 @@ class MotionTelling:
         formula = r.formula
         if formula is not None and formula.free_symbols & self.varying:
             return self.phrases.math(r.unknown), self.phrases.math(formula)
-        if formula is not None and not longer(formula, LONGEST) and (not formula.is_number or self.phrases.symbolic):
+        if formula is not None and not longer(formula, self._longest(r)) and (not formula.is_number or self.phrases.symbolic):
             sides.append(self.phrases.math(formula))
             numbers = self.phrases.numbers(formula)
             if numbers is not None and not formula.is_Symbol:
@@ -312,6 +316,13 @@ class MotionTelling:
         elif formula is None:
             sides.append(line("the root that this motion reaches"))
         return tuple(sides)
+
+    def _longest(self, r: Result) -> int:
+        """A formula out of a balance that was just printed is told only where it is short."""
+        assert self.found.route is not None
+        legs = (leg for leg in self.found.route.legs if r in leg.results)
+        balance = any(e.source is not None for leg in legs for e in leg.derivation.equations)
+        return SHORT if balance and not self.phrases.symbolic else LONGEST
 
     def _shown(self, r: Result) -> Any:
         if r.value.is_infinite():

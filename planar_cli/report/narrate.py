@@ -50,7 +50,7 @@ def part_blocks(
             blocks += notes
             told.add(key)
         if part.tale is None or not part.tale.whole:
-            telling = Telling(instant, phrases_of(instant, figures), audience, _wanted(part, why))
+            telling = Telling(instant, phrases_of(instant, figures), audience, _needed(part, instant, audience, why))
             blocks += telling.blocks()
             count = max(count, telling.count)
     phrases = phrases_of(part.instants[-1], figures) if part.instants else None
@@ -78,6 +78,15 @@ def part_blocks(
     if not tested and part.motion is None and part.tale is None:
         blocks += [Note("Discussion", remark) for remark in discussion_lines(part.found, phrases)]
     return blocks
+
+
+def _needed(part: PartSolution, instant: InstantSolution, audience: str, why: str | None) -> frozenset[str] | None:
+    """The unknowns of an instant that are told: of a motion only those on which it rests, but in a lesson."""
+    if part.motion is None or audience == "lesson" or why is not None:
+        return _wanted(part, why)
+    from planar_cli.report.needed import wanted_of
+
+    return wanted_of(part.motion, instant)
 
 
 def _wanted(part: PartSolution, why: str | None) -> frozenset[str] | None:

@@ -27,7 +27,8 @@ from planar_cli.solve.stages import Stage, StageMaker, acceleration_unknowns, ne
 from planar_cli.solve.verify import verify
 from planar_cli.units import Unit, parse_unit
 
-CLOSED_OPS = 90
+CLOSED_OPS, MOST_OPS = 90, 600
+"""A formula of more operations is not printed; one of more than the second number is left as it comes."""
 
 
 class Finisher:
@@ -48,6 +49,7 @@ class Finisher:
         self.answer_units = answer_units
         self.symbolic = self.ledger.symbolic
         self.letters: frozenset[sp.Symbol] = frozenset()
+        self.most = MOST_OPS
 
     def solve(self, finds: tuple[Find, ...]) -> tuple[InstantSolution, list[Found]]:
         """The stages, and the answers of these finds."""
@@ -271,7 +273,7 @@ class Finisher:
         return self._simple(expr)
 
     def _simple(self, expr: sp.Expr) -> sp.Expr:
-        if expr.is_number or expr.is_Symbol or longer(expr, 600):
+        if expr.is_number or expr.is_Symbol or longer(expr, self.most):
             return expr
         if not self.symbolic:
             return expr if longer(expr, 199) else sp.factor_terms(expr)

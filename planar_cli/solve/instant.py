@@ -69,8 +69,9 @@ class Instant:
         self.plain = asked_by_axis(self.scene.problem, self.joints)
 
     def modes_of(self, joint: Joint) -> tuple[Mode, ...]:
-        """The ways in which a joint may act."""
-        return joint.modes(self.scene)
+        """The ways in which a joint may act; of one that has parted, as drawn."""
+        parted = self.setup.parted.get(joint.name)
+        return joint.modes(self.scene) if parted is None else parted
 
     def tree_builder(self, bodies: list[str]) -> TreeBuilder:
         """What makes the unknowns of the motion."""

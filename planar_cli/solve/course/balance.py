@@ -11,11 +11,13 @@ from planar_cli.solve.course.general import General
 def balance_of(general: General) -> tuple[sp.Expr, sp.Expr] | None:
     """T = Σ m v²/2 + I ω²/2 and P = Σ F · v + M ω over loads and friction; ideal joints do no work.
 
-    None where it does not give the equation of motion: without mass, with several freedoms, or where something unknown
-    drives the scene. (An Introduction to Planar Dynamics, 4.4.)
+    None where it does not give the equation of motion: without mass, with mass that varies, with several freedoms, or
+    where something unknown drives the scene. (An Introduction to Planar Dynamics, 4.4.)
     """
     scene, system = general.instant.scene, general.trial.system
     if len(general.free) != 1 or system.reactions is None or not any(b.mass != 0 for b in scene.bodies.values()):
+        return None
+    if any(b.varies(general.time) for b in scene.bodies.values()):
         return None
     if any(p.kind == "drive" for p in system.pushes):
         return None

@@ -30,6 +30,8 @@ MOST_ROOTS = 6
 MOST_BRANCHES = 200
 AGREES = Decimal("1e-18")
 LATER = Decimal("1e-20")
+NOTHING = Decimal("1e-45")
+"""What the last of sixty digits leave of a zero."""
 REACHES = (Decimal("1e-10"), Decimal("1e-8"), Decimal("5e-7"))
 """So far about the truth, in parts of its size, a root is looked for."""
 
@@ -189,7 +191,8 @@ class Chain:
         pool = [Pending(e.residual, ()) for e in block]
         for found in self._unfold(pool, list(unknowns), values):
             after, forms, lines = dict(values), dict(formulas), []
-            for line in found:
+            for told in found:
+                line = replace(told, value=Decimal(0)) if abs(told.value) < NOTHING else told
                 after[line.unknown] = line.value
                 if line.formula is not None:
                     forms[line.unknown] = line.formula

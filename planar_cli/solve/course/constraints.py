@@ -129,7 +129,8 @@ def constraints_of(
             if GROUND in getattr(joint, "between", ()):
                 found += _residuals(scene, joint, modes[index], poses, value, start, "kept")
             continue
-        found += _kept(drawn, joint, modes[index], poses, value, start)
+        if not modes[index].parted:
+            found += _kept(drawn, joint, modes[index], poses, value, start)
     return tuple(found)
 
 

@@ -24,16 +24,14 @@ from planar_cli.solve.course.equations import (
     drawn_equations,
     kept_equations,
     ending_equations,
-    later_equations,
     law_equations,
     laws_of,
     link_equations,
     loop_equations,
-    resting_equations,
     stated_equations,
 )
 from planar_cli.solve.course.extremes import stationary
-from planar_cli.solve.course.handing import edges_of, handed
+from planar_cli.solve.course.handing import edges_of
 from planar_cli.solve.course.impulse_momentum import Candidate, Integrated, candidates_of, integrated, momentum_equations
 from planar_cli.solve.course.oscillation import Oscillation, tell_oscillations
 from planar_cli.solve.course.over_spans import Asked, ask_spans, tell_spans
@@ -41,6 +39,7 @@ from planar_cli.solve.course.plot import Plot, Stretch, Workshop, arriving_at, b
 from planar_cli.solve.course.plot import Span as PlotSpan
 from planar_cli.solve.course.regime import Regime
 from planar_cli.solve.course.still import Still, is_equilibrium, stand_still
+from planar_cli.solve.course.takeover import handing_of, later_equations, resting_equations
 from planar_cli.solve.course.timeline import Demand, Reader, Stop, stop_of
 from planar_cli.solve.course.work_energy import Closed, Energies, closed_energies, energies_of, energy_equations
 
@@ -54,7 +53,7 @@ class Course:
     """The motion of one problem along one plot. `regimes[i]` acts from state i to the next; `beyond` from the last on.
     `readers`: who reads what a state states, `tellers`: what is asked of it and may jump there. `told`: what stand-ins
     for quantities about states are; `still`: the equilibrium states, solved; `spanned`: quantities over spans;
-    `swings`: about equilibrium states. `blows[i]`: between state i and the next; `handings`: by regime, the free speeds
+    `swings`: about equilibrium states. `said`: by regime, what the file states and asks in it. `blows[i]`: between state i and the next; `handings`: by regime, the free speeds
     of others in its own motion.
     """
 
@@ -76,6 +75,7 @@ class Course:
     swings: dict[str, Oscillation] = field(default_factory=dict)
     blows: dict[int, Blow] = field(default_factory=dict)
     handings: dict[int, dict[sp.Symbol, sp.Expr]] = field(default_factory=dict)
+    said: dict[int, tuple[sp.Expr, ...]] = field(default_factory=dict)
     raw_energies: dict[int, Energies | None] = field(default_factory=dict)
     energies: list[Closed | None] = field(default_factory=list)
     raw_momenta: dict[int, list[Candidate]] = field(default_factory=dict)
@@ -146,6 +146,7 @@ class Course:
         always = {s.name: self.readers[s.name].raw(self._places(i)) for i, s in enumerate(self.states)}
         beside = {s.name: self.readers[s.name].raw(s.relations) for s, _ in self.plot.equilibria}
         self.spanned = ask_spans(self)
+        self.said = {id(r.regime): tuple(r.exprs) for r in self.distinct_readers()}
         self._ask_handing()
         for regime in self.running():
             energies = self._raw_energies(regime)
@@ -203,14 +204,10 @@ class Course:
         return bool(self.plot.stretches) and self.plot.stretches[-1].blow is not None
 
     def _ask_handing(self) -> None:
-        """Free speeds of other regimes, and how bodies arrive at blows, are worked out with each regime."""
-        edges = self.edges()
+        """Letters of other regimes, and how bodies arrive at blows, are worked out with each regime."""
         for reader in self.distinct_readers():
-            own = reader.regime
-            motion, scene = own.general.quantities.motion, own.general.instant.scene
-            found = {u: handed(u, e, motion, scene) for u, e in edges.items() if u not in own.letters}
-            self.handings[id(own)] = {u: e for u, e in found.items() if e is not None}
-            reader.exprs += self.handings[id(own)].values()
+            self.handings[id(reader.regime)] = handing_of(reader.regime, self.distinct_regimes())
+            reader.exprs += self.handings[id(reader.regime)].values()
         for i, stretch in enumerate(self.plot.stretches):
             for state in self.states[i : i + 2] if stretch.blow is not None else ():
                 reader = self.readers[state.name]
@@ -277,7 +274,7 @@ class Course:
         first = self.first
         placed = {x for d in self.placed[first.name] for x in d.residual.free_symbols} - {first.t}
         found = [e for e in drawn_equations(self.regimes[0], first) if not e.residual.free_symbols & placed]
-        found += list(later_equations(self.regimes, first))
+        found += list(later_equations(self.regimes, first, self.handing(self.regimes[0])))
         since = 0
         for i, state in enumerate(self.states):
             stop = self.stops[state.name]
@@ -299,9 +296,14 @@ class Course:
             found += list(momentum_equations(self, self.momenta, i))
             if stop.t in self.infinite():
                 found += list(ending_equations(laws, stop, regime))
-            handing = {u: regime.closed(e) for u, e in self.handings[id(regime)].items()}
-            found += list(resting_equations(regime, self.stops[self.states[i - 1].name], stop, handing))
+            found += list(resting_equations(regime, self.stops[self.states[i - 1].name], stop, self.handing(regime)))
         return found
+
+    def handing(self, regime: Regime) -> dict[sp.Symbol, sp.Expr]:
+        """Letters of other regimes as formulas of this one."""
+        other = {s for r in self.distinct_regimes() for s in r.letters} - set(regime.letters)
+        found = {u: regime.closed(e) for u, e in self.handings[id(regime)].items()}
+        return {u: e for u, e in found.items() if not e.free_symbols & other}
 
     # --- solution ----------------------------------------------------------------------------------------------------
 

@@ -24,7 +24,11 @@ from planar_cli.solve.course.regime import Regime
 from planar_cli.solve.course.timeline import Demand, Stop
 
 COSTS = {"given": 0.1, "turn": 0.2, "drawn": 0.1, "start": 0.1, "motion": 0.5, "link": 0.6, "loop": 1.2, "extreme": 0.8}
-COSTS |= {"blow": 1.0, "handed": 0.3, "energy": 0.9, "momentum": 0.95}
+COSTS |= {"blow": 1.0, "handed": 0.3, "energy": 0.9, "momentum": 1.25}
+PER_EQUATION, OVER_TIME, NO_MASS = 0.2, 0.3, 0.5
+"""What a law of motion costs for each equation of kinetics behind it, and where a force grows with time; and what a law
+of energy or momentum costs where the file gives no mass.
+"""
 COSTS |= {"q(t)": 1.0, "v(t)": 1.0, "v(q)": 1.05, "t(v)": 1.1, "q(v)": 1.1, "t(q)": 1.3}
 
 LONGEST = 150
@@ -37,7 +41,7 @@ DATA = ("given", "drawn", "start", "turn", "motion")
 class Equation:
     """`residual` vanishes. `kind`: given, drawn, start, motion, link, loop, extreme, or that of a span. `family`: of
     which only `rank` are independent. `stop`: the state at its end, `since` the one at its beginning. `source`: what it
-    was planned from.
+    was planned from. `surcharge`: what it costs beside its kind.
     """
 
     residual: sp.Expr
@@ -52,16 +56,20 @@ class Equation:
     law: Law | None = None
     trend: sp.Expr | None = None
     source: Any = None
+    surcharge: float = 0.0
 
     @property
     def cost(self) -> float:
         extra = 1.0 if self.span is not None and self.span.unevaluated else 0.0
-        return COSTS[self.kind] + extra
+        extra += self.law.effort if self.law is not None else 0.0
+        return COSTS[self.kind] + extra + self.surcharge
 
 
 @dataclass(frozen=True, slots=True)
 class Law:
-    """How one coordinate moves: q̇ = f (order 1) or q̈ = f (order 2), f in t, q and its own speed v = factor · speed."""
+    """How one coordinate moves: q̇ = f (order 1) or q̈ = f (order 2), f in t, q and its own speed v = factor · speed.
+    `effort`: what it takes to find it.
+    """
 
     coordinate: Coordinate
     order: int
@@ -69,6 +77,7 @@ class Law:
     v: sp.Symbol
     speed: sp.Symbol | None = None
     factor: sp.Expr = sp.S.One
+    effort: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -183,7 +192,14 @@ def _second_order(
         return None
     if any(s.name.endswith("_ddot") for s in f.free_symbols) or regime.general.rate_of(u) in f.free_symbols:
         return None
-    return Law(c, 2, f, v, u, factor)
+    return Law(c, 2, f, v, u, factor, _effort(regime, f))
+
+
+def _effort(regime: Regime, f: sp.Expr) -> float:
+    """The equations of kinetics behind a law, and whether a force grows with time."""
+    written = [w for stage in regime.general.stages for b in stage.blocks for w in b.equations]
+    kinetic = sum(w.law in ("force", "moment") for w in written)
+    return PER_EQUATION * kinetic + (OVER_TIME if kinetic and regime.time in f.free_symbols else 0.0)
 
 
 # --- equations -------------------------------------------------------------------------------------------------------
@@ -266,21 +282,6 @@ def link_equations(laws: Laws, since: Stop, stop: Stop, regime: Regime) -> Itera
         residual = stop.letters[q] - since.letters[q] - sp.Add(*parts) - drift
         words = f"{link.coordinate.words} follows"
         yield Equation(residual, "link", words, stop.name, since.name, family=("link", q.name, stop.name), rank=1)
-
-
-def resting_equations(
-    regime: Regime, since: Stop, stop: Stop, handing: Mapping[sp.Symbol, sp.Expr]
-) -> Iterator[Equation]:
-    """What moves only in other regimes stays where it is. `handing`: speeds of other regimes in this motion."""
-    own = set(regime.letters)
-    for letter, end in stop.letters.items():
-        if letter in own:
-            continue
-        if handing.get(letter, sp.S.Zero) != 0:
-            yield Equation(end - stop.at(handing[letter]), "handed", "the same motion", stop.name, since.name)
-            continue
-        residual = end - since.letters[letter] if not is_speed(letter) else end
-        yield Equation(residual, "link", "it rests meanwhile", stop.name, since.name)
 
 
 def is_speed(letter: sp.Symbol) -> bool:
@@ -369,22 +370,6 @@ def ending_equations(laws: Laws, stop: Stop, regime: Regime) -> Iterator[Equatio
             continue
         residual = law.f.xreplace({law.v: _speed(law, stop)})
         yield Equation(residual, "given", "in the end the speed no longer changes", stop.name)
-
-
-def later_equations(regimes: Sequence[Regime], first: Stop) -> Iterator[Equation]:
-    """What moves only in later regimes: as drawn, and at rest."""
-    own = set(regimes[0].letters)
-    told: set[sp.Symbol] = set()
-    for regime in regimes[1:]:
-        for c in regime.coordinates:
-            if c.symbol in own or c.symbol in told or c.drawn is None:
-                continue
-            told.add(c.symbol)
-            yield Equation(first.letters[c.symbol] - c.drawn, "drawn", "as drawn", first.name)
-        for u in regime.free:
-            if u not in own and u not in told:
-                told.add(u)
-                yield Equation(first.letters[u], "start", "it rests", first.name)
 
 
 def stated_equations(demands: Iterable[Demand], kind: str = "given") -> Iterator[Equation]:

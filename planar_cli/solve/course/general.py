@@ -18,6 +18,7 @@ from planar_cli.equation.system import Statements
 from planar_cli.problem.scene import Problem
 from planar_cli.solve.course.constraints import Constraint, constraints_of, project, start_symbol
 from planar_cli.solve.course.drawing import ranges
+from planar_cli.solve.course.parting import Parted, parted_joints, parted_modes
 from planar_cli.solve.course.places import held_places
 from planar_cli.solve.finish import Finisher
 from planar_cli.solve.instant import Instant, Trial
@@ -26,13 +27,17 @@ from planar_cli.solve.stages import Stage
 from planar_cli.solve.study import Velocities, solve_velocities
 
 
+IN_LOOPS = 150
+"""Where loops close, longer formulas are followed in numbers only, and left as they come."""
+
+
 @dataclass(slots=True)
 class General:
     """One choice of modes in a general position.
 
     `coordinates`: what varies. `free`: the velocity unknowns that nothing else fixes; they are letters. `trial`: the
     choice solved for draws of all letters. `position`: how the scene is displaced. `kept`: what joints
-    that act only for some time keep as it was. After `govern`: `rates` of coordinates and `accelerations` of free speeds
+    that act only for some time keep as it was; `parted`: those that hold nothing here. After `govern`: `rates` of coordinates and `accelerations` of free speeds
     as formulas in coordinates, free speeds and t; `solution` tells how.
     """
 
@@ -45,6 +50,7 @@ class General:
     position: Course
     constraints: tuple[Constraint, ...]
     kept: tuple[Constraint, ...]
+    parted: tuple[Parted, ...] = ()
     finisher: Finisher | None = None
     stages: list[Stage] = field(default_factory=list)
     solution: InstantSolution | None = None
@@ -73,6 +79,8 @@ class General:
         """Work out everything that these expressions need."""
         finisher = Finisher(self.instant, self.trial, (), {})
         finisher.letters = frozenset(self.free)
+        if self.constraints:
+            finisher.most = IN_LOOPS
         self.finisher = finisher
         self.solution, self.stages, _ = finisher.work(list(exprs), self.instant.scene.problem.find)
 
@@ -134,7 +142,8 @@ def _general(
     every = constraints_of(drawn, loosened(drawn, choice), displacement, (*user, *displacement.coordinates))
     constraints = tuple(c for c in every if c.kind != "kept")
     kept = tuple(c for c in every if c.kind == "kept")
-    course = Course(displacement, ranges(drawn, displacement), _projector(constraints, displacement, user))
+    loose = parted_modes(drawn, choice)
+    course = Course(displacement, ranges(drawn, displacement), _projector(constraints, displacement, user), loose)
     instant = Instant(Setup(problem, Statements.of(always, ()), earlier, True, course))
     system = instant.system(choice)
     held = held_places(instant.setup, system.quantities_of(system.first, None))
@@ -153,7 +162,8 @@ def _general(
         trial = instant.try_choice(choice, valuations, given=given)
     quantities = trial.system.quantities() if trial.outcomes else trial.system.quantities_of(trial.system.first, None)
     coordinates = (*_user_coordinates(instant), *displacement.coordinates)
-    return General(instant, choice, coordinates, independent, trial, quantities, course, constraints, kept)
+    parted = parted_joints(drawn, choice, displacement, coordinates, quantities.motion) if loose else ()
+    return General(instant, choice, coordinates, independent, trial, quantities, course, constraints, kept, parted)
 
 
 def _independent(found: Velocities, tree: tuple[sp.Symbol, ...], displacement: Displacement) -> tuple[sp.Symbol, ...]:

@@ -21,7 +21,7 @@ from planar_cli.equation.plain import longer, simplified
 from planar_cli.problem.facts import Wrench
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
-from planar_cli.solve.course.equations import Equation
+from planar_cli.solve.course.equations import NO_MASS, Equation
 from planar_cli.solve.course.general import General
 from planar_cli.solve.course.potential import potential
 from planar_cli.solve.course.regime import Regime
@@ -75,7 +75,7 @@ def candidates_of(general: General) -> list[Candidate]:
     scene, system = general.instant.scene, general.trial.system
     if system.reactions is None or any(p.kind == "drive" for p in system.pushes):
         return []
-    if any(general.time in sp.sympify(b.mass).free_symbols for b in scene.bodies.values()):
+    if any(b.varies(general.time) for b in scene.bodies.values()):
         return []
     followers = {law.push for law in system.laws}
     loose = {system.symbols[p.name] for p in system.pushes if p.name not in followers}
@@ -180,4 +180,5 @@ def momentum_equations(course: Course, found: Sequence[Sequence[Integrated]], k:
             residual = sp.expand(told.after - told.before - impulse)
             if residual.free_symbols & set(b.letters.values()):
                 words = "impulse and momentum"
-                yield Equation(residual, "momentum", words, b.name, a.name, source=told)
+                extra = NO_MASS if any(x.any_mass for x in course.problem.bodies) else 0.0
+                yield Equation(residual, "momentum", words, b.name, a.name, source=told, surcharge=extra)

@@ -34,11 +34,12 @@ def linked_blocks(
     """Blocks that are left when unknowns are expressed by others, the smallest first."""
     pool = [Reduced(sp.expand(e.residual), frozenset([i])) for i, e in enumerate(equations)]
     left = set(unknowns)
-    seen: set[Block] = set()
+    seen: set[tuple[int, ...]] = set()
     while True:
         for block in _kernels(pool, left, equations, unknowns):
-            if block not in seen:
-                seen.add(block)
+            key = tuple(id(e) for e in block[0])
+            if key not in seen:
+                seen.add(key)
                 yield block
         found = _next(pool, left, times)
         if found is None:

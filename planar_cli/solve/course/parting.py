@@ -16,7 +16,7 @@ import sympy as sp
 from planar_cli.equation.displaced import Coordinate, Displacement
 from planar_cli.equation.exact import Unvalued
 from planar_cli.equation.motion import Motion
-from planar_cli.problem.facts import Facts, Mode
+from planar_cli.problem.facts import Mode
 from planar_cli.solve.course.constraints import kept_while_held
 from planar_cli.solve.instant import Instant
 
@@ -55,14 +55,9 @@ class Gap:
         return senses.get(-1 if held is None else held, self.senses[0][1]) * self.expr
 
 
-def has_parted(mode: Mode) -> bool:
-    """Does a joint state nothing in a mode but that it has just held?"""
-    return mode.facts == Facts() and mode.touching != Facts()
-
-
 def parted_modes(drawn: Instant, choice: tuple[int, ...]) -> dict[str, tuple[Mode, ...]]:
     """The modes, as drawn, of all joints that have parted in a choice."""
-    return {j.name: modes for (j, modes), i in zip(drawn.modes, choice, strict=True) if has_parted(modes[i])}
+    return {j.name: modes for (j, modes), i in zip(drawn.modes, choice, strict=True) if modes[i].parted}
 
 
 def parted_joints(
@@ -75,23 +70,15 @@ def parted_joints(
     """All joints that have parted in a choice of modes, and what they kept."""
     found = []
     for (joint, modes), i in zip(drawn.modes, choice, strict=True):
-        if not has_parted(modes[i]):
+        if not modes[i].parted:
             continue
-        held = [(k, m) for k, m in enumerate(modes) if _only_touches(m, modes[i])]
-        openings = tuple((k, _opening(m, motion)) for k, m in held)
-        kept = kept_while_held(drawn, joint, held[0][1], displacement, coordinates) if held else ()
-        if len(kept) == 1:
+        slides = next((m for m in modes if m.facts.pushes and m.facts.joinings == modes[i].touching.joinings), None)
+        kept = kept_while_held(drawn, joint, slides, displacement, coordinates) if slides is not None else ()
+        openings = tuple((k, _opening(m, motion)) for k, m in enumerate(modes) if m.facts.pushes)
+        if kept:
+            # Of a face that lifts off, the distance alone: it may also turn.
             found.append(Parted(joint.name, modes[i].words, kept[0].residual, openings))
     return tuple(found)
-
-
-def _only_touches(mode: Mode, parted: Mode) -> bool:
-    """Does a mode keep what still holds as a joint parts, and no more (also on the other side of a surface)?"""
-    one, other = (
-        (f.rows, tuple((j.mover, j.base, j.point, None if j.path is None else j.turns) for j in f.joinings))
-        for f in (mode.facts, parted.touching)
-    )
-    return one == other and any(p.kind in ("normal", "tension") for p in mode.facts.pushes)
 
 
 def _opening(mode: Mode, motion: Motion) -> sp.Expr:
@@ -130,4 +117,4 @@ def gaps_of(regime: Regime) -> Iterator[Gap]:
             yield Gap(parted.joint, parted.words, parted.residual, tuple(senses))
 
 
-__all__ = ["Gap", "Parted", "gaps_of", "has_parted", "parted_joints", "parted_modes"]
+__all__ = ["Gap", "Parted", "gaps_of", "parted_joints", "parted_modes"]

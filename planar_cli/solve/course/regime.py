@@ -24,6 +24,7 @@ from planar_cli.problem.facts import Test
 from planar_cli.solve.course.balance import balance_of
 from planar_cli.solve.course.general import General, loose_tree
 from planar_cli.solve.course.handing import edges_of, handed
+from planar_cli.solve.course.parting import Gap, gaps_of
 
 MOST_CORNERS = 200
 
@@ -39,7 +40,7 @@ class Watch:
 @dataclass(slots=True)
 class Regime:
     """`rates`: of coordinates; `accelerations`: of free speeds; both closed formulas. `watches`: what must hold;
-    `slips`: speeds of slip, positive the way that is assumed. `ways`: the signs of free speeds by name, where a law
+    `slips`: speeds of slip, positive the way that is assumed; `gaps`: what has parted. `ways`: the signs of free speeds by name, where a law
     asks for them; then it is written for this way. `runs`: time passes in it; else it only tells velocities at a blow.
     """
 
@@ -50,6 +51,7 @@ class Regime:
     accelerations: dict[sp.Symbol, sp.Expr] = field(default_factory=dict)
     watches: tuple[Watch, ...] = ()
     slips: tuple[sp.Expr, ...] = ()
+    gaps: tuple[Gap, ...] = ()
     balance: tuple[sp.Expr, sp.Expr] | None = None
     runs: bool = False
 
@@ -90,6 +92,7 @@ class Regime:
                 *(w.expr for w in watches),
                 *slips,
                 *(self.balance or ()),
+                *(opening for p in general.parted for _, opening in p.openings),
                 *self.exprs,
             ]
         )
@@ -98,6 +101,7 @@ class Regime:
         told = self.told
         self.watches = tuple(w for w in (Watch(w.test, self.closed(w.expr)) for w in watches) if told(w.expr))
         self.slips = tuple(e for e in map(self.closed, slips) if told(e))
+        self.gaps = tuple(gaps_of(self)) if runs else ()
 
     def _rate(self, c: Coordinate) -> sp.Expr:
         """The rate of a coordinate; of a speed that this regime does not have, what its motion makes of it."""

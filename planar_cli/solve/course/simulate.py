@@ -28,6 +28,8 @@ from planar_cli.solve.course.timeline import Demand, Stop
 from planar_cli.solve.course.ways import becomes_negative, ways_at
 
 CHOICES = 8
+MOVES = 1e-7
+"""A larger speed is one, in m/s or rad/s."""
 SMALL = 1e-4
 """This part of the size of the scene, or of a radian, counts as no smaller size."""
 
@@ -73,7 +75,7 @@ class Follower:
         """From the letters of the first state, by the letters of the general position."""
         course, done = self.course, self.done
         state: State = dict(start)
-        self._record(course.first, state)
+        self._record(course.first, state, course.regimes[0])
         for i, regime in enumerate(course.regimes):
             if i + 1 >= len(course.states):
                 break
@@ -88,7 +90,7 @@ class Follower:
                     return done
                 state = stroke.after
                 done.values |= stroke.own
-                self._record(course.stops[course.states[i + 1].name], state)
+                self._record(course.stops[course.states[i + 1].name], state, course.blows[i].after)
                 continue
             if any(d.kind == "limit" for d in course.demands[course.states[i + 1].name]):
                 continue
@@ -99,7 +101,7 @@ class Follower:
             if reached is None:
                 return done
             state = reached
-            self._record(course.stops[course.states[i + 1].name], state)
+            self._record(course.stops[course.states[i + 1].name], state, regime)
         done.at = state
         last = len(course.states) - 1
         if course.beyond is not None and last > 0 and asked_after(course.problem, course.states[last].name):
@@ -115,26 +117,36 @@ class Follower:
         done.misfit = i if done.why or done.ways else None
         return done.misfit is None
 
-    def _record(self, stop: Stop, state: State) -> None:
+    def _record(self, stop: Stop, state: State, regime: Regime) -> None:
+        """A state that is reached, also in the letters of other regimes."""
         for letter, own in stop.letters.items():
             if letter in state:
                 self.done.values[own] = state[letter]
+        if all(s in state for s in regime.letters):
+            for letter, expr in self.course.handing(regime).items():
+                self.done.values[stop.letters[letter]] = self._handed(regime, expr, state)
 
     # --- beginning ---------------------------------------------------------------------------------------------------
 
     def begin(self, regime: Regime, state: State, old: Regime) -> State:
         """The letters of a regime where it takes over from an old one: places and velocities stay."""
         begun = dict(state)
+        handing = self.course.handings[id(old)] if all(s in state for s in old.letters) else {}
         for c in regime.coordinates:
-            if c.symbol not in begun and c.drawn is not None:
+            if c.symbol in handing:
+                begun[c.symbol] = self._handed(old, handing[c.symbol], state)
+            elif c.symbol not in begun and c.drawn is not None:
                 begun[c.symbol] = float(self.value(c.drawn))
-        handing = self.course.handings[id(old)]
-        told = all(s in state for s in old.letters)
         for u in regime.free:
-            if u not in begun and u in handing and told:
-                begun[u] = self._numbers(old, [old.closed(handing[u])])(*(state[s] for s in old.letters))[0]
+            if u not in begun and u in handing:
+                begun[u] = self._handed(old, handing[u], state)
             begun.setdefault(u, 0.0)
-        return {s: v for s, v in begun.items() if s in regime.letters or not is_speed(s)}
+        lost = self.course.handings[id(regime)]
+        return {s: v for s, v in begun.items() if s in regime.letters or not (is_speed(s) or s in lost)}
+
+    def _handed(self, old: Regime, expr: sp.Expr, state: State) -> float:
+        """A letter of another regime in the motion of an old one."""
+        return number_function([old.closed(expr)], list(state), self.value)(*state.values())[0]
 
     def _numbers(self, regime: Regime, exprs: Sequence[sp.Expr]) -> Callable[..., list[float]]:
         return number_function(exprs, regime.letters, self.value)
@@ -143,8 +155,11 @@ class Follower:
         """Why the assumptions of a regime do not hold at its beginning; "" when they do."""
         here = [state[s] for s in regime.letters]
         for symbol, number in before.items():
-            if symbol not in regime.letters and is_speed(symbol) and abs(number) > 1e-7 and self._alone(symbol, regime):
-                return "it moves"
+            if symbol not in regime.letters and is_speed(symbol) and abs(number) > MOVES and self._alone(symbol, regime):
+                handing = self.course.handings[id(regime)]
+                kept = self._handed(regime, handing[symbol], {**before, **state}) if symbol in handing else 0.0
+                if abs(kept - number) > MOVES * max(1.0, abs(number)):
+                    return "it moves"
         if regime.watches:
             values = self._numbers(regime, [w.expr for w in regime.watches])(*here)
             for watch, v in zip(regime.watches, values, strict=True):

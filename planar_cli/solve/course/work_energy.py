@@ -19,7 +19,7 @@ import sympy as sp
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.problem.facts import Wrench
 from planar_cli.problem.geometry import Vec
-from planar_cli.solve.course.equations import Equation
+from planar_cli.solve.course.equations import NO_MASS, Equation
 from planar_cli.solve.course.general import General
 from planar_cli.solve.course.potential import potential
 from planar_cli.solve.course.regime import Regime
@@ -83,7 +83,7 @@ def energies_of(general: General) -> Energies | None:
     scene, system = general.instant.scene, general.trial.system
     if system.reactions is None or not any(b.mass != 0 for b in scene.bodies.values()):
         return None
-    if any(general.time in sp.sympify(b.mass).free_symbols for b in scene.bodies.values()):
+    if any(b.varies(general.time) for b in scene.bodies.values()):
         return None
     if any(p.kind == "drive" for p in system.pushes) or any(
         c.kind == "given" for c in system.acceleration_conditions()
@@ -209,4 +209,5 @@ def _balance(course: Course, closed: Sequence[Closed | None], since: int, k: int
     if residual.free_symbols & times or not residual.free_symbols & set(stops[-1].letters.values()):
         return ()
     words = "work and kinetic energy"
-    return (Equation(sp.expand(residual), "energy", words, stops[-1].name, stops[0].name, source=balance),)
+    extra = NO_MASS if any(b.any_mass for b in course.problem.bodies) else 0.0
+    return (Equation(residual, "energy", words, stops[-1].name, stops[0].name, source=balance, surcharge=extra),)
