@@ -144,12 +144,19 @@ def _named(wrench: Wrench, scene: Scene) -> Wrench:
     pieced = magnitude.has(sp.Piecewise)
     if wrench.force is None or not (pieced or longer(magnitude, 3)) or scene.rests_on_sought(magnitude):
         return wrench
-    titles = {"spring": "pull of the spring", "damper": "pull of the damper", "drag": "drag on"}
+    titles = {
+        "weight": "weight of",
+        "spring": "pull of the spring",
+        "damper": "pull of the damper",
+        "drag": "drag on",
+        "stream": "push of the stream",
+    }
     title = f"{titles.get(wrench.kind, 'magnitude of')} {wrench.name}"
     ledger = scene.ledger
     symbol = next((s for s, t in ledger.titles.items() if t == title and ledger.definitions[s] == magnitude), None)
     if symbol is None:
-        symbol = ledger.define(f"F_{wrench.name}", magnitude, "N", title)
+        letter = "W" if wrench.kind == "weight" else "F"
+        symbol = ledger.define(f"{letter}_{wrench.name}", magnitude, "N", title)
     if pieced:
         # SymPy divides every piece, also those that are zero.
         force = Vec(*(p.xreplace({magnitude: symbol}) for p in (wrench.force.x, wrench.force.y)))

@@ -54,6 +54,11 @@ _STATES = {
         "later. In a state's own relations it must have a closed form, and the motion may not turn round meanwhile; "
         "put a state where it does."
     ),
+    "PL634": (
+        "A mass that varies, `mass: M - q*t`, is used up before this state. Either the time is wrong, or what flows "
+        "out ends earlier: a formula that stays the same after the time T is `M - q*(t + T - abs(t - T))/2`, and the "
+        "stream then acts `during: 1->2`."
+    ),
 }
 
 _EQUILIBRIA = {

@@ -44,6 +44,8 @@ def effects(instant: InstantSolution) -> tuple[list[str], list[str]]:
         present.append("Coriolis acceleration")
     absent = [w for k, w in (("drag", "drag"), ("spring", "springs"), ("damper", "dampers")) if k not in kinds]
     absent += [] if coriolis else ["Coriolis"]
+    if scene.problem.struck:
+        return [*present, "impact"], absent
     return present, [*absent, "impact"]
 
 

@@ -37,7 +37,7 @@ def _acting(instant: InstantSolution, body: str, phrases: Phrases) -> Line:
     system = instant.trial.system
     parts: list[list[Any]] = []
     for w in system.wrenches:
-        if w.body == body:
+        if w.body == body and not (w.kind == "momentum" and phrases.value.is_zero(w.magnitude)):
             where = _at(instant, w.point) if w.kind != "weight" else f"at {instant.instant.scene.center_name(body)}"
             if w.force is not None:
                 parts.append([phrases.math(w.magnitude), Text(f" {_sense(w, phrases)} {where}")])

@@ -49,7 +49,7 @@ def part_blocks(
         if key not in told:
             blocks += notes
             told.add(key)
-        if part.tale is None or not part.tale.whole:
+        if not instant.quiet and (part.tale is None or not part.tale.whole):
             telling = Telling(instant, phrases_of(instant, figures), audience, _needed(part, instant, audience, why))
             blocks += telling.blocks()
             count = max(count, telling.count)
@@ -70,7 +70,8 @@ def part_blocks(
         if why is None or found.name == why:
             said = answer_line(found, phrases)
             blocks.append(Answer(found.name, said, ":" if found.word or found.curve is not None else "="))
-    checks = [b for instant in part.instants for b in check_blocks(instant, phrases_of(instant, figures))]
+    heard = [instant for instant in part.instants if not instant.quiet]
+    checks = [b for instant in heard for b in check_blocks(instant, phrases_of(instant, figures))]
     blocks += [b for i, b in enumerate(checks) if b not in checks[:i]]
     if part.motion is not None:
         blocks += [Check(line(text)) for text in part.motion.checks]

@@ -47,7 +47,7 @@ class InstantSolution:
     """One instant worked out. `rejected`: the first assumption and others, with why they fail. `value`: numbers of all.
 
     `sought`: the branch taken where constants, speeds or extremes were sought; `left_out`: those that were not.
-    `method`: how inertia is told, newton or dalembert.
+    `method`: how inertia is told, newton or dalembert. `quiet`: it only tells velocities at a blow.
     """
 
     state: str
@@ -61,6 +61,7 @@ class InstantSolution:
     sought: Any = None
     left_out: tuple[Any, ...] = ()
     method: str = "newton"
+    quiet: bool = False
 
 
 @dataclass(slots=True)

@@ -20,7 +20,7 @@ from planar_cli.errors import NOWHERE, Diagnostic, Mark, NoSolution, Undecided
 from planar_cli.solve.course.events import Leg, events, is_zero, scale_of
 from planar_cli.solve.course.plot import fixed_time
 from planar_cli.solve.course.reached import asked_about
-from planar_cli.solve.course.simulate import Followed, Follower
+from planar_cli.solve.course.simulate import Ends, Followed, Follower
 from planar_cli.solve.course.timeline import Demand, Stop
 from planar_cli.solve.linear import solve
 
@@ -204,6 +204,14 @@ def never(course: Course, followed: Followed, value: Valuation) -> NoSolution:
         return _wrong(stop.mark, "PL621", f"state {name} is never reached: {texts}", hint)
     hint = "" if name in asked_about(course.problem) else _hint(course, followed, stop, value)
     return _wrong(stop.mark, "PL621", f"state {name} is never reached: {texts}", hint)
+
+
+def meets_again(course: Course, ends: Ends) -> NoSolution:
+    """What has parted comes together again before the next state, and nothing says how it goes on."""
+    state = course.states[ends.stretch + 1]
+    text = f"before state {state.name}, at t = {ends.time:.4g} s, `{ends.words}` ends with a blow: it meets again"
+    hint = "a state `just after` it and an `impact` tell what comes of it; else ask for nothing later"
+    return _wrong(state.mark, "PL622", text, hint)
 
 
 def _hint(course: Course, followed: Followed, stop: Stop, value: Valuation) -> str:

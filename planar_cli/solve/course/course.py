@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from decimal import Decimal
 from typing import Any
 
@@ -11,7 +11,6 @@ import sympy as sp
 from planar_cli.equation.conditions import order
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.equation.motion import Edge
-from planar_cli.errors import Mark
 from planar_cli.problem.expression import Relation, Statement
 from planar_cli.problem.scene import Problem, State
 from planar_cli.solve.course.after import asked_after
@@ -35,10 +34,9 @@ from planar_cli.solve.course.handing import edges_of
 from planar_cli.solve.course.impulse_momentum import Candidate, Integrated, candidates_of, integrated, momentum_equations
 from planar_cli.solve.course.oscillation import Oscillation, tell_oscillations
 from planar_cli.solve.course.over_spans import Asked, ask_spans, tell_spans
-from planar_cli.solve.course.plot import Plot, Stretch, Workshop, arriving_at, blow_before, fixed_time, spans_of
-from planar_cli.solve.course.plot import Span as PlotSpan
+from planar_cli.solve.course.plot import Plot, Workshop, fixed_time
 from planar_cli.solve.course.regime import Regime
-from planar_cli.solve.course.still import Still, is_equilibrium, stand_still
+from planar_cli.solve.course.still import Still, stand_still
 from planar_cli.solve.course.takeover import handing_of, later_equations, resting_equations
 from planar_cli.solve.course.timeline import Demand, Reader, Stop, stop_of
 from planar_cli.solve.course.work_energy import Closed, Energies, closed_energies, energies_of, energy_equations
@@ -394,33 +392,8 @@ class Course:
         return (negative if self.blows else 0, *keys)
 
 
-def first_plot(problem: Problem, workshop: Workshop) -> Plot:
-    """Every joint in its first mode that the file leaves open; one instant at a given time is its only state."""
-    states = problem.states or (State("", problem.instant or (), _mark(problem)),)
-    moving = tuple(s for s in states if not is_equilibrium(s))
-
-    def stretch(span: PlotSpan) -> Stretch:
-        return Stretch(span, next(workshop.drawn(span).choices()))
-
-    stretches = tuple(stretch(s) for s in spans_of(problem, moving)) if moving else ()
-    beyond = None
-    for i, state in enumerate(moving[1:]):
-        struck = blow_before(problem, moving[i], state)
-        if struck is not None:
-            begun = replace(stretch(arriving_at(problem, moving[i])), blow=struck[0])
-            stretches = (*stretches[:i], begun, *stretches[i + 1 :])
-            beyond = stretch(struck[1]) if i + 2 == len(moving) else None
-    spans = spans_of(problem, states)
-    beside = [(s, spans[min(i, len(spans) - 1)]) for i, s in enumerate(states) if is_equilibrium(s)]
-    return Plot(moving, stretches, equilibria=tuple((s, stretch(span)) for s, span in beside), beyond=beyond)
-
-
 def make_course(problem: Problem, plot: Plot, workshop: Workshop) -> Course:
     """The course of a problem along one plot, ready to read finds."""
     course = Course(problem, plot, workshop)
     course.prepare()
     return course
-
-
-def _mark(problem: Problem) -> Mark:
-    return problem.find[0].mark if problem.find else Mark(problem.file, 1, 1)

@@ -12,6 +12,7 @@ from planar_cli.problem.scene import Problem
 from planar_cli.solve.course.agree import compared
 from planar_cli.solve.course.astray import missing
 from planar_cli.solve.course.complete import completed
+from planar_cli.solve.course.masses import demand_mass
 from planar_cli.solve.course.methods import by_method, demand_reached
 from planar_cli.solve.course.course import Course
 from planar_cli.solve.course.plot import Workshop
@@ -20,7 +21,7 @@ from planar_cli.solve.course.route import Router
 from planar_cli.solve.course.throughout import Throughout
 from planar_cli.solve.course.unfold import Unfolder
 from planar_cli.solve.passages import Tale
-from planar_cli.solve.solution import PartSolution
+from planar_cli.solve.solution import InstantSolution, PartSolution
 
 
 def solve_course(problem: Problem, case: str, units: dict[str, str], earlier: Mapping[str, Any]) -> PartSolution:
@@ -32,6 +33,7 @@ def solve_course(problem: Problem, case: str, units: dict[str, str], earlier: Ma
     except Unvalued as error:
         raise missing(unfolded.course) or error from error
     course = found.course
+    demand_mass(course, found.value)
     unknowns = course.chain().unknowns
     targets = {s for a in found.finds.asked for p in a.parts for s in found.finds.settled(a, p).free_symbols}
     allowed = by_method(course.equations, problem.method)
@@ -44,10 +46,19 @@ def solve_course(problem: Problem, case: str, units: dict[str, str], earlier: Ma
     found.finds.throughout = Throughout(course, found.followed, found.value, start)
     found.checks = (*found.checks, *compared(found))
     answers = tuple(found.finds.answer(a, found.route, found.value) for a in found.finds.asked)
-    regimes = [r for r in found.course.distinct_regimes() if r.runs]
-    instants = tuple(r.general.solution for r in regimes if r.general.solution is not None)
+    instants = _instants(found.course)
     tale = Tale(tuple(found.finds.curves), whole=False) if found.finds.curves else None
     return PartSolution(case, instants, answers, found, tale)
+
+
+def _instants(course: Course) -> tuple[InstantSolution, ...]:
+    """The general positions of the regimes in which time passes; in a file of blows alone the one before the first."""
+    regimes = course.distinct_regimes()
+    for regime in regimes:
+        if regime.general.solution is not None:
+            regime.general.solution.quiet = not regime.runs
+    running = [r for r in regimes if r.runs] or regimes[:1]
+    return tuple(r.general.solution for r in running if r.general.solution is not None)
 
 
 def _in_order(course: Course, targets: set[sp.Symbol]) -> list[sp.Symbol]:

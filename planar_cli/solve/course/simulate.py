@@ -22,6 +22,7 @@ from planar_cli.solve.course.course import Course
 from planar_cli.solve.course.dying import by_formula, steady_time
 from planar_cli.solve.course.equations import is_speed
 from planar_cli.solve.course.events import SLACK, Leg, State, events, is_still, is_zero, length_of, swing_of
+from planar_cli.solve.course.gaps import closes_at_once, closing, openings
 from planar_cli.solve.course.plot import fixed_time
 from planar_cli.solve.course.regime import Regime, corners, number_function
 from planar_cli.solve.course.timeline import Demand, Stop
@@ -36,13 +37,16 @@ SMALL = 1e-4
 
 @dataclass(frozen=True, slots=True)
 class Ends:
-    """A stretch ends before its state: `expr` vanishes at `time`; `words` say what ends."""
+    """A stretch ends before its state: `expr` vanishes at `time`; `words` say what ends. `again`: what had parted meets
+    again.
+    """
 
     stretch: int
     time: float
     expr: sp.Expr
     words: str
     state: State
+    again: bool = False
 
 
 @dataclass(slots=True)
@@ -112,7 +116,7 @@ class Follower:
     def _fits(self, i: int, regime: Regime, begun: State, before: State) -> bool:
         """Do the assumptions of a regime hold where it takes over, at state i?"""
         done = self.done
-        done.why = self._misfit(regime, begun, before)
+        done.why = self._misfit(regime, begun, before) or self._presses(i, regime, begun)
         done.ways = {} if done.why else ways_at(regime, begun, self.value)
         done.misfit = i if done.why or done.ways else None
         return done.misfit is None
@@ -173,6 +177,15 @@ class Follower:
                 return "it slides the other way"
             if abs(speed) <= 1e-9 and not self._starts_to_slide(regime, slip, here):
                 return "nothing makes it slide"
+        return ""
+
+    def _presses(self, i: int, regime: Regime, state: State) -> str:
+        """What would press into its partner where it is taken for parted from state i on; "" when nothing does."""
+        here = [state[s] for s in regime.letters]
+        for opening, words in openings(self.course, i, regime):
+            length = length_of(regime, state, [0.0] * len(here), self.value)
+            if closes_at_once(regime, opening, here, self.value, length):
+                return f"`{words}` does not hold"
         return ""
 
     def _starts_to_slide(self, regime: Regime, slip: sp.Expr, here: list[float]) -> bool:
@@ -378,4 +391,9 @@ class Follower:
                     best = Ends(i, root.value, expr, words, leg.at(root.value))
                     until = root.value
                     break
+        for expr, words in openings(self.course, i, regime):
+            f = self._numbers(regime, [expr])
+            met = closing(lambda t, f=f: f(*(leg.at(t)[s] for s in regime.letters))[0], leg, until)  # type: ignore[misc]
+            if met is not None and (until is None or met < until - 1e-9 * max(abs(until), 1e-9)):
+                best, until = Ends(i, met, expr, words, leg.at(met), again=True), met
         return best

@@ -14,13 +14,16 @@ import sympy as sp
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.errors import Diagnostic, Mark, NoSolution, Undecided
 from planar_cli.problem.scene import Problem
-from planar_cli.solve.course.astray import clash, demand_agreement, missing, never, passed_before
+from planar_cli.solve.course.astray import clash, demand_agreement, meets_again, missing, never, passed_before
 from planar_cli.solve.course.carried import carried_branch
 from planar_cli.solve.course.chain import Branch
-from planar_cli.solve.course.course import Course, first_plot, make_course
+from planar_cli.solve.course.course import Course, make_course
 from planar_cli.solve.course.finds import FindReader
+from planar_cli.solve.course.first_plot import first_plot
+from planar_cli.solve.course.gaps import changes_sides, just_parted
 from planar_cli.solve.course.holding import holding
 from planar_cli.solve.course.idle import without_idle_times
+from planar_cli.solve.course.masses import demand_mass
 from planar_cli.solve.course.methods import by_method
 from planar_cli.solve.course.newton import refined
 from planar_cli.solve.course.oscillation import Oscillation
@@ -82,6 +85,7 @@ class Unfolder:
             finds = FindReader(course, self.units)
             finds.read()
             course.read()
+            demand_mass(course, course.base())
             if course.still is not None and not course.states:
                 return Unfolded(course, finds, course.still.branch, None, course.base())
             found = self._unfold(course, finds)
@@ -94,7 +98,7 @@ class Unfolder:
     def _unfold(self, course: Course, finds: FindReader) -> Unfolded | Plot:
         """The course unfolded, or another plot to try."""
         course.equations = without_idle_times(course, finds)
-        start = certain_start(course)
+        start = self._start(course)
         if start is Start.CONTRADICTS:
             try:
                 return self._next(course.plot, 0, "what is stated of the first state contradicts it")
@@ -115,6 +119,21 @@ class Unfolder:
         if still - course.plot.stretches[0].still:
             return course.plot.stilled(still | course.plot.stretches[0].still)
         return self._followed(course, finds, start)
+
+    @staticmethod
+    def _start(course: Course) -> dict[sp.Symbol, Decimal] | Start:
+        """The letters of the first state. What its own statements leave open of things that have just parted has no
+        velocity apart.
+        """
+        start = certain_start(course)
+        for touch in just_parted(course) if start is Start.OPEN else ():
+            course.equations.append(touch)
+            now = certain_start(course)
+            if now is Start.CONTRADICTS:
+                course.equations.remove(touch)
+            else:
+                start = now
+        return start
 
     def _tried(self, course: Course, start: dict[sp.Symbol, Decimal]) -> Plot | None:
         """Another plot, if following this one as far as it goes shows a wrong assumption."""
@@ -208,6 +227,8 @@ class Unfolder:
             return self._next(plot, followed.misfit, followed.why)
         if followed.ends is not None:
             ends = followed.ends
+            if ends.again:
+                raise meets_again(course, ends)
             changed = plot.turned(ends.stretch, ends.expr, ends.words)
             regime = course.regimes[ends.stretch]
             if any(ends.expr == w.expr for w in regime.watches) or ends.expr in regime.slips:
@@ -222,7 +243,7 @@ class Unfolder:
         failed.append(plot.stretch(i).choice)
         self.why = self.why or why
         for choice in self.workshop.drawn(plot.stretch(i).span).choices():
-            if choice not in failed:
+            if choice not in failed and not changes_sides(plot, self.workshop, i, choice):
                 return choice
         raise NoSolution(
             [Diagnostic(mark, "PL622", f"no assumption about the contacts holds from here on: {self.why}")]

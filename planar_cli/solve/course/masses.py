@@ -1,0 +1,53 @@
+"""Masses that vary with time are masses only while they are positive."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from decimal import Decimal
+from typing import TYPE_CHECKING
+
+from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.errors import Diagnostic, NoSolution
+from planar_cli.problem.expression import Name
+from planar_cli.solve.course.plot import fixed_time
+
+if TYPE_CHECKING:
+    from planar_cli.solve.course.course import Course
+
+
+def demand_mass(course: Course, value: Valuation) -> None:
+    """NoSolution: a body has no mass left at a state whose time [s] is known, in `value` or by the file itself."""
+    scene = course.scene
+    time = course.ledger.symbols["t"]
+    varying = [b for b in scene.bodies.values() if b.varies(time)]
+    times = dict(_known_times(course, value)) if varying else {}
+    for body in varying:
+        mark = next(b.mark for b in course.problem.bodies if b.name == body.name)
+        for state, when in times.items():
+            there = value.extended({time: when})
+            for what, expr, unit in (("mass", body.mass, "kg"), ("moment of inertia", body.inertia, "kg m²")):
+                number = _number(there, expr)
+                if number is not None and (number < 0 or (number == 0 and what == "mass")):
+                    text = f"the {what} of {body.name} is {number:.4g} {unit} in state {state}, at t = {when:.4g} s"
+                    hint = "let the state come earlier, or let the formula end where nothing more flows out"
+                    raise NoSolution([Diagnostic(mark, "PL634", text, hint)])
+
+
+def _known_times(course: Course, value: Valuation) -> Iterator[tuple[str, Decimal]]:
+    """The states whose time is known."""
+    for state in course.states:
+        stop = course.stops[state.name]
+        told = fixed_time(state.relations)
+        number = _number(value, stop.t)
+        if number is None and told is not None:
+            side = told.right if isinstance(told.left, Name) and told.left.name == "t" else told.left
+            number = _number(value, course.scene.value(side))
+        if number is not None:
+            yield state.name, number
+
+
+def _number(value: Valuation, expr: object) -> Decimal | None:
+    try:
+        return value(expr)
+    except (Unvalued, ArithmeticError):
+        return None
