@@ -85,7 +85,7 @@ def _needed(part: PartSolution, instant: InstantSolution, audience: str, why: st
     """The unknowns of an instant that are told: of a motion only those on which it rests, but in a lesson."""
     if part.motion is None or audience == "lesson" or why is not None:
         return _wanted(part, why)
-    from planar_cli.report.needed import wanted_of
+    from planar_cli.solve.course.needed import wanted_of
 
     return wanted_of(part.motion, instant)
 

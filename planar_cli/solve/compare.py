@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
+from planar_cli.errors import FileProblem
 from planar_cli.problem.scene import Problem
 from planar_cli.registry import members
 from planar_cli.solve.run import solve_problem
+from planar_cli.solve.solution import PartSolution
+from planar_cli.solve.used import used_blocks
+
+NOT_REACHED = "PL570"
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,12 +30,49 @@ def compare_methods(problem: Problem) -> tuple[Row, ...]:
     rows = []
     for kind, principle in members("principles").items():
         objection = principle().objection(problem)
-        if objection:
-            rows.append(Row(kind, 0, 0, (), objection))
-            continue
-        solution = solve_problem(problem, kind)
-        stages = [s for part in solution.parts for i in part.instants for s in i.stages]
-        largest = max((s.plan.largest for s in stages), default=0)
-        names = tuple(f.name for part in solution.parts for f in part.found)
-        rows.append(Row(kind, sum(s.plan.equations for s in stages), largest, names, ""))
+        rows.append(Row(kind, 0, 0, (), objection) if objection else _row(problem, kind))
     return tuple(sorted(rows, key=lambda r: (bool(r.objection), r.equations, r.method != "newton")))
+
+
+def _row(problem: Problem, kind: str) -> Row:
+    """What one method makes of a problem; of finds that it does not reach it is said why."""
+    try:
+        solution = solve_problem(problem, kind)
+    except FileProblem as error:
+        if any(d.code != NOT_REACHED for d in error.diagnostics):
+            raise
+        return _partly(problem, kind, error.diagnostics[0].message)
+    names = tuple(f.name for part in solution.parts for f in part.found)
+    efforts = [_effort(part) for part in solution.parts]
+    return Row(kind, sum(n for n, _ in efforts), max((b for _, b in efforts), default=0), names, "")
+
+
+def _partly(problem: Problem, kind: str, why: str) -> Row:
+    """The finds of the file itself that a method reaches one by one."""
+    reached: list[str] = []
+    equations = largest = 0
+    for find in problem.find if len(problem.find) > 1 else ():
+        alone = replace(problem, find=(find,), cases=())
+        try:
+            part = solve_problem(alone, kind).parts[0]
+        except FileProblem:
+            continue
+        count, block = _effort(part)
+        reached.append(find.name)
+        equations, largest = max(equations, count), max(largest, block)
+    return Row(kind, equations, largest, tuple(reached), why)
+
+
+def _effort(part: PartSolution) -> tuple[int, int]:
+    """How many equations a part takes, those between its states among them, and its largest block."""
+    if part.motion is None:
+        stages = [s for i in part.instants for s in i.stages]
+        return sum(s.plan.equations for s in stages), max((s.plan.largest for s in stages), default=0)
+    from planar_cli.solve.course.needed import wanted_of
+
+    heard = [i for i in part.instants if not i.quiet]
+    blocks = [b for i in heard for s in used_blocks(i.stages, wanted_of(part.motion, i)) for b in s.blocks]
+    sizes = [len(b.equations) for b in blocks]
+    route = part.motion.route
+    sizes += [len(leg.derivation.equations) for leg in route.legs if not leg.datum] if route is not None else []
+    return sum(sizes), max(sizes, default=0)

@@ -31,6 +31,7 @@ from planar_cli.solve.course.equations import (
 )
 from planar_cli.solve.course.extremes import stationary
 from planar_cli.solve.course.handing import edges_of
+from planar_cli.solve.course.impulses import impulse_equations
 from planar_cli.solve.course.impulse_momentum import Candidate, Integrated, candidates_of, integrated, momentum_equations
 from planar_cli.solve.course.oscillation import Oscillation, tell_oscillations
 from planar_cli.solve.course.over_spans import Asked, ask_spans, tell_spans
@@ -74,6 +75,7 @@ class Course:
     blows: dict[int, Blow] = field(default_factory=dict)
     handings: dict[int, dict[sp.Symbol, sp.Expr]] = field(default_factory=dict)
     said: dict[int, tuple[sp.Expr, ...]] = field(default_factory=dict)
+    impulses: dict[tuple[str, str, str], sp.Symbol] = field(default_factory=dict)
     raw_energies: dict[int, Energies | None] = field(default_factory=dict)
     energies: list[Closed | None] = field(default_factory=list)
     raw_momenta: dict[int, list[Candidate]] = field(default_factory=dict)
@@ -196,6 +198,13 @@ class Course:
             found.append(self.beyond)
         return found
 
+    def impulse_letter(self, push: sp.Symbol, since: Stop, stop: Stop, unit: str) -> sp.Symbol:
+        """The letter for the impulse of a reaction between two states."""
+        key = (push.name, since.name, stop.name)
+        if key not in self.impulses:
+            self.impulses[key] = self.ledger.fresh(f"J_{push.name}__{stop.name}", unit)
+        return self.impulses[key]
+
     @property
     def blows_last(self) -> bool:
         """Is the last state just after a blow?"""
@@ -292,6 +301,7 @@ class Course:
             found += list(kept_equations(regime, start, stop))
             found += list(energy_equations(self, self.energies, i))
             found += list(momentum_equations(self, self.momenta, i))
+            found += list(impulse_equations(self, i)) if self.problem.method == "momentum" else []
             if stop.t in self.infinite():
                 found += list(ending_equations(laws, stop, regime))
             found += list(resting_equations(regime, self.stops[self.states[i - 1].name], stop, self.handing(regime)))
@@ -330,7 +340,7 @@ class Course:
 
     def chain(self) -> Chain:
         """The solver of the equations."""
-        own = [s for blow in self.blows.values() for s in blow.letters]
+        own = [*self.impulses.values(), *(s for blow in self.blows.values() for s in blow.letters)]
         unknowns = frozenset([*(v for s in self.stops.values() for v in s.letters.values()), *self.sought(), *own])
         times: dict[sp.Symbol, sp.Symbol | None] = {}
         angles: dict[sp.Symbol, sp.Symbol | None] = {}

@@ -17,6 +17,7 @@ from planar_cli.solve.course.ways import becomes_negative
 
 if TYPE_CHECKING:
     from planar_cli.problem.facts import Mode
+    from planar_cli.problem.geometry import Vec
     from planar_cli.solve.course.course import Course
 
 OPEN = 1e-10
@@ -46,17 +47,19 @@ def changes_sides(plot: Plot, workshop: Workshop, i: int, choice: tuple[int, ...
     """Would a contact press on the other side of a surface than it did before state i?"""
     for (joint, modes), index in zip(workshop.drawn(plot.stretch(i).span).modes, choice, strict=True):
         held = held_before(plot, workshop, i, joint.name)
-        if held is not None and any(_opposite(p, q) for p, q in zip(_forces(modes[index]), _forces(held[1]), strict=False)):
+        if held is None:
+            continue
+        if any(_opposite(p, q) for p, q in zip(_forces(modes[index]), _forces(held[1]), strict=False)):
             return True
     return False
 
 
-def _forces(mode: Mode) -> list[sp.Expr]:
+def _forces(mode: Mode) -> list[Vec]:
     """The forces of its normal pushes on the first body."""
     return [p.actions[0].force for p in mode.facts.pushes if p.kind == "normal" and p.actions[0].force is not None]
 
 
-def _opposite(a: sp.Expr, b: sp.Expr) -> bool:
+def _opposite(a: Vec, b: Vec) -> bool:
     return bool(sp.expand(a.x + b.x) == 0 and sp.expand(a.y + b.y) == 0)
 
 
@@ -68,7 +71,7 @@ def just_parted(course: Course) -> list[Equation]:
 
 
 def closes_at_once(regime: Regime, opening: sp.Expr, here: Sequence[float], value: Valuation, length: float) -> bool:
-    """Would what is taken for parted press into its partner? `here`: the letters of the regime; `length`: of the scene."""
+    """Would what is taken for parted press into its partner? `here`: the regime's letters; `length`: of the scene."""
     gap = number_function([opening], regime.letters, value)(*here)[0]
     if abs(gap) > SLACK * length:
         return gap < 0

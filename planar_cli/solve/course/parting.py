@@ -40,8 +40,8 @@ class Parted:
 
 @dataclass(frozen=True, slots=True)
 class Gap:
-    """What opens where a joint has parted, a formula of the general position. `senses`: by the index of the mode in which
-    it held, 1 where the formula grows as it opens, else -1.
+    """What opens where a joint has parted, a formula of the general position. `senses`: by the index of the mode in
+    which it held, 1 where the formula grows as it opens, else -1.
     """
 
     joint: str

@@ -159,11 +159,12 @@ class Follower:
         """Why the assumptions of a regime do not hold at its beginning; "" when they do."""
         here = [state[s] for s in regime.letters]
         for symbol, number in before.items():
-            if symbol not in regime.letters and is_speed(symbol) and abs(number) > MOVES and self._alone(symbol, regime):
-                handing = self.course.handings[id(regime)]
-                kept = self._handed(regime, handing[symbol], {**before, **state}) if symbol in handing else 0.0
-                if abs(kept - number) > MOVES * max(1.0, abs(number)):
-                    return "it moves"
+            if symbol in regime.letters or not is_speed(symbol) or abs(number) <= MOVES:
+                continue
+            handing = self.course.handings[id(regime)]
+            kept = self._handed(regime, handing[symbol], {**before, **state}) if symbol in handing else 0.0
+            if self._alone(symbol, regime) and abs(kept - number) > MOVES * max(1.0, abs(number)):
+                return "it moves"
         if regime.watches:
             values = self._numbers(regime, [w.expr for w in regime.watches])(*here)
             for watch, v in zip(regime.watches, values, strict=True):
@@ -333,6 +334,17 @@ class Follower:
 
         return g
 
+    def _along(self, expr: sp.Expr, leg: Leg) -> Callable[[float], float]:
+        """A formula of the general position as a function of time along a leg."""
+        regime = leg.regime
+        f = self._numbers(regime, [expr])
+
+        def g(t: float) -> float:
+            here = leg.at(t)
+            return f(*(here[s] for s in regime.letters))[0]
+
+        return g
+
     def _allowed(self, demands: Sequence[Demand], stop: Stop, leg: Leg, t: float) -> bool:
         for d in demands:
             expr = d.residual if d.kind == "inequality" else d.trend
@@ -345,18 +357,8 @@ class Follower:
     def _extreme(self, demand: Demand, leg: Leg) -> float | None:
         """The first of the largest (smallest) of the next stationary values."""
         regime = leg.regime
-        rate = self._numbers(regime, [regime.derivative(demand.residual)])
-        value = self._numbers(regime, [demand.residual])
-
-        def along(f: Callable[..., list[float]]) -> Callable[[float], float]:
-            def g(t: float) -> float:
-                here = leg.at(t)
-                return f(*(here[s] for s in regime.letters))[0]
-
-            return g
-
-        found = list(itertools.islice(events(along(rate), leg), CHOICES))
-        height = along(value)
+        found = list(itertools.islice(events(self._along(regime.derivative(demand.residual), leg), leg), CHOICES))
+        height = self._along(demand.residual, leg)
         best: float | None = None
         for root in found:
             v = demand.extreme * height(root.value)
@@ -375,12 +377,7 @@ class Follower:
         best: Ends | None = None
         until = time
         for expr, words in watched:
-            f = self._numbers(regime, [expr])
-
-            def g(t: float, f: Callable[..., list[float]] = f) -> float:
-                here = leg.at(t)
-                return f(*(here[s] for s in regime.letters))[0]
-
+            g = self._along(expr, leg)
             if expr.is_number or not (expr.free_symbols & set(regime.letters)):
                 continue
             if until is not None and until <= leg.t0:
@@ -392,8 +389,7 @@ class Follower:
                     until = root.value
                     break
         for expr, words in openings(self.course, i, regime):
-            f = self._numbers(regime, [expr])
-            met = closing(lambda t, f=f: f(*(leg.at(t)[s] for s in regime.letters))[0], leg, until)  # type: ignore[misc]
+            met = closing(self._along(expr, leg), leg, until)
             if met is not None and (until is None or met < until - 1e-9 * max(abs(until), 1e-9)):
                 best, until = Ends(i, met, expr, words, leg.at(met), again=True), met
         return best

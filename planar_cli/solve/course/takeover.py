@@ -53,8 +53,8 @@ def _place(c: Coordinate, own: General, other: General, found: Mapping[sp.Symbol
     here, there = own.instant.scene.bodies[c.body], other.instant.scene.bodies[c.body]
     pairs = [(here.theta, there.theta)] if c.unit == "rad" else []
     pairs += [(here.center.x, there.center.x), (here.center.y, there.center.y)]
-    for ours, theirs in pairs:
-        theirs = theirs.xreplace(dict(found))
+    for ours, other_side in pairs:
+        theirs = other_side.xreplace(dict(found))
         slope = sp.diff(theirs, c.symbol)
         varying = {x.symbol for x in other.coordinates} - mine
         if slope == 0 or slope.free_symbols & (mine | varying) or theirs.free_symbols & (varying - {c.symbol}):

@@ -73,7 +73,7 @@ class Throughout:
         if followed.legs:
             return followed.legs[0]
         follower, regime = Follower(self.course, self.value), self.course.regimes[0]
-        return follower.leg(regime, follower.begin(regime, followed.at))
+        return follower.leg(regime, follower.begin(regime, followed.at, regime))
 
     def _begun(self, equation: Equation) -> Equation:
         """With what is known of the first state put in."""
