@@ -248,7 +248,8 @@ class Displacer:
         speed = sp.sqrt(simplified(slope.dot(slope)))
         symbol = self._coordinate(name, unit, drawn, edge.slide, ZERO, words, edge.body)
         if isinstance(symbol, sp.Symbol) and self.coordinates and self.coordinates[-1].symbol == symbol:
-            rate = (1 / speed).subs(variable, symbol)
+            along = self.scene.sign(joining.path.tangent.dot(slope).subs(variable, drawn)) or 1
+            rate = (along / speed).subs(variable, symbol)
             self.coordinates[-1] = Coordinate(symbol, unit, drawn, edge.slide, rate, words, edge.body)
         return Vec(at.x.subs(variable, symbol), at.y.subs(variable, symbol))
 

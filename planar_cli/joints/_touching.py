@@ -52,6 +52,7 @@ class Touching:
         """A particle drawn on a fixed circle may be inside or outside: the side on which it presses counts."""
         return (
             self.base.kind == "arc"
+            and self.base.center is not None
             and self.base.body == "ground"
             and self.mover.kind == "corner"
             and not self.scene.rigid(self.mover.body)

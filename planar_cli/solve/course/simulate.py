@@ -184,7 +184,7 @@ class Follower:
         """What would press into its partner where it is taken for parted from state i on; "" when nothing does."""
         here = [state[s] for s in regime.letters]
         for opening, words in openings(self.course, i, regime):
-            length = length_of(regime, state, [0.0] * len(here), self.value)
+            length = length_of(regime, state, [0.0] * len(here[1:]), self.value)
             if closes_at_once(regime, opening, here, self.value, length):
                 return f"`{words}` does not hold"
         return ""

@@ -1,0 +1,97 @@
+"""States that a motion meets on its way: where contacts part, ropes slacken, frictions turn round, springs engage."""
+
+from __future__ import annotations
+
+from math import acos, asin, cos, degrees, pi, sin, sqrt
+
+import pytest
+from answered import first, solve
+
+from planar_cli.errors import NoSolution
+
+G = 9.81
+
+DOME = """
+title: Ball that leaves a dome
+plane: vertical
+given: {{m: 0.5 kg, R: 2 m, v_0: 1.5 m/s}}
+points: {{O: [0, 0], P: [0, R]}}
+surfaces: {{dome: {{center: O, radius: R}}}}
+bodies: {{ball: {{particle: P, mass: m}}}}
+joints:
+  - contact: {{between: [ball, dome], at: P, mu: 0}}
+states: {{1: [v(P).x = v_0], {leaves}3: [y(P) = 0]}}
+find: {{N: N(P) @ 1, x: x(P) @ 3, v: v(P).mag @ 3, mode: mode(P) @ 3}}
+"""
+HILL = """
+title: Sledge that leaves the top of a hill at once
+plane: vertical
+points: {O: [0, 0], P: [0, 0]}
+surfaces: {hill: {y: -0.05*x^2/(1 m)}}
+bodies: {sledge: {particle: P, mass: 30 kg}}
+joints:
+  - contact: {between: [sledge, hill], at: P, mu: 0}
+states: {1: [v(P).x = 12 m/s], 2: [t = 0.5 s]}
+find: {x: x(P) @ 2, y: y(P) @ 2, mode: mode(P) @ 1}
+"""
+LADDER = """
+title: Ladder that leaves a wall
+plane: vertical
+given: {m: 15 kg, l: 4 m, beta: 70 deg}
+points: {O: [0, 0], A: [l*cos(beta), 0], B: [0, l*sin(beta)]}
+surfaces: {floor: {through: O, angle: 0 deg}, wall: {through: O, angle: 90 deg}}
+bodies: {ladder: {rod: [A, B], mass: m}}
+joints:
+  - contact: {between: [ladder, floor], at: A, mu: 0}
+  - contact: {between: [ladder, wall], at: B, mu: 0}
+states: {1: [at rest], 2: [N(B) = 0], 3: [y(B) = 0]}
+find: {height: y(B) @ 2, omega: omega(ladder) @ 2, v: v(A).x @ 3}
+"""
+
+
+def left_dome() -> tuple[float, float, float]:
+    """Height of the ball over the centre and its velocity, where the weight alone bends its path: from the energy."""
+    height = (1.5**2 + 2 * G * 2) / (3 * G)
+    speed, slope = sqrt(G * height), acos(height / 2)
+    return height, speed * cos(slope), -speed * sin(slope)
+
+
+@pytest.mark.parametrize("leaves", ["2: [N(P) = 0], ", ""])
+def test_a_ball_leaves_a_dome(leaves: str) -> None:
+    """Whether a state says so or not."""
+    found = solve(DOME.format(leaves=leaves))
+    height, vx, vy = left_dome()
+    time = (vy + sqrt(vy**2 + 2 * G * height)) / G
+    assert first(found["N"]) == pytest.approx(0.5 * (G - 1.5**2 / 2))
+    assert first(found["x"]) == pytest.approx(sqrt(4 - height**2) + vx * time)
+    assert first(found["v"]) == pytest.approx(sqrt(1.5**2 + 2 * G * 2))
+    assert found["mode"].word == "apart"
+
+
+def test_a_sledge_leaves_a_hill_at_once() -> None:
+    """12² · 0.1 m > g: it flies, level at first although only its velocity along x is given."""
+    found = solve(HILL)
+    assert found["mode"].word == "apart"
+    assert (first(found["x"]), first(found["y"])) == pytest.approx((6, -G / 8))
+
+
+def test_a_ladder_leaves_a_wall() -> None:
+    """At two thirds of the first height; from then on its mass centre keeps its velocity along the floor."""
+    found = solve(LADDER)
+    top = 4 * sin(70 * pi / 180)
+    away = asin(2 / 3 * sin(70 * pi / 180))
+    omega = sqrt(3 * G / 4 * (top / 4 - sin(away)))
+    across = 2 * omega * sin(away)
+    assert first(found["height"]) == pytest.approx(2 / 3 * top)
+    assert first(found["omega"]) == pytest.approx(omega), degrees(away)
+    assert first(found["v"]) == pytest.approx(across)
+
+
+def test_what_flies_off_and_comes_down_again_needs_an_impact() -> None:
+    """Nothing says how a blow goes on."""
+    with pytest.raises(NoSolution, match="meets again"):
+        solve(
+            HILL.replace("2: [t = 0.5 s]", "2: [t = 60 s]").replace(
+                "-0.05*x^2/(1 m)", "-0.05*x^2/(1 m) + 2e-4*x^4/(1 m^3)"
+            )
+        )
