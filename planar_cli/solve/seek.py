@@ -36,6 +36,7 @@ from planar_cli.solve.numbers import Numbers
 from planar_cli.solve.offers import Offers, body_residuals
 from planar_cli.solve.plan import Plan, Planner
 from planar_cli.solve.stages import acceleration_unknowns, with_zeros
+from planar_cli.solve.stationary import stationary_branches
 from planar_cli.solve.study import solve_velocities
 from planar_cli.solve.write import Writer
 from planar_cli.units import MASS, PURE
@@ -368,6 +369,7 @@ def _best(seeker: Seeker, targets: set[sp.Symbol], rejected: list[Sought]) -> So
                 (rejected if sought.objection or sought.objective is None else held).append(sought)
         if held:
             break
+    held = held or stationary_branches(seeker, targets, side, rejected)
     if not held:
         return None
     best = max(held, key=lambda s: extremes[0].sense * (s.objective or Decimal(0)))

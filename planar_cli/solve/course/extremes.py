@@ -29,6 +29,19 @@ def stationary(
     """The equations left when all linear unknowns but `kept` (times and sought constants) are eliminated, and the
     condition that the objective is stationary; each as an equation of the motion.
     """
+    related, _, letters, condition = eliminated(equations, objective, unknowns, kept)
+    free = ", ".join(x.name for x in letters if x in kept and "__" not in x.name)
+    words = f"{like.words}, so it does not change with a small change of {free}"
+    found = [Equation(p, "link", "what is left when the others are put in", like.stop) for p in related]
+    return [*found, Equation(condition, "extreme", words, like.stop, mark=like.mark)]
+
+
+def eliminated(
+    equations: Sequence[Equation], objective: sp.Expr, unknowns: frozenset[sp.Symbol], kept: frozenset[sp.Symbol]
+) -> tuple[list[sp.Expr], sp.Expr, list[sp.Symbol], sp.Expr]:
+    """What is left of equations and objective, the unknowns in it, and the determinant that vanishes where the
+    objective is stationary. Undecided: more than one unknown is free, or too many are left.
+    """
     pool = [e.residual for e in equations if e.kind in PLAIN]
     pool = [p for p in pool if p.free_symbols & unknowns]
     x_of = True
@@ -54,10 +67,7 @@ def stationary(
         raise Undecided("what is largest or smallest here depends on several unknowns at once")
     rows = [[sp.diff(p, x) for x in letters] for p in (*related, objective)]
     condition = _proper(simplified(sp.Matrix(rows).det(method="berkowitz")), unknowns)
-    free = ", ".join(x.name for x in letters if x in kept and "__" not in x.name)
-    words = f"{like.words}, so it does not change with a small change of {free}"
-    found = [Equation(p, "link", "what is left when the others are put in", like.stop) for p in related]
-    return [*found, Equation(condition, "extreme", words, like.stop, mark=like.mark)]
+    return related, objective, letters, condition
 
 
 def _linear_in(residual: sp.Expr, candidates: frozenset[sp.Symbol]) -> sp.Symbol | None:
