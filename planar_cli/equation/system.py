@@ -190,10 +190,14 @@ class System:
         return found + self._rest(quantities.motion, level)
 
     def balanced(self) -> tuple[str | None, ...]:
-        """The bodies in equilibrium; where everything is and no `motion` drives anything, all of them."""
+        """The bodies in equilibrium; where everything is and no `motion` drives anything, all of them. Of several
+        states those in equilibrium are found by the motion near them.
+        """
         named = self.statements.equilibrium
         driven = any(always for _, always in self.statements.relations)
-        return named if driven or None not in named else tuple(self.scene.bodies)
+        if driven or None not in named or self.scene.problem.states:
+            return named
+        return tuple(self.scene.bodies)
 
     def _rest(self, motion: Motion, level: int) -> list[Condition]:
         found = []
