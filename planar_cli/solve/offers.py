@@ -44,9 +44,19 @@ class Group:
 
 
 class Offers:
-    """Makes all candidates of a system. `kinetics` False: only relations of motion."""
+    """Makes all candidates of a system. `kinetics` False: only relations of motion; `constructed` False: only named
+    points and directions.
+    """
 
-    def __init__(self, system: System, numbers: Numbers, conditions: list[Condition], kinetics: bool) -> None:
+    def __init__(
+        self,
+        system: System,
+        numbers: Numbers,
+        conditions: list[Condition],
+        kinetics: bool,
+        constructed: bool = True,
+    ) -> None:
+        self.constructed = constructed
         self.system, self.numbers, self.conditions, self.kinetics = system, numbers, conditions, kinetics
         self.scene = system.scene
         self.index = {x: j for j, x in enumerate(numbers.unknowns)}
@@ -222,6 +232,8 @@ class Offers:
         named = self._named_points(group)
         for name, place in named.items():
             found.append(self._moment(group, place, name, c.NAMED_POINT))
+        if not self.constructed:
+            return c.cheapest(found)
         points = [(self.numbers.value(place.x), self.numbers.value(place.y)) for place in named.values()]
         lines = list(group.lines.items())
         for i, (j, a) in enumerate(lines):

@@ -44,7 +44,7 @@ class Stage:
 @dataclass(slots=True)
 class StageMaker:
     """Makes a stage of one system. `value`: numbers of everything that is known before it. `letters`: velocities that
-    stay letters, as in a position that is left general.
+    stay letters, as in a position that is left general. `constructed`: may moment centres be intersections of lines?
     """
 
     system: System
@@ -52,6 +52,7 @@ class StageMaker:
     symbolic: bool
     next_number: int = 1
     letters: frozenset[sp.Symbol] = frozenset()
+    constructed: bool = True
 
     def velocities(self, targets: set[sp.Symbol], known: dict[sp.Symbol, Decimal]) -> Stage:
         """The velocities that are needed; `known`: those that are zero."""
@@ -92,7 +93,7 @@ class StageMaker:
         missing = [t for t in targets if t in index and not fixed & (1 << index[t])]
         wanted &= ~sum(1 << index[t] for t in missing)
         planner.fixed = fixed
-        if kinetics:
+        if kinetics and self.constructed:
             wanted_columns = [index[t] for t in targets if t in index and t not in missing]
             extra, seed = adjoint_candidates(offers, wanted_columns)
             candidates += extra
@@ -129,7 +130,7 @@ class StageMaker:
         zero: list[sp.Symbol] = []
         columns = Numbers(tuple(unknowns), frozenset(unknowns), self.value)
         while True:
-            offers = Offers(self.system, columns, conditions, kinetics)
+            offers = Offers(self.system, columns, conditions, kinetics, self.constructed)
             found = offers.all()
             single = {c.mask for c in found if c.mask.bit_count() == 1 and not c.row[-1]}
             idle = {columns.unknowns[mask.bit_length() - 1] for mask in single} - targets

@@ -309,12 +309,14 @@ class Follower:
         if not equations:
             return None
         gs = [self.function(d.residual, stop, leg) for d in equations]
-        first = max(range(len(gs)), key=lambda k: not is_still(gs[k], leg))
-        for root in itertools.islice(events(gs[first], leg), 60):
-            if all(is_zero(g, root.value, leg) for k, g in enumerate(gs) if k != first) and self._allowed(
-                demands, stop, leg, root.value
-            ):
-                return root.value
+        order = sorted(range(len(gs)), key=lambda k: is_still(gs[k], leg))
+        # A limiting case turns back just before one of its relations holds, and passes the others.
+        for first in order if len(gs) > 1 else order[:1]:
+            for root in itertools.islice(events(gs[first], leg), 60):
+                if all(is_zero(g, root.value, leg) for k, g in enumerate(gs) if k != first) and self._allowed(
+                    demands, stop, leg, root.value
+                ):
+                    return root.value
         return None
 
     def function(self, residual: sp.Expr, stop: Stop, leg: Leg) -> Callable[[float], float]:

@@ -37,7 +37,7 @@ from planar_cli.solve.instant import make_instant, search_modes
 
 CHANGES = 40
 BLOW = " blow"
-AGREE = 1e-6
+AGREE, SMALL = 1e-6, 1e-3
 STAYS = "it begins at rest in equilibrium, where every acceleration vanishes: nothing moves"
 
 
@@ -291,7 +291,7 @@ class Unfolder:
             if other is not None:
                 changed = changed or other
                 continue
-            if followed.missed is None and self._same(followed, branch):
+            if followed.missed is None and self._same(course, followed, branch):
                 more = {s: Decimal(repr(v)) for s, v in followed.values.items() if s not in branch.values}
                 found = Unfolded(course, finds, branch, followed, value.extended(more), frozenset(more))
                 if not course.sought() or not passed_before(course, followed, value):
@@ -343,9 +343,16 @@ class Unfolder:
                 raise wrong
 
     @staticmethod
-    def _same(followed: Followed, branch: Branch) -> bool:
-        for s, v in followed.values.items():
-            if s in branch.values and abs(float(branch.values[s]) - v) > AGREE * max(abs(v), 1e-3):
+    def _same(course: Course, followed: Followed, branch: Branch) -> bool:
+        """Do followed numbers and branch agree, measured by the largest value that a letter has in any state?"""
+        sizes: dict[sp.Symbol, float] = {}
+        general = {own: s for stop in course.stops.values() for s, own in stop.letters.items()}
+        for own, v in followed.values.items():
+            letter = general.get(own, own)
+            sizes[letter] = max(sizes.get(letter, SMALL), abs(v))
+        for own, v in followed.values.items():
+            off = abs(float(branch.values[own]) - v) if own in branch.values else 0.0
+            if off > AGREE * sizes[general.get(own, own)]:
                 return False
         return True
 
