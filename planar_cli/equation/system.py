@@ -22,6 +22,7 @@ from planar_cli.equation.natural import natural_pushes
 from planar_cli.equation.quantities import Quantities, quantities_of
 from planar_cli.equation.reactions import Reactions
 from planar_cli.equation.scene import Scene
+from planar_cli.equation.swaying import ROPES, sways
 from planar_cli.problem.expression import AtRest, Equilibrium, Extreme, Quantity, Relation, Statement, Word
 from planar_cli.problem.facts import Law, Mode, Push, Skid, Wrench
 
@@ -103,27 +104,14 @@ class System:
         self.reactions = self._reactions()
 
     def hanging(self) -> set[sp.Symbol]:
-        """Velocities of bodies that hang straight down on ropes alone, across them, where nothing sets them swinging."""
-        ropes = {name for name, mode in self.modes.items() if mode.name in ("taut", "slack")}
+        """Velocities across ropes of bodies that hang straight down on them alone, where nothing makes them sway."""
+        ropes = {name for name, mode in self.modes.items() if mode.name in ROPES}
         found = set()
         for edge in self.tree.edges:
-            if (edge.joining is None or edge.joining.joint in ropes) and not self._swings(edge.body):
+            on_rope = edge.joining is None or edge.joining.joint in ropes
+            if on_rope and not sways(self.scene, self.modes.values(), edge.body):
                 found |= {s for s in (edge.slide, edge.rise) if s is not None}
         return found if ropes else set()
-
-    def _swings(self, body: str) -> bool:
-        """Is a body struck or sent off sideways, or does a rope pull it aslant where it is drawn?"""
-        if body in self.scene.problem.struck or self.scene.problem.plane == "horizontal":
-            return True
-        if self.scene.displacement is None:
-            return False
-        drawn = {c.symbol: c.drawn for c in self.scene.displacement.coordinates if c.drawn is not None}
-        facts = [mode.facts for mode in self.modes.values() if mode.name in ("taut", "slack")]
-        segments = [s for f in facts for row in f.rows for s in row.segments]
-        ends = [s.direction for s in segments if body in (s.start.body, s.end.body)]
-        swung = [j for f in facts for j in f.joinings if body in (j.mover, j.base) and j.path is not None]
-        ends += [j.path.tangent.turned() for j in swung if j.path is not None]
-        return any(not self.scene.is_zero(d.x.xreplace(drawn)) for d in ends)
 
     def states(self, level: int) -> bool:
         """Does the file state anything of this level: a velocity, or an acceleration or force?"""

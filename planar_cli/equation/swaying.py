@@ -1,0 +1,81 @@
+"""Whether what hangs on a rope may sway: what hangs straight down does so only where the file says so."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from planar_cli.equation.scene import Scene
+from planar_cli.problem.expression import Quantity, Relation, Side
+from planar_cli.problem.facts import Facts, Joining, Mode
+from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scene import GROUND
+from planar_cli.problem.walk import walk
+
+ROPES = ("taut", "slack")
+ASIDE = ("x", "angle", "theta")
+"""Parts of a place or a velocity that tell of sideways motion; of what can only sway, any part does."""
+
+
+def sways(scene: Scene, modes: Iterable[Mode], body: str) -> bool:
+    """Is a body struck or sent off sideways, does a rope pull it aslant where it is drawn, or does none hold it?"""
+    if body in scene.problem.struck or scene.problem.plane == "horizontal":
+        return True
+    if scene.displacement is None:
+        return False
+    facts = [_held(mode) for mode in modes if mode.name in ROPES]
+    ties = [j for f in facts for j in f.joinings if body in (j.mover, j.base) and j.path is not None]
+    drawn = {c.symbol: c.drawn for c in scene.displacement.coordinates if c.drawn is not None}
+    ends = _directions(facts, ties, body)
+    if not ends or any(not scene.is_zero(d.x.xreplace(drawn)) for d in ends):
+        return True
+    return _sent_aside(scene, body, any(GROUND in (j.mover, j.base) for j in ties))
+
+
+def _held(mode: Mode) -> Facts:
+    """What a rope keeps while it is taut."""
+    return mode.touching if mode.parted else mode.facts
+
+
+def _directions(facts: list[Facts], ties: list[Joining], body: str) -> list[Vec]:
+    """The directions in which ropes pull a body."""
+    segments = [s for f in facts for row in f.rows for s in row.segments]
+    found = [s.direction for s in segments if body in (s.start.body, s.end.body)]
+    return found + [j.path.tangent.turned() for j in ties if j.path is not None]
+
+
+def _sent_aside(scene: Scene, body: str, tied: bool) -> bool:
+    """Does a state give a body a velocity sideways, or a later one another place? `tied`: to a fixed point, so that it
+    can only sway.
+    """
+    for i, state in enumerate(scene.problem.states):
+        for relation in state.relations:
+            if not isinstance(relation, Relation) or relation.operator != "=":
+                continue
+            for q, other in _quantities(relation):
+                if q.things[:1] and body not in (q.things[0], scene.owner(q.things[0])):
+                    continue
+                parts = [p.kind for p in q.parts]
+                aside = any(kind in ASIDE for kind in parts) or q.word == "x" or tied
+                if q.word == "v" and aside and not _is_zero(scene, other):
+                    return True
+                if q.word in ("x", "r") and i and aside and not has_quantity(other):
+                    return True
+    return False
+
+
+def _quantities(relation: Relation) -> Iterator[tuple[Quantity, Side]]:
+    """The quantities that a relation equates to something."""
+    for side, other in ((relation.left, relation.right), (relation.right, relation.left)):
+        for node in walk(side):
+            if isinstance(node, Quantity) and node.things:
+                yield node, other
+
+
+def has_quantity(side: Side) -> bool:
+    """Does a quantity stand in a side?"""
+    return any(isinstance(node, Quantity) for node in walk(side))
+
+
+def _is_zero(scene: Scene, side: Side) -> bool:
+    """Is a side plainly zero?"""
+    return not has_quantity(side) and scene.value(side) == 0
