@@ -184,7 +184,7 @@ class Valuation:
             return product
         if getattr(expr, "is_Pow", False) and expr.exp.is_Integer and expr.exp > 0:
             return self.size(expr.base) ** int(expr.exp)
-        slope = SLOPES.get(getattr(expr, "func", None))
+        slope = SLOPES.get(getattr(expr, "func", type(None)))
         if slope is not None:
             # What is lost in the argument is lost in the value: cos(pi/2) is no small number, it is zero.
             return abs(self(expr)) + self.size(expr.args[0]) * abs(slope(self(expr.args[0])))

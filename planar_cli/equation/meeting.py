@@ -58,11 +58,11 @@ def meeting_of(scene: Scene, between: tuple[str, ...], normal: Vec | None, mark:
 def _partner(scene: Scene, name: str) -> Partner:
     surface = scene.surfaces.get(name)
     if surface is not None:
-        body, shape = surface.body or GROUND, surface.shape
-        if isinstance(shape, Line):
-            return Partner(name, body, line=(scene.point(shape.through), scene.surface_angle(surface)))
-        if isinstance(shape, Circle):
-            return Partner(name, body, scene.point(shape.center), scene.value(shape.radius))
+        body, form = surface.body or GROUND, surface.shape
+        if isinstance(form, Line):
+            return Partner(name, body, line=(scene.point(form.through), scene.surface_angle(surface)))
+        if isinstance(form, Circle):
+            return Partner(name, body, scene.point(form.center), scene.value(form.radius))
         return Partner(name, body)
     if name == GROUND:
         return Partner(name, GROUND)
@@ -99,7 +99,7 @@ def _corners(scene: Scene, name: str, shape: Plate) -> tuple[Vec, ...]:
 
 
 def _point(scene: Scene, a: Partner, b: Partner) -> Vec | None:
-    for one, other in ((a, b), (b, a)):
+    for one in (a, b):
         if one.particle:
             return one.center
     if a.center is not None and b.center is not None:
@@ -119,9 +119,10 @@ def _point(scene: Scene, a: Partner, b: Partner) -> Vec | None:
 
 def _between_rims(scene: Scene, a: Partner, b: Partner) -> Vec:
     """On the line of centres; a body inside a ring touches it beyond its own centre."""
-    assert a.center is not None
-    assert b.center is not None
     moving, other = (b, a) if a.body == GROUND else (a, b)
+    assert moving.center is not None
+    assert other.center is not None
+    assert other.radius is not None
     reach = other.center - moving.center
     inside = scene.surfaces.get(other.name) is not None and scene.sign(other.radius**2 - reach.dot(reach)) > 0
     out = reach / scene.length(reach) * (-1 if inside else 1)
@@ -137,7 +138,7 @@ def _on_rim(scene: Scene, one: Partner, other: Partner) -> Vec | None:
     if other.line is not None:
         start, along = other.line
         way = (one.center - start).dot(along)
-        foot = start + along * way
+        foot: Vec = start + along * way
         if not other.corners:
             return foot
         reach = (other.corners[1] - other.corners[0]).dot(along)
@@ -169,15 +170,15 @@ def _normal(scene: Scene, a: Partner, b: Partner, point: Vec, mark: Mark) -> Vec
             if other.line is None or other.corners:
                 out = point - partner.center
                 if not scene.is_zero(out.dot(out)):
-                    return out / scene.length(out)
+                    return _unit(scene, out)
     for partner in sorted((a, b), key=lambda p: bool(p.corners)):
         if partner.line is not None:
-            return partner.line[1].turned()
+            return _turned(partner.line[1])
     if a.particle and b.particle:
         assert a.center is not None
         assert b.center is not None
         reach = b.center - a.center
-        return None if scene.is_zero(reach.dot(reach)) else reach / scene.length(reach)
+        return None if scene.is_zero(reach.dot(reach)) else _unit(scene, reach)
     for partner in (a, b):
         if partner.name in scene.surfaces or partner.name in scene.bodies:
             try:
@@ -185,8 +186,17 @@ def _normal(scene: Scene, a: Partner, b: Partner, point: Vec, mark: Mark) -> Vec
             except FileProblem:
                 continue
             if tangent is not None:
-                return tangent.turned()
+                return _turned(tangent)
     return None
+
+
+def _unit(scene: Scene, v: Vec) -> Vec:
+    length = scene.length(v)
+    return Vec(v.x / length, v.y / length)
+
+
+def _turned(v: Vec) -> Vec:
+    return Vec(-v.y, v.x)
 
 
 def _side(scene: Scene, a: Partner, b: Partner, normal: Vec, point: Vec) -> int:

@@ -11,7 +11,7 @@ import sympy as sp
 
 from planar_cli.equation.evaluate import refuse
 from planar_cli.equation.motion import Motion
-from planar_cli.equation.plain import MANY, longer, simplified
+from planar_cli.equation.plain import MANY, longer, operations, simplified
 from planar_cli.equation.quantities import quantities_of
 from planar_cli.equation.scene import Scene
 from planar_cli.equation.struck import StruckScene
@@ -55,7 +55,9 @@ class Moving:
             return root
         plain = sp.sqrt(simplified(root**2))
         sides = plain.atoms(sp.Abs)
-        return plain.xreplace({a: self.sign(a.args[0]) * a.args[0] for a in sides}) if sides else root
+        if sides:
+            return plain.xreplace({a: self.sign(a.args[0]) * a.args[0] for a in sides})
+        return plain if 2 * operations(plain) < operations(root) else root
 
     def against(self, velocity: Vec, size: sp.Expr) -> Vec:
         """A force of a given size against a velocity. In a general position it is right whichever way things move."""

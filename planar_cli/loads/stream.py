@@ -110,7 +110,7 @@ class Stream(Load):
         if not scene.is_zero(way.dot(way)):
             push = way.turned() * (-2 * rate * turn)
             found.append(Wrench(self.name, "stream", self.body, center, push, 0, 2 * rate * turn * scene.length(way)))
-        couple = turn * rate * sum(sense * arm.dot(arm) for arm, sense in arms)
+        couple = turn * rate * sum(sense * scene.length(arm) ** 2 for arm, sense in arms)
         if not scene.is_zero(couple):
             found.append(Wrench(self.name, "stream", self.body, center, None, couple, couple))
         return tuple(found)

@@ -76,7 +76,11 @@ def blows_have_spans(scope: Scope) -> Iterator[Diagnostic]:
             yield Diagnostic(
                 member.mark, "PL433", f"the {member.kind} does not say when it happens", "write `during: 1->2`"
             )
-        elif member.during is not None and set(member.during) <= set(scope.states) and after.get(member.during[1]) != member.during[0]:
+        elif (
+            member.during is not None
+            and set(member.during) <= set(scope.states)
+            and after.get(member.during[1]) != member.during[0]
+        ):
             start, end = member.during
             message = f"the {member.kind} takes no time, but state {end} is not just after state {start}"
             yield Diagnostic(member.mark, "PL433", message, f"write `{end}: [just after {start}]`")

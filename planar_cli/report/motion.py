@@ -306,7 +306,11 @@ class MotionTelling:
         formula = r.formula
         if formula is not None and formula.free_symbols & self.varying:
             return self.phrases.math(r.unknown), self.phrases.math(formula)
-        if formula is not None and not longer(formula, self._longest(r)) and (not formula.is_number or self.phrases.symbolic):
+        if (
+            formula is not None
+            and not longer(formula, self._longest(r))
+            and (not formula.is_number or self.phrases.symbolic)
+        ):
             sides.append(self.phrases.math(formula))
             numbers = self.phrases.numbers(formula)
             if numbers is not None and not formula.is_Symbol:

@@ -44,19 +44,11 @@ class Group:
 
 
 class Offers:
-    """Makes all candidates of a system. `kinetics` False: only relations of motion; `constructed` False: only named
-    points and directions.
-    """
+    """Makes all candidates of a system. `kinetics` False: only relations of motion; `constructed`: centres as well."""
 
-    def __init__(
-        self,
-        system: System,
-        numbers: Numbers,
-        conditions: list[Condition],
-        kinetics: bool,
-        constructed: bool = True,
-    ) -> None:
-        self.constructed = constructed
+    constructed = True
+
+    def __init__(self, system: System, numbers: Numbers, conditions: list[Condition], kinetics: bool) -> None:
         self.system, self.numbers, self.conditions, self.kinetics = system, numbers, conditions, kinetics
         self.scene = system.scene
         self.index = {x: j for j, x in enumerate(numbers.unknowns)}

@@ -64,7 +64,7 @@ def solve_problem(problem: Problem, method: str | None = None) -> Solution:
                 earlier[f"{case.name}.{found.name}"] = Earlier(exact, found.unit.text)
     for part in parts:
         for instant in part.instants:
-            instant.method = chosen if members("principles")[chosen].inertia_as_force else "newton"
+            instant.method = chosen if members("principles")[chosen]().inertia_as_force else "newton"
     return Solution(problem, tuple(parts), {"solve": time.perf_counter() - started})
 
 

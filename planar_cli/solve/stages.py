@@ -130,7 +130,8 @@ class StageMaker:
         zero: list[sp.Symbol] = []
         columns = Numbers(tuple(unknowns), frozenset(unknowns), self.value)
         while True:
-            offers = Offers(self.system, columns, conditions, kinetics, self.constructed)
+            offers = Offers(self.system, columns, conditions, kinetics)
+            offers.constructed = self.constructed
             found = offers.all()
             single = {c.mask for c in found if c.mask.bit_count() == 1 and not c.row[-1]}
             idle = {columns.unknowns[mask.bit_length() - 1] for mask in single} - targets

@@ -225,7 +225,9 @@ def _hint(course: Course, followed: Followed, stop: Stop, value: Valuation) -> s
             return f"it was reached before, at t = {when:.4g} s: states stand in the order in which they happen"
     index = next(i for i, s in enumerate(course.states) if s.name == stop.name)
     regime = course.regimes[index - 1]
-    leg = follower.leg(regime, follower.begin(regime, followed.at, course.readers[course.states[index - 1].name].regime))
+    leg = follower.leg(
+        regime, follower.begin(regime, followed.at, course.readers[course.states[index - 1].name].regime)
+    )
     found = []
     for d in equations:
         g = follower.function(d.residual, stop, leg)

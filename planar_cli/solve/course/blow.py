@@ -218,12 +218,9 @@ class Blow:
 
 def asked_of_blows(problem: Any) -> list[str]:
     """Whose impulses the file asks for: names of joints, bodies or `all`."""
-    found = []
-    for formula in formulas(problem):
-        for node in walk(formula.tree):
-            if isinstance(node, Quantity) and node.word in ABOUT_PUSHES and node.things:
-                found.append(node.things[0])
-    return found
+    nodes = (node for formula in formulas(problem) for node in walk(formula.tree))
+    quantities = (node for node in nodes if isinstance(node, Quantity) and node.word in ABOUT_PUSHES)
+    return [q.things[0] for q in quantities if q.things]
 
 
 def make_blow(course: Course, i: int, span: Span, choice: tuple[int, ...] | None) -> Blow:

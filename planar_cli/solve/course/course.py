@@ -21,8 +21,8 @@ from planar_cli.solve.course.equations import (
     Laws,
     at_limits,
     drawn_equations,
-    kept_equations,
     ending_equations,
+    kept_equations,
     law_equations,
     laws_of,
     link_equations,
@@ -31,8 +31,7 @@ from planar_cli.solve.course.equations import (
 )
 from planar_cli.solve.course.extremes import stationary
 from planar_cli.solve.course.handing import edges_of
-from planar_cli.solve.course.impulses import impulse_equations
-from planar_cli.solve.course.impulse_momentum import Candidate, Integrated, candidates_of, integrated, momentum_equations
+from planar_cli.solve.course.laws_between import LawsBetween
 from planar_cli.solve.course.oscillation import Oscillation, tell_oscillations
 from planar_cli.solve.course.over_spans import Asked, ask_spans, tell_spans
 from planar_cli.solve.course.plot import Plot, Workshop, fixed_time
@@ -40,9 +39,6 @@ from planar_cli.solve.course.regime import Regime
 from planar_cli.solve.course.still import Still, stand_still
 from planar_cli.solve.course.takeover import handing_of, later_equations, resting_equations
 from planar_cli.solve.course.timeline import Demand, Reader, Stop, stop_of
-from planar_cli.solve.course.work_energy import Closed, Energies, closed_energies, energies_of, energy_equations
-
-
 
 TINY = Decimal("1e-15")
 
@@ -52,8 +48,9 @@ class Course:
     """The motion of one problem along one plot. `regimes[i]` acts from state i to the next; `beyond` from the last on.
     `readers`: who reads what a state states, `tellers`: what is asked of it and may jump there. `told`: what stand-ins
     for quantities about states are; `still`: the equilibrium states, solved; `spanned`: quantities over spans;
-    `swings`: about equilibrium states. `said`: by regime, what the file states and asks in it. `blows[i]`: between state i and the next; `handings`: by regime, the free speeds
-    of others in its own motion.
+    `swings`: about equilibrium states. `said`: by regime, what the file states and asks in it. `blows[i]`: between
+    state i and the next; `handings`: by regime, the free speeds of others in its own motion; `between`: laws of energy
+    and momentum.
     """
 
     problem: Problem
@@ -75,11 +72,7 @@ class Course:
     blows: dict[int, Blow] = field(default_factory=dict)
     handings: dict[int, dict[sp.Symbol, sp.Expr]] = field(default_factory=dict)
     said: dict[int, tuple[sp.Expr, ...]] = field(default_factory=dict)
-    impulses: dict[tuple[str, str, str], sp.Symbol] = field(default_factory=dict)
-    raw_energies: dict[int, Energies | None] = field(default_factory=dict)
-    energies: list[Closed | None] = field(default_factory=list)
-    raw_momenta: dict[int, list[Candidate]] = field(default_factory=dict)
-    momenta: list[list[Integrated]] = field(default_factory=list)
+    between: LawsBetween = field(default_factory=LawsBetween)
 
     @property
     def states(self) -> tuple[State, ...]:
@@ -149,18 +142,14 @@ class Course:
         self.said = {id(r.regime): tuple(r.exprs) for r in self.distinct_readers()}
         self._ask_handing()
         for regime in self.running():
-            energies = self._raw_energies(regime)
-            reader = next(r for r in self.distinct_readers() if r.regime is regime)
-            reader.exprs += [] if energies is None else energies.exprs()
-            reader.exprs += [e for c in self._raw_momenta(regime) for e in (c.momentum, c.rate)]
+            next(r for r in self.distinct_readers() if r.regime is regime).exprs += self.between.exprs(regime)
         for regime in self.distinct_regimes():
             exprs = [e for r in self.distinct_readers() if r.regime is regime for e in r.exprs]
             regime.work(exprs, any(r is regime for r in self.running()))
         for s in self.states:
             self.placed[s.name] = self.readers[s.name].demands(self.stops[s.name], always[s.name])
         self._strike()
-        self.energies = [closed_energies(r, self._raw_energies(r)) if r.runs else None for r in self.regimes]
-        self.momenta = [integrated(r, self._raw_momenta(r)) if r.runs else [] for r in self.regimes]
+        self.between.close(self.regimes)
         tell_oscillations(self)
         if self.spanned:
             tell_spans(self, raw)
@@ -179,16 +168,6 @@ class Course:
         regimes = self.distinct_regimes()
         return {s: e for r in regimes for s, e in edges_of(r.general.trial.system.tree).items() if s in r.free}
 
-    def _raw_energies(self, regime: Regime) -> Energies | None:
-        """What a regime has of energy, made once."""
-        return self.raw_energies.setdefault(id(regime), energies_of(regime.general))
-
-    def _raw_momenta(self, regime: Regime) -> list[Candidate]:
-        """The momenta of a regime that no unknown reaction changes, made once."""
-        if id(regime) not in self.raw_momenta:
-            self.raw_momenta[id(regime)] = candidates_of(regime.general)
-        return self.raw_momenta[id(regime)]
-
     def running(self) -> list[Regime]:
         """The regimes in which time passes, or in which what is asked of the last state is told."""
         found = [r for i, r in enumerate(self.regimes) if self.plot.stretches[i].blow is None]
@@ -197,13 +176,6 @@ class Course:
         if self.beyond is not None and (not self.blows_last or asked_after(self.problem, last)):
             found.append(self.beyond)
         return found
-
-    def impulse_letter(self, push: sp.Symbol, since: Stop, stop: Stop, unit: str) -> sp.Symbol:
-        """The letter for the impulse of a reaction between two states."""
-        key = (push.name, since.name, stop.name)
-        if key not in self.impulses:
-            self.impulses[key] = self.ledger.fresh(f"J_{push.name}__{stop.name}", unit)
-        return self.impulses[key]
 
     @property
     def blows_last(self) -> bool:
@@ -299,9 +271,7 @@ class Course:
             found += list(law_equations(laws, start, stop, regime, regime.general.value))
             found += list(link_equations(laws, start, stop, regime))
             found += list(kept_equations(regime, start, stop))
-            found += list(energy_equations(self, self.energies, i))
-            found += list(momentum_equations(self, self.momenta, i))
-            found += list(impulse_equations(self, i)) if self.problem.method == "momentum" else []
+            found += list(self.between.equations(self, i))
             if stop.t in self.infinite():
                 found += list(ending_equations(laws, stop, regime))
             found += list(resting_equations(regime, self.stops[self.states[i - 1].name], stop, self.handing(regime)))
@@ -340,7 +310,7 @@ class Course:
 
     def chain(self) -> Chain:
         """The solver of the equations."""
-        own = [*self.impulses.values(), *(s for blow in self.blows.values() for s in blow.letters)]
+        own = [*self.between.impulses.values(), *(s for blow in self.blows.values() for s in blow.letters)]
         unknowns = frozenset([*(v for s in self.stops.values() for v in s.letters.values()), *self.sought(), *own])
         times: dict[sp.Symbol, sp.Symbol | None] = {}
         angles: dict[sp.Symbol, sp.Symbol | None] = {}

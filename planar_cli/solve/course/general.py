@@ -26,7 +26,6 @@ from planar_cli.solve.solution import InstantSolution
 from planar_cli.solve.stages import Stage
 from planar_cli.solve.study import Velocities, solve_velocities
 
-
 IN_LOOPS = 150
 """Where loops close, longer formulas are followed in numbers only, and left as they come."""
 
@@ -36,9 +35,9 @@ class General:
     """One choice of modes in a general position.
 
     `coordinates`: what varies. `free`: the velocity unknowns that nothing else fixes; they are letters. `trial`: the
-    choice solved for draws of all letters. `position`: how the scene is displaced. `kept`: what joints
-    that act only for some time keep as it was; `parted`: those that hold nothing here. After `govern`: `rates` of coordinates and `accelerations` of free speeds
-    as formulas in coordinates, free speeds and t; `solution` tells how.
+    choice solved for draws of all letters. `position`: how the scene is displaced. `kept`: what joints that act only
+    for some time keep as it was; `parted`: those that hold nothing here. After `govern`: `rates` of coordinates and
+    `accelerations` of free speeds as formulas in coordinates, free speeds and t; `solution` tells how.
     """
 
     instant: Instant

@@ -29,10 +29,11 @@ def handed(speed: sp.Symbol, edge: Edge, motion: Motion, scene: Scene, after: bo
     if edge.joining is None:
         v = point_motion(scene.center(edge.body), edge.body)
         return v.x if speed == edge.slide else v.y
-    if edge.joining.path is None:
+    joining, path = edge.joining, edge.joining.path
+    if path is None:
         return None
-    joining = edge.joining
     relative: Vec = point_motion(joining.point, joining.mover) - point_motion(joining.point, joining.base)
     if joining.drift is not None:
         relative = relative - joining.drift
-    return relative.dot(joining.path.tangent)
+    along: sp.Expr = relative.dot(path.tangent)
+    return along

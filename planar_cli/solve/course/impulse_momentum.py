@@ -105,7 +105,7 @@ def _still(place: Vec) -> bool:
 def _groups(general: General) -> list[tuple[str, ...]]:
     """Every body alone, and all together."""
     bodies = tuple(general.instant.scene.bodies)
-    single = [(b,) for b in bodies[:MOST_BODIES]]
+    single: list[tuple[str, ...]] = [(b,) for b in bodies[:MOST_BODIES]]
     return [*single, bodies] if len(bodies) > 1 else single
 
 

@@ -20,6 +20,8 @@ from planar_cli.solve.course.regime import Regime
 from planar_cli.solve.course.timeline import Stop
 from planar_cli.solve.write import Written
 
+UNITS = {"N": "N*s", "N*m": "N*m*s"}
+
 if TYPE_CHECKING:
     from planar_cli.solve.course.course import Course
 
@@ -63,7 +65,7 @@ def _integrated(
         return None
     impulse = b.at(function) - a.at(function)
     for symbol, c in forces.terms.items():
-        impulse += c * course.impulse_letter(symbol, a, b, "N*m*s" if pushes[symbol].unit == "N*m" else "N*s")
+        impulse += c * course.between.impulse_letter(course.ledger, symbol, a, b, UNITS[pushes[symbol].unit])
     before, after = (sp.Add(*(c * s.at(regime.closed(rates[x])) for x, c in inertia.terms.items())) for s in (a, b))
     about = w.lead if w.law == "moment" else ""
     return Momentum(a, b, w.bodies, about, ARROWS.get(w.lead, "↗ "), before, after, impulse)
@@ -71,9 +73,6 @@ def _integrated(
 
 def _rates(regime: Regime) -> dict[sp.Symbol, sp.Expr]:
     """Acceleration unknowns with the velocities of which they are the rates."""
-    found: dict[sp.Symbol, sp.Expr] = {}
-    for e in regime.general.trial.system.tree.edges:
-        for speed, rate in ((e.slide, e.slide_rate), (e.rise, e.rise_rate), (e.spin, e.spin_rate)):
-            if speed is not None and rate is not None:
-                found[rate] = speed
-    return found
+    edges = regime.general.trial.system.tree.edges
+    pairs = [p for e in edges for p in ((e.slide, e.slide_rate), (e.rise, e.rise_rate), (e.spin, e.spin_rate))]
+    return {rate: speed for speed, rate in pairs if speed is not None and rate is not None}

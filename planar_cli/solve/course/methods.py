@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from typing import Any
 
 import sympy as sp
 
@@ -16,16 +17,22 @@ from planar_cli.solve.course.route import Route
 def laws_of_methods() -> frozenset[str]:
     """The kinds of law that belong to some method; all other equations are data, geometry or blows."""
     found: set[str] = set()
-    for principle in members("principles").values():
-        found |= principle.laws
+    for kind in members("principles"):
+        found |= _laws(kind)
     return frozenset(found)
+
+
+def _laws(kind: str) -> frozenset[str]:
+    principle: Any = members("principles")[kind]
+    laws: frozenset[str] = principle.laws
+    return laws
 
 
 def by_method(equations: Sequence[Equation], method: str | None) -> list[Equation]:
     """The equations that a method allows; None: all of them."""
     if method is None:
         return list(equations)
-    barred = laws_of_methods() - members("principles")[method].laws
+    barred = laws_of_methods() - _laws(method)
     return [e for e in equations if e.kind not in barred]
 
 

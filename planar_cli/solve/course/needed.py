@@ -44,7 +44,7 @@ def _acts(found: Unfolded, regime: Regime, source: Balance | Momentum) -> bool:
 
 def _speeds(found: Unfolded, regime: Regime) -> set[str]:
     """The velocities of which kinetic energies and momenta are made."""
-    raw = found.course.raw_energies.get(id(regime))
+    raw = found.course.between.energies.get(id(regime))
     exprs = [] if raw is None else [e for _, e in raw.kinetic]
-    exprs += [c.momentum for c in found.course.raw_momenta.get(id(regime), ())]
+    exprs += [c.momentum for c in found.course.between.momenta.get(id(regime), ())]
     return {s.name for e in exprs for s in e.free_symbols}

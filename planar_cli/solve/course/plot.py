@@ -127,7 +127,8 @@ def _span(problem: Problem, acts: Callable[[tuple[str, str] | None], bool]) -> S
     loads = tuple(x for x in problem.loads if acts(x.during) and not x.strikes)
     if joints == problem.joints and loads == problem.loads:
         return Span(problem, always)
-    strikes = (m for m in (*problem.joints, *problem.loads) if m.strikes)
+    members: tuple[Any, ...] = (*problem.joints, *problem.loads)
+    strikes = (m for m in members if m.strikes)
     struck = frozenset(name for m in strikes for name in (*getattr(m, "between", ()), getattr(m, "body", "")))
     return Span(replace(problem, joints=joints, loads=loads, struck=struck), always)
 

@@ -40,8 +40,9 @@ class Watch:
 @dataclass(slots=True)
 class Regime:
     """`rates`: of coordinates; `accelerations`: of free speeds; both closed formulas. `watches`: what must hold;
-    `slips`: speeds of slip, positive the way that is assumed; `gaps`: what has parted. `ways`: the signs of free speeds by name, where a law
-    asks for them; then it is written for this way. `runs`: time passes in it; else it only tells velocities at a blow.
+    `slips`: speeds of slip, positive the way that is assumed; `gaps`: what has parted. `ways`: the signs of free speeds
+    by name, where a law asks for them; then it is written for this way. `runs`: time passes in it; else it only tells
+    velocities at a blow.
     """
 
     general: General

@@ -12,9 +12,9 @@ from planar_cli.problem.scene import Problem
 from planar_cli.solve.course.agree import compared
 from planar_cli.solve.course.astray import missing
 from planar_cli.solve.course.complete import completed
+from planar_cli.solve.course.course import Course
 from planar_cli.solve.course.masses import demand_mass
 from planar_cli.solve.course.methods import by_method, demand_reached
-from planar_cli.solve.course.course import Course
 from planar_cli.solve.course.plot import Workshop
 from planar_cli.solve.course.reached import reaching
 from planar_cli.solve.course.route import Router

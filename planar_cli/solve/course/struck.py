@@ -1,4 +1,4 @@
-"""A blow as an instant of its own: the same search of modes and plan of equations, with impulses and velocities after."""
+"""A blow as an instant of its own: the same modes and plan of equations, with impulses and velocities after it."""
 
 from __future__ import annotations
 

@@ -78,8 +78,8 @@ class Demand:
 
 @dataclass(slots=True)
 class Reader:
-    """Reads statements and finds of a problem in one regime. `readers`: who reads at each state, by its name, `tellers`: what may
-    jump there; `stops`: all states.
+    """Reads statements and finds of a problem in one regime. `readers`: who reads at each state, by its name,
+    `tellers`: what may jump there; `stops`: all states.
 
     `pending`: stand-ins for quantities at other states, with who reads them there; `spans`: stand-ins for quantities
     over spans or about states, `told`: what these are, in letters of states.

@@ -28,6 +28,7 @@ from planar_cli.solve.course.timeline import Stop
 if TYPE_CHECKING:
     from planar_cli.solve.course.course import Course
 
+WORDS = {"weight": "weight of {}", "skid": "friction at {}"}
 LONGEST = 500
 """A longer kinetic energy is not put on paper."""
 
@@ -93,7 +94,8 @@ def energies_of(general: General) -> Energies | None:
     if any(j.drift is not None for f in facts for j in f.joinings) or any(r.rate != 0 for f in facts for r in f.rows):
         return None
     motion = general.quantities.motion
-    if any(general.time in (e.x.free_symbols | e.y.free_symbols) for e in (t.linear for t in motion.velocities.values())):
+    carried = [t.linear for t in motion.velocities.values()]
+    if any(general.time in v.x.free_symbols | v.y.free_symbols for v in carried):
         return None
     kinetic = []
     for name, body in scene.bodies.items():
@@ -118,7 +120,7 @@ def _sources(general: General) -> Iterator[Source]:
         k = stiffness.get(name)
         if kind == "spring" and k is not None:
             function = -(sp.sympify(wrenches[0].magnitude) ** 2) / (2 * scene.value(k))
-        words = f"weight of {name}" if kind == "weight" else f"friction at {name}" if kind == "skid" else f"{kind} {name}"
+        words = WORDS.get(kind, f"{kind} {{}}").format(name)
         yield Source(words, power, function)
     followers = {law.push for law in system.laws}
     for push, value in system.reactions.pushes:
