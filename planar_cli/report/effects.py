@@ -29,9 +29,12 @@ def effects(instant: InstantSolution) -> tuple[list[str], list[str]]:
         ("spring", "spring force"),
         ("damper", "damper force"),
         ("drag", "drag"),
+        ("stream", "stream of matter"),
     ):
         if kind in kinds:
             present.append(words)
+    if any(b.varies(scene.ledger.symbols["t"]) for b in scene.bodies.values()):
+        present.append("mass that varies")
     if has_mass:
         present += _contacts(instant)
     driven = [p.place for p in system.pushes if p.kind == "drive"]

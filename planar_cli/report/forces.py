@@ -75,9 +75,9 @@ def _push(push: Push, expr: sp.Expr, action: Any, phrases: Phrases, place: str) 
 
 
 def _at(instant: InstantSolution, point: Any) -> str:
-    """The name of a place."""
+    """The name of a place: a point, or the body whose mass centre it is."""
     scene, value = instant.instant.scene, instant.value
-    for name, place in scene.points.items():
+    for name, place in (*scene.points.items(), *((b, scene.center(b)) for b in scene.bodies)):
         if all(value.is_zero(getattr(place, a) - getattr(point, a)) for a in ("x", "y")):
             return f"at {name}"
     return ""
