@@ -21,7 +21,7 @@ from planar_cli.errors import Undecided
 from planar_cli.joints.base import Joint
 from planar_cli.loads.base import Load, mode_key
 from planar_cli.problem.facts import Mode, Push, Test
-from planar_cli.problem.keys import keys_of
+from planar_cli.problem.keys import Flow, keys_of
 from planar_cli.problem.scene import Problem
 from planar_cli.solve.asked import names_anywhere, quantities_in
 from planar_cli.solve.study import Outcome, Velocities, accelerate, solve_velocities
@@ -124,11 +124,10 @@ class Instant:
         for load in self.scene.problem.loads:
             for spec in keys_of(type(load)):
                 value = getattr(load, spec.name)
-                if (
-                    spec.name not in ("magnitude", "moment")
-                    and not isinstance(value, (str, tuple, type(None)))
-                    and names_in(value) & sought
-                ):
+                if spec.name in ("magnitude", "moment") or isinstance(value, (str, tuple, type(None))):
+                    continue
+                sides = (value.speed, value.angle) if isinstance(value, Flow) else (value,)
+                if any(names_in(side) & sought for side in sides):
                     return False
         return True
 
