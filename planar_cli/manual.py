@@ -19,7 +19,8 @@ PAGES = Path(__file__).parent / "problem" / "pages"
 SHELVES = ("joints", "loads", "principles")
 # The order in which a newcomer reads.
 ORDER = ("language", "sections", "names_units", "points_surfaces", "bodies", "joints", "loads", "quantities")
-AFTER = ("statements_instant", "motion_laws", "states", "finds", "spans", "oscillations", "paths_hodographs")
+AFTER = ("statements_instant", "motion_laws", "states", "blows_impacts", "finds", "spans", "methods")
+BEYOND = ("oscillations", "paths_hodographs")
 LAST = ("cases", "answers", "examples", "pitfalls")
 
 
@@ -31,7 +32,7 @@ def pages() -> dict[str, str]:
 
 
 def _place(path: Path) -> int:
-    order = (*ORDER, *AFTER, *LAST)
+    order = (*ORDER, *AFTER, *BEYOND, *LAST)
     return order.index(path.stem) if path.stem in order else len(order)
 
 

@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 
 import sympy as sp
 
-from planar_cli.equation.evaluate import Evaluator, refuse
+from planar_cli.equation.evaluate import Evaluator, demand_time, refuse
 from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.plain import simplified
 from planar_cli.problem.geometry import Vec
@@ -142,6 +142,7 @@ class MassReader:
         if body.mass is None:
             return ZERO
         mass = self.evaluator.value(body.mass)
+        demand_time(self.ledger, mass, body.mass.mark, f"the mass of {body.name}")
         if self._varies(mass):
             return mass
         return self._shown(mass, self._named("m", body), "kg", f"mass of {body.name}")
@@ -168,6 +169,7 @@ class MassReader:
         unit = "kg*m^2"
         if body.inertia is not None:
             value = self._with_mass(self.evaluator.value(body.inertia), mass, body)
+            demand_time(self.ledger, value, body.inertia.mark, f"the moment of inertia of {body.name}")
             if body.about is None:
                 return value if self._varies(value) else self._shown(value, name, unit, title)
             value = value - mass * self._shift(body, shape)

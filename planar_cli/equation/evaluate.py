@@ -44,6 +44,14 @@ def refuse(mark: Mark, code: str, message: str, hint: str = "") -> FileProblem:
     return FileProblem([Diagnostic(mark, code, message, hint)])
 
 
+def demand_time(ledger: Ledger, expr: sp.Expr, mark: Mark, what: str) -> None:
+    """FileProblem: `expr`, which is `what` in words, uses the time, and the time of this instant is not known."""
+    time = ledger.symbols["t"]
+    if time in expr.free_symbols and time not in ledger.letters and time not in ledger.values:
+        text = f"{what} has a value only at a time that is known"
+        raise refuse(mark, "PL590", text, "say at which time: `t = 2 s`")
+
+
 def no_quantity(quantity: Quantity) -> Jet:
     raise refuse(
         quantity.mark, "PL501", f"{quantity.word}(…) can not stand here", "write numbers and names of `given` here"

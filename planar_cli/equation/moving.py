@@ -9,7 +9,7 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.equation.evaluate import refuse
+from planar_cli.equation.evaluate import demand_time, refuse
 from planar_cli.equation.motion import Motion
 from planar_cli.equation.plain import MANY, longer, operations, simplified
 from planar_cli.equation.quantities import quantities_of
@@ -89,7 +89,9 @@ class Moving:
         """A magnitude, which may use velocities, or a table over time."""
         if isinstance(magnitude, Table):
             return self._over_time(magnitude, mark)
-        return quantities_of(self._scene, self._motion, None).evaluator.value(magnitude)
+        value = quantities_of(self._scene, self._motion, None).evaluator.value(magnitude)
+        demand_time(self._scene.ledger, value, mark, "what depends on t")
+        return value
 
     def heading(self, angle: sp.Expr) -> Vec:
         """The unit vector in a direction that may vary with the motion."""
@@ -99,9 +101,7 @@ class Moving:
         """Straight lines between the instants of a table, constant before the first and after the last."""
         scene = self._scene
         time = scene.ledger.symbols["t"]
-        if time not in scene.ledger.letters and time not in scene.ledger.values:
-            hint = "say at which time: `t = 2 s`"
-            raise refuse(mark, "PL590", "a table over time has a value only at a time that is known", hint)
+        demand_time(scene.ledger, time, mark, "a table over time")
         rows = [(scene.value(when), scene.value(value)) for when, value in table.rows]
         pieces: list[tuple[sp.Expr, Any]] = [(rows[0][1], time < rows[0][0])]
         for (t0, v0), (t1, v1) in pairwise(rows):

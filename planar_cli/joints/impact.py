@@ -19,9 +19,13 @@ class Impact(Joint):
     """Two bodies collide.
 
     Meaning
-        Between the states of `during` (the second is `just after` the first) the two bodies strike each other.
-        `normal` is the direction of the common normal, where the shapes leave it open. `restitution` is the ratio of
-        the speeds of separation and approach along it; left out, it is unknown. `mu` adds friction impulses.
+        Between the states of `during` (the second is `just after` the first) the two bodies strike each other; without
+        `during` in every blow in which they approach. They meet where a particle is, where a round rim touches, or with
+        the end of a rod or the corner of a plate that is nearest. `normal` is the direction of the common normal, where
+        the shapes leave it open (particles at one place, corners). `restitution` is the ratio of the speeds of
+        separation and approach along it; left out, it is unknown, and something is stated of the velocities after it.
+        `mu` adds a friction impulse; without it the impact is smooth. Several impacts in one blow happen at once, each
+        with its own restitution: planar explain blows.
 
     YAML
         title: Two balls collide head on
@@ -38,8 +42,9 @@ class Impact(Joint):
         find: {v_A: v(A).x @ 2, v_B: v(B).x @ 2}
 
     Equations
-        (v_B2 - v_A2) · n = -e (v_B1 - v_A1) · n;  equal and opposite impulses along n; across it each keeps its
-        momentum, or a friction impulse up to mu times the normal impulse acts.
+        (v_B2 - v_A2) · n = -e (v_B1 - v_A1) · n, of the points that touch; equal and opposite impulses along n. Across
+        it none, or a friction impulse: mu times the normal one against the sliding, or less where the points stick at
+        the end.
 
     Signs
         `impulse(j/b) @ 1->2` is the impulse on b, a vector.

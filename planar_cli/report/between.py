@@ -9,7 +9,7 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.plain import longer, simplified
-from planar_cli.report.blocks import Block, Equation, Line, Name, Paragraph, Text, line
+from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Paragraph, Text, line
 from planar_cli.report.forces import force_rows
 from planar_cli.report.words import Phrases
 from planar_cli.solve.course.blow import Blow
@@ -19,7 +19,7 @@ from planar_cli.solve.course.work_energy import Balance
 from planar_cli.solve.solution import InstantSolution
 from planar_cli.solve.write import Written
 
-LONGEST = 60
+LONGEST, MOST_NAMED = 60, 8
 FINITE = "weights, springs and other finite forces have no impulse in no time"
 
 
@@ -50,8 +50,8 @@ class BetweenTelling:
     # --- work and energy ---------------------------------------------------------------------------------------------
 
     def _energy(self, b: Balance, number: int) -> Iterator[Block]:
-        idle = f"; {b.idle} do no work" if b.idle else ""
-        yield Paragraph(line(f"From {b.since.name} to {b.stop.name}, work and kinetic energy{idle}:"))
+        head = f"From {b.since.name} to {b.stop.name}, work and kinetic energy"
+        yield Paragraph(line(head, *self._idle(b), ":"))
         before = self._put(b.before)
         first, last = f"T_{b.since.name}", f"T_{b.stop.name}"
         yield Equation((line(Name(first)), self.phrases.math(before)))
@@ -67,6 +67,14 @@ class BetweenTelling:
         work = sp.Add(*(w for _, w in works))
         lead = line(Name(first), " + ", Name("U"), " = ", Name(last), ":")
         yield Equation((self.phrases.math(before + work), self.phrases.math(after)), number, lead)
+
+    @staticmethod
+    def _idle(b: Balance) -> list[Any]:
+        """Which reactions do no work."""
+        if len(b.idle) > MOST_NAMED:
+            return ["; the reactions of all ideal joints do no work"]
+        named = [part for i, s in enumerate(b.idle) for part in (", " if i else "; ", Math(s))]
+        return [*named, " do no work" if len(b.idle) > 1 else " does no work"] if named else []
 
     # --- impulse and momentum ----------------------------------------------------------------------------------------
 

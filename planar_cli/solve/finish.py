@@ -65,7 +65,7 @@ class Finisher:
         kinetics = self._has_forces()
         maker = StageMaker(self.system, base, self.symbolic)
         targets = needed(exprs, unknowns) | (self._test_targets(unknowns) if self._asks_forces(exprs) else set())
-        self._demand_unique(needed(exprs, unknowns), finds)
+        self.demand_unique(needed(exprs, unknowns), finds)
         maker.value = self._drop(base, unknowns)
         acceleration = maker.accelerations(targets, kinetics) if targets else None
         stages = self._with_velocities(maker, exprs, acceleration)
@@ -136,7 +136,8 @@ class Finisher:
             return True
         return outcome.solved.unique(outcome.assembly.columns[name])
 
-    def _demand_unique(self, targets: set[sp.Symbol], finds: tuple[Find, ...]) -> None:
+    def demand_unique(self, targets: set[sp.Symbol], finds: tuple[Find, ...]) -> None:
+        """NoSolution: some of these pushes are not determined."""
         loose = sorted(s.name for s in targets if not self._unique(s))
         if loose:
             mark = finds[0].mark

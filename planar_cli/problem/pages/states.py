@@ -41,8 +41,11 @@ States that do not happen
 
 Each state complete in itself
   A file that says nothing of time may list several positions, each with its own velocities. These are solved apart.
-  `equilibrium` states stand apart too: planar explain oscillations. `just after 1` (same place and time as state 1; an
-  impact or impulse in between) is read, but a motion is solved only between blows.
+  `equilibrium` states stand apart too: planar explain oscillations.
+
+Just after
+  `just after 1` is at the same place and time as state 1; an impact, an impulse, or a joint that takes hold has changed
+  the velocities: planar explain blows.
 
 Time, a turning point, and a place that is reached too late or never:
 

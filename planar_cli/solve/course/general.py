@@ -23,7 +23,7 @@ from planar_cli.solve.course.places import held_places
 from planar_cli.solve.finish import Finisher
 from planar_cli.solve.instant import Instant, Trial
 from planar_cli.solve.solution import InstantSolution
-from planar_cli.solve.stages import Stage
+from planar_cli.solve.stages import Stage, acceleration_unknowns, needed
 from planar_cli.solve.study import Velocities, solve_velocities
 
 IN_LOOPS = 150
@@ -36,7 +36,7 @@ class General:
 
     `coordinates`: what varies. `free`: the velocity unknowns that nothing else fixes; they are letters. `trial`: the
     choice solved for draws of all letters. `position`: how the scene is displaced. `kept`: what joints that act only
-    for some time keep as it was; `parted`: those that hold nothing here. After `govern`: `rates` of coordinates and
+    for some time keep as it was; `parted`: those that hold nothing here; `resting`: free speeds that stay zero. After `govern`: `rates` of coordinates and
     `accelerations` of free speeds as formulas in coordinates, free speeds and t; `solution` tells how.
     """
 
@@ -50,6 +50,7 @@ class General:
     constraints: tuple[Constraint, ...]
     kept: tuple[Constraint, ...]
     parted: tuple[Parted, ...] = ()
+    resting: tuple[sp.Symbol, ...] = ()
     finisher: Finisher | None = None
     stages: list[Stage] = field(default_factory=list)
     solution: InstantSolution | None = None
@@ -73,6 +74,30 @@ class General:
                 if velocity == speed and rate is not None:
                     return rate
         return next(a for r, a in self.instant.scene.evaluator.motions.values() if r == speed and a is not None)
+
+    def unique(self, expr: sp.Expr) -> bool:
+        """Are all pushes in an expression determined?"""
+        solved = self.trial.outcomes[0].solved if self.trial.outcomes else None
+        columns = self.trial.outcomes[0].assembly.columns if self.trial.outcomes else {}
+        names = [n for n, s in self.trial.system.symbols.items() if s in expr.free_symbols and n in columns]
+        return solved is None or all(solved.unique(columns[n]) for n in names)
+
+    def demand_unique(self, exprs: Iterable[sp.Expr]) -> None:
+        """NoSolution: pushes in these expressions are not determined."""
+        unknowns = set(acceleration_unknowns(self.trial.system))
+        maker = Finisher(self.instant, self.trial, (), {})
+        maker.demand_unique(needed(list(exprs), unknowns), self.instant.scene.problem.find)
+
+    def impossible(self, state: Mapping[sp.Symbol, Decimal], known: Valuation) -> str:
+        """Why no distribution of what is not unique satisfies every test in a state; "" when one does. `state`: by the
+        letters, `known`: numbers of everything else.
+        """
+        draws = self.instant.scene.valuations[0]
+        here = Valuation({**draws.values, **known.values, **state}, draws.definitions)
+        given = {u: state.get(u, Decimal(0)) for u in (*self.free, *self.resting)}
+        trial = self.instant.try_choice(self.choice, (here,), given=given)
+        failed = trial.outcomes[0].failed if trial.outcomes else ()
+        return next((test.words for test, number in failed if number is None), "")
 
     def govern(self, exprs: Iterable[sp.Expr]) -> None:
         """Work out everything that these expressions need."""
@@ -155,6 +180,7 @@ def _general(
     independent = _independent(found, system.tree.velocity_unknowns(), displacement)
     given = {s: Decimal("0.71") + Decimal(i) / 7 for i, s in enumerate(independent)}
     given |= {s: Decimal(0) for s in independent if s.name in resting}
+    rests = tuple(s for s in independent if s.name in resting)
     independent = tuple(s for s in independent if s.name not in resting)
     trial = instant.try_choice(choice, valuations, given=given)
     if trial.objection == "contradiction" and instant.add_drivers():
@@ -162,7 +188,8 @@ def _general(
     quantities = trial.system.quantities() if trial.outcomes else trial.system.quantities_of(trial.system.first, None)
     coordinates = (*_user_coordinates(instant), *displacement.coordinates)
     parted = parted_joints(drawn, choice, displacement, coordinates, quantities.motion) if loose else ()
-    return General(instant, choice, coordinates, independent, trial, quantities, course, constraints, kept, parted)
+    place = (quantities, course, constraints, kept, parted, rests)
+    return General(instant, choice, coordinates, independent, trial, *place)
 
 
 def _independent(found: Velocities, tree: tuple[sp.Symbol, ...], displacement: Displacement) -> tuple[sp.Symbol, ...]:

@@ -103,8 +103,11 @@ def gaps_of(regime: Regime) -> Iterator[Gap]:
     numbers |= {u: DRAW + Decimal(i) / 7 for i, u in enumerate(general.free)}
     value = base.extended(numbers)
     for parted in general.parted:
-        rate = sp.diff(parted.residual, regime.time)
-        rate += sum(sp.diff(parted.residual, q) * r for q, r in regime.rates.items())
+        # What stands between bars keeps its sign until the gap has closed again.
+        bars = {a: a.args[0] if value(a.args[0]) >= 0 else -a.args[0] for a in parted.residual.atoms(sp.Abs)}
+        kept = parted.residual.xreplace(bars)
+        rate = sp.diff(kept, regime.time)
+        rate += sum(sp.diff(kept, q) * r for q, r in regime.rates.items())
         senses = []
         for index, opening in parted.openings:
             try:
@@ -114,7 +117,7 @@ def gaps_of(regime: Regime) -> Iterator[Gap]:
             if grows:
                 senses.append((index, 1 if grows > 0 else -1))
         if senses:
-            yield Gap(parted.joint, parted.words, parted.residual, tuple(senses))
+            yield Gap(parted.joint, parted.words, kept, tuple(senses))
 
 
 __all__ = ["Gap", "Parted", "gaps_of", "parted_joints", "parted_modes"]

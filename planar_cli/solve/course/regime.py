@@ -42,7 +42,8 @@ class Regime:
     """`rates`: of coordinates; `accelerations`: of free speeds; both closed formulas. `watches`: what must hold;
     `slips`: speeds of slip, positive the way that is assumed; `gaps`: what has parted. `ways`: the signs of free speeds
     by name, where a law asks for them; then it is written for this way. `runs`: time passes in it; else it only tells
-    velocities at a blow.
+    velocities at a blow. `loose`: tests of modes hold pushes that are not determined; `undetermined`: what is needed
+    and rests on such.
     """
 
     general: General
@@ -55,6 +56,8 @@ class Regime:
     gaps: tuple[Gap, ...] = ()
     balance: tuple[sp.Expr, sp.Expr] | None = None
     runs: bool = False
+    loose: bool = False
+    undetermined: list[sp.Expr] = field(default_factory=list)
 
     @property
     def time(self) -> sp.Symbol:
@@ -86,17 +89,17 @@ class Regime:
         self.balance = balance_of(general) if runs else None
         self.exprs += wanted
         general.closed_forms.clear()
-        general.govern(
-            [
-                *rates.values(),
-                *accelerations.values(),
-                *(w.expr for w in watches),
-                *slips,
-                *(self.balance or ()),
-                *(opening for p in general.parted for _, opening in p.openings),
-                *self.exprs,
-            ]
-        )
+        every = [
+            *rates.values(),
+            *accelerations.values(),
+            *(w.expr for w in watches),
+            *slips,
+            *(self.balance or ()),
+            *(opening for p in general.parted for _, opening in p.openings),
+            *self.exprs,
+        ]
+        self.undetermined = [e for e in every if not general.unique(e)]
+        general.govern(e for e in every if e not in self.undetermined)
         self.rates = {s: self.closed(e) for s, e in rates.items()}
         self.accelerations = {u: self.closed(e) for u, e in accelerations.items()}
         told = self.told
@@ -153,6 +156,7 @@ class Regime:
         """The tests of pushes in the assumed modes, where they are unique."""
         system = self.general.trial.system
         found = []
+        self.loose = False
         assert system.reactions is not None
         values = {p.name: e for p, e in system.reactions.pushes}
         for mode in system.modes.values():
@@ -160,9 +164,11 @@ class Regime:
                 if test.within or test.row is not None or test.joining is not None:
                     continue
                 parts = [factor * values[name] for name, factor in test.pushes if name in values]
-                expr = sp.Add(*parts, test.constant)
-                if expr != 0:
-                    found.append(Watch(test, sp.sympify(expr)))
+                expr = sp.sympify(sp.Add(*parts, test.constant))
+                if expr != 0 and not self.general.unique(expr):
+                    self.loose = True
+                elif expr != 0:
+                    found.append(Watch(test, expr))
         return tuple(found)
 
     def _sliding(self) -> list[sp.Expr]:

@@ -18,19 +18,18 @@ import sympy as sp
 from planar_cli.calculus.flow import Flow
 from planar_cli.equation.exact import Valuation
 from planar_cli.solve.course.after import asked_after
+from planar_cli.solve.course.beginning import demand_possible, handed_number, objection
 from planar_cli.solve.course.course import Course
 from planar_cli.solve.course.dying import by_formula, steady_time
 from planar_cli.solve.course.equations import is_speed
 from planar_cli.solve.course.events import SLACK, Leg, State, events, is_still, is_zero, length_of, swing_of
-from planar_cli.solve.course.gaps import closes_at_once, closing, openings
+from planar_cli.solve.course.gaps import closing, openings
 from planar_cli.solve.course.plot import fixed_time
 from planar_cli.solve.course.regime import Regime, corners, number_function
 from planar_cli.solve.course.timeline import Demand, Stop
-from planar_cli.solve.course.ways import becomes_negative, ways_at
+from planar_cli.solve.course.ways import ways_at
 
 CHOICES = 8
-MOVES = 1e-7
-"""A larger speed is one, in m/s or rad/s."""
 SMALL = 1e-4
 """This part of the size of the scene, or of a radian, counts as no smaller size."""
 
@@ -116,7 +115,7 @@ class Follower:
     def _fits(self, i: int, regime: Regime, begun: State, before: State) -> bool:
         """Do the assumptions of a regime hold where it takes over, at state i?"""
         done = self.done
-        done.why = self._misfit(regime, begun, before) or self._presses(i, regime, begun)
+        done.why = objection(self.course, i, regime, begun, before, self.value)
         done.ways = {} if done.why else ways_at(regime, begun, self.value)
         done.misfit = i if done.why or done.ways else None
         return done.misfit is None
@@ -128,7 +127,7 @@ class Follower:
                 self.done.values[own] = state[letter]
         if all(s in state for s in regime.letters):
             for letter, expr in self.course.handing(regime).items():
-                self.done.values[stop.letters[letter]] = self._handed(regime, expr, state)
+                self.done.values[stop.letters[letter]] = handed_number(regime, expr, state, self.value)
 
     # --- beginning ---------------------------------------------------------------------------------------------------
 
@@ -138,70 +137,18 @@ class Follower:
         handing = self.course.handings[id(old)] if all(s in state for s in old.letters) else {}
         for c in regime.coordinates:
             if c.symbol in handing:
-                begun[c.symbol] = self._handed(old, handing[c.symbol], state)
+                begun[c.symbol] = handed_number(old, handing[c.symbol], state, self.value)
             elif c.symbol not in begun and c.drawn is not None:
                 begun[c.symbol] = float(self.value(c.drawn))
         for u in regime.free:
             if u not in begun and u in handing:
-                begun[u] = self._handed(old, handing[u], state)
+                begun[u] = handed_number(old, handing[u], state, self.value)
             begun.setdefault(u, 0.0)
         lost = self.course.handings[id(regime)]
         return {s: v for s, v in begun.items() if s in regime.letters or not (is_speed(s) or s in lost)}
 
-    def _handed(self, old: Regime, expr: sp.Expr, state: State) -> float:
-        """A letter of another regime in the motion of an old one."""
-        return number_function([old.closed(expr)], list(state), self.value)(*state.values())[0]
-
     def _numbers(self, regime: Regime, exprs: Sequence[sp.Expr]) -> Callable[..., list[float]]:
         return number_function(exprs, regime.letters, self.value)
-
-    def _misfit(self, regime: Regime, state: State, before: State) -> str:
-        """Why the assumptions of a regime do not hold at its beginning; "" when they do."""
-        here = [state[s] for s in regime.letters]
-        for symbol, number in before.items():
-            if symbol in regime.letters or not is_speed(symbol) or abs(number) <= MOVES:
-                continue
-            handing = self.course.handings[id(regime)]
-            kept = self._handed(regime, handing[symbol], {**before, **state}) if symbol in handing else 0.0
-            if self._alone(symbol, regime) and abs(kept - number) > MOVES * max(1.0, abs(number)):
-                return "it moves"
-        if regime.watches:
-            values = self._numbers(regime, [w.expr for w in regime.watches])(*here)
-            for watch, v in zip(regime.watches, values, strict=True):
-                if v < -SLACK * max(1.0, abs(v)):
-                    return watch.test.words
-                if abs(v) <= SLACK and becomes_negative(regime, watch.expr, here, self.value):
-                    return watch.test.words
-        for slip in regime.slips:
-            speed = self._numbers(regime, [slip])(*here)[0]
-            if speed < -1e-9:
-                return "it slides the other way"
-            if abs(speed) <= 1e-9 and not self._starts_to_slide(regime, slip, here):
-                return "nothing makes it slide"
-        return ""
-
-    def _presses(self, i: int, regime: Regime, state: State) -> str:
-        """What would press into its partner where it is taken for parted from state i on; "" when nothing does."""
-        here = [state[s] for s in regime.letters]
-        for opening, words in openings(self.course, i, regime):
-            length = length_of(regime, state, [0.0] * len(here[1:]), self.value)
-            if closes_at_once(regime, opening, here, self.value, length):
-                return f"`{words}` does not hold"
-        return ""
-
-    def _starts_to_slide(self, regime: Regime, slip: sp.Expr, here: list[float]) -> bool:
-        """Does the speed of slip grow from zero, at once or as the load grows?"""
-        rate = regime.derivative(slip)
-        first = self._numbers(regime, [rate])(*here)[0]
-        if abs(first) > SLACK:
-            return first > 0
-        return self._numbers(regime, [regime.derivative(rate)])(*here)[0] > 0
-
-    def _alone(self, symbol: sp.Symbol, regime: Regime) -> bool:
-        """Is a speed of the state not accounted for by the regime's own?"""
-        twin = {r.name for r in regime.free}
-        moving = (c for c in regime.coordinates if regime.rates[c.symbol] != 0)
-        return symbol.name not in twin and not any(c.speed == symbol for c in moving)
 
     # --- one stretch -------------------------------------------------------------------------------------------------
 
@@ -224,6 +171,7 @@ class Follower:
             if earlier is None:
                 self.done.missed = stop.name
             return earlier
+        demand_possible(regime, leg, time, self.value)
         self.done.legs.append(Leg(regime, leg.flow, t0, time, state))
         if there is not None:
             return there

@@ -172,6 +172,8 @@ class Unfolder:
             if related is not None:
                 return related
             raise never(course, followed, course.base())
+        for regime in course.distinct_regimes():
+            regime.general.demand_unique(regime.undetermined)
         course.equations = holding(course.equations, followed.values, course.base())
         chain = course.chain()
         chain.truth = followed.values
@@ -267,6 +269,9 @@ class Unfolder:
         """All branches of the equations; the first that, followed from its start, happens so. One in which a state at a
         given time is the first of its kind goes before those that pass such a state earlier.
         """
+        loose = next((i for i, r in enumerate(course.regimes) if r.undetermined), None)
+        if loose is not None:
+            return self._determined(course, loose)
         changed: Plot | None = None
         again: list[Unfolded] = []
         branches = course.candidates()
@@ -316,6 +321,15 @@ class Unfolder:
             return self._next(course.plot, 0, text)
         except NoSolution:
             raise self.lack from None
+
+    def _determined(self, course: Course, i: int) -> Plot:
+        """Another choice of modes, where in this one forces that are needed are not unique."""
+        general = course.regimes[i].general
+        try:
+            return self._next(course.plot, i, "the forces are not unique")
+        except NoSolution:
+            general.demand_unique(course.regimes[i].undetermined)
+            raise
 
     def _elsewhere(self, course: Course, why: str) -> Plot | None:
         """Other modes in a blow, or after one; None: there are no blows, or all have been tried."""

@@ -67,7 +67,7 @@ class Work:
 @dataclass(frozen=True, slots=True)
 class Balance:
     """One energy equation: T at both states and the works, in letters of the states. `kinetic`: by body, at the end;
-    `idle`: the reactions that do no work, in words.
+    `idle`: the reactions that do no work.
     """
 
     since: Stop
@@ -76,7 +76,7 @@ class Balance:
     after: sp.Expr
     works: tuple[Work, ...]
     kinetic: tuple[tuple[str, sp.Expr], ...]
-    idle: str
+    idle: tuple[sp.Symbol, ...]
 
 
 def energies_of(general: General) -> Energies | None:
@@ -143,7 +143,7 @@ class Closed:
 
     kinetic: tuple[tuple[str, sp.Expr], ...]
     functions: tuple[tuple[str, sp.Expr], ...]
-    idle: str
+    idle: tuple[sp.Symbol, ...]
 
     @property
     def total(self) -> sp.Expr:
@@ -170,14 +170,11 @@ def closed_energies(regime: Regime, energies: Energies | None) -> Closed | None:
     return Closed(kinetic, tuple(functions), _idle(regime.general))
 
 
-def _idle(general: General) -> str:
-    """The reactions that do no work, by their joints."""
+def _idle(general: General) -> tuple[sp.Symbol, ...]:
+    """The reactions that do no work."""
     system = general.trial.system
     followers = {law.push for law in system.laws}
-    joints = dict.fromkeys(
-        system.aliases.get(p.joint, p.joint) for p in system.pushes if p.name not in followers and p.kind != "drive"
-    )
-    return f"the reactions at {', '.join(joints)}" if joints else ""
+    return tuple(system.symbols[p.name] for p in system.pushes if p.name not in followers and p.kind != "drive")
 
 
 def energy_equations(course: Course, closed: Sequence[Closed | None], k: int) -> Iterator[Equation]:
