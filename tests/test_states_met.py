@@ -77,6 +77,22 @@ joints:
 states: {1: [v(A).mag = 0.5 m/s, v(A).y < 0], 2: [y(A) = -1.2 m]}
 find: {v: v(A).mag @ 2}
 """
+CRATES = """
+title: Two crates drawn along a floor
+plane: vertical
+given: {{F: {F} N, mu: 0.2}}
+points: {{O: [0, 0], A: [0, 0], B: [1.5 m, 0]}}
+surfaces: {{floor: {{through: O, angle: 0 deg}}}}
+bodies: {{crate_A: {{particle: A, weight: 30 N}}, crate_B: {{particle: B, weight: 15 N}}}}
+joints:
+  - contact: {{between: [crate_A, floor], at: A, mu: mu}}
+  - contact: {{between: [crate_B, floor], at: B, mu: mu}}
+  - rope: {{path: [A, B], name: cord}}
+loads:
+  - force: {{body: crate_B, at: B, magnitude: F, angle: 0 deg}}
+states: {{1: [at rest], 2: [t = 2 s]}}
+find: {{v: v(A).x @ 2, Q: heat(B) @ 1->2{more}}}
+"""
 
 
 def left_dome() -> tuple[float, float, float]:
@@ -142,3 +158,18 @@ def test_a_load_that_is_only_hoisted_does_not_sway() -> None:
     """Its speed alone does not send it sideways, as the rope runs on over a pulley."""
     found = solve(HOIST)
     assert first(found["v"]) == pytest.approx(sqrt(0.5**2 + 2 * G / 5 * 1.2))
+
+
+def test_redundant_friction_does_not_hold_for_ever() -> None:
+    """With 18 N both crates slide; how they would share the friction at rest does not matter."""
+    found = solve(CRATES.format(F=18, more=", T: tension(cord) @ 2"))
+    assert first(found["v"]) == pytest.approx(2 * G / 5)
+    assert first(found["T"]) == pytest.approx(12)
+    assert first(found["Q"]) == pytest.approx(3 * 2 * G / 5)
+
+
+def test_redundant_friction_holds() -> None:
+    """With 5 N they stay; the tension is open, as before."""
+    assert first(solve(CRATES.format(F=5, more=""))["v"]) == 0
+    with pytest.raises(NoSolution, match="not unique"):
+        solve(CRATES.format(F=5, more=", T: tension(cord) @ 2"))

@@ -26,8 +26,8 @@ LOOKS = 8
 
 
 def objection(course: Course, i: int, regime: Regime, state: State, before: State, value: Valuation) -> str:
-    """Why the assumptions of a regime do not hold where it begins at state i; "" when they do. `before`: the state in the
-    letters of the regime before, `state` in its own.
+    """Why the assumptions of a regime do not hold where it begins at state i; "" when they do. `before`: the state in
+    the letters of the regime before, `state` in its own.
     """
     found = _moves(course, regime, state, before, value) or _fails(regime, state, value)
     found = found or _slides_otherwise(regime, state, value) or _presses(course, i, regime, state, value)

@@ -36,8 +36,9 @@ class General:
 
     `coordinates`: what varies. `free`: the velocity unknowns that nothing else fixes; they are letters. `trial`: the
     choice solved for draws of all letters. `position`: how the scene is displaced. `kept`: what joints that act only
-    for some time keep as it was; `parted`: those that hold nothing here; `resting`: free speeds that stay zero. After `govern`: `rates` of coordinates and
-    `accelerations` of free speeds as formulas in coordinates, free speeds and t; `solution` tells how.
+    for some time keep as it was; `parted`: those that hold nothing here; `resting`: free speeds that stay zero. After
+    `govern`: `rates` of coordinates and `accelerations` of free speeds as formulas in coordinates, free speeds and t;
+    `solution` tells how.
     """
 
     instant: Instant

@@ -343,3 +343,16 @@ class Follower:
             if met is not None and (until is None or met < until - 1e-9 * max(abs(until), 1e-9)):
                 best, until = Ends(i, met, expr, words, leg.at(met), again=True), met
         return best
+
+
+def leaning(course: Course, followed: Followed) -> dict[sp.Symbol, float]:
+    """At states that are only approached: the last values on the way there."""
+    found: dict[sp.Symbol, float] = {}
+    last: dict[sp.Symbol, float] = {}
+    for state in course.states:
+        for general, own in course.stops[state.name].letters.items():
+            if own in followed.values:
+                last[general] = followed.values[own]
+            elif last.get(general):
+                found[own] = last[general]
+    return found

@@ -103,7 +103,10 @@ def _heat(name: str, quantities: Quantities, regime: Regime) -> sp.Expr:
 
 def _lost(joint: str, quantities: Quantities, reactions: Reactions, regime: Regime) -> sp.Expr:
     """Minus the power of a joint; a belt, which is no body, moves with the rate of the row that measures the slip."""
-    parts = [-_power(w, quantities) for w in reactions.acting(joint) if w.name == joint]
+    # A load that is called by the same point is none of the joint's own.
+    loads = [w for w in reactions.wrenches if w.kind not in DISSIPATING and joint in reactions.joints.values()]
+    own = [w for w in reactions.acting(joint) if w.name == joint and w not in loads]
+    parts = [-_power(w, quantities) for w in own]
     motion = quantities.motion
     for push, expr in reactions.pushes:
         mode = regime.general.trial.system.modes.get(push.joint)

@@ -30,7 +30,7 @@ from planar_cli.solve.course.oscillation import Oscillation
 from planar_cli.solve.course.over_spans import SpanIntegral
 from planar_cli.solve.course.plot import Plot, Workshop
 from planar_cli.solve.course.route import Route
-from planar_cli.solve.course.simulate import Followed, Follower
+from planar_cli.solve.course.simulate import Followed, Follower, leaning
 from planar_cli.solve.course.starts import Start, balanced, certain_start, resting, untold
 from planar_cli.solve.diagnose import explain_failure, singular_position
 from planar_cli.solve.instant import make_instant, search_modes
@@ -111,7 +111,8 @@ class Unfolder:
             if other is not None:
                 return other
         if start is Start.OPEN or untold(course):
-            return self._sought(course, finds)
+            loose = next((i for i, r in enumerate(course.regimes) if r.undetermined), None)
+            return self._sought(course, finds) if loose is None else self._determined(course, loose)
         assert isinstance(start, dict)
         kept = frozenset() if course.blows else balanced(course, start)
         self.stays = self.stays or bool(kept)
@@ -177,7 +178,7 @@ class Unfolder:
         course.equations = holding(course.equations, followed.values, course.base())
         chain = course.chain()
         chain.truth = followed.values
-        chain.leaning = _leaning(course, followed)
+        chain.leaning = leaning(course, followed)
         branch = next(iter(chain.branches(course.equations)), Branch({}, {}, (), ()))
         open_letters = [s for s in followed.values if s not in branch.values]
         more = self._refined(course, branch, open_letters, followed)
@@ -269,9 +270,6 @@ class Unfolder:
         """All branches of the equations; the first that, followed from its start, happens so. One in which a state at a
         given time is the first of its kind goes before those that pass such a state earlier.
         """
-        loose = next((i for i, r in enumerate(course.regimes) if r.undetermined), None)
-        if loose is not None:
-            return self._determined(course, loose)
         changed: Plot | None = None
         again: list[Unfolded] = []
         branches = course.candidates()
@@ -392,16 +390,3 @@ def _left_out(course: Course, others: list[Unfolded], why: str) -> tuple[str, ..
         return ()
     names = [f"{s.name} = {others[-1].branch.values[s]:.4g} (SI units)" for s in course.sought()]
     return (f"other roots, as {', '.join(names)}, {why}",)
-
-
-def _leaning(course: Course, followed: Followed) -> dict[sp.Symbol, float]:
-    """At states that are only approached: the last values on the way there."""
-    found: dict[sp.Symbol, float] = {}
-    last: dict[sp.Symbol, float] = {}
-    for state in course.states:
-        for general, own in course.stops[state.name].letters.items():
-            if own in followed.values:
-                last[general] = followed.values[own]
-            elif last.get(general):
-                found[own] = last[general]
-    return found
