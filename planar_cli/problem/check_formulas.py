@@ -79,7 +79,7 @@ def _name(name: Name, formula: Formula, scope: Scope, direction: bool) -> Iterat
         yield from missing_state(name.at, scope, name.mark)
     if name.name in CONSTANTS:
         if name.name == "t" and not formula.time:
-            hint = "`t` may stand in `motion`, `states`, `find`, in magnitudes of loads and in masses"
+            hint = "`t` may stand in `motion`, `states`, `find`, in magnitudes of loads, streams and masses"
             yield Diagnostic(name.mark, "PL411", f"{formula.what} cannot depend on the time t", hint)
         return
     known = {*scope.numbers, *formula.locals, "g"}
@@ -130,7 +130,7 @@ def _name_hint(name: str, known: set[str], scope: Scope, direction: bool) -> str
 
 def _quantity(quantity: Quantity, formula: Formula, scope: Scope) -> Iterator[Diagnostic]:
     if not formula.quantities:
-        hint = "quantities may stand in `motion`, `instant`, `states`, `find` and in magnitudes of loads"
+        hint = "quantities may stand in `motion`, `instant`, `states`, `find`, magnitudes of loads and streams"
         yield Diagnostic(quantity.mark, "PL413", f"{formula.what} cannot use {quantity.word}(…)", hint)
     for state in (quantity.at,) if isinstance(quantity.at, str) else quantity.at or ():
         yield from missing_state(state, scope, quantity.mark)

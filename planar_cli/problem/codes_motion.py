@@ -8,9 +8,9 @@ from types import MappingProxyType
 _TIME = {
     "PL590": (
         "Something stands where it has no value. A quantity over a span (work, impulse, heat, path_length, mean, "
-        "count) and one about a state (reached, period, frequency, stable) need `states`; a table over time needs an "
-        "instant with a known time, `t = 2 s`. A place that `motion` gives by the time has no velocity of its own in a "
-        "blow: give the velocity instead."
+        "count) and one about a state (reached, period, frequency, stable) need `states`; a mass, a load or a table "
+        "that depends on the time needs an instant with a known time, `t = 2 s`. A place that `motion` gives by the "
+        "time has no velocity of its own in a blow: give the velocity instead."
     ),
     "PL591": (
         "A body rocks with an edge or a flat side on a round rim or surface. Its motion at one instant is "

@@ -37,7 +37,10 @@ _PLACES = {
 }
 
 _SCENE = {
-    "PL520": "The parts of a composite body have no mass. Give each part its `mass:`; a hole has minus mass.",
+    "PL520": (
+        "The parts of a composite body have no mass: give each part its `mass:`; a hole has minus mass. Or a body "
+        "whose mass varies has none at t = 0, where its moment of inertia is given: write `radius_of_gyration`."
+    ),
     "PL521": (
         "The point of contact is not on the surface. Let the line go through the point, or the circle have "
         "its distance as radius."

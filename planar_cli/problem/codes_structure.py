@@ -96,13 +96,13 @@ _NAMES = {
         " (with a unit). The velocity of a point A is `v(A)`, not `v_A`."
     ),
     "PL411": (
-        "The time t may stand in `motion`, `states` and `find`, in the magnitudes of loads and in masses; "
-        "everything else is as drawn and does not change."
+        "The time t may stand in `motion`, `states` and `find`, in the magnitudes of loads, in streams, in masses "
+        "and moments of inertia; everything else is as drawn and does not change."
     ),
     "PL412": "`case.find` names a find of a case that stands earlier in the file.",
     "PL413": (
-        "Quantities such as `v(P)` may stand in `motion`, `instant`, `states`, `find` and magnitudes. Given "
-        "values, points and sizes use names only."
+        "Quantities such as `v(P)` may stand in `motion`, `instant`, `states`, `find`, magnitudes and streams. "
+        "Given values, points and sizes use names only."
     ),
     "PL420": (
         "Each quantity takes things of its own in its bracket: `v(P)` a point or body, `omega(b)` a body, "

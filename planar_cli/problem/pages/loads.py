@@ -21,12 +21,13 @@ its keys. Any entry may have `name:` and `during: 1->2`.
           enters: {at: A, speed: 15 m/s, angle: 0 deg}
           leaves: {at: B, speed: 15 m/s, angle: 90 deg}
 
-Magnitudes of force, torque and drag may use `t`, quantities, and tables of instants and values (straight lines
-between them, constant before the first and after the last):
+Magnitudes of force, torque and drag, and the rate of a stream, may use `t`, quantities, and tables of instants and
+values (straight lines between them, constant before the first and after the last); speeds and angles of a stream may
+use `t` and quantities:
 
     magnitude: 10 N/s * t
     magnitude: {table: [[0 s, 0 N], [2 s, 50 N]]}
 
-A mass may vary too: `mass: M - q*t`. `planar explain force` (torque, spring, …) prints the page of each, and `planar
-explain motion` says how motions under loads that vary are integrated.
+A mass may vary too, `mass: M - q*t`, and its moment of inertia with it. `planar explain force` (torque, spring, …)
+prints the page of each, and `planar explain motion` says how motions under loads that vary are integrated.
 """
