@@ -93,6 +93,18 @@ loads:
 states: {{1: [at rest], 2: [t = 2 s]}}
 find: {{v: v(A).x @ 2, Q: heat(B) @ 1->2{more}}}
 """
+YO_YO = """
+title: Yo-yo
+plane: vertical
+given: {m: 0.5 kg, r: 10 mm}
+unknowns: {k_G: mm}
+points: {G: [0, 0], T: [r, 0], A: [r, 0.3 m]}
+bodies: {yoyo: {disk: G, radius: 60 mm, hub: r, mass: m, radius_of_gyration: k_G}}
+joints:
+  - rope: {path: [A, T on yoyo]}
+states: {1: [at rest], 2: [y(G) = -0.8 m, v(G).mag = 1 m/s]}
+find: {k_G: k_G}
+"""
 
 
 def left_dome() -> tuple[float, float, float]:
@@ -173,3 +185,8 @@ def test_redundant_friction_holds() -> None:
     assert first(solve(CRATES.format(F=5, more=""))["v"]) == 0
     with pytest.raises(NoSolution, match="not unique"):
         solve(CRATES.format(F=5, more=", T: tension(cord) @ 2"))
+
+
+def test_of_two_roots_that_only_differ_in_sign_the_positive_one() -> None:
+    """1² = 2 · 0.8 g / (1 + k²/r²)."""
+    assert first(solve(YO_YO)["k_G"]) == pytest.approx(0.01 * sqrt(1.6 * G - 1))

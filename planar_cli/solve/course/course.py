@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from decimal import Decimal
+from decimal import Context, Decimal
 from typing import Any
 
 import sympy as sp
@@ -41,6 +41,8 @@ from planar_cli.solve.course.takeover import handing_of, later_equations, restin
 from planar_cli.solve.course.timeline import Demand, Reader, Stop, stop_of
 
 TINY = Decimal("1e-15")
+ROUGHLY = Context(prec=30)
+"""To so many digits times are the same."""
 
 
 @dataclass(slots=True)
@@ -367,9 +369,9 @@ class Course:
                     except (Unvalued, ArithmeticError):
                         v = Decimal(0)
                     keys.append(-round(v * d.extreme, 12))
-            keys.append(branch.values.get(stop.t, Decimal(0)))
+            keys.append(ROUGHLY.plus(branch.values.get(stop.t, Decimal(0))))
         negative = sum(branch.values.get(s, Decimal(0)) < 0 for s in self.sought())
-        return (negative if self.blows else 0, *keys)
+        return (negative if self.blows else 0, *keys, negative)
 
 
 def make_course(problem: Problem, plot: Plot, workshop: Workshop) -> Course:
