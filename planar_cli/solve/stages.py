@@ -45,6 +45,7 @@ class Stage:
 class StageMaker:
     """Makes a stage of one system. `value`: numbers of everything that is known before it. `letters`: velocities that
     stay letters, as in a position that is left general. `constructed`: may moment centres be intersections of lines?
+    `whole`: inertia of every body in an equation is put on paper, also where its moment needs no centre of mass.
     """
 
     system: System
@@ -53,6 +54,7 @@ class StageMaker:
     next_number: int = 1
     letters: frozenset[sp.Symbol] = frozenset()
     constructed: bool = True
+    whole: bool = False
 
     def velocities(self, targets: set[sp.Symbol], known: dict[sp.Symbol, Decimal]) -> Stage:
         """The velocities that are needed; `known`: those that are zero."""
@@ -101,6 +103,8 @@ class StageMaker:
         plan = planner.plan(wanted) or Plan(())
         writer = Writer(self.system, columns, self.next_number)
         numbered = [tuple(writer.write(e) for e in block.equations) for block in plan.blocks]
+        for body in dict.fromkeys(b for ws in numbered for w in ws for b in w.bodies) if self.whole else ():
+            writer.acceleration(body)
         explicit = {line.symbol: line.expression for line in writer.lines}
         ledger = self.system.scene.ledger
         fresh = partial(ledger.fresh, unit="1")

@@ -107,7 +107,7 @@ class Blow:
         targets |= set(self.stop.letters.values()) & unknowns | self._asked(asked) & unknowns
         base = self.trial.outcomes[0].value
         value = Valuation({s: v for s, v in base.values.items() if s not in unknowns}, base.definitions)
-        maker = StageMaker(self.system, value, True, constructed=self.scene.displacement is None)
+        maker = StageMaker(self.system, value, True, constructed=self.scene.displacement is None, whole=True)
         self.stage = maker.accelerations(targets, kinetics=True)
         self.equations = [*self._same_place(), *self._planned(self.stage), *self._zero(self.stage)]
         for u, expr in handing:

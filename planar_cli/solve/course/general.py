@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from decimal import Decimal
 from typing import Any
@@ -142,16 +142,24 @@ def make_general(
     while True:
         displacement = displaced(drawn, choice, still, made)
         found = _general(problem, always, earlier, drawn, choice, displacement, resting)
-        idle = frozenset(
-            c.speed.name
-            for c in displacement.coordinates
-            if c.drawn is not None
-            and c.extra == 0
-            and all(not v.values.get(c.speed, Decimal(1)) for v in found.trial.velocities)
-        )
+        velocities = found.trial.velocities
+        if _idle(displacement, velocities) - still and loosened(drawn, choice) != choice:
+            # What friction holds here may have come to another place before.
+            system = found.instant.system(loosened(drawn, choice))
+            velocities = (*velocities, solve_velocities(system, found.instant.scene.valuations[0], False))
+        idle = _idle(displacement, velocities)
         if not idle - still:
             return found
         still |= idle
+
+
+def _idle(displacement: Displacement, velocities: Sequence[Velocities]) -> frozenset[str]:
+    """Speeds of coordinates that are zero in all of these velocities."""
+    return frozenset(
+        c.speed.name
+        for c in displacement.coordinates
+        if c.drawn is not None and c.extra == 0 and all(not v.values.get(c.speed, Decimal(1)) for v in velocities)
+    )
 
 
 def _general(

@@ -18,7 +18,7 @@ ONLY_TIMES = ("t(q)", "t(v)")
 def without_idle_times(course: Course, finds: FindReader) -> list[Equation]:
     """The equations without those that only tell a time which is not asked, and on which nothing else rests."""
     times = {course.stops[s.name].t for s in course.states}
-    needed = _asked(course, finds) & times
+    needed = asked_letters(course, finds) & times
     instants = {b.stop.t: b.since.t for b in course.blows.values()}
     for e in course.equations:
         inside = e.residual.free_symbols & times
@@ -38,7 +38,7 @@ def without_idle_times(course: Course, finds: FindReader) -> list[Equation]:
         needed |= more
 
 
-def _asked(course: Course, finds: FindReader) -> set[sp.Symbol]:
+def asked_letters(course: Course, finds: FindReader) -> set[sp.Symbol]:
     """Letters that finds ask for, and times on which quantities over spans rest."""
     found = {s for a in finds.asked for p in a.parts for s in finds.settled(a, p).free_symbols}
     order = {s.name: i for i, s in enumerate(course.states)}

@@ -25,6 +25,8 @@ from planar_cli.solve.course.equations import DATA, Equation
 from planar_cli.solve.linear import solve
 from planar_cli.solve.roots import Root
 
+LONG_POOL = 30
+"""A longer remainder is not put in a plainer form where numbers stand behind it."""
 WHOLE = 8
 """So many unknowns at most are told as found together."""
 TOGETHER = 0.8
@@ -322,12 +324,13 @@ class Router:
         left = list(derivation.unknowns)
         back: list[tuple[sp.Symbol, sp.Expr]] = []
         while len(pool) > 1:
-            step = _linear_step(pool, left, self.value)
+            step = _linear_step(pool, left, self.value, 60 if self.symbolic else LONG_POOL)
             if step is None:
                 break
             index, x, formula = step
             pool.pop(index)
-            pool = [simplified(r.xreplace({x: formula})) for r in pool]
+            put = [r.xreplace({x: formula}) for r in pool]
+            pool = [r if longer(r, LONG_POOL) and not self.symbolic else simplified(r) for r in put]
             back.append((x, formula))
             left.remove(x)
         results: list[Result] = []
@@ -368,7 +371,9 @@ def _outer(residual: sp.Expr) -> set[sp.Symbol]:
     return set().union(*(a.free_symbols for a in sp.Add.make_args(residual) if not a.has(sp.Integral)))
 
 
-def _linear_step(pool: list[sp.Expr], left: list[sp.Symbol], value: Valuation) -> tuple[int, sp.Symbol, sp.Expr] | None:
+def _linear_step(
+    pool: list[sp.Expr], left: list[sp.Symbol], value: Valuation, most: int
+) -> tuple[int, sp.Symbol, sp.Expr] | None:
     """An equation that is linear in an unknown which it really contains; the shortest formula."""
     found: list[tuple[int, int, sp.Symbol, sp.Expr]] = []
     for x in left:
@@ -381,7 +386,7 @@ def _linear_step(pool: list[sp.Expr], left: list[sp.Symbol], value: Valuation) -
                     continue
             except (ArithmeticError, Unvalued):
                 continue
-            formula = simplified(-(residual - slope * x).expand() / slope) if not longer(residual, 60) else None
+            formula = simplified(-(residual - slope * x).expand() / slope) if not longer(residual, most) else None
             formula = -sp.expand(residual - slope * x) / slope if formula is None else formula
             found.append((int(sp.count_ops(formula)), index, x, formula))
     if not found:

@@ -37,10 +37,13 @@ def solve_course(problem: Problem, case: str, units: dict[str, str], earlier: Ma
     unknowns = course.chain().unknowns
     targets = {s for a in found.finds.asked for p in a.parts for s in found.finds.settled(a, p).free_symbols}
     allowed = by_method(course.equations, problem.method)
-    router = Router(allowed, unknowns, found.value, course.symbolic, found.branch.steps)
-    found.route = router.route(_in_order(course, targets & unknowns))
-    if len(allowed) < len(course.equations):
-        demand_reached(problem, found.route, targets & unknowns)
+    steps = tuple(s for s in found.branch.steps if len(by_method(s.equations, problem.method)) == len(s.equations))
+    router = Router(allowed, unknowns, found.value, course.symbolic, steps)
+    wanted = _in_order(course, targets & unknowns)
+    found.route = router.route(wanted)
+    if problem.method is not None:
+        free = Router(course.equations, unknowns, found.value, course.symbolic, found.branch.steps)
+        demand_reached(problem, found.route, wanted, lambda: free.route(wanted))
     begun = router.route(course.first.letters.values())
     start = {s: found.finds.closed(s, begun) for s in course.first.letters.values()}
     found.finds.throughout = Throughout(course, found.followed, found.value, start)

@@ -16,13 +16,13 @@ from planar_cli.errors import Diagnostic, Mark, NoSolution, Undecided
 from planar_cli.problem.scene import Problem
 from planar_cli.solve.course.astray import clash, demand_agreement, meets_again, missing, never, passed_before
 from planar_cli.solve.course.carried import carried_branch
-from planar_cli.solve.course.chain import Branch
+from planar_cli.solve.course.chain import Branch, Chain
 from planar_cli.solve.course.course import Course, make_course
 from planar_cli.solve.course.finds import FindReader
 from planar_cli.solve.course.first_plot import first_plot
 from planar_cli.solve.course.gaps import changes_sides, just_parted
 from planar_cli.solve.course.holding import holding
-from planar_cli.solve.course.idle import without_idle_times
+from planar_cli.solve.course.idle import ONLY_TIMES, asked_letters, without_idle_times
 from planar_cli.solve.course.masses import demand_mass
 from planar_cli.solve.course.methods import by_method
 from planar_cli.solve.course.newton import refined
@@ -179,7 +179,7 @@ class Unfolder:
         chain = course.chain()
         chain.truth = followed.values
         chain.leaning = leaning(course, followed)
-        branch = next(iter(chain.branches(course.equations)), Branch({}, {}, (), ()))
+        branch = self._branch(course, finds, chain)
         open_letters = [s for s in followed.values if s not in branch.values]
         more = self._refined(course, branch, open_letters, followed)
         guessed = {s for s in open_letters if s not in more}
@@ -187,6 +187,18 @@ class Unfolder:
         value = course.base().extended({**more, **branch.values})
         demand_agreement(course, value, guessed)
         return Unfolded(course, finds, branch, followed, value, frozenset(guessed))
+
+    @staticmethod
+    def _branch(course: Course, finds: FindReader, chain: Chain) -> Branch:
+        """The branch beside the numbers that were followed; integrals for times only where something rests on them."""
+        nothing = Branch({}, {}, (), ())
+        quick = [e for e in course.equations if e.kind not in ONLY_TIMES]
+        if len(quick) < len(course.equations):
+            branch = next(iter(chain.branches(quick)), nothing)
+            if asked_letters(course, finds) & chain.unknowns <= set(branch.values):
+                course.equations = quick
+                return branch
+        return next(iter(chain.branches(course.equations)), nothing)
 
     def _related(self, course: Course, finds: FindReader, missed: str) -> Unfolded | None:
         """States related by the balance of energy alone, where the file asks for that method and no motion leads there;
