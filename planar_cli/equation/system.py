@@ -104,8 +104,11 @@ class System:
         self.reactions = self._reactions()
 
     def hanging(self) -> set[sp.Symbol]:
-        """Velocities across ropes of bodies that hang straight down on them alone, where nothing makes them sway."""
-        ropes = {name for name, mode in self.modes.items() if mode.name in ROPES}
+        """Velocities across ropes of bodies that hang straight down on them alone, where nothing makes them sway; on a
+        rope that has been slack for some time nothing hangs.
+        """
+        now = ROPES if self.scene.displacement is None else ROPES[:1]
+        ropes = {name for name, mode in self.modes.items() if mode.name in now}
         found = set()
         for edge in self.tree.edges:
             on_rope = edge.joining is None or edge.joining.joint in ropes
@@ -177,19 +180,22 @@ class System:
         found += coordinate_conditions(quantities, set(self.scene.ledger.coordinates), level)
         return found + self._rest(quantities.motion, level)
 
-    def balanced(self) -> tuple[str | None, ...]:
-        """The bodies in equilibrium; where everything is and no `motion` drives anything, all of them. Of several
-        states those in equilibrium are found by the motion near them.
+    def balanced(self, body: str) -> bool:
+        """Is a body in equilibrium?"""
+        return body in self.statements.equilibrium or self._all_balanced()
+
+    def _all_balanced(self) -> bool:
+        """Is everything in equilibrium, and not driven by `motion`? Of several states those in equilibrium are found by
+        the motion near them.
         """
-        named = self.statements.equilibrium
         driven = any(always for _, always in self.statements.relations)
-        if driven or None not in named or self.scene.problem.states:
-            return named
-        return tuple(self.scene.bodies)
+        return None in self.statements.equilibrium and not driven and not self.scene.problem.states
 
     def _rest(self, motion: Motion, level: int) -> list[Condition]:
+        if level == ACCELERATION and self._all_balanced():
+            return [Condition("given", "equilibrium", a) for a in motion.tree.acceleration_unknowns()]
         found = []
-        for name in self.statements.rest if level == VELOCITY else self.balanced():
+        for name in self.statements.rest if level == VELOCITY else self.statements.equilibrium:
             if name is None:
                 continue
             twists = motion.velocities if level == VELOCITY else motion.accelerations

@@ -85,7 +85,7 @@ def _at(instant: InstantSolution, point: Any) -> str:
 
 def _inertia(instant: InstantSolution, stage: Stage, body: str, phrases: Phrases, reversed_sense: bool) -> Line:
     """m a_G and I α of a body; reversed they are the inertial force and couple. In equilibrium there is none."""
-    if body in instant.trial.system.balanced():
+    if instant.trial.system.balanced(body):
         return ()
     model = instant.instant.scene.bodies[body]
     parts: list[Any] = []
