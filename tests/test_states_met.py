@@ -105,6 +105,29 @@ joints:
 states: {1: [at rest], 2: [y(G) = -0.8 m, v(G).mag = 1 m/s]}
 find: {k_G: k_G}
 """
+AXLE = """
+title: Flywheel that winds up a load
+plane: vertical
+points: {O: [0, 0], T: [0.15 m, 0], L: [0.15 m, -6 m]}
+bodies:
+  wheel: {disk: O, radius: 0.5 m, hub: 0.15 m, mass: 40 kg, radius_of_gyration: 0.3 m}
+  load: {particle: L, mass: 12 kg}
+joints:
+  - pin: {at: O, between: [ground, wheel], friction_torque: 3 N*m}
+  - rope: {path: [L, T on wheel], name: rope}
+states: {1: [omega(wheel) = 6 rad/s], 2: [wheel at rest], 3: [y(L) = -6 m]}
+find: {h: y(L) @ 2 + 6 m, v: v(L).y @ 3, Q: heat(O) @ 1->3}
+"""
+HELD_ARM = """
+title: Arm on a rough axle
+plane: vertical
+points: {O: [0, 0], A: [1 m, 0]}
+bodies: {arm: {rod: [O, A], mass: 2 kg}}
+joints:
+  - pin: {at: O, between: [ground, arm], friction_torque: 6 N*m}
+states: {1: [at rest], 2: [arm at rest], 3: [t = 60 s]}
+find: {phi: theta(arm) @ 2, later: theta(arm) @ 3, M: moment(O) @ 3}
+"""
 
 
 def left_dome() -> tuple[float, float, float]:
@@ -190,3 +213,23 @@ def test_redundant_friction_holds() -> None:
 def test_of_two_roots_that_only_differ_in_sign_the_positive_one() -> None:
     """1² = 2 · 0.8 g / (1 + k²/r²)."""
     assert first(solve(YO_YO)["k_G"]) == pytest.approx(0.01 * sqrt(1.6 * G - 1))
+
+
+def test_axle_friction_turns_round() -> None:
+    """The load goes up against weight and friction, and comes down with the friction the other way."""
+    found = solve(AXLE)
+    inertia = 40 * 0.3**2 + 12 * 0.15**2
+    weight = 12 * G * 0.15
+    angle = inertia * 6**2 / (2 * (weight + 3))
+    assert first(found["h"]) == pytest.approx(0.15 * angle)
+    assert first(found["v"]) == pytest.approx(-0.15 * sqrt(2 * angle * (weight - 3) / inertia))
+    assert first(found["Q"]) == pytest.approx(6 * angle)
+
+
+def test_an_arm_stays_where_friction_stops_it() -> None:
+    """It swings until the weight has done the work of the friction, and is then held there, not where it was drawn."""
+    found = solve(HELD_ARM)
+    turned = -first(found["phi"])
+    assert 2 * G * 0.5 * sin(turned) == pytest.approx(6 * turned)
+    assert first(found["later"]) == pytest.approx(-turned)
+    assert first(found["M"]) == pytest.approx(2 * G * 0.5 * cos(turned))
