@@ -10,6 +10,7 @@ import sympy as sp
 from planar_cli.equation.exact import Unvalued
 from planar_cli.problem.scene import Problem
 from planar_cli.solve.course.agree import compared
+from planar_cli.solve.course.blow_checks import blow_checks
 from planar_cli.solve.course.astray import missing
 from planar_cli.solve.course.complete import completed
 from planar_cli.solve.course.course import Course
@@ -47,7 +48,7 @@ def solve_course(problem: Problem, case: str, units: dict[str, str], earlier: Ma
     begun = router.route(course.first.letters.values())
     start = {s: found.finds.closed(s, begun) for s in course.first.letters.values()}
     found.finds.throughout = Throughout(course, found.followed, found.value, start)
-    found.checks = (*found.checks, *compared(found))
+    found.checks = (*found.checks, *blow_checks(found), *compared(found))
     answers = tuple(found.finds.answer(a, found.route, found.value) for a in found.finds.asked)
     instants = _instants(found.course)
     tale = Tale(tuple(found.finds.curves), whole=False) if found.finds.curves else None
