@@ -20,6 +20,7 @@ from planar_cli.solve.solution import InstantSolution
 from planar_cli.solve.write import Written
 
 LONGEST, MOST_NAMED = 60, 8
+AT_ONCE = "each with its own restitution: Newton's law at every contact. One after the other they would end otherwise."
 FINITE = "weights, springs and other finite forces have no impulse in no time"
 
 
@@ -100,6 +101,9 @@ class BetweenTelling:
         self.told.add(id(blow))
         words = f"Just after {blow.since.name}: momentum before + impulses = momentum after ({FINITE})."
         yield Paragraph(line(words))
+        hits = [j for j in blow.struck.joints if j.strikes and blow.system.modes[j.name].facts.pushes]
+        if len(hits) > 1:
+            yield Paragraph(line(f"{len(hits)} impacts at once, {AT_ONCE}"))
         value = self._value(blow)
         solution = InstantSolution("", blow.struck, blow.trial, (), (blow.stage,), blow.stage.lines, value)
         phrases = Phrases(blow.scene.ledger, value, self.phrases.figures, self.phrases.symbolic)

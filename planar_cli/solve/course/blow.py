@@ -166,6 +166,12 @@ class Blow:
             self.system.symbols[p.name] for p in self.system.pushes if every or aliases.get(p.joint, p.joint) in names
         }
 
+    def numbers(self, value: Valuation) -> Valuation:
+        """Numbers of the scene in the blow; `value` knows the letters of the state before it, and all names."""
+        places = {s: value(own) for s, own in self.since.letters.items() if own in value.values}
+        draws = self.scene.valuations[0]
+        return Valuation({**draws.values, **value.values, **places}, draws.definitions)
+
     # --- numbers -----------------------------------------------------------------------------------------------------
 
     def strike(self, state: Mapping[sp.Symbol, Any], value: Valuation) -> Stroke:
@@ -173,10 +179,7 @@ class Blow:
         numbers of everything that does not vary.
         """
         number = {s: Decimal(repr(float(v))) for s, v in state.items()}
-        more = {own: number[s] for s, own in self.since.letters.items() if s in number}
-        known = value.extended({**number, **more})
-        draws = self.scene.valuations[0]
-        here = Valuation({**draws.values, **known.values}, draws.definitions)
+        here = self.numbers(value.extended({self.since.letters[s]: v for s, v in number.items()}))
         trial = self.struck.try_choice(self.choice, (here,))
         if not trial.outcomes:
             return Stroke({}, {}, trial.objection)
