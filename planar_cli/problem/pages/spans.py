@@ -6,7 +6,7 @@
   mean(…)              mean over the time: mean(v(P).x), mean(power(motor)). The mean velocity is mean(v(P))
   count(…)             how often a relation happens: count(theta(b) = 0). Touching counts, the beginning does not
   work(f)              of a load, of a joint, of a body (all forces on it) or `all`; on the body named
-  impulse(f)           the same, a vector: impulse(f).x. Of a joint on body b: impulse(j/b). Angular, about P: impulse(f/P)
+  impulse(f)           the same, a vector: impulse(f).x. Of a joint on body b: impulse(j/b). About P: impulse(f/P)
   heat(j)              energy that friction at the joint j takes; not negative
 
   Over a blow (`2: [just after 1]`) `work` and `impulse` are those of the impulses, `heat` what is lost.

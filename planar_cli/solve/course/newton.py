@@ -4,15 +4,34 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from decimal import Decimal
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import mpmath
 import sympy as sp
 
 from planar_cli.equation.exact import DIGITS, Valuation
 
+if TYPE_CHECKING:
+    from planar_cli.solve.course.chain import Branch
+    from planar_cli.solve.course.course import Course
+
 STEPS = 12
 SMALL = Decimal("1e-42")
+
+
+def refined_left(
+    course: Course, branch: Branch, unknowns: Sequence[sp.Symbol], truth: Mapping[sp.Symbol, float]
+) -> dict[sp.Symbol, Decimal]:
+    """What no block of a branch gives alone, from all equations that it leaves, together."""
+    if not unknowns:
+        return {}
+    known = course.base().extended(branch.values)
+    dark = course.chain().unknowns - set(branch.values) - set(unknowns)
+    residuals = [e.residual for e in branch.left if not e.residual.free_symbols & dark]
+    try:
+        return refined(residuals, unknowns, truth, known)
+    except ArithmeticError:
+        return {}
 
 
 def refined(

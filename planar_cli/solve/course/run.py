@@ -10,8 +10,8 @@ import sympy as sp
 from planar_cli.equation.exact import Unvalued
 from planar_cli.problem.scene import Problem
 from planar_cli.solve.course.agree import compared
-from planar_cli.solve.course.blow_checks import blow_checks
 from planar_cli.solve.course.astray import missing
+from planar_cli.solve.course.blow_checks import blow_checks
 from planar_cli.solve.course.complete import completed
 from planar_cli.solve.course.course import Course
 from planar_cli.solve.course.masses import demand_mass

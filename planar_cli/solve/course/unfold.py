@@ -16,16 +16,17 @@ from planar_cli.errors import Diagnostic, Mark, NoSolution, Undecided
 from planar_cli.problem.scene import Problem
 from planar_cli.solve.course.astray import clash, demand_agreement, meets_again, missing, never, passed_before
 from planar_cli.solve.course.carried import carried_branch
-from planar_cli.solve.course.chain import Branch, Chain
+from planar_cli.solve.course.chain import Branch
 from planar_cli.solve.course.course import Course, make_course
 from planar_cli.solve.course.finds import FindReader
 from planar_cli.solve.course.first_plot import first_plot
 from planar_cli.solve.course.gaps import changes_sides, just_parted
 from planar_cli.solve.course.holding import holding
-from planar_cli.solve.course.idle import ONLY_TIMES, asked_letters, without_idle_times
+from planar_cli.solve.course.idle import without_idle_times
 from planar_cli.solve.course.masses import demand_mass
+from planar_cli.solve.course.matching import beside, onward, same_motion
 from planar_cli.solve.course.methods import by_method
-from planar_cli.solve.course.newton import refined
+from planar_cli.solve.course.newton import refined_left
 from planar_cli.solve.course.oscillation import Oscillation
 from planar_cli.solve.course.over_spans import SpanIntegral
 from planar_cli.solve.course.plot import Plot, Workshop
@@ -37,7 +38,6 @@ from planar_cli.solve.instant import make_instant, search_modes
 
 CHANGES = 40
 BLOW = " blow"
-AGREE, SMALL = 1e-6, 1e-3
 STAYS = "it begins at rest in equilibrium, where every acceleration vanishes: nothing moves"
 
 
@@ -81,6 +81,10 @@ class Unfolder:
             blocked = next((i for i, r in enumerate(course.regimes) if not r.moves()), None)
             if blocked is not None:
                 plot = self._unblocked(plot, blocked)
+                continue
+            agreeing = self._agreeing(course)
+            if agreeing is not None:
+                plot = agreeing
                 continue
             finds = FindReader(course, self.units)
             finds.read()
@@ -157,6 +161,18 @@ class Unfolder:
             singular_position(instant, rejected, self.problem.find)
             raise explain_failure(instant, rejected, self.problem.find) from error
 
+    def _agreeing(self, course: Course) -> Plot | None:
+        """Another choice of modes, where in this one the forces of a stretch contradict each other in every position;
+        None: all do, or this one does not.
+        """
+        wrong = next((i for i, r in enumerate(course.regimes) if r.moved()), None)
+        if wrong is None:
+            return None
+        try:
+            return self._next(course.plot, wrong, "the forces contradict each other")
+        except NoSolution:
+            return None
+
     def _next(self, plot: Plot, i: int, why: str) -> Plot:
         """The same plot with another choice of modes on stretch i."""
         return plot.changed(i, self._other(plot, i, why, plot.states[i].mark))
@@ -179,26 +195,14 @@ class Unfolder:
         chain = course.chain()
         chain.truth = followed.values
         chain.leaning = leaning(course, followed)
-        branch = self._branch(course, finds, chain)
+        branch = beside(course, finds, chain)
         open_letters = [s for s in followed.values if s not in branch.values]
-        more = self._refined(course, branch, open_letters, followed)
+        more = refined_left(course, branch, open_letters, followed.values)
         guessed = {s for s in open_letters if s not in more}
         more |= {s: Decimal(repr(followed.values[s])) for s in guessed}
         value = course.base().extended({**more, **branch.values})
         demand_agreement(course, value, guessed)
         return Unfolded(course, finds, branch, followed, value, frozenset(guessed))
-
-    @staticmethod
-    def _branch(course: Course, finds: FindReader, chain: Chain) -> Branch:
-        """The branch beside the numbers that were followed; integrals for times only where something rests on them."""
-        nothing = Branch({}, {}, (), ())
-        quick = [e for e in course.equations if e.kind not in ONLY_TIMES]
-        if len(quick) < len(course.equations):
-            branch = next(iter(chain.branches(quick)), nothing)
-            if asked_letters(course, finds) & chain.unknowns <= set(branch.values):
-                course.equations = quick
-                return branch
-        return next(iter(chain.branches(course.equations)), nothing)
 
     def _related(self, course: Course, finds: FindReader, missed: str) -> Unfolded | None:
         """States related by the balance of energy alone, where the file asks for that method and no motion leads there;
@@ -212,24 +216,9 @@ class Unfolder:
         branches = [b for b in course.candidates() if needed <= set(b.values)]
         if not branches:
             return None
-        branch = max(branches, key=lambda b: _onward(course, b))
+        branch = max(branches, key=lambda b: onward(course, b))
         told = f"no motion leads to state {missed} by itself: the balance of energy alone relates the states"
         return Unfolded(course, finds, branch, None, course.base().extended(branch.values), checks=(told,))
-
-    @staticmethod
-    def _refined(
-        course: Course, branch: Branch, unknowns: list[sp.Symbol], followed: Followed
-    ) -> dict[sp.Symbol, Decimal]:
-        """What no block gives alone, from all equations that are left together."""
-        if not unknowns:
-            return {}
-        known = course.base().extended(branch.values)
-        dark = course.chain().unknowns - set(branch.values) - set(unknowns)
-        residuals = [e.residual for e in branch.left if not e.residual.free_symbols & dark]
-        try:
-            return refined(residuals, unknowns, followed.values, known)
-        except ArithmeticError:
-            return {}
 
     def _changed(self, course: Course, followed: Followed) -> Plot | None:
         """The next plot to try, None when this one holds."""
@@ -306,7 +295,7 @@ class Unfolder:
             if other is not None:
                 changed = changed or other
                 continue
-            if followed.missed is None and self._same(course, followed, branch):
+            if followed.missed is None and same_motion(course, followed, branch):
                 more = {s: Decimal(repr(v)) for s, v in followed.values.items() if s not in branch.values}
                 found = Unfolded(course, finds, branch, followed, value.extended(more), frozenset(more))
                 if not course.sought() or not passed_before(course, followed, value):
@@ -365,35 +354,6 @@ class Unfolder:
             wrong = missing(course)
             if wrong is not None:
                 raise wrong
-
-    @staticmethod
-    def _same(course: Course, followed: Followed, branch: Branch) -> bool:
-        """Do followed numbers and branch agree, measured by the largest value that a letter has in any state?"""
-        sizes: dict[sp.Symbol, float] = {}
-        general = {own: s for stop in course.stops.values() for s, own in stop.letters.items()}
-        for own, v in followed.values.items():
-            letter = general.get(own, own)
-            sizes[letter] = max(sizes.get(letter, SMALL), abs(v))
-        for own, v in followed.values.items():
-            off = abs(float(branch.values[own]) - v) if own in branch.values else 0.0
-            if off > AGREE * sizes[general.get(own, own)]:
-                return False
-        return True
-
-
-def _onward(course: Course, branch: Branch) -> int:
-    """How many coordinates move in their last state as they have moved from the state before."""
-    count = 0
-    for i in range(len(course.states) - 1):
-        a, b = (course.stops[course.states[k].name] for k in (i, i + 1))
-        values = course.base().extended(branch.values)
-        for c in course.regimes[i].coordinates:
-            try:
-                rate = values(b.at(course.regimes[i].rates[c.symbol]))
-                count += rate * (values(b.letters[c.symbol]) - values(a.letters[c.symbol])) > 0
-            except (ArithmeticError, Unvalued):
-                continue
-    return count
 
 
 def _left_out(course: Course, others: list[Unfolded], why: str) -> tuple[str, ...]:

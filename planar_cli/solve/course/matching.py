@@ -1,0 +1,59 @@
+"""Which branch of the equations of a motion is the one that was followed in numbers."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import sympy as sp
+
+from planar_cli.equation.exact import Unvalued
+from planar_cli.solve.course.chain import Branch, Chain
+from planar_cli.solve.course.idle import ONLY_TIMES, asked_letters
+from planar_cli.solve.course.simulate import Followed
+
+if TYPE_CHECKING:
+    from planar_cli.solve.course.course import Course
+    from planar_cli.solve.course.finds import FindReader
+
+AGREE, SMALL = 1e-6, 1e-3
+
+
+def beside(course: Course, finds: FindReader, chain: Chain) -> Branch:
+    """The branch beside the numbers that were followed; integrals for times only where something rests on them."""
+    nothing = Branch({}, {}, (), ())
+    quick = [e for e in course.equations if e.kind not in ONLY_TIMES]
+    if len(quick) < len(course.equations):
+        branch = next(iter(chain.branches(quick)), nothing)
+        if asked_letters(course, finds) & chain.unknowns <= set(branch.values):
+            course.equations = quick
+            return branch
+    return next(iter(chain.branches(course.equations)), nothing)
+
+
+def same_motion(course: Course, followed: Followed, branch: Branch) -> bool:
+    """Do followed numbers and branch agree, measured by the largest value that a letter has in any state?"""
+    sizes: dict[sp.Symbol, float] = {}
+    general = {own: s for stop in course.stops.values() for s, own in stop.letters.items()}
+    for own, v in followed.values.items():
+        letter = general.get(own, own)
+        sizes[letter] = max(sizes.get(letter, SMALL), abs(v))
+    for own, v in followed.values.items():
+        off = abs(float(branch.values[own]) - v) if own in branch.values else 0.0
+        if off > AGREE * sizes[general.get(own, own)]:
+            return False
+    return True
+
+
+def onward(course: Course, branch: Branch) -> int:
+    """How many coordinates move in their last state as they have moved from the state before."""
+    count = 0
+    for i in range(len(course.states) - 1):
+        a, b = (course.stops[course.states[k].name] for k in (i, i + 1))
+        values = course.base().extended(branch.values)
+        for c in course.regimes[i].coordinates:
+            try:
+                rate = values(b.at(course.regimes[i].rates[c.symbol]))
+                count += rate * (values(b.letters[c.symbol]) - values(a.letters[c.symbol])) > 0
+            except (ArithmeticError, Unvalued):
+                continue
+    return count
