@@ -58,7 +58,7 @@ _SCENE = {
     ),
     "PL528": (
         "Where two bodies strike each other, or in which direction, is open. A particle, a round rim, the end of a rod "
-        "or the corner of a plate must meet the other body; where both are particles at one place, or two corners meet, "
+        "or the corner of a plate must meet the other body; where two particles are at one place, or two corners meet, "
         "write `normal: 0 deg`, the direction of the common normal."
     ),
     "PL527": "Two corners touch: the direction of the contact is open. One side needs a rim, an edge or a surface.",
