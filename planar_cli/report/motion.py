@@ -98,7 +98,7 @@ class MotionTelling:
                     sides.append(numbers)
                 if not self.phrases.symbolic:
                     unit = finds.unit_of(asked.find)
-                    value = self.found.value(part)
+                    value = Decimal(0) if self.found.value.is_zero(part) else self.found.value(part)
                     sides.append(Value(display(value, unit), unit.text, self.phrases.figures))
                 yield Equation(tuple(sides))
 

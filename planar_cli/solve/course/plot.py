@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -186,6 +186,16 @@ class Workshop:
         span = stretch.span
         drawn = self.drawn(span)
         return make_general(span.problem, span.always, self.earlier, drawn, stretch.choice, stretch.still, self.made)
+
+
+def nearest(plot: Plot, i: int, choices: Iterable[tuple[int, ...]]) -> list[tuple[int, ...]]:
+    """Choices of modes for stretch i, those first that differ in the fewest joints from the stretch before, where the
+    same things act in it.
+    """
+    if i == 0 or plot.stretches[i - 1].span.key != plot.stretch(i).span.key:
+        return list(choices)
+    before = plot.stretches[i - 1].choice
+    return sorted(choices, key=lambda c: sum(a != b for a, b in zip(c, before, strict=True)))
 
 
 def fixed_time(relations: tuple[Statement, ...]) -> Relation | None:

@@ -29,7 +29,7 @@ from planar_cli.solve.course.methods import by_method
 from planar_cli.solve.course.newton import refined_left
 from planar_cli.solve.course.oscillation import Oscillation
 from planar_cli.solve.course.over_spans import SpanIntegral
-from planar_cli.solve.course.plot import Plot, Workshop
+from planar_cli.solve.course.plot import Plot, Workshop, nearest
 from planar_cli.solve.course.route import Route
 from planar_cli.solve.course.simulate import Followed, Follower, leaning
 from planar_cli.solve.course.starts import Start, balanced, certain_start, resting, untold
@@ -241,12 +241,12 @@ class Unfolder:
         return None
 
     def _other(self, plot: Plot, i: int, why: str, mark: Mark) -> tuple[int, ...]:
-        """Another choice of modes for a stretch, the natural ones first."""
+        """Another choice of modes for a stretch: those first that differ least from what was before."""
         name = tuple(s.name for s in plot.states[: i + 1])
         failed = self.tried.setdefault(name, [])
         failed.append(plot.stretch(i).choice)
         self.why = self.why or why
-        for choice in self.workshop.drawn(plot.stretch(i).span).choices():
+        for choice in nearest(plot, i, self.workshop.drawn(plot.stretch(i).span).choices()):
             if choice not in failed and not changes_sides(plot, self.workshop, i, choice):
                 return choice
         raise NoSolution(
