@@ -67,9 +67,9 @@ def eliminate(
     `positive`: unknowns of which only a positive value counts.
     """
     order = sorted(left, key=lambda s: s in letters)
-    found = _linear(pool, order, left, True) or _circle(pool, order, left, value)
+    found = _linear(pool, order, left, value, True) or _circle(pool, order, left, value)
     if found is None and alone(pool, left) is None:
-        found = _linear(pool, order, left, False) or _even(pool, [x for x in order if x in positive])
+        found = _linear(pool, order, left, value, False) or _even(pool, [x for x in order if x in positive])
     return found
 
 
@@ -90,8 +90,10 @@ def _even(pool: list[Pending], candidates: Iterable[sp.Symbol]) -> Step | None:
     return None
 
 
-def _linear(pool: list[Pending], order: Iterable[sp.Symbol], left: Sequence[sp.Symbol], constant: bool) -> Step | None:
-    """An unknown that enters linearly; `constant`: its factor holds no other unknown."""
+def _linear(
+    pool: list[Pending], order: Iterable[sp.Symbol], left: Sequence[sp.Symbol], value: Valuation, constant: bool
+) -> Step | None:
+    """An unknown that enters linearly, with a factor that does not vanish; `constant`: it holds no other unknown."""
     for x in order:
         for i, p in enumerate(pool):
             if x not in p.residual.free_symbols:
@@ -102,10 +104,20 @@ def _linear(pool: list[Pending], order: Iterable[sp.Symbol], left: Sequence[sp.S
             factor = form.terms.get(x, sp.S.Zero)
             if factor == 0 or (constant and any(s in factor.free_symbols for s in left)):
                 continue
+            if _zero(factor, value):
+                continue
             formula = tidy(-form.constant / factor)
             rest = [Pending(tidy(o.residual.xreplace({x: formula})), o.numbers) for j, o in enumerate(pool) if j != i]
             return Step(Line(x, formula, None, p.numbers), rest)
     return None
+
+
+def _zero(factor: sp.Expr, value: Valuation) -> bool:
+    """Does a factor vanish where everything in it is known?"""
+    try:
+        return value.is_zero(factor)
+    except (ArithmeticError, Unvalued):
+        return False
 
 
 def _form(residual: sp.Expr, x: sp.Symbol) -> Form | None:
@@ -150,10 +162,10 @@ def _circle(
 
 def combined(pool: list[Pending], left: Sequence[sp.Symbol], value: Valuation) -> list[Pending] | None:
     """Two equations made into a simpler one that takes the place of one of them."""
-    return subtracted(pool, left) or _resultant(pool, left, value)
+    return subtracted(pool, left, value) or _resultant(pool, left, value)
 
 
-def subtracted(pool: list[Pending], left: Sequence[sp.Symbol]) -> list[Pending] | None:
+def subtracted(pool: list[Pending], left: Sequence[sp.Symbol], value: Valuation) -> list[Pending] | None:
     """The squares of one unknown cancel, and what is left is linear in some unknown."""
     for i, j in combinations(range(len(pool)), 2):
         for x in left:
@@ -162,7 +174,7 @@ def subtracted(pool: list[Pending], left: Sequence[sp.Symbol]) -> list[Pending] 
                 continue
             less = tidy(sp.expand(leads[1] * pool[i].residual - leads[0] * pool[j].residual))
             made = Pending(less, (*pool[i].numbers, *pool[j].numbers))
-            if _linear([made], left, left, True) is not None:
+            if _linear([made], left, left, value, True) is not None:
                 return [*(p for n, p in enumerate(pool) if n != j), made]
     return None
 

@@ -63,7 +63,7 @@ class Unfolded:
 @dataclass(slots=True)
 class Unfolder:
     """Unfolds one problem. `tried`: choices of modes that failed, by stretch of a plot; `lack`: what is wrong with the
-    first of them in which no motion passes through the states.
+    first of them in which no motion passes through the states. `loose`: the course before what rests was held.
     """
 
     problem: Problem
@@ -73,6 +73,7 @@ class Unfolder:
     why: str = ""
     lack: NoSolution | None = None
     stays: bool = False
+    loose: tuple[Course, FindReader] | None = None
 
     def run(self) -> Unfolded:
         plot = first_plot(self.problem, self.workshop)
@@ -101,7 +102,6 @@ class Unfolder:
 
     def _unfold(self, course: Course, finds: FindReader) -> Unfolded | Plot:
         """The course unfolded, or another plot to try."""
-        course.equations = without_idle_times(course, finds)
         start = self._start(course)
         if start is Start.CONTRADICTS:
             try:
@@ -116,14 +116,22 @@ class Unfolder:
                 return other
         if start is Start.OPEN or untold(course):
             loose = next((i for i, r in enumerate(course.regimes) if r.undetermined), None)
+            self._relate(course, finds)
             return self._sought(course, finds) if loose is None else self._determined(course, loose)
         assert isinstance(start, dict)
         kept = frozenset() if course.blows else balanced(course, start)
         self.stays = self.stays or bool(kept)
         still = frozenset() if course.blows else resting(course, start) | kept
         if still - course.plot.stretches[0].still:
+            self.loose = self.loose or (course, finds)
             return course.plot.stilled(still | course.plot.stretches[0].still)
         return self._followed(course, finds, start)
+
+    @staticmethod
+    def _relate(course: Course, finds: FindReader) -> None:
+        """Write the equations from state to state."""
+        course.relate()
+        course.equations = without_idle_times(course, finds)
 
     @staticmethod
     def _start(course: Course) -> dict[sp.Symbol, Decimal] | Start:
@@ -138,6 +146,7 @@ class Unfolder:
                 course.equations.remove(touch)
             else:
                 start = now
+                course.touches.append(touch)
         return start
 
     def _tried(self, course: Course, start: dict[sp.Symbol, Decimal]) -> Plot | None:
@@ -184,8 +193,9 @@ class Unfolder:
         changed = self._changed(course, followed)
         if changed is not None:
             return changed
+        self._relate(course, finds)
         if followed.missed is not None:
-            related = self._related(course, finds, followed.missed)
+            related = self._related(*(self.loose or (course, finds)), followed.missed)
             if related is not None:
                 return related
             raise never(course, followed, course.base())
