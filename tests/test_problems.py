@@ -18,7 +18,7 @@ from planar_cli.formats.json import dumps
 from planar_cli.formats.terminal import Terminal
 from planar_cli.report.json_document import solution_data
 from planar_cli.report.narrate import narrate
-from planar_cli.solve.solution import Solution
+from planar_cli.solve.solution import PartSolution, Solution
 
 
 def equations_text(solution: Solution) -> str:
@@ -37,7 +37,16 @@ def equations_text(solution: Solution) -> str:
                     for w in block.equations
                 ]
                 lines += [f"  ({number}) {text}" for number, text in sorted(rows)]
+        lines += between_text(part)
     return "\n".join(lines) + "\n"
+
+
+def between_text(part: PartSolution) -> list[str]:
+    """The equations between states on which the answers of a motion rest."""
+    if part.motion is None or part.motion.route is None:
+        return []
+    equations = [e for leg in part.motion.route.legs if not leg.datum for e in leg.derivation.equations]
+    return [f"  {e.kind} {e.since or ''}->{e.stop}: {e.words}: {e.residual} = 0" for e in equations]
 
 
 @pytest.mark.parametrize("path", PROBLEMS, ids=name_of)

@@ -28,6 +28,7 @@ class Ledger:
     in the order in which they were made, with `titles` saying what each is. `letters`: knowns without a number.
     `sought`: unknown constants and coordinates. `units`: the unit for display, by symbol. `ranges`: from where to where
     a letter is drawn, where the usual range would not do. `project`: moves drawn coordinates to where loops close.
+    `named`: symbols that stand for an expression, by name and expression.
     """
 
     symbols: dict[str, sp.Symbol] = field(default_factory=dict)
@@ -41,6 +42,7 @@ class Ledger:
     us: bool = False
     ranges: dict[str, tuple[Decimal, Decimal]] = field(default_factory=dict)
     project: Callable[[Valuation], Mapping[sp.Symbol, Decimal]] | None = None
+    named: dict[tuple[str, sp.Expr], sp.Symbol] = field(default_factory=dict)
 
     def known(self, name: str, value: sp.Expr, unit: str) -> sp.Symbol:
         """A name with a value; positive when its number is."""
@@ -84,6 +86,12 @@ class Ledger:
         symbol = self.symbols[free] = sp.Symbol(free, positive=True) if positive else sp.Symbol(free, real=True)
         self.units[symbol] = parse_unit(unit)
         return symbol
+
+    def once(self, name: str, unit: str, expr: sp.Expr) -> sp.Symbol:
+        """A symbol of ours for an expression: the same one for the same expression."""
+        if (name, expr) not in self.named:
+            self.named[name, expr] = self.fresh(name, unit)
+        return self.named[name, expr]
 
     def define(self, name: str, expr: sp.Expr, unit: str, title: str, *, positive: bool = False) -> sp.Symbol:
         """A named intermediate."""

@@ -201,10 +201,10 @@ class Writer:
         scene = self.system.scene
         name = scene.bodies[body].center_name
         stem = f"a_{name}" if name else f"a_{body}"
-        symbol = scene.ledger.fresh(stem + axis, "m/s^2")
         where = f" along {axis}" if axis else ""
         form = self.numbers.form(expr)
         expr = sp.Add(*(self.short(c) * x for x, c in form.terms.items()), self.shortened(form.constant))
+        symbol = scene.ledger.once(stem + axis, "m/s^2", expr)
         self.lines.append(
             Explicit(self.number(), symbol, expr, f"acceleration of {name or 'the mass centre of ' + body}{where}")
         )
