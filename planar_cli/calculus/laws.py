@@ -23,9 +23,10 @@ __all__ = ["Moment", "Span", "relations"]
 
 
 def relations(
-    order: int, f: sp.Expr, start: Moment, end: Moment, valuation: Valuation | None = None
+    order: int, f: sp.Expr, start: Moment, end: Moment, valuation: Valuation | None = None, lean: bool = False
 ) -> tuple[Span, ...]:
-    """The relations between start and end that a law gives; none: it must be integrated step by step.
+    """The relations between start and end that a law gives; none: it must be integrated step by step. `lean`: no time
+    by the place where the place is known over time.
 
     order 0: q = f(t); order 1: v = f(t, q); order 2: a = f(t, q, v), with the letters of `end` in f. The valuation
     tells signs of parameters and the direction of motion (from start.v) where the letters' assumptions do not.
@@ -35,7 +36,7 @@ def relations(
         return _given_place(law, end)
     if order == 1:
         return _given_speed(law, start, end, valuation)
-    return _given_acceleration(law, start, end, valuation)
+    return _given_acceleration(law, start, end, valuation, lean)
 
 
 def _given_place(f: sp.Expr, end: Moment) -> tuple[Span, ...]:
@@ -112,7 +113,9 @@ def _over_time(f: sp.Expr, start: Moment, end: Moment, value: Valuation | None) 
     return _done(integral(f, start.t, end.t), value)
 
 
-def _given_acceleration(f: sp.Expr, start: Moment, end: Moment, value: Valuation | None) -> tuple[Span, ...]:
+def _given_acceleration(
+    f: sp.Expr, start: Moment, end: Moment, value: Valuation | None, lean: bool
+) -> tuple[Span, ...]:
     """a = f(t, q, v): the class of the law decides."""
     directed = _directed(f, start, end, value)
     if directed is None:
@@ -130,7 +133,8 @@ def _given_acceleration(f: sp.Expr, start: Moment, end: Moment, value: Valuation
         rest = simplified(sp.expand(law + w2 * end.q + c * end.v))
         found = linear(w2, c, rest, start, end, value, where)
     if by_place and not by_time:
-        found += _by_place(law, start, end, value, where)
+        timed = not lean or not any(s.kind == "q(t)" for s in found)
+        found += _by_place(law, start, end, value, where, timed)
     return found or _product(law, start, end, value, where)
 
 
@@ -244,16 +248,16 @@ def _in_time(
 
 
 def _by_place(
-    a: sp.Expr, start: Moment, end: Moment, value: Valuation | None, where: tuple[sp.Expr, ...]
+    a: sp.Expr, start: Moment, end: Moment, value: Valuation | None, where: tuple[sp.Expr, ...], timed: bool
 ) -> tuple[Span, ...]:
-    """a = f(q), or f(q) + c v²: v by q, and the time by quadrature, once for each direction of motion."""
+    """a = f(q), or f(q) + c v²: v by q, and (if `timed`) the time by quadrature, once for each direction of motion."""
     if a.has(end.v):
         return _squared(a, start, end, value, where)
     sides = integral(end.v, start.v, end.v), integral(a, start.q, end.q)
     work = _done(sides[1], value)
     square = start.v**2 + 2 * work
     found = [span("v(q)", "v dv = a dq", end.v**2 - square, sides, None, where)]
-    if not work.has(sp.Integral):
+    if timed and not work.has(sp.Integral):
         found += _durations(square, start, end, value)
     return tuple(found)
 

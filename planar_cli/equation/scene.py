@@ -258,7 +258,10 @@ class Scene:
             if not square.is_number
             else square
         )
-        return sp.sqrt(sp.factor(simple) if simple.free_symbols else simple)
+        root = sp.sqrt(sp.factor(simple) if simple.free_symbols else simple)
+        # A length along a slanting line is a difference of places, on the side where it is drawn.
+        inside = {a: a.args[0] if self.sign(a.args[0]) >= 0 else -a.args[0] for a in root.atoms(sp.Abs)}
+        return root.xreplace(inside) if inside else root
 
     def direction(self, along: Side | str) -> Vec:
         """A direction given by an angle, a surface (its line) or a body (its angle)."""

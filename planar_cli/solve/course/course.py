@@ -67,6 +67,7 @@ class Course:
     demands: dict[str, list[Demand]] = field(default_factory=dict)
     placed: dict[str, list[Demand]] = field(default_factory=dict)
     equations: list[Equation] = field(default_factory=list)
+    touches: list[Equation] = field(default_factory=list)
     told: dict[sp.Symbol, sp.Expr] = field(default_factory=dict)
     still: Still | None = None
     spanned: dict[sp.Symbol, Asked] = field(default_factory=dict)
@@ -136,7 +137,7 @@ class Course:
     # --- equations ---------------------------------------------------------------------------------------------------
 
     def read(self) -> None:
-        """Read all states, work out every regime, and write the equations."""
+        """Read all states, work out every regime, and write the equations of the first state."""
         raw = {s.name: self.readers[s.name].raw(s.relations) for s in self.states}
         always = {s.name: self.readers[s.name].raw(self._places(i)) for i, s in enumerate(self.states)}
         beside = {s.name: self.readers[s.name].raw(s.relations) for s, _ in self.plot.equilibria}
@@ -159,11 +160,15 @@ class Course:
         for s in self.states:
             self.demands[s.name] = self.readers[s.name].demands(self.stops[s.name], raw[s.name])
         self.laws = [laws_of(r) if r.runs else Laws((), (), ()) for r in self.regimes]
-        self.equations = []
-        if self.states:
-            whole = self.regimes[0].general.value
-            self.equations = at_limits([*self._stated(), *self._moving()], self.infinite(), whole)
-            self.equations += self._stationary()
+        self.equations = self._at_limits([*self._stated(), *self._beginning()])
+
+    def relate(self) -> None:
+        """All equations, from state to state; they take long, so that only a plot that may happen has them."""
+        self.equations = self._at_limits([*self._stated(), *self._beginning(), *self._moving(), *self.touches])
+        self.equations += self._stationary()
+
+    def _at_limits(self, equations: list[Equation]) -> list[Equation]:
+        return at_limits(equations, self.infinite(), self.regimes[0].general.value) if self.states else []
 
     def edges(self) -> dict[sp.Symbol, Edge]:
         """What the free speeds of all regimes are, by their letters."""
@@ -251,21 +256,28 @@ class Course:
                     found += stationary(self.equations, objective, chain.unknowns, kept, like)
         return found
 
-    def _moving(self) -> list[Equation]:
+    def _beginning(self) -> list[Equation]:
+        """How the first state is drawn."""
+        if not self.states:
+            return []
         first = self.first
         placed = {x for d in self.placed[first.name] for x in d.residual.free_symbols} - {first.t}
         found = [e for e in drawn_equations(self.regimes[0], first) if not e.residual.free_symbols & placed]
         found += list(later_equations(self.regimes, first, self.handing(self.regimes[0])))
+        return found + list(loop_equations(self.readers[first.name].regime, first, first))
+
+    def _moving(self) -> list[Equation]:
+        """What the motion from state to state says."""
+        found: list[Equation] = []
         since = 0
         for i, state in enumerate(self.states):
             stop = self.stops[state.name]
             regime = self.readers[state.name].regime
             if i - 1 in self.blows:
                 found += self.blows[i - 1].equations
+            if i == 0 or i - 1 in self.blows:
                 continue
             found += list(loop_equations(regime, self.first, stop))
-            if i == 0:
-                continue
             if i >= 2 and (i - 2 in self.blows or self.regimes[i - 1] is not self.regimes[i - 2]):
                 since = i - 1
             start = self.stops[self.states[since].name]

@@ -220,7 +220,7 @@ def law_equations(laws: Laws, since: Stop, stop: Stop, regime: Regime, value: Va
         f = f.xreplace({s: _since(s, since, regime) for s in f.free_symbols if s.name.endswith("_0")})
         others = {k: v for k, v in named.items() if not v.is_Symbol}
         family = ("law", q.name, since.name, stop.name)
-        spans = relations(law.order, f, start, end, _signs(value, named, since, regime))
+        spans = relations(law.order, f, start, end, _signs(value, named, since, regime), lean=True)
         explicit = any(s.kind == "q(t)" for s in spans)
         for span in spans:
             if (law.order == 1 and span.kind.startswith("v")) or (explicit and span.kind == "t(q)"):
