@@ -53,7 +53,11 @@ class Moving:
         """|r| of a place is r on the side where it is drawn; a speed may change its sign."""
         if longer(root, MANY) or root.free_symbols & self._speeds():
             return root
-        plain = sp.sqrt(simplified(root**2))
+        square = simplified(root**2)
+        plain = sp.sqrt(square)
+        if not plain.atoms(sp.Abs) and square.is_Add:
+            whole = sp.sqrt(sp.factor(square))
+            plain = whole if whole.atoms(sp.Abs) else plain
         sides = plain.atoms(sp.Abs)
         if sides:
             return plain.xreplace({a: self.sign(a.args[0]) * a.args[0] for a in sides})
