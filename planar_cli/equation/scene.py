@@ -317,8 +317,7 @@ class Scene:
     def owner(self, point: str, apart_from: str = "") -> str:
         """The body that a point belongs to (another one than `apart_from`); the ground when it belongs to none."""
         owners = self.owners.get(point) or ((point,) if point in self.bodies else ())
-        found = [b for b in owners if b != apart_from]
-        return found[0] if found else GROUND
+        return next((b for b in owners if b != apart_from), GROUND)
 
     def center(self, body: str) -> Vec:
         """The mass centre of a body; of the ground, the origin."""

@@ -38,12 +38,18 @@ BEFORE = 1e-6
 # --- a datum is missing ----------------------------------------------------------------------------------------------
 
 
+REPEATING = ("energy", "momentum")
+
+
 def loose_letters(course: Course) -> list[sp.Symbol]:
     """Letters of states and sought constants that the equations do not fix."""
     unknowns = sorted(course.chain().unknowns, key=lambda s: s.name)
     value = course.base().extended({x: Decimal("0.31") + Decimal(i) / 7 for i, x in enumerate(unknowns)})
     rows = []
-    for e in _independent(course.equations):
+    places = [s.name for s in course.states]
+    # Where laws of motion tell everything, those of energy and momentum say nothing new.
+    laws = [e for e in course.equations if e.kind not in REPEATING or course.laws[places.index(e.stop) - 1].loose]
+    for e in _independent(laws):
         try:
             row = [value(sp.diff(e.residual, x)) if e.residual.has(x) else Decimal(0) for x in unknowns]
         except (ArithmeticError, Unvalued):

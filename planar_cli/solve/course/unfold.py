@@ -123,7 +123,9 @@ class Unfolder:
         self.stays = self.stays or bool(kept)
         still = frozenset() if course.blows else resting(course, start) | kept
         if still - course.plot.stretches[0].still:
-            self.loose = self.loose or (course, finds)
+            if self.loose is None and self.problem.method == "energy":
+                self._relate(course, finds)
+                self.loose = course, finds
             return course.plot.stilled(still | course.plot.stretches[0].still)
         return self._followed(course, finds, start)
 
