@@ -128,6 +128,24 @@ joints:
 states: {1: [at rest], 2: [arm at rest], 3: [t = 60 s]}
 find: {phi: theta(arm) @ 2, later: theta(arm) @ 3, M: moment(O) @ 3}
 """
+BUFFER = """
+title: Block that slides down onto a buffer
+plane: vertical
+given: {m: 4 kg, beta: 30 deg, mu: 0.2, k: 600 N/m, a: 1 m, l_0: 0.5 m}
+coordinates: {s: m}
+points:
+  O: [0, 0]
+  P: {from: O, distance: s, angle: -beta}
+  W: {from: O, distance: a + l_0, angle: -beta}
+surfaces: {slope: {through: O, angle: -beta}}
+bodies: {block: {particle: P, mass: m}}
+joints:
+  - contact: {between: [block, slope], at: P, mu: mu}
+loads:
+  - spring: {between: [P, W], stiffness: k, natural_length: l_0, acts: push, name: buffer}
+states: {1: [s = 0, at rest], meets: [s = a], deepest: [block at rest], rebound: [block at rest]}
+find: {v: v(P).mag @ meets, c: s @ deepest - a, back: s @ rebound, Q: heat(P) @ 1->rebound}
+"""
 
 
 def left_dome() -> tuple[float, float, float]:
@@ -233,3 +251,16 @@ def test_an_arm_stays_where_friction_stops_it() -> None:
     assert 2 * G * 0.5 * sin(turned) == pytest.approx(6 * turned)
     assert first(found["later"]) == pytest.approx(-turned)
     assert first(found["M"]) == pytest.approx(2 * G * 0.5 * cos(turned))
+
+
+def test_a_rough_slope_and_a_buffer() -> None:
+    """Work of weight, friction and spring for each way; the friction changes its direction at the deepest place."""
+    found = solve(BUFFER)
+    weight, friction = 4 * G / 2, 0.2 * 4 * G * sqrt(3) / 2
+    down, up = weight - friction, weight + friction
+    c = (down + sqrt(down**2 + 2 * 600 * down)) / 600
+    back = 1 + c - 300 * c**2 / up
+    assert first(found["v"]) == pytest.approx(sqrt(2 * down / 4))
+    assert first(found["c"]) == pytest.approx(c)
+    assert first(found["back"]) == pytest.approx(back)
+    assert first(found["Q"]) == pytest.approx(friction * (2 * (1 + c) - back))
