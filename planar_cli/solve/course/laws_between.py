@@ -49,8 +49,8 @@ class LawsBetween:
 
     def close(self, regimes: Sequence[Regime]) -> None:
         """Closed formulas, once the regimes are worked out; None or nothing where no time passes."""
-        self.closed = [closed_energies(r, self.energies[id(r)]) if r.runs else None for r in regimes]
-        self.integrated = [integrated(r, self.momenta[id(r)]) if r.runs else [] for r in regimes]
+        self.closed = [closed_energies(r, self.energies.get(id(r))) for r in regimes]
+        self.integrated = [integrated(r, self.momenta.get(id(r), [])) for r in regimes]
 
     def equations(self, course: Course, k: int) -> Iterator[Equation]:
         """All that end at state k."""
