@@ -146,6 +146,18 @@ loads:
 states: {1: [s = 0, at rest], meets: [s = a], deepest: [block at rest], rebound: [block at rest]}
 find: {v: v(P).mag @ meets, c: s @ deepest - a, back: s @ rebound, Q: heat(P) @ 1->rebound}
 """
+BETWEEN_SPRINGS = """
+title: Cylinder between two springs
+plane: vertical
+unknowns: {k: N/m}
+points: {L: [-1.5 m, 0], P: [0, 0], R: [1.5 m, 0]}
+bodies: {cylinder: {particle: P, mass: 10 kg}}
+loads:
+  - spring: {between: [L, P], stiffness: k, natural_length: 1 m, name: left}
+  - spring: {between: [R, P], stiffness: k, natural_length: 1 m, name: right}
+states: {1: [at rest], 2: [y(P) = -0.5 m, at rest]}
+find: {k: k, x: x(P) @ 2}
+"""
 
 
 def left_dome() -> tuple[float, float, float]:
@@ -264,3 +276,11 @@ def test_a_rough_slope_and_a_buffer() -> None:
     assert first(found["c"]) == pytest.approx(c)
     assert first(found["back"]) == pytest.approx(back)
     assert first(found["Q"]) == pytest.approx(friction * (2 * (1 + c) - back))
+
+
+def test_a_sought_stiffness_and_what_stays_in_the_middle() -> None:
+    """The springs hold each other's sideways pull, whatever they are; so the energy alone gives the stiffness."""
+    found = solve(BETWEEN_SPRINGS)
+    stretch = (sqrt(1.5**2 + 0.5**2) - 1) ** 2 - 0.5**2
+    assert first(found["k"]) == pytest.approx(10 * G * 0.5 / stretch)
+    assert first(found["x"]) == 0

@@ -9,6 +9,7 @@ from enum import Enum
 import sympy as sp
 
 from planar_cli.equation.exact import CERTAIN, Unvalued, Valuation
+from planar_cli.equation.plain import longer, simplified
 from planar_cli.solve.course.course import Course
 from planar_cli.solve.course.regime import Regime
 
@@ -37,6 +38,10 @@ def started(
     return found
 
 
+LONG = 300
+"""A formula with more operations is not looked at for being zero."""
+
+
 class Start(Enum):
     """What the first state does not tell: some of its letters, or a start that contradicts the regime."""
 
@@ -50,24 +55,55 @@ def certain_start(course: Course) -> dict[sp.Symbol, Decimal] | Start:
         return Start.CONTRADICTS
     if course.sought() or any(blow.scene.open_names for blow in course.blows.values()):
         return Start.OPEN
+    found = _first_letters(course)
+    return found[0] if found and found[0] else Start.OPEN if found else Start.CONTRADICTS
+
+
+def _first_letters(course: Course) -> list[dict[sp.Symbol, Decimal]]:
+    """The letters of the first state, one way after the other; empty where they are not all told."""
     own = set(course.first.letters.values())
-    branches = list(course.chain().branches([e for e in course.equations if e.stop == course.first.name]))
-    for branch in branches:
-        if own <= set(branch.values):
-            return {s: branch.values[own] for s, own in course.first.letters.items()}
-    return Start.OPEN if branches else Start.CONTRADICTS
+    branches = course.chain().branches([e for e in course.equations if e.stop == course.first.name])
+    told = [{s: b.values[o] for s, o in course.first.letters.items()} if own <= set(b.values) else {} for b in branches]
+    return sorted(told, key=lambda letters: not letters)
+
+
+def resting_though_sought(course: Course) -> frozenset[str]:
+    """The same where constants are sought, but the first state tells its letters in one way."""
+    if course.blows or not course.sought() or course.regimes[0].moved():
+        return frozenset()
+    found = _first_letters(course)
+    return resting(course, found[0]) if len(found) == 1 and found[0] else frozenset()
 
 
 def resting(course: Course, start: Mapping[sp.Symbol, Decimal]) -> frozenset[str]:
     """Free speeds that are zero at the start and that nothing sets in motion, whatever the others do."""
     idle = {u for u in course.regimes[0].free if not start[u]}
     while idle:
-        zero = dict.fromkeys(idle, sp.S.Zero)
-        moved = {u for u in idle for r in course.regimes if r.accelerations.get(u, sp.S.One).subs(zero) != 0}
+        moved = {u for u in idle for r in course.regimes if not _stays(course, r, u, idle, start)}
         if not moved:
             return frozenset(u.name for u in idle)
         idle -= moved
     return frozenset()
+
+
+def _stays(
+    course: Course, regime: Regime, u: sp.Symbol, idle: set[sp.Symbol], start: Mapping[sp.Symbol, Decimal]
+) -> bool:
+    """Does nothing act on a speed while these speeds vanish, and what moves with them alone is where it was drawn?"""
+    if u not in regime.accelerations:
+        return False
+    still = dict.fromkeys(idle, sp.S.Zero)
+    rate = regime.accelerations[u].subs(still)
+    if rate == 0:
+        return True
+    base = course.base()
+    for c in regime.coordinates:
+        if c.drawn is None or c.symbol not in rate.free_symbols or regime.rates[c.symbol].subs(still) != 0:
+            continue
+        if abs(base(c.drawn) - start[c.symbol]) > CERTAIN:
+            return False
+        rate = rate.subs(c.symbol, c.drawn)
+    return not longer(rate, LONG) and simplified(rate) == 0
 
 
 def untold(course: Course) -> bool:

@@ -32,7 +32,7 @@ from planar_cli.solve.course.over_spans import SpanIntegral
 from planar_cli.solve.course.plot import Plot, Workshop, nearest
 from planar_cli.solve.course.route import Route
 from planar_cli.solve.course.simulate import Followed, Follower, leaning
-from planar_cli.solve.course.starts import Start, balanced, certain_start, resting, untold
+from planar_cli.solve.course.starts import Start, balanced, certain_start, resting, resting_though_sought, untold
 from planar_cli.solve.diagnose import explain_failure, singular_position
 from planar_cli.solve.instant import make_instant, search_modes
 
@@ -115,6 +115,9 @@ class Unfolder:
             if other is not None:
                 return other
         if start is Start.OPEN or untold(course):
+            still = course.plot.stretches[0].still
+            if resting_though_sought(course) - still:
+                return course.plot.stilled(resting_though_sought(course) | still)
             loose = next((i for i, r in enumerate(course.regimes) if r.undetermined), None)
             self._relate(course, finds)
             return self._sought(course, finds) if loose is None else self._determined(course, loose)
