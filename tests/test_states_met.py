@@ -158,6 +158,19 @@ loads:
 states: {1: [at rest], 2: [y(P) = -0.5 m, at rest]}
 find: {k: k, x: x(P) @ 2}
 """
+CATAPULT = """
+title: A force that grows and fades away, of which the peak is sought
+plane: horizontal
+unknowns: {F: N}
+points: {P: [0, 0]}
+bodies: {sledge: {particle: P, mass: 24 kg}}
+joints:
+  - guide: {point: P, along: 0 deg}
+loads:
+  - force: {body: sledge, at: P, magnitude: {table: [[0 s, 0 N], [0.15 s, F], [0.5 s, 0 N]]}, angle: 0 deg, name: push}
+states: {1: [t = 0, at rest], peak: [t = 0.15 s], 2: [t = 0.5 s, v(P).x = 20 m/s], 3: [t = 2 s]}
+find: {F: F, v: v(P).x @ peak, mean: mean(force(push).x) @ 1->2, later: v(P).x @ 3}
+"""
 
 
 def left_dome() -> tuple[float, float, float]:
@@ -284,3 +297,12 @@ def test_a_sought_stiffness_and_what_stays_in_the_middle() -> None:
     stretch = (sqrt(1.5**2 + 0.5**2) - 1) ** 2 - 0.5**2
     assert first(found["k"]) == pytest.approx(10 * G * 0.5 / stretch)
     assert first(found["x"]) == 0
+
+
+def test_a_peak_that_is_sought_inside_a_table() -> None:
+    """The area below the table is the momentum; nothing acts later."""
+    found = solve(CATAPULT)
+    assert first(found["F"]) == pytest.approx(24 * 20 / 0.25)
+    assert first(found["v"]) == pytest.approx(20 * 0.15 / 0.5)
+    assert first(found["mean"]) == pytest.approx(24 * 20 / 0.5)
+    assert first(found["later"]) == pytest.approx(20)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from decimal import Decimal
+from itertools import pairwise
 
 import sympy as sp
 
@@ -16,6 +17,7 @@ from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.equation.setup import has_quantity
 from planar_cli.errors import PlanarError
 from planar_cli.problem.expression import Name, Relation, Side
+from planar_cli.problem.keys import Table, keys_of
 from planar_cli.solve.instant import Instant
 
 NEAR, FAR = Decimal("0.02"), Decimal("0.07")
@@ -40,7 +42,27 @@ def ranges(drawn: Instant, displacement: Displacement) -> dict[str, Range]:
         own = _stated(drawn, symbol, value)
         if own is not None:
             found[symbol.name] = own
-    return found
+    acting = _while_tables_act(drawn, value)
+    return found if acting is None else {**found, "t": acting}
+
+
+def _while_tables_act(drawn: Instant, value: Valuation) -> Range | None:
+    """A span of time in which no table over time is zero all along, if there is one: what is zero at the time that is
+    drawn would be left out.
+    """
+    tables = [getattr(load, s.name) for load in drawn.scene.problem.loads for s in keys_of(type(load))]
+    found: Range | None = None
+    for table in (t for t in tables if isinstance(t, Table)):
+        times = [_number(drawn, when, value) for when, _ in table.rows]
+        sizes = [_number(drawn, size, value) for _, size in table.rows]
+        for (t0, v0), (t1, v1) in pairwise(zip(times, sizes, strict=True)):
+            if t0 is None or t1 is None or (v0 == 0 and v1 == 0):
+                continue
+            low, high = (t0, t1) if found is None else (max(t0, found[0]), min(t1, found[1]))
+            if low < high:
+                found = low, high
+                break
+    return None if found is None else (found[0] + (found[1] - found[0]) * NEAR, found[1] - (found[1] - found[0]) * NEAR)
 
 
 def _beside(at: Decimal, reach: Decimal) -> Range:
