@@ -171,6 +171,19 @@ loads:
 states: {1: [t = 0, at rest], peak: [t = 0.15 s], 2: [t = 0.5 s, v(P).x = 20 m/s], 3: [t = 2 s]}
 find: {F: F, v: v(P).x @ peak, mean: mean(force(push).x) @ 1->2, later: v(P).x @ 3}
 """
+DRAWN_IN = """
+title: Ball drawn in by a cord through a hole
+plane: horizontal
+coordinates: {r: m, phi: rad}
+points: {O: [0, 0], P: {from: O, distance: r, angle: phi}, H: [-0.5 m, 0]}
+bodies: {ball: {particle: P, mass: 0.5 kg}, hand: {particle: H}}
+joints:
+  - guide: {point: H, along: 0 deg, name: track}
+  - rope: {path: [ball, O, hand], name: cord}
+motion: [v(H).x = -0.25 m/s]
+states: {1: [t = 0, r = 0.8 m, phi = 0, v(P).y = 2 m/s], 2: [r = 0.4 m], 3: [tension(cord) = 60 N]}
+find: {t: t @ 2, v: v(P).mag @ 2, turned: phi @ 2, T: tension(cord) @ 2, r: r @ 3}
+"""
 
 
 def left_dome() -> tuple[float, float, float]:
@@ -306,3 +319,13 @@ def test_a_peak_that_is_sought_inside_a_table() -> None:
     assert first(found["v"]) == pytest.approx(20 * 0.15 / 0.5)
     assert first(found["mean"]) == pytest.approx(24 * 20 / 0.5)
     assert first(found["later"]) == pytest.approx(20)
+
+
+def test_a_ball_drawn_in_by_a_cord() -> None:
+    """Its angular momentum stays what it was; the law of its angle has no value 0/0 where the angle is zero."""
+    found = solve(DRAWN_IN)
+    assert first(found["t"]) == pytest.approx(1.6)
+    assert first(found["v"]) == pytest.approx(sqrt(4**2 + 0.25**2))
+    assert first(found["turned"]) == pytest.approx(8)
+    assert first(found["T"]) == pytest.approx(20)
+    assert first(found["r"]) == pytest.approx((0.5 * 1.6**2 / 60) ** (1 / 3))

@@ -18,8 +18,8 @@ import sympy as sp
 
 from planar_cli.calculus.first import polish, roots
 from planar_cli.equation.displaced import Coordinate
-from planar_cli.equation.exact import Valuation
-from planar_cli.equation.plain import simplified
+from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.equation.plain import longer, simplified
 from planar_cli.problem.facts import Test
 from planar_cli.solve.course.balance import balance_of
 from planar_cli.solve.course.general import General, loose_tree
@@ -27,6 +27,8 @@ from planar_cli.solve.course.handing import edges_of, handed
 from planar_cli.solve.course.parting import Gap, gaps_of
 
 MOST_CORNERS = 200
+LONGEST = 300
+"""A formula with more operations is not simplified."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,12 +102,27 @@ class Regime:
         ]
         self.undetermined = [e for e in every if not general.unique(e)]
         general.govern(e for e in every if e not in self.undetermined)
-        self.rates = {s: self.closed(e) for s, e in rates.items()}
-        self.accelerations = {u: self.closed(e) for u, e in accelerations.items()}
+        self.rates = {s: self._regular(self.closed(e)) for s, e in rates.items()}
+        self.accelerations = {u: self._regular(self.closed(e)) for u, e in accelerations.items()}
         told = self.told
         self.watches = tuple(w for w in (Watch(w.test, self.closed(w.expr)) for w in watches) if told(w.expr))
         self.slips = tuple(e for e in map(self.closed, slips) if told(e))
         self.gaps = tuple(gaps_of(self)) if runs else ()
+
+    def _regular(self, expr: sp.Expr) -> sp.Expr:
+        """A formula simplified where it has no value as drawn, as 0/0 may be taken out of it."""
+        if not expr.free_symbols & set(self.letters) or longer(expr, LONGEST):
+            return expr
+        base = self.general.instant.scene.valuations[0]
+        drawn = {c.symbol: base(c.drawn) if c.drawn is not None else Decimal(0) for c in self.coordinates}
+        drawn |= {u: Decimal("0.57") + Decimal(i) / 7 for i, u in enumerate(self.free)}
+        try:
+            base.extended(drawn)(expr)
+        except Unvalued:
+            return expr
+        except ArithmeticError:
+            return simplified(expr)
+        return expr
 
     def _rate(self, c: Coordinate) -> sp.Expr:
         """The rate of a coordinate; of a speed that this regime does not have, what its motion makes of it."""
