@@ -103,13 +103,18 @@ class Reactions:
         return total
 
     def power(self, q: Quantity, motion: Motion) -> sp.Expr:
-        """Σ F · v + M ω of a load, of a joint, of all forces on a body, or of everything."""
+        """Σ F · v + M ω of a load, of a joint (`/b`: on b alone), of all forces on a body, or of everything."""
         parts = []
-        for w in self.acting(q.things[0]):
+        for w in self.upon(q):
             if w.force is not None:
                 parts.append(w.force.dot(motion.velocity(w.point, w.body)))
             parts.append(w.couple * motion.velocities[w.body].angular)
         return sp.Add(*parts)
+
+    def upon(self, q: Quantity) -> tuple[Wrench, ...]:
+        """What `q` names does: on every body, or on the one behind the stroke."""
+        found = self.acting(q.things[0])
+        return tuple(w for w in found if w.body == q.things[1]) if len(q.things) == 2 else found
 
     def acting(self, name: str) -> tuple[Wrench, ...]:
         """What a load, a joint, all forces on a body, or everything does: one wrench for each body and force."""

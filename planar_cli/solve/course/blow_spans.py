@@ -7,6 +7,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
 import sympy as sp
@@ -14,6 +15,7 @@ import sympy as sp
 from planar_cli.equation.motion import Twist
 from planar_cli.equation.reactions import Reactions
 from planar_cli.problem.expression import Quantity
+from planar_cli.problem.facts import Wrench
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
 from planar_cli.solve.course.blow import Blow
@@ -51,11 +53,12 @@ def over_blow(blow: Blow, q: Quantity) -> sp.Expr:
         quantities = blow.system.quantities_of(blow.system.motion, reactions)
         found = moment_or_force(q, quantities, on_bodies(q, reactions))
     elif q.word == "work":
-        found = _work(reactions, q.things[0], MeanMotion(blow))
+        found = _work(reactions.upon(q), MeanMotion(blow))
     elif q.word == "heat":
         name = q.things[0]
         joints = dict.fromkeys(reactions.joints.values()) if name == "all" else [name]
-        found = -sp.Add(*(_work(reactions, j, MeanMotion(blow), joint=True) for j in joints))
+        own = [w for j in joints for w in reactions.acting(j) if w.name == j]
+        found = -_work(own, MeanMotion(blow))
     return blow.here(found)
 
 
@@ -66,11 +69,9 @@ def impulses(blow: Blow) -> Reactions:
     return replace(reactions, wrenches=tuple(w for w in reactions.wrenches if w.kind != "momentum"))
 
 
-def _work(reactions: Reactions, name: str, mean: MeanMotion, joint: bool = False) -> sp.Expr:
+def _work(acting: Iterable[Wrench], mean: MeanMotion) -> sp.Expr:
     parts = []
-    for w in reactions.acting(name):
-        if joint and w.name != name:
-            continue
+    for w in acting:
         if w.force is not None:
             parts.append(w.force.dot(mean.velocity(w.point, w.body)))
         parts.append(w.couple * mean.velocities[w.body].angular)
