@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import acos, asin, cos, pi, sin, sqrt
+from math import acos, asin, atan, cos, pi, sin, sqrt
 
 import pytest
 from answered import first, solve
@@ -184,6 +184,20 @@ motion: [v(H).x = -0.25 m/s]
 states: {1: [t = 0, r = 0.8 m, phi = 0, v(P).y = 2 m/s], 2: [r = 0.4 m], 3: [tension(cord) = 60 N]}
 find: {t: t @ 2, v: v(P).mag @ 2, turned: phi @ 2, T: tension(cord) @ 2, r: r @ 3}
 """
+LAMP = """
+title: Lamp in a car that begins to accelerate
+plane: vertical
+given: {l: 0.6 m, b: 4 m/s^2}
+coordinates: {phi: deg}
+points: {O: [0, 0], P: {from: O, distance: l, angle: -90 deg - phi}}
+bodies: {car: {particle: O}, lamp: {particle: P, mass: 1.5 kg}}
+joints:
+  - guide: {point: O, along: 0 deg, name: road}
+  - rope: {path: [car, lamp], name: cord}
+motion: [a(car).x = b]
+states: {1: [phi = 0, dot(phi) = 0, v(car).x = 0], balance: [phi = atan(b/g)], far: [phi is largest]}
+find: {far: phi @ far, v: v(P/O).mag @ balance, S: tension(cord) @ far, x: x(P) @ far - x(O) @ far}
+"""
 
 
 def left_dome() -> tuple[float, float, float]:
@@ -329,3 +343,13 @@ def test_a_ball_drawn_in_by_a_cord() -> None:
     assert first(found["turned"]) == pytest.approx(8)
     assert first(found["T"]) == pytest.approx(20)
     assert first(found["r"]) == pytest.approx((0.5 * 1.6**2 / 60) ** (1 / 3))
+
+
+def test_a_lamp_goes_along_with_its_car() -> None:
+    """Its place is written from a point of the car; it swings as far beyond atan(b/g) as it hung before it."""
+    found = solve(LAMP)
+    lean = atan(4 / G)
+    assert first(found["far"]) == pytest.approx(2 * lean)
+    assert first(found["v"]) == pytest.approx(sqrt(2 * 0.6 * (sqrt(G**2 + 16) - G)))
+    assert first(found["S"]) == pytest.approx(1.5 * sqrt(G**2 + 16) * cos(lean))
+    assert first(found["x"]) == pytest.approx(-0.6 * sin(2 * lean))

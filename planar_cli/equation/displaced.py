@@ -19,7 +19,7 @@ from planar_cli.equation.plain import simplified
 from planar_cli.equation.pose import HERE, Pose
 from planar_cli.errors import NOWHERE
 from planar_cli.problem.geometry import Vec
-from planar_cli.problem.scene import GROUND, Circle, Curve, Line, Round
+from planar_cli.problem.scene import GROUND, Circle, Curve, Line, Polar, Round
 from planar_cli.units import parse_unit
 
 if TYPE_CHECKING:
@@ -81,10 +81,30 @@ class Displacer:
     def run(self) -> Displacement:
         """All bodies in the order of the tree, then the points of contact."""
         for edge in self.tree.edges:
-            self.poses[edge.body] = self._fixed(edge) if edge.body in self.formula else self._pose(edge)
+            self._place(edge)
         return Displacement(self.poses, self._spots(), tuple(self.coordinates), self.formula)
 
     # --- bodies ------------------------------------------------------------------------------------------------------
+
+    def _place(self, edge: Edge) -> None:
+        """A body, after those from which the file places it."""
+        if edge.body in self.poses:
+            return
+        carrier, _ = self._origin(edge.body)
+        for other in self.tree.edges:
+            if other.body == carrier or (other.body == edge.parent and edge.body not in self.formula):
+                self._place(other)
+        self.poses[edge.body] = self._fixed(edge) if edge.body in self.formula else self._pose(edge)
+
+    def _origin(self, body: str) -> tuple[str, str]:
+        """The other body, and its point, from which the file places a body with its coordinates; the ground if none."""
+        if body not in self.formula:
+            return GROUND, ""
+        shape = self.scene.bodies[body].shape
+        names = [getattr(shape, k, None) for k in ("place", "start", "center")]
+        places = {p.name: p.place for p in self.scene.problem.points}
+        found = [p.origin for n in names if isinstance(n, str) and isinstance(p := places.get(n), Polar)]
+        return (self.scene.owner(found[0], body), found[0]) if found else (GROUND, "")
 
     def _coordinate(
         self, name: str, unit: str, drawn: sp.Expr | None, speed: sp.Symbol, factor: sp.Expr, words: str, body: str
@@ -112,10 +132,15 @@ class Displacer:
         """The file says where the body is; only an angle that it does not say may be left."""
         body = self.scene.bodies[edge.body]
         coordinates = set(self.scene.ledger.coordinates)
+        center = body.center
+        carrier, origin = self._origin(edge.body)
+        if carrier != GROUND:
+            # It goes along with the point from which it is placed.
+            center = center + self.poses[carrier].point(self.scene.point(origin)) - self.scene.point(origin)
         if edge.spin is None or body.theta.free_symbols & coordinates or self._turned_by_points(edge.body):
-            return Pose(body.center, body.center, body.theta, body.theta)
+            return Pose(body.center, center, body.theta, body.theta)
         before, now = self._angle(edge)
-        return Pose(body.center, body.center, before, now)
+        return Pose(body.center, center, before, now)
 
     def _turned_by_points(self, name: str) -> bool:
         """Does the file place another point of the body as its angle grows?"""

@@ -163,6 +163,8 @@ class Setup:
             symbol = self.ledger.symbols.get(relation.left.name) if isinstance(relation.left, Name) else None
             if symbol is None or symbol not in self.ledger.sought or has_quantity(relation.right):
                 continue
+            if "g" in names_in(relation.right) and "g" not in self.ledger.symbols:
+                self._gravity()
             jet = self.evaluator.jet(relation.right)
             if set(self.ledger.sought) & jet.value.free_symbols:
                 continue

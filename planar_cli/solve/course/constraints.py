@@ -60,9 +60,10 @@ class GeneralPoses:
         return Vec(self._written(drawn.x), self._written(drawn.y))
 
     def point(self, body: str, drawn: Vec) -> Vec:
+        pose = self.displacement.poses.get(body, HERE)
         if body in self.displacement.formula:
-            return drawn
-        return self.displacement.poses.get(body, HERE).point(self.vector(drawn))
+            return drawn + pose.place - pose.drawn
+        return pose.point(self.vector(drawn))
 
     def direction(self, body: str, drawn: Vec) -> Vec:
         if body in self.displacement.formula:

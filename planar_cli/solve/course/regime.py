@@ -27,7 +27,7 @@ from planar_cli.solve.course.handing import edges_of, handed
 from planar_cli.solve.course.parting import Gap, gaps_of
 
 MOST_CORNERS = 200
-LONGEST = 300
+LONGEST = 150
 """A formula with more operations is not simplified."""
 
 
@@ -121,7 +121,7 @@ class Regime:
         except Unvalued:
             return expr
         except ArithmeticError:
-            return simplified(expr)
+            return simplified(sp.trigsimp(expr))
         return expr
 
     def _rate(self, c: Coordinate) -> sp.Expr:
