@@ -95,13 +95,27 @@ def missing(course: Course) -> NoSolution | None:
         hint = "give a relation with `=` that holds first in this state, or `t = …`"
         return _wrong(unsaid[0].mark, "PL623", text, hint)
     if not sought and not open_first:
-        return None
+        return _open_impact(course, loose)
     names = [s.name for s in sought] or list(dict.fromkeys(_title(course, first, s) for s in open_first))
     mark = first.mark if not sought else _mark_of(course, sought[0])
     what = " and ".join(", ".join(names).rsplit(", ", 1)) if len(names) > 1 else names[0]
     text = f"{what} {'is' if len(names) == 1 else 'are'} open: no state tells enough"
     hint = "give one more relation in a state, as a place, a velocity or a time"
     return _wrong(mark, "PL623", text, hint)
+
+
+def _open_impact(course: Course, loose: Collection[sp.Symbol]) -> NoSolution | None:
+    """A coefficient of restitution that was left out and that nothing tells."""
+    for blow in course.blows.values():
+        open_names = {f"e_{j.name}": j for j in blow.struck.joints}
+        for name, symbol in blow.scene.open_names.items():
+            if symbol in loose:
+                joint = open_names[name]
+                text = f"the restitution of {joint.name} is open: state {blow.stop.name} does not tell enough"
+                return _wrong(
+                    joint.mark, "PL623", text, "write `restitution: 0.8`, or a velocity just after the impact"
+                )
+    return None
 
 
 def _mark_of(course: Course, sought: sp.Symbol) -> Mark:

@@ -20,7 +20,7 @@ from planar_cli.solve.course.plot import Workshop
 from planar_cli.solve.course.reached import reaching
 from planar_cli.solve.course.route import Router
 from planar_cli.solve.course.throughout import Throughout
-from planar_cli.solve.course.unfold import Unfolder
+from planar_cli.solve.course.unfold import Unfolded, Unfolder
 from planar_cli.solve.passages import Tale
 from planar_cli.solve.solution import InstantSolution, PartSolution
 
@@ -30,21 +30,27 @@ def solve_course(problem: Problem, case: str, units: dict[str, str], earlier: Ma
     workshop = Workshop(earlier)
     unfolded = reaching(problem, lambda p: Unfolder(p, workshop, units).run())
     try:
-        found = completed(unfolded)
+        return _told(unfolded, case)
     except Unvalued as error:
         raise missing(unfolded.course) or error from error
+
+
+def _told(unfolded: Unfolded, case: str) -> PartSolution:
+    """The answers of a motion, and the way to them. Unvalued: something that is asked is open."""
+    found = completed(unfolded)
     course = found.course
+    method = course.problem.method
     demand_mass(course, found.value)
     unknowns = course.chain().unknowns
     targets = {s for a in found.finds.asked for p in a.parts for s in found.finds.settled(a, p).free_symbols}
-    allowed = by_method(course.equations, problem.method)
-    steps = tuple(s for s in found.branch.steps if len(by_method(s.equations, problem.method)) == len(s.equations))
+    allowed = by_method(course.equations, method)
+    steps = tuple(s for s in found.branch.steps if len(by_method(s.equations, method)) == len(s.equations))
     router = Router(allowed, unknowns, found.value, course.symbolic, steps)
     wanted = _in_order(course, targets & unknowns)
     found.route = router.route(wanted)
-    if problem.method is not None:
+    if method is not None:
         free = Router(course.equations, unknowns, found.value, course.symbolic, found.branch.steps)
-        demand_reached(problem, found.route, wanted, lambda: free.route(wanted))
+        demand_reached(course.problem, found.route, wanted, lambda: free.route(wanted))
     begun = router.route(course.first.letters.values())
     start = {s: found.finds.closed(s, begun) for s in course.first.letters.values()}
     found.finds.throughout = Throughout(course, found.followed, found.value, start)

@@ -278,7 +278,7 @@ class Unfolder:
             if choice not in failed:
                 return choice
         text = f"no assumption about the contacts holds in the blow: {self.why}"
-        raise NoSolution([Diagnostic(course.states[i + 1].mark, "PL622", text)])
+        raise self.lack or NoSolution([Diagnostic(course.states[i + 1].mark, "PL622", text)])
 
     # --- a start that is sought --------------------------------------------------------------------------------------
 
