@@ -62,7 +62,10 @@ class Weld(Joint):
             mover, base = base, mover
         point = scene.point(self.at)
         pushes = []
-        for name, force, couple, unit in (("x", Vec(1, 0), 0, "N"), ("y", Vec(0, 1), 0, "N"), ("", None, 1, "N*m")):
+        held = [("x", Vec(1, 0), 0, "N"), ("y", Vec(0, 1), 0, "N")]
+        # A particle has no size, so that no couple can hold it.
+        turned = [("", None, 1, "N*m")] if scene.rigid(mover) and scene.rigid(base) else []
+        for name, force, couple, unit in (*held, *turned):
             back = -force if force is not None else None
             actions = (Action(mover, point, force, couple), Action(base, point, back, -couple))
             title = f"{self.name}_{name}" if force is not None else f"M_{self.name}"

@@ -68,6 +68,7 @@ class Course:
     placed: dict[str, list[Demand]] = field(default_factory=dict)
     equations: list[Equation] = field(default_factory=list)
     touches: list[Equation] = field(default_factory=list)
+    differences: list[sp.Symbol] = field(default_factory=list)
     told: dict[sp.Symbol, sp.Expr] = field(default_factory=dict)
     still: Still | None = None
     spanned: dict[sp.Symbol, Asked] = field(default_factory=dict)
@@ -263,7 +264,8 @@ class Course:
         first = self.first
         placed = {x for d in self.placed[first.name] for x in d.residual.free_symbols} - {first.t}
         found = [e for e in drawn_equations(self.regimes[0], first) if not e.residual.free_symbols & placed]
-        found += list(later_equations(self.regimes, first, self.handing(self.regimes[0])))
+        later = [*self.regimes, self.beyond] if self.beyond is not None else self.regimes
+        found += list(later_equations(later, first, self.handing(self.regimes[0])))
         return found + list(loop_equations(self.readers[first.name].regime, first, first))
 
     def _moving(self) -> list[Equation]:
@@ -325,7 +327,8 @@ class Course:
     def chain(self) -> Chain:
         """The solver of the equations."""
         own = [*self.between.impulses.values(), *(s for blow in self.blows.values() for s in blow.letters)]
-        unknowns = frozenset([*(v for s in self.stops.values() for v in s.letters.values()), *self.sought(), *own])
+        letters = [v for s in self.stops.values() for v in s.letters.values()]
+        unknowns = frozenset([*letters, *self.sought(), *own, *self.differences])
         times: dict[sp.Symbol, sp.Symbol | None] = {}
         angles: dict[sp.Symbol, sp.Symbol | None] = {}
         before: Stop | None = None

@@ -18,6 +18,7 @@ from planar_cli.solve.course.astray import clash, demand_agreement, meets_again,
 from planar_cli.solve.course.carried import carried_branch
 from planar_cli.solve.course.chain import Branch
 from planar_cli.solve.course.course import Course, make_course
+from planar_cli.solve.course.differences import by_differences
 from planar_cli.solve.course.finds import FindReader
 from planar_cli.solve.course.first_plot import first_plot
 from planar_cli.solve.course.gaps import changes_sides, just_parted
@@ -207,6 +208,7 @@ class Unfolder:
         for regime in course.distinct_regimes():
             regime.general.demand_unique(regime.undetermined)
         course.equations = holding(course.equations, followed.values, course.base())
+        followed.values |= by_differences(course, finds, followed.values)
         chain = course.chain()
         chain.truth = followed.values
         chain.leaning = leaning(course, followed)
