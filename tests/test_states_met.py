@@ -5,6 +5,7 @@ from __future__ import annotations
 from math import acos, asin, atan, cos, pi, sin, sqrt
 
 import pytest
+import sympy as sp
 from answered import first, solve
 
 from planar_cli.errors import NoSolution
@@ -198,6 +199,23 @@ motion: [a(car).x = b]
 states: {1: [phi = 0, dot(phi) = 0, v(car).x = 0], balance: [phi = atan(b/g)], far: [phi is largest]}
 find: {far: phi @ far, v: v(P/O).mag @ balance, S: tension(cord) @ far, x: x(P) @ far - x(O) @ far}
 """
+TWO_BLOCKS = """
+title: Two blocks, a spring and a wall
+plane: horizontal
+symbols: {m_A: kg, m_B: kg, k: N/m, l: m, c: m}
+assume: [c < l]
+points: {A: [0, 0], B: [l - c, 0]}
+surfaces: {wall: {through: A, angle: 90 deg}}
+bodies: {A: {particle: A, mass: m_A}, B: {particle: B, mass: m_B}}
+joints:
+  - guide: {point: A, along: 0 deg, name: track_A}
+  - guide: {point: B, along: 0 deg, name: track_B}
+  - contact: {between: [A, wall], at: A, mu: 0, name: stop}
+loads:
+  - spring: {between: [A, B], stiffness: k, natural_length: l}
+states: {1: [t = 0, at rest], 2: [N(stop) = 0], 3: [r(B/A).mag is largest]}
+find: {t: t @ 2, J: impulse(stop).x @ 1->2, v: v(B).x @ 3, stretch: r(B/A).mag @ 3 - l}
+"""
 
 
 def left_dome() -> tuple[float, float, float]:
@@ -353,3 +371,19 @@ def test_a_lamp_goes_along_with_its_car() -> None:
     assert first(found["v"]) == pytest.approx(sqrt(2 * 0.6 * (sqrt(G**2 + 16) - G)))
     assert first(found["S"]) == pytest.approx(1.5 * sqrt(G**2 + 16) * cos(lean))
     assert first(found["x"]) == pytest.approx(-0.6 * sin(2 * lean))
+
+
+def test_two_blocks_leave_a_wall_in_letters() -> None:
+    """Only the difference of their places counts then: energy and momentum tell it, and no law of either place does."""
+    found = solve(TWO_BLOCKS)
+    names = {s.name: s for f in found.values() for e in f.expressions or () for s in e.free_symbols}
+    m_a, m_b, k, c = (names[n] for n in ("m_A", "m_B", "k", "c"))
+    for name, wanted in {
+        "t": sp.pi / 2 * sp.sqrt(m_b / k),
+        "J": c * sp.sqrt(k * m_b),
+        "v": c * sp.sqrt(k * m_b) / (m_a + m_b),
+        "stretch": c * sp.sqrt(m_a / (m_a + m_b)),
+    }.items():
+        expressions = found[name].expressions
+        assert expressions is not None, name
+        assert sp.simplify(expressions[0] - wanted) == 0, name

@@ -110,6 +110,17 @@ def _simplified(expr: sp.Expr) -> sp.Expr:
     return min([*last, *forms], key=_effort)
 
 
+def with_short_roots(expr: sp.Expr) -> sp.Expr:
+    """An expression with what stands under its square roots factored, where that makes it shorter."""
+    half = (sp.Rational(1, 2), -sp.Rational(1, 2))
+    sums = [p for p in expr.atoms(sp.Pow) if p.exp in half and p.base.has(sp.Add) and p.free_symbols]
+    if not sums or any(longer(p, SOME) for p in sums):
+        return expr
+    rooted = expr.xreplace({p: sp.factor(p.base) ** p.exp for p in sums})
+    short = min((simplified(rooted), sp.powsimp(sp.factor(rooted))), key=operations)
+    return short if operations(short) < operations(expr) else expr
+
+
 def _effort(expr: sp.Expr) -> int:
     """What an expression costs its reader: its operations, more for fractions inside a denominator and -a - b."""
     reversed_signs = sum(all(a.could_extract_minus_sign() for a in s.args) for s in expr.atoms(sp.Add))

@@ -32,7 +32,8 @@ def by_differences(course: Course, finds: FindReader, truth: Mapping[sp.Symbol, 
     for state in course.states[1:]:
         stop = course.stops[state.name]
         letters = [s for s in stop.letters if s.name != "t" and not is_speed(s) and stop.letters[s] in truth]
-        for a, b in combinations(letters, 2):
+        for pair in combinations(letters, 2):
+            a, b = sorted(pair, key=lambda s: truth[stop.letters[s]])
             one, other = stop.letters[a], stop.letters[b]
             if course.ledger.units[one] != course.ledger.units[other]:
                 continue

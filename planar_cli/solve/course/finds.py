@@ -11,7 +11,7 @@ import sympy as sp
 from planar_cli.equation.conditions import gap
 from planar_cli.equation.evaluate import refuse
 from planar_cli.equation.exact import Valuation
-from planar_cli.equation.plain import longer, rounded_inside, simplified
+from planar_cli.equation.plain import longer, rounded_inside, simplified, with_short_roots
 from planar_cli.equation.system import mode_of
 from planar_cli.problem.check_dimensions import about
 from planar_cli.problem.dimensions import Kind, dimension_of
@@ -159,7 +159,7 @@ class FindReader:
         """The formula of a find down to the names of the file."""
         expr = self.put_in(expr, route)
         most = LONGEST if self.course.symbolic else CLOSED_OPS
-        return expr if expr.is_number or expr.is_Symbol or longer(expr, most) else simplified(expr)
+        return expr if expr.is_number or expr.is_Symbol or longer(expr, most) else with_short_roots(simplified(expr))
 
     def unit_of(self, find: Find) -> Unit:
         if find.found.unit is not None:
