@@ -216,6 +216,18 @@ loads:
 states: {1: [t = 0, at rest], 2: [N(stop) = 0], 3: [r(B/A).mag is largest]}
 find: {t: t @ 2, J: impulse(stop).x @ 1->2, v: v(B).x @ 3, stretch: r(B/A).mag @ 3 - l}
 """
+ESCAPE = """
+title: Least speed to escape
+plane: horizontal
+given: {R: 6371 km, k: 3.986e14 m^3/s^2}
+unknowns: {v_e: km/s}
+points: {O: [0, 0], P: [R, 0]}
+bodies: {probe: {particle: P, mass: 100 kg}}
+loads:
+  - force: {body: probe, at: P, magnitude: 100 kg * k/r(P/O).mag^2, towards: O}
+states: {1: [v(P).x = v_e, v(P).y = 0, v_e > 0], far: [x(P) = infinity, v(P).x = 0]}
+find: {v: v_e}
+"""
 
 
 def left_dome() -> tuple[float, float, float]:
@@ -387,3 +399,8 @@ def test_two_blocks_leave_a_wall_in_letters() -> None:
         expressions = found[name].expressions
         assert expressions is not None, name
         assert sp.simplify(expressions[0] - wanted) == 0, name
+
+
+def test_the_speed_to_escape() -> None:
+    """Nothing drives it sideways, whatever its speed is; so the energy along one line tells it."""
+    assert first(solve(ESCAPE)["v"]) == pytest.approx(sqrt(2 * 3.986e14 / 6371e3))

@@ -56,28 +56,27 @@ def certain_start(course: Course) -> dict[sp.Symbol, Decimal] | Start:
     if course.sought() or any(blow.scene.open_names for blow in course.blows.values()):
         return Start.OPEN
     found = _first_letters(course)
-    return found[0] if found and found[0] else Start.OPEN if found else Start.CONTRADICTS
+    whole = [letters for letters in found if len(letters) == len(course.first.letters)]
+    return whole[0] if whole else Start.OPEN if found else Start.CONTRADICTS
 
 
 def _first_letters(course: Course) -> list[dict[sp.Symbol, Decimal]]:
-    """The letters of the first state, one way after the other; empty where they are not all told."""
-    own = set(course.first.letters.values())
+    """The letters of the first state as far as they are told, one way after the other."""
     branches = course.chain().branches([e for e in course.equations if e.stop == course.first.name])
-    told = [{s: b.values[o] for s, o in course.first.letters.items()} if own <= set(b.values) else {} for b in branches]
-    return sorted(told, key=lambda letters: not letters)
+    return [{s: b.values[o] for s, o in course.first.letters.items() if o in b.values} for b in branches]
 
 
 def resting_though_sought(course: Course) -> frozenset[str]:
-    """The same where constants are sought, but the first state tells its letters in one way."""
+    """The same where constants are sought, but the first state tells in one way what rests."""
     if course.blows or not course.sought() or course.regimes[0].moved():
         return frozenset()
     found = _first_letters(course)
-    return resting(course, found[0]) if len(found) == 1 and found[0] else frozenset()
+    return resting(course, found[0]) if len(found) == 1 else frozenset()
 
 
 def resting(course: Course, start: Mapping[sp.Symbol, Decimal]) -> frozenset[str]:
     """Free speeds that are zero at the start and that nothing sets in motion, whatever the others do."""
-    idle = {u for u in course.regimes[0].free if not start[u]}
+    idle = {u for u in course.regimes[0].free if start.get(u) == 0}
     while idle:
         moved = {u for u in idle for r in course.regimes if not _stays(course, r, u, idle, start)}
         if not moved:
@@ -100,7 +99,7 @@ def _stays(
     for c in regime.coordinates:
         if c.drawn is None or c.symbol not in rate.free_symbols or regime.rates[c.symbol].subs(still) != 0:
             continue
-        if abs(base(c.drawn) - start[c.symbol]) > CERTAIN:
+        if c.symbol not in start or abs(base(c.drawn) - start[c.symbol]) > CERTAIN:
             return False
         rate = rate.subs(c.symbol, c.drawn)
     return not longer(rate, LONG) and simplified(rate) == 0
