@@ -366,3 +366,26 @@ def test_compare_as_a_table(capsys: pytest.CaptureFixture[str]) -> None:
     assert lines[1][:3] == ["Method", "Equations", "Largest"]
     assert {line[0] for line in lines[3:]} >= {"newton", "energy", "momentum"}
     assert next(line for line in lines if line[0] == "momentum")[-2:] == ["v", "-"]
+
+
+KNEE = """
+title: Two rods with a knee
+plane: vertical
+points: {O: [0, 0], A: [1 m, 0], B: [2 m, 0]}
+bodies: {OA: {rod: [O, A], mass: 2 kg}, AB: {rod: [A, B], mass: 1 kg}}
+joints:
+  - pin: {at: O, between: [ground, OA]}
+  - pin: {at: A, between: [OA, AB], name: knee}
+instant: [omega(OA) = 2 rad/s, omega(AB) = 1 rad/s]
+find: {on_AB: power(knee/AB), on_OA: power(knee/OA), both: power(knee), F: reaction(knee/AB).y, v: v(A).y}
+"""
+
+
+def test_power_on_one_of_two_bodies() -> None:
+    """The force in the knee drives one rod and brakes the other; together it does nothing."""
+    problem, wrong = load_text(KNEE)
+    assert problem is not None, wrong
+    found = {f.name: f for f in solve_problem(problem).parts[0].found}
+    assert first(found["on_AB"]) == pytest.approx(first(found["F"]) * first(found["v"]))
+    assert first(found["on_OA"]) == -first(found["on_AB"])
+    assert first(found["both"]) == 0
