@@ -228,6 +228,33 @@ loads:
 states: {1: [v(P).x = v_e, v(P).y = 0, v_e > 0], far: [x(P) = infinity, v(P).x = 0]}
 find: {v: v_e}
 """
+TOP = """
+title: Ball that slides off the top of a sphere
+plane: vertical
+given: {{R: 2 m}}
+points: {{O: [0, 0], P: [0, R]}}
+surfaces: {{sphere: {{center: O, radius: R}}}}
+bodies: {{ball: {{particle: P, mass: 0.5 kg}}}}
+joints:
+  - contact: {{between: [ball, sphere], at: P, mu: 0}}
+states: {{1: [at rest], leaves: [N(P) = 0{more}]}}
+find: {{{find}}}
+"""
+UPRIGHT = """
+title: Bar that falls over and meets a spring
+plane: vertical
+given: {b: 1.5 m}
+coordinates: {theta: deg}
+points: {A: [b*sin(theta), 0], G: [0, b*cos(theta)], B: [-b*sin(theta), 2*b*cos(theta)], W: [1.7 m, 0]}
+bodies: {bar: {rod: [A, B], mass: 12 kg, points: [G]}}
+joints:
+  - guide: {point: A, along: 0 deg}
+  - guide: {point: G, along: 90 deg}
+loads:
+  - spring: {between: [W, A], stiffness: 20 N/m, natural_length: 0.5 m, acts: push, name: buffer}
+states: {1: [theta = 0, at rest], 2: [theta = 30 deg], 3: [theta = 90 deg]}
+find: {omega: omega(bar) @ 2, v: v(G).y @ 3, W: work(buffer) @ 1->3, first: omega(bar) @ 1}
+"""
 
 
 def left_dome() -> tuple[float, float, float]:
@@ -404,3 +431,29 @@ def test_two_blocks_leave_a_wall_in_letters() -> None:
 def test_the_speed_to_escape() -> None:
     """Nothing drives it sideways, whatever its speed is; so the energy along one line tells it."""
     assert first(solve(ESCAPE)["v"]) == pytest.approx(sqrt(2 * 3.986e14 / 6371e3))
+
+
+@pytest.mark.parametrize(("more", "side"), [("", 0), (", x(P) < 0", -1), (", x(P) > 0", 1)])
+def test_a_slight_touch_at_the_top_of_a_sphere(more: str, side: int) -> None:
+    """Released exactly at the top it leaves at two thirds of the height, on either side if nothing is said."""
+    found = solve(TOP.format(more=more, find="y: y(P) @ leaves, x: x(P) @ leaves, v: v(P).mag @ leaves"))
+    assert first(found["y"]) == pytest.approx(4 / 3)
+    assert abs(first(found["x"])) == pytest.approx(2 * sqrt(5) / 3)
+    assert first(found["x"]) * side >= 0
+    assert first(found["v"]) == pytest.approx(sqrt(2 * G * 2 / 3))
+
+
+def test_no_time_of_a_slight_touch() -> None:
+    """The slighter it is, the longer it takes."""
+    with pytest.raises(NoSolution, match="without bound"):
+        solve(TOP.format(more="", find="t: t @ leaves"))
+
+
+def test_a_slight_touch_and_a_spring_on_the_way() -> None:
+    """Energy, with the spring pressed by 0.3 m at the end."""
+    found = solve(UPRIGHT)
+    inertia = 12 * 3**2 / 12 + 12 * (1.5 * sin(pi / 6)) ** 2
+    assert first(found["omega"]) == pytest.approx(sqrt(2 * 12 * G * 1.5 * (1 - cos(pi / 6)) / inertia))
+    assert first(found["v"]) == pytest.approx(-sqrt(2 * (12 * G * 1.5 - 0.9) / (12 * (1 + 1 / 3))))
+    assert first(found["W"]) == pytest.approx(-0.9)
+    assert first(found["first"]) == 0

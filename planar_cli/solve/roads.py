@@ -9,14 +9,16 @@ from collections.abc import Iterable
 from dataclasses import replace
 from typing import Any
 
-from planar_cli.problem.expression import JustAfter, Name, Quantity, Relation
+from planar_cli.problem.expression import AtRest, Equilibrium, JustAfter, Name, Quantity, Relation
 from planar_cli.problem.formulas import formulas
-from planar_cli.problem.scene import Find, Problem
+from planar_cli.problem.scene import Find, Problem, State
 from planar_cli.problem.walk import walk
 from planar_cli.solve.asked import quantities_in
 
 CURVES = ("path", "hodograph")
 SPANNED = ("reached", "period", "frequency", "stable", "count")
+REACTIONS = frozenset(("N", "friction", "reaction", "tension"))
+MOTIONS = frozenset(("v", "omega", "dot", "KE", "momentum", "H", "a", "alpha", "ddot"))
 FORCES = frozenset(("N", "friction", "reaction", "moment", "tension", "force", "power", "mode"))
 
 
@@ -59,9 +61,19 @@ def runs_in_time(problem: Problem) -> bool:
         return False
     if any(isinstance(s, JustAfter) for state in problem.states for s in state.relations):
         return True
-    if any(law.during for law in problem.motion):
+    if any(law.during for law in problem.motion) or any(_is_event(state) for state in problem.states[1:]):
         return True
     return any(_timed(node) for formula in formulas(problem) for node in walk(formula.tree))
+
+
+def _is_event(state: State) -> bool:
+    """Does a state only say what force has become something? Then a motion must lead there."""
+    if any(isinstance(s, AtRest | Equilibrium) for s in state.relations):
+        return False
+    words = {n.word for s in state.relations for n in walk(s) if isinstance(n, Quantity)}
+    equal = [s for s in state.relations if isinstance(s, Relation) and s.operator == "="]
+    forces = any(isinstance(n, Quantity) and n.word in REACTIONS for s in equal for n in walk(s))
+    return forces and not words & MOTIONS
 
 
 def _says_time(statement: Any) -> bool:

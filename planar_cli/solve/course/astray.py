@@ -18,15 +18,19 @@ from planar_cli.calculus.first import first_extreme
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.errors import NOWHERE, Diagnostic, Mark, NoSolution, Undecided
 from planar_cli.solve.course.events import Leg, events, is_zero, scale_of
-from planar_cli.solve.course.plot import fixed_time
+from planar_cli.solve.course.plot import Span, Workshop, fixed_time
 from planar_cli.solve.course.reached import asked_about
 from planar_cli.solve.course.simulate import Ends, Followed, Follower
 from planar_cli.solve.course.timeline import Demand, Stop
+from planar_cli.solve.diagnose import explain_failure, singular_position
+from planar_cli.solve.instant import make_instant, search_modes
 from planar_cli.solve.linear import solve
 
 if TYPE_CHECKING:
+    from planar_cli.problem.scene import Problem
     from planar_cli.solve.course.course import Course
     from planar_cli.solve.course.equations import Equation
+    from planar_cli.solve.course.finds import FindReader
 
 AGREES = Decimal("1e-7")
 SAMPLES = 60
@@ -118,6 +122,15 @@ def _open_impact(course: Course, loose: Collection[sp.Symbol]) -> NoSolution | N
     return None
 
 
+def demand_told(course: Course, finds: FindReader, told: Collection[sp.Symbol]) -> None:
+    """NoSolution: letters that are asked for are not told, because a datum is missing."""
+    letters = {s for a in finds.asked for p in a.parts for s in finds.settled(a, p).free_symbols}
+    if letters & course.chain().unknowns - set(told):
+        wrong = missing(course)
+        if wrong is not None:
+            raise wrong
+
+
 def _mark_of(course: Course, sought: sp.Symbol) -> Mark:
     return next((u.mark for u in course.problem.unknowns if u.name == sought.name), course.first.mark)
 
@@ -135,6 +148,16 @@ def _title(course: Course, stop: Stop, own: sp.Symbol) -> str:
             if general == c.speed:
                 return f"the rate of {words} in state {stop.name}"
     return f"{general.name} in state {stop.name}"
+
+
+def as_drawn(span: Span, workshop: Workshop, problem: Problem) -> NoSolution | None:
+    """What is wrong with the velocities of the drawn position; None: nothing."""
+    instant = make_instant(span.problem, span.always, (), dict(workshop.earlier), False)
+    held, rejected = search_modes(instant, instant.scene.valuations)
+    if held:
+        return None
+    singular_position(instant, rejected, problem.find)
+    return explain_failure(instant, rejected, problem.find)
 
 
 # --- data contradict each other --------------------------------------------------------------------------------------

@@ -39,6 +39,7 @@ from planar_cli.solve.course.regime import Regime
 from planar_cli.solve.course.still import Still, stand_still
 from planar_cli.solve.course.takeover import handing_of, later_equations, resting_equations
 from planar_cli.solve.course.timeline import Demand, Reader, Stop, stop_of
+from planar_cli.solve.course.touch import Touch
 
 TINY = Decimal("1e-15")
 ROUGHLY = Context(prec=30)
@@ -69,6 +70,7 @@ class Course:
     equations: list[Equation] = field(default_factory=list)
     touches: list[Equation] = field(default_factory=list)
     differences: list[sp.Symbol] = field(default_factory=list)
+    touch: Touch | None = None
     told: dict[sp.Symbol, sp.Expr] = field(default_factory=dict)
     still: Still | None = None
     spanned: dict[sp.Symbol, Asked] = field(default_factory=dict)

@@ -208,7 +208,9 @@ class Follower:
         before = max((x.length for x in self.done.legs), default=0.0)
         length = length if length > SLACK * before else before
         flow = self._flow(regime, state, rhs, length)
-        return Leg(regime, flow, t0, t0, state, swing_of(regime, state, self.value), length)
+        swing = swing_of(regime, state, self.value)
+        touch = self.course.touch
+        return Leg(regime, flow, t0, t0, state, swing if touch is None else min(swing, touch.time), length)
 
     def _flow(self, regime: Regime, state: State, rhs: Callable[..., list[float]], size: float) -> Flow | None:
         letters = regime.letters[1:]

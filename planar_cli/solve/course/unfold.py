@@ -14,7 +14,16 @@ import sympy as sp
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.errors import Diagnostic, Mark, NoSolution, Undecided
 from planar_cli.problem.scene import Problem
-from planar_cli.solve.course.astray import clash, demand_agreement, meets_again, missing, never, passed_before
+from planar_cli.solve.course.astray import (
+    as_drawn,
+    clash,
+    demand_agreement,
+    demand_told,
+    meets_again,
+    missing,
+    never,
+    passed_before,
+)
 from planar_cli.solve.course.carried import carried_branch
 from planar_cli.solve.course.chain import Branch
 from planar_cli.solve.course.course import Course, make_course
@@ -34,8 +43,7 @@ from planar_cli.solve.course.plot import Plot, Workshop, nearest
 from planar_cli.solve.course.route import Route
 from planar_cli.solve.course.simulate import Followed, Follower, leaning
 from planar_cli.solve.course.starts import Start, balanced, certain_start, resting, resting_though_sought, untold
-from planar_cli.solve.diagnose import explain_failure, singular_position
-from planar_cli.solve.instant import make_instant, search_modes
+from planar_cli.solve.course.touch import TOUCHED, Endless, demand_no_times, touch_of, without_times
 
 CHANGES = 40
 BLOW = " blow"
@@ -74,6 +82,8 @@ class Unfolder:
     why: str = ""
     lack: NoSolution | None = None
     stays: bool = False
+    resting: Plot | None = None
+    sense: int = 0
     loose: tuple[Course, FindReader] | None = None
 
     def run(self) -> Unfolded:
@@ -94,12 +104,26 @@ class Unfolder:
             demand_mass(course, course.base())
             if course.still is not None and not course.states:
                 return Unfolded(course, finds, course.still.branch, None, course.base())
-            found = self._unfold(course, finds)
+            found = self._unfold_touched(course, finds)
             if isinstance(found, Unfolded):
-                found.checks = (*found.checks, *((STAYS,) if self.stays else ()))
+                why = (TOUCHED,) if self.sense else (STAYS,) if self.stays else ()
+                found.checks = (*found.checks, *why)
                 return found
             plot = found
         raise Undecided("the contacts of this motion change too often")
+
+    def _unfold_touched(self, course: Course, finds: FindReader) -> Unfolded | Plot:
+        """The same; where it rests in an unstable equilibrium and a state is not reached, after a slight touch."""
+        try:
+            return self._unfold(course, finds)
+        except Endless:
+            raise
+        except NoSolution as error:
+            if self.resting is None or self.sense < 0:
+                raise self.lack or error from error
+            self.lack = self.lack or error
+            self.sense, self.tried = (-1 if self.sense else 1), {}
+            return self.resting
 
     def _unfold(self, course: Course, finds: FindReader) -> Unfolded | Plot:
         """The course unfolded, or another plot to try."""
@@ -123,7 +147,12 @@ class Unfolder:
             self._relate(course, finds)
             return self._sought(course, finds) if loose is None else self._determined(course, loose)
         assert isinstance(start, dict)
-        kept = frozenset() if course.blows else balanced(course, start)
+        kept = frozenset() if course.blows or self.sense else balanced(course, start)
+        if kept and touch_of(course, start, 1) is not None:
+            self.resting = course.plot
+        if self.sense:
+            course.touch = touch_of(course, start, self.sense)
+            start |= {course.touch.speed: course.touch.value} if course.touch is not None else {}
         self.stays = self.stays or bool(kept)
         still = frozenset() if course.blows else resting(course, start) | kept
         if still - course.plot.stretches[0].still:
@@ -168,13 +197,7 @@ class Unfolder:
         try:
             return self._next(plot, i, "the joints contradict what is given of the velocities")
         except NoSolution as error:
-            span = plot.stretch(i).span
-            instant = make_instant(span.problem, span.always, (), dict(self.workshop.earlier), False)
-            held, rejected = search_modes(instant, instant.scene.valuations)
-            if held:
-                raise
-            singular_position(instant, rejected, self.problem.find)
-            raise explain_failure(instant, rejected, self.problem.find) from error
+            raise as_drawn(plot.stretch(i).span, self.workshop, self.problem) or error from error
 
     def _agreeing(self, course: Course) -> Plot | None:
         """Another choice of modes, where in this one the forces of a stretch contradict each other in every position;
@@ -207,6 +230,10 @@ class Unfolder:
             raise never(course, followed, course.base())
         for regime in course.distinct_regimes():
             regime.general.demand_unique(regime.undetermined)
+        if course.touch is not None:
+            demand_no_times(course, finds)
+            course.equations = without_times(course)
+            followed.values[course.first.letters[course.touch.speed]] = 0.0
         course.equations = holding(course.equations, followed.values, course.base())
         followed.values |= by_differences(course, finds, followed.values)
         chain = course.chain()
@@ -297,7 +324,7 @@ class Unfolder:
             if branch.left or set(start) != set(course.first.letters) or untold(course):
                 led = carried_branch(course, branches)
                 try:
-                    self._demand_told(course, finds, led)
+                    demand_told(course, finds, led.values)
                 except NoSolution as error:
                     if not course.blows:
                         raise
@@ -362,15 +389,6 @@ class Unfolder:
             self.tried = {k: v for k, v in self.tried.items() if k[0] != BLOW}
             return replace(changed, stretches=tuple(replace(s, blow_choice=None) for s in changed.stretches))
         return None
-
-    @staticmethod
-    def _demand_told(course: Course, finds: FindReader, branch: Branch) -> None:
-        """NoSolution: letters that are asked for stay open, because a datum is missing."""
-        letters = {s for a in finds.asked for p in a.parts for s in finds.settled(a, p).free_symbols}
-        if letters & course.chain().unknowns - set(branch.values):
-            wrong = missing(course)
-            if wrong is not None:
-                raise wrong
 
 
 def _left_out(course: Course, others: list[Unfolded], why: str) -> tuple[str, ...]:

@@ -1,0 +1,101 @@
+"""Released at rest exactly in an unstable equilibrium: what moves is the limit of ever slighter touches.
+
+A touch of a thousand-millionth is followed in numbers; it tells what happens in which order, and the laws of energy
+tell the speeds, which differ from their limits by the square of the touch alone. Only the times grow beyond all bounds.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from decimal import Decimal
+from typing import TYPE_CHECKING
+
+import sympy as sp
+
+from planar_cli.equation.displaced import Coordinate
+from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.errors import Diagnostic, NoSolution
+from planar_cli.solve.course.equations import Equation
+from planar_cli.solve.course.events import length_of
+from planar_cli.solve.course.regime import Regime
+
+if TYPE_CHECKING:
+    from planar_cli.solve.course.course import Course
+    from planar_cli.solve.course.finds import FindReader
+
+SLIGHT = 1e-9
+"""The touch in parts of a radian, or of the size of the scene, in the time in which it grows."""
+TOUCHED = "released at rest in an unstable equilibrium: the limit of a slight touch"
+OVER_TIME = ("mean", "impulse")
+
+
+class Endless(NoSolution):
+    """The time is asked that a slight touch takes."""
+
+
+@dataclass(frozen=True, slots=True)
+class Touch:
+    """The free speed that is touched, its value then, and the time in which a deviation grows e-fold."""
+
+    speed: sp.Symbol
+    value: Decimal
+    time: float
+
+
+def touch_of(course: Course, start: Mapping[sp.Symbol, Decimal], sense: int) -> Touch | None:
+    """What sends the motion off; None: the equilibrium is not unstable, or in several ways."""
+    regime = course.regimes[0]
+    value = course.base().extended(dict(start))
+    found = []
+    for u in regime.free:
+        growth = _growth(regime, u, value)
+        if growth > 0:
+            found.append((u, growth))
+    if len(found) != 1:
+        return None
+    u, growth = found[0]
+    c = _coordinate(regime, u)
+    assert c is not None
+    state = {s: float(v) for s, v in start.items()}
+    size = 1.0 if c.unit == "rad" else length_of(regime, state, [0.0] * (len(regime.letters) - 1), value)
+    pace = math.sqrt(growth)
+    slope = abs(float(value(sp.diff(regime.rates[c.symbol], u))))
+    return Touch(u, Decimal(repr(sense * SLIGHT * pace * size / slope)), 1 / pace)
+
+
+def _coordinate(regime: Regime, u: sp.Symbol) -> Coordinate | None:
+    """The coordinate that moves with a speed."""
+    moved = [c for c in regime.coordinates if u in regime.rates[c.symbol].free_symbols]
+    return next((c for c in moved if c.speed == u), moved[0] if moved else None)
+
+
+def _growth(regime: Regime, u: sp.Symbol, value: Valuation) -> float:
+    """How fast a deviation grows, d(du/dt)/dq dq/du in 1/s²; not positive where it does not."""
+    c = _coordinate(regime, u)
+    if c is None:
+        return 0.0
+    try:
+        return float(value(sp.diff(regime.accelerations[u], c.symbol) * sp.diff(regime.rates[c.symbol], u)))
+    except (ArithmeticError, Unvalued):
+        return 0.0
+
+
+def without_times(course: Course) -> list[Equation]:
+    """The equations that hold in the limit: none in which the time of a later state stands."""
+    times = {stop.t for stop in course.stops.values()} - {course.first.t}
+    return [e for e in course.equations if not e.residual.free_symbols & times]
+
+
+def demand_no_times(course: Course, finds: FindReader) -> None:
+    """Endless: something is asked that grows beyond all bounds with the time."""
+    times = {stop.t for stop in course.stops.values()} - {course.first.t}
+    for asked in finds.asked:
+        parts = [finds.settled(asked, p) for p in asked.parts]
+        spans = {s for p in parts for s in p.free_symbols if s in course.spanned}
+        lasting = any(course.spanned[s].quantity.word in OVER_TIME for s in spans)
+        if lasting or any(p.free_symbols & times for p in parts):
+            text = f"{asked.find.name}: it begins at rest in an unstable equilibrium, and takes longer without bound"
+            hint = "ask for places, velocities and forces, or give the touch: a small angle or speed in the first state"
+            raise Endless([Diagnostic(asked.find.mark, "PL621", text, hint)])
