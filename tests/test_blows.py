@@ -10,6 +10,10 @@ import sympy as sp
 from answered import Answers, assert_close, first, number, solve
 
 from planar_cli.errors import FileProblem, NoSolution
+from planar_cli.formats.terminal import Terminal
+from planar_cli.problem.structure import load_text
+from planar_cli.report.narrate import narrate
+from planar_cli.solve.run import solve_problem
 from planar_cli.solve.solution import Found
 
 G = 9.81
@@ -91,8 +95,8 @@ def test_an_impact_that_misses() -> None:
 
 def test_an_oblique_impact() -> None:
     """Along the line of impact as if it were direct, across it nothing changes."""
-    gamma, e = 0.5, 0.6
-    text = (DIRECT % e).replace("name: hit", f"normal: {gamma} rad, mu: 0, name: hit")
+    gamma, e = atan2(3, 4), 0.6
+    text = (DIRECT % e).replace("name: hit", "normal: atan(0.75), mu: 0, name: hit")
     text = text.replace("v(A).y = 0", "v(A).y = 2 m/s").replace("u_A: v(A).x @ 2", "u_A: v(A) @ 2")
     text = text.replace("J: impulse(hit/B).x", "J: impulse(hit/B)")
     found = solve(text)
@@ -162,6 +166,15 @@ def test_newtons_cradle_one_after_the_other() -> None:
     found = solve(ROW.format(e=1, **IN_TURN))
     for name, truth in (("u", 0), ("v", 0), ("w", 1), ("p", 0), ("loss", 0)):
         assert_close(found[name], truth)
+
+
+def test_the_model_of_a_row_is_named() -> None:
+    """The outcome depends on it, so the solution says which one it is."""
+    problem, wrong = load_text(ROW.format(e=1, **AT_ONCE))
+    assert problem is not None, wrong
+    told = " ".join(Terminal().render(narrate(solve_problem(problem))).split())
+    assert "2 impacts at once, each with its own restitution" in told
+    assert "One after the other they would end otherwise." in told
 
 
 def test_a_plastic_row() -> None:
@@ -358,6 +371,32 @@ def test_a_system_that_is_struck() -> None:
     assert_close(found["H"], number(found["turn"]))
     assert_close(found["W"], number(found["T"]))
     assert_close(found["W_rod"], number(found["T_rod"]))
+
+
+DRIVEN = """
+title: Rod on a crank that keeps its speed, struck at its free end
+plane: horizontal
+points: {O: [0, 0], A: [0.3 m, 0], B: [0.3 m, 0.5 m]}
+bodies: {OA: {rod: [O, A], mass: 1 kg}, AB: {rod: [A, B], mass: 2 kg}}
+joints:
+  - pin: {at: O, between: [ground, OA]}
+  - pin: {at: A, between: [OA, AB]}
+loads:
+  - impulse: {name: blow, body: AB, at: B, magnitude: 3 N*s, angle: 0 deg, during: 1->2}
+motion: [omega(OA) = 2 rad/s]
+states:
+  1: [t = 0, omega(AB) = 0]
+  2: [just after 1]
+find: {omega: omega(AB) @ 2, crank: omega(OA) @ 2, knee: impulse(A/AB) @ 1->2, pin: impulse(O) @ 1->2}
+"""
+
+
+def test_what_is_driven_goes_on() -> None:
+    found = solve(DRIVEN)
+    assert_close(found["omega"], -9)
+    assert_close(found["crank"], 2)
+    assert pair(found["knee"]) == pytest.approx((1.5, 0))
+    assert pair(found["pin"]) == pytest.approx((1.5, 0))
 
 
 # --- taking hold and letting go --------------------------------------------------------------------------------------
