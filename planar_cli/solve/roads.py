@@ -9,7 +9,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 from typing import Any
 
-from planar_cli.problem.expression import AtRest, Equilibrium, JustAfter, Name, Quantity, Relation
+from planar_cli.problem.expression import AtRest, Equilibrium, Extreme, JustAfter, Name, Quantity, Relation
 from planar_cli.problem.formulas import formulas
 from planar_cli.problem.scene import Find, Problem, State
 from planar_cli.problem.walk import walk
@@ -67,7 +67,9 @@ def runs_in_time(problem: Problem) -> bool:
 
 
 def _is_event(state: State) -> bool:
-    """Does a state only say what force has become something? Then a motion must lead there."""
+    """Does a state only say what is extreme there, or what force has become something? Then a motion must lead there."""
+    if all(isinstance(s, Extreme) for s in state.relations):
+        return True
     if any(isinstance(s, AtRest | Equilibrium) for s in state.relations):
         return False
     words = {n.word for s in state.relations for n in walk(s) if isinstance(n, Quantity)}
