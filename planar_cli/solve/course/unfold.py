@@ -45,8 +45,7 @@ from planar_cli.solve.course.simulate import Followed, Follower, leaning
 from planar_cli.solve.course.starts import Start, balanced, certain_start, resting, resting_though_sought, untold
 from planar_cli.solve.course.touch import TOUCHED, Endless, demand_no_times, touch_of, without_times
 
-CHANGES = 40
-BLOW = " blow"
+CHANGES, BLOW = 40, " blow"
 STAYS = "it begins at rest in equilibrium, where every acceleration vanishes: nothing moves"
 
 
@@ -72,7 +71,8 @@ class Unfolded:
 @dataclass(slots=True)
 class Unfolder:
     """Unfolds one problem. `tried`: choices of modes that failed, by stretch of a plot; `lack`: what is wrong with the
-    first of them in which no motion passes through the states. `loose`: the course before what rests was held.
+    first of them in which no motion passes through the states. `loose`: the course before what rests was held;
+    `resting`: the plot that begins in an unstable equilibrium, `sense`: which way it is touched then.
     """
 
     problem: Problem
@@ -116,10 +116,10 @@ class Unfolder:
         """The same; where it rests in an unstable equilibrium and a state is not reached, after a slight touch."""
         try:
             return self._unfold(course, finds)
-        except Endless:
-            raise
         except NoSolution as error:
-            if self.resting is None or self.sense < 0:
+            if self.resting is None or isinstance(error, Endless):
+                raise
+            if self.sense < 0:
                 raise self.lack or error from error
             self.lack = self.lack or error
             self.sense, self.tried = (-1 if self.sense else 1), {}
