@@ -117,8 +117,12 @@ def with_short_roots(expr: sp.Expr) -> sp.Expr:
     if not sums or any(longer(p, SOME) for p in sums):
         return expr
     rooted = expr.xreplace({p: sp.factor(p.base) ** p.exp for p in sums})
-    short = min((simplified(rooted), sp.powsimp(sp.factor(rooted))), key=operations)
-    return short if operations(short) < operations(expr) else expr
+    return min((expr, simplified(rooted), sp.powsimp(sp.factor(rooted))), key=_beside_roots)
+
+
+def _beside_roots(expr: sp.Expr) -> int:
+    """Operations, where the root of a number is a number: √6 √(R - r) is printed as √(6 (R - r))."""
+    return operations(expr.xreplace({p: sp.Integer(2) for p in expr.atoms(sp.Pow) if p.is_number}))
 
 
 def _effort(expr: sp.Expr) -> int:

@@ -67,7 +67,7 @@ def runs_in_time(problem: Problem) -> bool:
 
 
 def _is_event(state: State) -> bool:
-    """Does a state only say what is extreme there, or what force has become something? Then a motion must lead there."""
+    """Does a state only say what is extreme, or what a force has become? Then a motion must lead there."""
     if all(isinstance(s, Extreme) for s in state.relations):
         return True
     if any(isinstance(s, AtRest | Equilibrium) for s in state.relations):

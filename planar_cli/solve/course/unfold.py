@@ -40,6 +40,7 @@ from planar_cli.solve.course.newton import refined_left
 from planar_cli.solve.course.oscillation import Oscillation
 from planar_cli.solve.course.over_spans import SpanIntegral
 from planar_cli.solve.course.plot import Plot, Workshop, nearest
+from planar_cli.solve.course.reached import asked_about
 from planar_cli.solve.course.route import Route
 from planar_cli.solve.course.simulate import Followed, Follower, leaning
 from planar_cli.solve.course.starts import Start, balanced, certain_start, resting, resting_though_sought, untold
@@ -113,11 +114,13 @@ class Unfolder:
         raise Undecided("the contacts of this motion change too often")
 
     def _unfold_touched(self, course: Course, finds: FindReader) -> Unfolded | Plot:
-        """The same; where it rests in an unstable equilibrium and a state is not reached, after a slight touch."""
+        """The same; where it rests in an unstable equilibrium and a state is not reached, after a slight touch.
+        `reached(s)` is about the motion by itself, without any touch.
+        """
         try:
             return self._unfold(course, finds)
         except NoSolution as error:
-            if self.resting is None or isinstance(error, Endless):
+            if self.resting is None or isinstance(error, Endless) or asked_about(self.problem):
                 raise
             if self.sense < 0:
                 raise self.lack or error from error
