@@ -68,6 +68,40 @@ def test_a_direct_impact(e: float) -> None:
     assert_ledger(found, (1 - e**2) * reduced * approach**2 / 2)
 
 
+THIN = """
+title: Ball against a thin rough wall that is drawn through it
+plane: horizontal
+given: {v: 3 m/s}
+points: {P: [0, 0]}
+bodies: {ball: {particle: P, mass: 2 kg}}
+surfaces: {wall: {through: P, angle: 90 deg}}
+joints:
+  - impact: {between: [%s], normal: %s deg, restitution: 0.5, mu: 0.2}
+states: {1: [v(P).x = %s*v, v(P).y = v], 2: [just after 1]}
+find: {v: v(P) @ 2, J: impulse(ball) @ 1->2}
+"""
+
+
+@pytest.mark.parametrize("way", [1, -1])
+@pytest.mark.parametrize("normal", [0, 180])
+@pytest.mark.parametrize("between", ["ball, wall", "wall, ball"])
+def test_what_may_be_struck_from_either_side_presses(between: str, normal: int, way: int) -> None:
+    """Friction opposes the sliding, whichever way the normal is written."""
+    found = solve(THIN % (between, normal, way))
+    assert pair(found["v"]) == pytest.approx((-1.5 * way, 3 - 0.2 * 1.5 * 3))
+    assert pair(found["J"]) == pytest.approx((-9 * way, -1.8))
+
+
+def test_what_does_not_approach_is_not_struck() -> None:
+    """The file says that they strike each other in this blow: that they do not is said."""
+    text = (DIRECT % 0).replace("v_A: 5 m/s", "v_A: -5 m/s").replace("name: hit", "name: hit, during: 1->2")
+    problem, _ = load_text(text)
+    assert problem is not None
+    part = solve_problem(problem).parts[0]
+    assert first({f.name: f for f in part.found}["u_A"]) == -5
+    assert "A and B do not approach each other at 1: no impulse there" in part.motion.checks
+
+
 def test_a_restitution_that_is_sought() -> None:
     """Left out, it is what a velocity just after tells; as an unknown it is an answer."""
     told = "2: [just after 1, v(B).x = 2.6 m/s]"

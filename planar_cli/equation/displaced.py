@@ -31,7 +31,7 @@ ZERO = sp.S.Zero
 @dataclass(frozen=True, slots=True)
 class Coordinate:
     """One freedom of the tree. `drawn`: its value as drawn (None: open). `speed`: the velocity unknown that goes with
-    it; its rate is factor · speed + extra. `unit`: "m" or "rad". `words`: what it is.
+    it; its rate is factor · speed + extra. `unit`: "m" or "rad". `words`: what it is. `shown`: the unit it is told in.
     """
 
     symbol: sp.Symbol
@@ -41,6 +41,7 @@ class Coordinate:
     factor: sp.Expr
     words: str
     body: str
+    shown: str
     extra: sp.Expr = ZERO
 
     @property
@@ -111,11 +112,14 @@ class Displacer:
     ) -> sp.Expr:
         if speed.name in self.still and drawn is not None:
             return drawn
+        # Directions read in degrees; what rolls has turned by radians.
+        shape = next((b.shape for b in self.scene.problem.bodies if b.name == body), None)
+        shown = "deg" if unit == "rad" and not isinstance(shape, Round) else unit
         symbol = self.made.get(name)
         if symbol is None:
-            symbol = self.made[name] = self.scene.ledger.fresh(name, unit)
-        self.scene.ledger.units.setdefault(symbol, parse_unit(unit))
-        self.coordinates.append(Coordinate(symbol, unit, drawn, speed, factor, words, body))
+            symbol = self.made[name] = self.scene.ledger.fresh(name, shown)
+        self.scene.ledger.units.setdefault(symbol, parse_unit(shown))
+        self.coordinates.append(Coordinate(symbol, unit, drawn, speed, factor, words, body, shown))
         return symbol
 
     def _angle(self, edge: Edge) -> tuple[sp.Expr, sp.Expr]:
@@ -213,7 +217,7 @@ class Displacer:
             drawn = getattr(body.center, axis)
             words = f"{axis} of {name}"
             if open_place:
-                self.coordinates.append(Coordinate(drawn, "m", None, speed, sp.S.One, words, edge.body))
+                self.coordinates.append(Coordinate(drawn, "m", None, speed, sp.S.One, words, edge.body, "m"))
                 parts.append(drawn)
             else:
                 parts.append(self._coordinate(f"{axis}_{name}", "m", drawn, speed, sp.S.One, words, edge.body))
@@ -275,7 +279,7 @@ class Displacer:
         if isinstance(symbol, sp.Symbol) and self.coordinates and self.coordinates[-1].symbol == symbol:
             along = self.scene.sign(joining.path.tangent.dot(slope).subs(variable, drawn)) or 1
             rate = (along / speed).subs(variable, symbol)
-            self.coordinates[-1] = Coordinate(symbol, unit, drawn, edge.slide, rate, words, edge.body)
+            self.coordinates[-1] = replace(self.coordinates[-1], factor=rate)
         return Vec(at.x.subs(variable, symbol), at.y.subs(variable, symbol))
 
     def _rolled(self, edge: Edge, turn: sp.Expr) -> Vec:

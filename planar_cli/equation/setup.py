@@ -84,7 +84,7 @@ class Setup:
             for c in course.displacement.coordinates:
                 if c.symbol.name not in self.ledger.symbols:
                     self.ledger.symbols[c.symbol.name] = c.symbol
-                    self.ledger.units[c.symbol] = parse_unit(c.unit)
+                    self.ledger.units[c.symbol] = parse_unit(c.shown)
                     self.ledger.letters.append(c.symbol)
         self.ledger.ranges = dict(course.ranges)
         self.ledger.project = course.project

@@ -75,15 +75,21 @@ class Impact(Joint):
     def blows(self, scene: StruckSetting) -> tuple[Mode, ...]:
         meeting = scene.meeting(self.between, self.normal, self.mark)
         a, b = (scene.carrier(p) for p in self.between)
-        rough = self.mu is not None and not scene.is_zero(scene.value(self.mu))
+        if meeting.told:
+            return (*self._hits(scene, a, b, meeting), self._missed(scene, a, b, meeting))
+        # What meets may come from either side: the one from which it presses.
+        other = replace(meeting, normal=-meeting.normal)
+        return (*self._hits(scene, a, b, meeting), *self._hits(scene, a, b, other))
+
+    def _hits(self, scene: StruckSetting, a: str, b: str, meeting: Meeting) -> list[Mode]:
+        """They press on each other along this normal."""
         pushes = [self._push("N", "normal", a, b, meeting.point, meeting.normal)]
+        rough = self.mu is not None and not scene.is_zero(scene.value(self.mu))
         if rough:
             pushes.append(self._push("F", "friction", a, b, meeting.point, meeting.normal.turned()))
-        rebound = self._rebound(scene, a, b, meeting)
-        facts = Facts(rows=(rebound,), pushes=tuple(pushes))
-        pressed = (Test(self.name, f"N_{self.name} presses", ((f"N_{self.name}", 1),)),) if meeting.told else ()
-        hits = [*self._rough(scene, facts, pressed, a, b, meeting)] if rough else [Mode("", "", facts, pressed)]
-        return (*hits, self._missed(scene, a, b, meeting)) if meeting.told else tuple(hits)
+        facts = Facts(rows=(self._rebound(scene, a, b, meeting),), pushes=tuple(pushes))
+        pressed = (Test(self.name, f"N_{self.name} presses", ((f"N_{self.name}", 1),)),)
+        return self._rough(scene, facts, pressed, a, b, meeting) if rough else [Mode("", "", facts, pressed)]
 
     def _push(self, stem: str, kind: str, a: str, b: str, point: Vec, along: Vec) -> Push:
         """On the second body along the direction, reversed on the first."""

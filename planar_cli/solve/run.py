@@ -106,6 +106,11 @@ def solve_part(problem: Problem, case: str, units: dict[str, str], earlier: dict
             return solve_states(problem, case, always, units, earlier, solve_instant)
         except NoSolution:
             return _in_time(problem, case, units, earlier)
+        except Undecided as error:
+            try:
+                return _in_time(problem, case, units, earlier)
+            except NoSolution:
+                raise error from None
         except FileProblem as error:
             if any(d.code != "PL560" for d in error.diagnostics):
                 raise

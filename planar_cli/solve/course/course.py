@@ -208,6 +208,8 @@ class Course:
             if stretch.blow is not None:
                 self.blows[i] = make_blow(self, i, stretch.blow, stretch.blow_choice)
                 self.blows[i].work(asked_of_blows(self.problem))
+                units = self.blows[i].scene.ledger.units
+                self.ledger.units |= {x: units[x] for x in self.blows[i].letters if x in units}
 
     def infinite(self) -> dict[sp.Symbol, sp.Expr]:
         """Letters that become infinite in their state."""

@@ -13,6 +13,7 @@ from planar_cli.equation.evaluate import refuse
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.plain import longer, rounded_inside, simplified, with_short_roots
 from planar_cli.equation.system import mode_of
+from planar_cli.errors import Undecided
 from planar_cli.problem.check_dimensions import about
 from planar_cli.problem.dimensions import Kind, dimension_of
 from planar_cli.problem.expression import Name, Quantity, Relation
@@ -142,6 +143,9 @@ class FindReader:
         return asked.reader.closed(part)
 
     def _number(self, expr: sp.Expr, value: Valuation) -> Decimal:
+        """Undecided: a denominator vanishes there, so that no number is one."""
+        if any(p.exp.could_extract_minus_sign() and value.is_zero(p.base) for p in expr.atoms(sp.Pow)):
+            raise Undecided("what is asked becomes 0/0 in the letters of this motion: it is not told")
         number = value(expr)
         return Decimal(0) if number and value.is_zero(expr) else number
 

@@ -286,5 +286,5 @@ def _user_coordinates(instant: Instant) -> tuple[Coordinate, ...]:
         rate = instant.scene.evaluator.motions[symbol][0]
         if symbol in ledger.letters and isinstance(rate, sp.Symbol):
             unit = "rad" if ledger.units[symbol].angle else ledger.units[symbol].text
-            found.append(Coordinate(symbol, unit, None, rate, sp.S.One, symbol.name, ""))
+            found.append(Coordinate(symbol, unit, None, rate, sp.S.One, symbol.name, "", unit))
     return tuple(found)
