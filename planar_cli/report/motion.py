@@ -316,6 +316,8 @@ class MotionTelling:
             if numbers is not None and not formula.is_Symbol:
                 sides.append(numbers)
         if not self.phrases.symbolic:
+            if len(sides) > 1 and self.phrases.by_radians(r.unknown, formula) and r.value.is_finite():
+                sides.append(Value(r.value, "rad", self.phrases.figures))
             sides.append(self._shown(r))
         elif formula is None:
             sides.append(line("the root that this motion reaches"))

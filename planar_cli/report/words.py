@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from decimal import Decimal
 from typing import Any
 
 import sympy as sp
+from sympy.functions.elementary.trigonometric import InverseTrigonometricFunction, TrigonometricFunction
 
 from planar_cli.calculus.curve_words import Curve
 from planar_cli.equation.exact import Unvalued, Valuation
@@ -67,19 +69,29 @@ class Phrases:
         if self.symbolic:
             return None
         texts = {}
+        degrees = [s for s in expr.free_symbols if self._in_degrees(s)]
+        apart = {} if is_angle(expr, degrees) else {s: sp.Symbol(f"{s.name} rad", **s.assumptions0) for s in degrees}
         for symbol in expr.free_symbols:
             try:
-                texts[symbol] = self._text(symbol)
+                value = self.value(symbol)
             except (Unvalued, ArithmeticError):
                 return None
-        return Math(rounded(expr, self.figures), texts) if texts else None
+            texts[symbol] = significant(value, self.figures)
+            if symbol in apart:
+                texts[apart[symbol]] = texts[symbol]
+            if symbol in degrees:
+                texts[symbol] = significant(display(value, self.ledger.units[symbol]), self.figures) + "°"
+        return Math(rounded(_in_radians(expr, apart), self.figures), texts) if texts else None
 
-    def _text(self, symbol: sp.Symbol) -> str:
+    def _in_degrees(self, symbol: sp.Symbol) -> bool:
         unit = self.ledger.units.get(symbol)
-        value = self.value(symbol)
-        if unit is not None and unit.angle and unit.pi_power and unit.text == "deg":
-            return significant(display(value, unit), self.figures) + "°"
-        return significant(value, self.figures)
+        return unit is not None and unit.angle and bool(unit.pi_power) and unit.text == "deg"
+
+    def by_radians(self, symbol: sp.Symbol, formula: sp.Expr | None) -> bool:
+        """Is an angle that is told in degrees worked out in radians, as ω t is?"""
+        if formula is None or not self._in_degrees(symbol) or formula.is_number:
+            return False
+        return not is_angle(formula, [s for s in formula.free_symbols if self._in_degrees(s)])
 
     def shown(self, symbol: sp.Symbol, value: Decimal | None = None) -> Value:
         """The value of a symbol in SI units."""
@@ -98,6 +110,25 @@ class Phrases:
     def _certain(self, expr: Any) -> Decimal:
         value = self.value(expr)
         return Decimal(0) if value and self.value.is_zero(expr) else value
+
+
+def is_angle(expr: sp.Expr, degrees: Collection[sp.Symbol]) -> bool:
+    """Is it a sum of angles that may all stand in degrees?"""
+    kinds = (*degrees, InverseTrigonometricFunction)
+    terms = (term.as_independent(*kinds, as_Add=False) for term in sp.Add.make_args(expr))
+    return all(
+        factor.is_number and (angle in degrees or isinstance(angle, InverseTrigonometricFunction) or angle == 1)
+        for factor, angle in terms
+    )
+
+
+def _in_radians(expr: sp.Expr, apart: Mapping[sp.Symbol, sp.Symbol]) -> sp.Expr:
+    """Angles outside trigonometric functions by the symbols that are told in radians."""
+    if isinstance(expr, TrigonometricFunction | sp.Integral) or not expr.free_symbols & set(apart):
+        return expr
+    if expr.is_Symbol:
+        return apart[expr]
+    return expr.func(*(_in_radians(a, apart) for a in expr.args))
 
 
 def si_text(unit: Unit) -> str:

@@ -46,7 +46,7 @@ from planar_cli.solve.course.simulate import Followed, Follower, leaning
 from planar_cli.solve.course.starts import Start, balanced, certain_start, resting, resting_though_sought, untold
 from planar_cli.solve.course.touch import TOUCHED, Endless, demand_no_times, touch_of, without_times
 
-CHANGES, BLOW = 40, " blow"
+CHANGES, BLOW, SLACK = 40, " blow", Decimal("1e-9")
 STAYS = "it begins at rest in equilibrium, where every acceleration vanishes: nothing moves"
 
 
@@ -264,6 +264,8 @@ class Unfolder:
         if not branches:
             return None
         branch = max(branches, key=lambda b: onward(course, b))
+        if not _assumed(course, course.base().extended(branch.values)):
+            return None
         told = f"no motion leads to state {missed} by itself: the balance of energy alone relates the states"
         return Unfolded(course, finds, branch, None, course.base().extended(branch.values), checks=(told,))
 
@@ -392,6 +394,18 @@ class Unfolder:
             self.tried = {k: v for k, v in self.tried.items() if k[0] != BLOW}
             return replace(changed, stretches=tuple(replace(s, blow_choice=None) for s in changed.stretches))
         return None
+
+
+def _assumed(course: Course, value: Valuation) -> bool:
+    """Do the modes hold in every state? What can not be told there does not speak against them."""
+    for name, stop in course.stops.items():
+        for watch in course.readers[name].regime.watches:
+            try:
+                if value(watch.expr.xreplace(stop.letters)) < -SLACK:
+                    return False
+            except (ArithmeticError, Unvalued):
+                continue
+    return True
 
 
 def _left_out(course: Course, others: list[Unfolded], why: str) -> tuple[str, ...]:
