@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from planar_cli.problem.expression import JustAfter
 from planar_cli.report.blocks import Note, line
 from planar_cli.solve.solution import InstantSolution
 
@@ -47,7 +48,8 @@ def effects(instant: InstantSolution) -> tuple[list[str], list[str]]:
         present.append("Coriolis acceleration")
     absent = [w for k, w in (("drag", "drag"), ("spring", "springs"), ("damper", "dampers")) if k not in kinds]
     absent += [] if coriolis else ["Coriolis"]
-    if scene.problem.struck:
+    blows = any(isinstance(s, JustAfter) for state in scene.problem.states for s in state.relations)
+    if scene.problem.struck or blows:
         return [*present, "impact"], absent
     return present, [*absent, "impact"]
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from decimal import Decimal
 from typing import Any
 
@@ -78,12 +78,13 @@ class MotionTelling:
     def _asked(self) -> Iterator[Block]:
         """What is asked in the letters of its states, where it is more than a letter."""
         finds = self.found.finds
+        zeros = {} if self.found.route is None else {s: f for s, f in self.found.route.formulas.items() if f == 0}
         told = False
         for asked in finds.asked:
             name = asked.find.name
             if name in finds.passing or (self.wanted is not None and not self.wanted):
                 continue
-            parts = [self._signed(finds.settled(asked, p)) for p in asked.parts]
+            parts = [self._signed(_without(finds.settled(asked, p), zeros)) for p in asked.parts]
             if isinstance(asked.find.found.what, FoundRelation) or not parts:
                 continue
             if any(p.is_Symbol or p.is_number or longer(p, LONGEST) or p.free_symbols & self.varying for p in parts):
@@ -103,9 +104,10 @@ class MotionTelling:
                 yield Equation(tuple(sides))
 
     def _signed(self, expr: sp.Expr) -> sp.Expr:
-        """|a| and sign a by the number that a has at its state."""
-        if self.phrases.symbolic or not expr.has(sp.Abs, sp.sign):
+        """|a| and sign a by the number that a has at its state; the direction of (a cos x, a sin x) where it is x."""
+        if self.phrases.symbolic or not expr.has(sp.Abs, sp.sign, sp.atan2):
             return expr
+        expr = expr.replace(lambda x: isinstance(x, sp.atan2), self._direction)
 
         def sense(a: sp.Expr) -> int:
             try:
@@ -117,7 +119,17 @@ class MotionTelling:
             s = sense(x.args[0])
             return x if not s else (s * x.args[0] if isinstance(x, sp.Abs) else sp.Integer(s))
 
+        if not expr.has(sp.Abs, sp.sign):
+            return expr
         return simplified(expr.replace(lambda x: isinstance(x, sp.Abs | sp.sign), put))
+
+    def _direction(self, found: sp.Expr) -> sp.Expr:
+        y, x = found.args
+        for sine in y.atoms(sp.sin):
+            angle = sine.args[0]
+            if y / sine == x / sp.cos(angle) and self.found.value.is_zero(found - angle):
+                return angle
+        return found
 
     def _turnings(self) -> Iterator[Block]:
         for name, (expr, words) in self.course.plot.turnings.items():
@@ -261,12 +273,14 @@ class MotionTelling:
             return
         if e.law is not None and e.law.f == 0 and e.kind == "v(t)":
             return
-        sides = tuple(self._plain_integral(side, route) for side in (span.left, span.right))
+        sides = tuple(self._plain_integral(side, e, route) for side in (span.left, span.right))
         yield Equation(tuple(self.phrases.math(s) for s in sides))
 
-    def _plain_integral(self, side: sp.Expr, route: Route) -> sp.Expr:
-        """Limits of this motion, the variable without the name of a state."""
+    def _plain_integral(self, side: sp.Expr, e: Relation, route: Route) -> sp.Expr:
+        """Limits of this motion, the variable without the name of a state; a speed of turning is called ω."""
         names = {own.name: general.name for own, general in self.general.items()}
+        if e.law is not None and e.law.coordinate.unit == "rad":
+            names["v"] = "omega"
 
         def renamed(integral: Any) -> Any:
             variable, low, high = integral.limits[0]
@@ -291,8 +305,8 @@ class MotionTelling:
             if own in route.plain:
                 return self.phrases.math(e.span.explicit.xreplace(route.plain)), self.phrases.math(route.plain[own])
         if e.span is not None and e.span.unevaluated:
-            left = self._plain_integral(e.span.left, route) if e.span.left is not None else residual
-            right = self._plain_integral(e.span.right, route) if e.span.right is not None else sp.S.Zero
+            left = self._plain_integral(e.span.left, e, route) if e.span.left is not None else residual
+            right = self._plain_integral(e.span.right, e, route) if e.span.right is not None else sp.S.Zero
             return self.phrases.math(left), self.phrases.math(right)
         positive = [a for a in sp.Add.make_args(residual) if not a.could_extract_minus_sign()]
         left = sp.Add(*positive)
@@ -334,7 +348,7 @@ class MotionTelling:
         if r.value.is_infinite():
             return line("∞" if r.value > 0 else "-∞")
         shown = self.phrases.shown(r.unknown, r.value)
-        if r.unknown in self.found.guessed:
+        if r.unknown in self.found.guessed and (r.formula is None or r.formula.has(sp.Integral)):
             return line(shown, " by numerical integration")
         return shown
 
@@ -382,3 +396,9 @@ def _letter(e: Relation) -> sp.Symbol | None:
 
 def _neat(expr: sp.Expr) -> sp.Expr:
     return expr if longer(expr, LONGEST) else simplified(expr)
+
+
+def _without(expr: sp.Expr, zeros: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
+    """An expression without letters that are zero."""
+    found = expr.xreplace(dict(zeros))
+    return expr if found.has(sp.nan, sp.zoo) else found

@@ -127,6 +127,12 @@ def _closed(numerator: sp.Expr, x: sp.Symbol, value: Valuation) -> list[sp.Expr]
     if k == 0:
         base = sp.atan(sp.cancel(-a / b)) if b != 0 else sp.pi / 2
         return [base, base + sp.pi]
+    if a == 0:
+        first = sp.asin(sp.cancel(-k / b))
+        return [first, sp.pi - first]
+    if b == 0:
+        first = sp.acos(sp.cancel(-k / a))
+        return [first, -first]
     lead, swing = sp.atan2(b, a), sp.acos(-k / sp.sqrt(a**2 + b**2))
     return [lead + swing, lead - swing]
 
