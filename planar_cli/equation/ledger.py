@@ -17,7 +17,7 @@ import sympy as sp
 from planar_cli.equation.exact import PI, Valuation
 from planar_cli.units import PURE, Unit, parse_unit
 
-DRAWS = 2
+DRAWS, WIDER = 2, 10
 
 
 @dataclass(slots=True)
@@ -108,17 +108,23 @@ class Ledger:
     def valuations(self, holds: Callable[[Valuation], bool], tries: int = 400) -> tuple[Valuation, ...]:
         """Draws of all letters (and of what is sought) for which `holds`; one is enough when there is nothing to draw.
 
-        The draws are the same in every run. An empty result: no draw was found.
+        Letters are of like size, unless `holds` wants them otherwise, as M > 10 m does. The draws are the same in every
+        run. An empty result: no draw was found.
         """
+        return self._draws(holds, tries, self._draw) or self._draws(holds, WIDER * tries, self._far)
+
+    def _draws(
+        self, holds: Callable[[Valuation], bool], tries: int, draw: Callable[[sp.Symbol, random.Random], Decimal]
+    ) -> tuple[Valuation, ...]:
         free = [*self.letters, *self.sought]
         found: list[Valuation] = []
         rng = random.Random(20)
-        for _ in range(tries):
-            candidate = Valuation({s: self._draw(s, rng) for s in free}, ChainMap(self.values, self.definitions))
+        for _ in range(tries if free else 1):
+            candidate = Valuation({s: draw(s, rng) for s in free}, ChainMap(self.values, self.definitions))
             placed = self._projected(candidate)
             if placed is not None and _holds(holds, placed):
                 found.append(placed)
-            if len(found) == (DRAWS if free else 1) or not free:
+            if len(found) == (DRAWS if free else 1):
                 break
         return tuple(found)
 
@@ -138,6 +144,15 @@ class Ledger:
         if self.units[symbol].angle and self.units[symbol].dimension == PURE:
             return PI * (Decimal("0.08") + Decimal("0.36") * number)
         return Decimal("0.5") + Decimal("1.5") * number
+
+    def _far(self, symbol: sp.Symbol, rng: random.Random) -> Decimal:
+        """A draw from some decades, or of any acute angle."""
+        if symbol.name in self.ranges:
+            return self._draw(symbol, rng)
+        number = Decimal(rng.randrange(10**30, 10**31)) / Decimal(10**31)
+        if self.units[symbol].angle and self.units[symbol].dimension == PURE:
+            return PI * number / 2
+        return Decimal(10) ** (3 * (2 * number - 1))
 
 
 def _holds(test: Callable[[Valuation], bool], valuation: Valuation) -> bool:

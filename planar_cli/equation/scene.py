@@ -19,7 +19,7 @@ from planar_cli.equation.outlines import edges_at, outline_of
 from planar_cli.equation.places import at_relations, own_points, place_jet
 from planar_cli.equation.plain import longer, trigonometric
 from planar_cli.errors import Mark
-from planar_cli.problem.expression import Name, Side, Statement
+from planar_cli.problem.expression import Name, Relation, Side, Statement
 from planar_cli.problem.facts import Outline
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import (
@@ -190,9 +190,9 @@ class Scene:
         if self._valuations is None:
             self._valuations = self.ledger.valuations(self._agrees) or self.ledger.valuations(self._assumed)
             if not self._valuations:
-                raise refuse(
-                    Mark(self.problem.file, 1, 1), "PL532", "no numbers satisfy `assume`, or a length is not real"
-                )
+                assumed = [a.mark for a in self.problem.assume if isinstance(a, Relation)]
+                text = "no numbers satisfy `assume`, or a length is not real"
+                raise refuse(assumed[0] if assumed else Mark(self.problem.file, 1, 1), "PL532", text)
         return self._valuations
 
     def _assumed(self, valuation: Valuation) -> bool:
