@@ -12,5 +12,7 @@
                                                 a spiral in r and theta: r = b*theta
       F: {value: 39.18 N, tolerance: 0.02}      with a tolerance of its own
 
-`tolerance: 0.01` at the top of the file is that of all answers. Answers never say yes, no, on or off.
+What is found agrees when it lies within one per cent of what is stated, a vector as a whole; `tolerance: 0.001` at
+the top of the file sets that for all its answers. A formula agrees when it has the same values, to all digits unless
+numbers in it are rounded. Answers never say yes, no, on or off.
 """
