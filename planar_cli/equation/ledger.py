@@ -17,7 +17,7 @@ import sympy as sp
 from planar_cli.equation.exact import PI, Valuation
 from planar_cli.units import PURE, Unit, parse_unit
 
-DRAWS, WIDER = 2, 10
+DRAWS, WIDER, MANY = 2, 10, 30
 
 
 @dataclass(slots=True)
@@ -113,8 +113,16 @@ class Ledger:
         """
         return self._draws(holds, tries, self._draw) or self._draws(holds, WIDER * tries, self._far)
 
+    def far_draws(self, holds: Callable[[Valuation], bool]) -> tuple[Valuation, ...]:
+        """Draws from some decades for which `holds`."""
+        return self._draws(holds, MANY * WIDER, self._far, MANY)
+
     def _draws(
-        self, holds: Callable[[Valuation], bool], tries: int, draw: Callable[[sp.Symbol, random.Random], Decimal]
+        self,
+        holds: Callable[[Valuation], bool],
+        tries: int,
+        draw: Callable[[sp.Symbol, random.Random], Decimal],
+        wanted: int = DRAWS,
     ) -> tuple[Valuation, ...]:
         free = [*self.letters, *self.sought]
         found: list[Valuation] = []
@@ -124,7 +132,7 @@ class Ledger:
             placed = self._projected(candidate)
             if placed is not None and _holds(holds, placed):
                 found.append(placed)
-            if len(found) == (DRAWS if free else 1):
+            if len(found) == (wanted if free else 1):
                 break
         return tuple(found)
 

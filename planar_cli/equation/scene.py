@@ -4,7 +4,7 @@ state facts.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
@@ -13,7 +13,7 @@ import sympy as sp
 
 from planar_cli.equation.bodies import BodyModel, MassReader
 from planar_cli.equation.evaluate import Evaluator, refuse
-from planar_cli.equation.exact import Valuation
+from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.outlines import edges_at, outline_of
 from planar_cli.equation.places import at_relations, own_points, place_jet
@@ -298,6 +298,16 @@ class Scene:
         """Does a draw have what is assumed, and every sign that was decided before?"""
         return self._assumed(valuation) and all(sign * valuation(e) > 0 for e, sign in self._decided.items())
 
+    def presumed(self) -> tuple[Any, ...]:
+        """What is positive in the scene as it was drawn, though letters may be had with which it is not."""
+        return self.not_always_positive(e * sign for e, sign in self._decided.items() if e.free_symbols)
+
+    def not_always_positive(self, exprs: Iterable[Any]) -> tuple[Any, ...]:
+        """Those of the expressions that are negative for some letters with which `assume` holds."""
+        told = list(dict.fromkeys(exprs))
+        draws = self.ledger.far_draws(self._assumed) if told and self.ledger.letters else ()
+        return tuple(e for e in told if any(_negative(e, d) for d in draws))
+
     def is_zero(self, expr: Any) -> bool:
         return expr == 0 or all(v.is_zero(expr) for v in self.valuations)
 
@@ -398,3 +408,10 @@ class Scene:
             for point, body_name in load.attachments():
                 belongs(point, body_name)
         return owners
+
+
+def _negative(expr: Any, valuation: Valuation) -> bool:
+    try:
+        return bool(valuation(expr) < 0)
+    except (ArithmeticError, Unvalued):
+        return False

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from planar_cli.report.blocks import Answer, Block, Check, Document, Heading, Note, Paragraph, line
 from planar_cli.report.checks import check_blocks
 from planar_cli.report.discussion import discussion_lines
 from planar_cli.report.effects import effect_notes
 from planar_cli.report.passages import tale_blocks
+from planar_cli.report.presumed import presumed_notes
 from planar_cli.report.telling import Telling
 from planar_cli.report.words import Phrases, answer_line
 from planar_cli.solve.solution import InstantSolution, PartSolution, Solution
@@ -44,11 +47,9 @@ def part_blocks(
             blocks.append(Heading("STATE", instant.state))
         if part.motion is not None and len(part.instants) > 1:
             blocks.append(Heading("SPAN", _stretches(part, instant)))
-        notes = effect_notes(instant)
-        key = tuple(str(n) for n in notes)
-        if key not in told:
-            blocks += notes
-            told.add(key)
+        blocks += _effects(instant, told)
+        if instant is part.instants[0]:
+            blocks += presumed_notes(part, phrases_of(instant, figures))
         if not instant.quiet and (part.tale is None or not part.tale.whole):
             telling = Telling(instant, phrases_of(instant, figures), audience, _needed(part, instant, audience, why))
             blocks += telling.blocks()
@@ -79,6 +80,15 @@ def part_blocks(
     if not tested and part.motion is None and part.tale is None:
         blocks += [Note("Discussion", remark) for remark in discussion_lines(part.found, phrases)]
     return blocks
+
+
+def _effects(instant: InstantSolution, told: set[tuple[str, ...]]) -> Iterator[Block]:
+    """What acts, unless it was told before."""
+    notes = effect_notes(instant)
+    key = tuple(str(n) for n in notes)
+    if key not in told:
+        yield from notes
+        told.add(key)
 
 
 def _needed(part: PartSolution, instant: InstantSolution, audience: str, why: str | None) -> frozenset[str] | None:

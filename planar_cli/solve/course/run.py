@@ -17,6 +17,7 @@ from planar_cli.solve.course.course import Course
 from planar_cli.solve.course.masses import demand_mass
 from planar_cli.solve.course.methods import by_method, demand_reached
 from planar_cli.solve.course.plot import Workshop
+from planar_cli.solve.course.presumed import presumed
 from planar_cli.solve.course.reached import reaching
 from planar_cli.solve.course.route import Router
 from planar_cli.solve.course.throughout import Throughout
@@ -54,6 +55,7 @@ def _told(unfolded: Unfolded, case: str) -> PartSolution:
     begun = router.route(course.first.letters.values())
     start = {s: found.finds.closed(s, begun) for s in course.first.letters.values()}
     found.finds.throughout = Throughout(course, found.followed, found.value, start)
+    found.presumed = presumed(found, (found.route, begun))
     found.checks = (*found.checks, *blow_checks(found), *compared(found))
     answers = tuple(found.finds.answer(a, found.route, found.value) for a in found.finds.asked)
     instants = _instants(found.course)

@@ -55,6 +55,7 @@ class Unfolded:
     """A course with the branch of its equations that happens, and how it was followed in numbers (None: it could not
     be). `guessed`: letters whose values come from the numbers alone. `route`: the way that is told. `spans`: quantities
     over spans; `oscillations`: about equilibrium states that are asked about. `checks`: what was compared, in phrases.
+    `presumed`: what is positive with these letters, and need not be.
     """
 
     course: Course
@@ -67,6 +68,7 @@ class Unfolded:
     spans: tuple[SpanIntegral, ...] = ()
     oscillations: tuple[Oscillation, ...] = ()
     checks: tuple[str, ...] = ()
+    presumed: tuple[sp.Expr, ...] = ()
 
 
 @dataclass(slots=True)

@@ -1,0 +1,33 @@
+"""What was taken for granted of letters: signs that are as in the scene that was drawn, and might be otherwise."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.equation.plain import longer
+from planar_cli.report.blocks import Note, line
+from planar_cli.report.words import Phrases
+from planar_cli.solve.solution import PartSolution
+
+LONGEST = 30
+
+
+def presumed_notes(part: PartSolution, phrases: Phrases) -> Iterator[Note]:
+    """One line for each sign: the file may `assume` it, or the other."""
+    signs = [e for instant in part.instants for e in instant.instant.scene.presumed()]
+    if part.motion is not None:
+        signs += part.motion.presumed
+    for expr in dict.fromkeys(signs):
+        if not longer(expr, LONGEST):
+            yield Note("Assume", line(phrases.math(_above_zero(expr)), ", which the file leaves open"))
+
+
+def _above_zero(expr: Any) -> sp.Expr:
+    """A sum that is positive as one side greater than the other."""
+    terms = sp.Add.make_args(sp.expand(expr))
+    left = sp.Add(*(t for t in terms if not t.could_extract_minus_sign()))
+    right = sp.Add(*(-t for t in terms if t.could_extract_minus_sign()))
+    return sp.StrictGreaterThan(left, right, evaluate=False)

@@ -1,0 +1,40 @@
+"""What is taken for granted of the letters of a file: that bodies approach each other before they strike, or do not."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from decimal import Decimal
+
+import sympy as sp
+
+from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.solve.course.blow import Blow
+from planar_cli.solve.course.route import Route
+from planar_cli.solve.course.unfold import Unfolded
+
+
+def presumed(found: Unfolded, routes: Iterable[Route]) -> tuple[sp.Expr, ...]:
+    """Expressions in letters of the file that are positive in this motion, and need not be."""
+    scene, told = found.course.scene, []
+    for approach in (e for blow in found.course.blows.values() for e in _approaches(blow)):
+        expr = approach
+        for route in routes:
+            expr = found.finds.put_in(expr, route)
+        if expr.free_symbols and expr.free_symbols <= set(scene.ledger.letters):
+            told.append(expr if _value(expr, found.value) > 0 else -expr)
+    return tuple(scene.not_always_positive(told))
+
+
+def _approaches(blow: Blow) -> Iterator[sp.Expr]:
+    """How fast what may strike parts beforehand, in letters of the state before."""
+    for joint in blow.scene.problem.joints:
+        for mode in joint.blows(blow.scene) if joint.strikes else ():
+            if mode.name == "apart":
+                yield from (blow.here(sp.sympify(t.constant)) for t in mode.tests if t.constant != 0)
+
+
+def _value(expr: sp.Expr, value: Valuation) -> Decimal:
+    try:
+        return value(expr)
+    except (ArithmeticError, Unvalued):
+        return Decimal(0)
