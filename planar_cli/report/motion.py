@@ -165,7 +165,7 @@ class MotionTelling:
 
     def _datum(self, leg: Leg) -> Iterator[Block]:
         e = leg.derivation.equations[0]
-        words = {"drawn": "as drawn", "start": e.words, "turn": e.words}.get(e.kind, "given")
+        words = {"drawn": "as drawn", "start": e.words, "turn": e.words, "followed": e.words}.get(e.kind, "given")
         place = f"{e.stop}: " if e.stop else ""
         for r in leg.results:
             yield Equation(self._chain(r), None, line(f"{place}{words}:"))

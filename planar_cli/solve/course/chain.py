@@ -73,7 +73,7 @@ class Chain:
 
     `angles`: unknowns that are angles, each with the one from which its turns are counted. `truth`: values to twelve
     digits where the motion was followed in numbers; then only the roots next to them are taken. `leaning`: values near
-    by, of which at least the sign stays.
+    by, of which at least the sign stays. `agrees`: to so many digits equations hold with what is known.
     """
 
     unknowns: frozenset[sp.Symbol]
@@ -84,6 +84,7 @@ class Chain:
     accept: Callable[[dict[sp.Symbol, Decimal]], bool] = lambda values: True
     truth: Mapping[sp.Symbol, float] = field(default_factory=dict)
     leaning: Mapping[sp.Symbol, float] = field(default_factory=dict)
+    agrees: Decimal = AGREES
 
     def branches(self, equations: Sequence[Equation]) -> Iterator[Branch]:
         """All branches, those with earlier times first where the order tells."""
@@ -131,11 +132,10 @@ class Chain:
         if not tried:
             yield Branch(values, formulas, steps, tuple(e for e, _ in rest))
 
-    @staticmethod
-    def _holds(equation: Equation, value: Valuation) -> bool:
+    def _holds(self, equation: Equation, value: Valuation) -> bool:
         try:
             number = value(equation.residual)
-            if abs(number) > AGREES * max(value.size(equation.residual), Decimal("1e-20")):
+            if abs(number) > self.agrees * max(value.size(equation.residual), Decimal("1e-20")):
                 return False
             return equation.trend is None or value(equation.trend) >= -AGREES
         except ArithmeticError:

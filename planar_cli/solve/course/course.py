@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from decimal import Context, Decimal
 from typing import Any
@@ -374,7 +375,11 @@ class Course:
 
     def candidates(self) -> list[Branch]:
         """All branches that are possible, those whose states come first in front."""
-        found = list(self.chain().branches(self.equations))
+        return self.ranked(self.chain().branches(self.equations))
+
+    def ranked(self, branches: Iterable[Branch]) -> list[Branch]:
+        """Those that leave no equation open, if there are any, the best first."""
+        found = list(branches)
         return sorted([b for b in found if not b.left] or found, key=self.rank)
 
     def rank(self, branch: Branch) -> tuple[Any, ...]:
@@ -389,8 +394,9 @@ class Course:
                         v = Decimal(0)
                     keys.append(-round(v * d.extreme, 12))
             keys.append(ROUGHLY.plus(branch.values.get(stop.t, Decimal(0))))
-        negative = sum(branch.values.get(s, Decimal(0)) < 0 for s in self.sought())
-        return (negative if self.blows else 0, *keys, negative)
+        below = [s for s in self.sought() if branch.values.get(s, Decimal(0)) < 0]
+        negative = sum(not self.ledger.units[s].angle for s in below)
+        return (negative if self.blows else 0, *keys, negative, len(below))
 
 
 def make_course(problem: Problem, plot: Plot, workshop: Workshop) -> Course:

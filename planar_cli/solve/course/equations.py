@@ -24,7 +24,7 @@ from planar_cli.solve.course.regime import Regime
 from planar_cli.solve.course.timeline import Demand, Stop
 
 COSTS = {"given": 0.1, "turn": 0.2, "drawn": 0.1, "start": 0.1, "motion": 0.5, "link": 0.6, "loop": 1.2, "extreme": 0.8}
-COSTS |= {"blow": 1.0, "handed": 0.3, "energy": 0.9, "momentum": 1.25}
+COSTS |= {"followed": 5.0, "blow": 1.0, "handed": 0.3, "energy": 0.9, "momentum": 1.25}
 PER_EQUATION, OVER_TIME, NO_MASS = 0.2, 0.3, 0.5
 """What a law of motion costs for each equation of kinetics behind it, and where a force grows with time; and what a law
 of energy or momentum costs where the file gives no mass.
@@ -34,12 +34,13 @@ COSTS |= {"q(t)": 1.0, "v(t)": 1.0, "v(q)": 1.05, "t(v)": 1.1, "q(v)": 1.1, "t(q
 LONGEST = 150
 """A law with more operations has no closed integral, and stays as it is."""
 
-DATA = ("given", "drawn", "start", "turn", "motion")
+DATA = ("given", "drawn", "start", "turn", "motion", "followed")
 
 
 @dataclass(frozen=True, slots=True)
 class Equation:
-    """`residual` vanishes. `kind`: given, drawn, start, motion, link, loop, extreme, or that of a span. `family`: of
+    """`residual` vanishes. `kind`: given, drawn, start, motion, link, loop, extreme, that of a span, or followed: in
+    numbers alone. `family`: of
     which only `rank` are independent. `stop`: the state at its end, `since` the one at its beginning. `source`: what it
     was planned from. `surcharge`: what it costs beside its kind.
     """

@@ -39,12 +39,17 @@ def by_method(equations: Sequence[Equation], method: str | None) -> list[Equatio
     return [e for e in equations if e.kind not in barred]
 
 
+def follows(method: str | None) -> bool:
+    """Does a method allow what follows the equations of motion in numbers?"""
+    return method is None or bool(FOLLOWED & _laws(method))
+
+
 def demand_reached(problem: Problem, route: Route, targets: Sequence[sp.Symbol], free: Callable[[], Route]) -> None:
     """FileProblem: a method that was named does not lead to something that is asked. What no plan leads to, not even
     the one by all laws (`free`), comes from following the equations of motion in numbers, which are Newton's.
     """
     missing = _missing(route, targets)
-    if missing and FOLLOWED & _laws(str(problem.method)):
+    if missing and follows(problem.method):
         missing = sorted(set(missing) - set(_missing(free(), targets)))
     if missing:
         text = f"method {problem.method} alone does not reach {', '.join(missing)}"

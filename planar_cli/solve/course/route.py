@@ -78,7 +78,7 @@ class Route:
 
 class Router:
     """Plans over the equations of one motion. `value`: numbers of everything; `unknowns`: letters of states and sought
-    constants; `blocks`: those in which the numbers were found.
+    constants; `blocks`: those in which the numbers were found. `followed`: what only a step method tells.
     """
 
     def __init__(
@@ -88,8 +88,10 @@ class Router:
         value: Valuation,
         symbolic: bool,
         blocks: Sequence[Step] = (),
+        followed: Sequence[Equation] = (),
     ) -> None:
         self.unknowns, self.value, self.symbolic, self.blocks = unknowns, value, symbolic, blocks
+        self.followed = followed
         self.plain = self._plain(equations)
         self.equations = [e for e in equations if self._inside(e) and self._true(e)]
 
@@ -154,6 +156,9 @@ class Router:
                 if whole is not None:
                     edges.append(whole)
                     best = self._cheapest(edges)
+        if any(t not in best and t not in self.plain for t in targets):
+            edges += [((e,), (x,), frozenset(), e.cost) for e in self.followed for x in self._inside(e)]
+            best = self._cheapest(edges)
         order: list[Derivation] = []
         for target in targets:
             self._collect(target, best, order)
@@ -164,7 +169,8 @@ class Router:
             if leg is None:
                 continue
             legs.append(leg)
-            formulas |= {r.unknown: r.formula for r in leg.results if r.formula is not None}
+            told = [] if derivation.equations[0].kind == "followed" else leg.results
+            formulas |= {r.unknown: r.formula for r in told if r.formula is not None}
         return Route(tuple(legs), formulas, self.plain)
 
     def _collect(self, target: sp.Symbol, best: dict[sp.Symbol, Derivation], order: list[Derivation]) -> None:

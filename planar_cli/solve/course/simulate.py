@@ -68,10 +68,10 @@ class Followed:
 
 
 class Follower:
-    """Follows one course. `value`: numbers of everything that does not vary."""
+    """Follows one course. `value`: numbers of everything that does not vary. `until`: so many stretches; None: all."""
 
-    def __init__(self, course: Course, value: Valuation) -> None:
-        self.course, self.value = course, value
+    def __init__(self, course: Course, value: Valuation, until: int | None = None) -> None:
+        self.course, self.value, self.until = course, value, until
         self.done = Followed()
 
     def run(self, start: Mapping[sp.Symbol, float]) -> Followed:
@@ -82,6 +82,8 @@ class Follower:
         for i, regime in enumerate(course.regimes):
             if i + 1 >= len(course.states):
                 break
+            if i == self.until:
+                return done
             done.at = state
             if i in course.blows:
                 stroke = course.blows[i].strike(state, self.value)

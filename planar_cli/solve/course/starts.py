@@ -60,6 +60,14 @@ def certain_start(course: Course) -> dict[sp.Symbol, Decimal] | Start:
     return whole[0] if whole else Start.OPEN if found else Start.CONTRADICTS
 
 
+def told_start(course: Course) -> dict[sp.Symbol, Decimal] | None:
+    """The letters of the first state where it tells all of them in one way, whatever is sought besides."""
+    if course.regimes[0].moved():
+        return None
+    found = [letters for letters in _first_letters(course) if len(letters) == len(course.first.letters)]
+    return found[0] if len(found) == 1 else None
+
+
 def _first_letters(course: Course) -> list[dict[sp.Symbol, Decimal]]:
     """The letters of the first state as far as they are told, one way after the other."""
     branches = course.chain().branches([e for e in course.equations if e.stop == course.first.name])

@@ -33,6 +33,7 @@ from planar_cli.solve.course.first_plot import first_plot
 from planar_cli.solve.course.gaps import changes_sides, just_parted
 from planar_cli.solve.course.holding import holding
 from planar_cli.solve.course.idle import without_idle_times
+from planar_cli.solve.course.known_part import after_known_part
 from planar_cli.solve.course.masses import demand_mass
 from planar_cli.solve.course.matching import beside, onward, same_motion
 from planar_cli.solve.course.methods import by_method
@@ -324,7 +325,7 @@ class Unfolder:
         """
         changed: Plot | None = None
         again: list[Unfolded] = []
-        branches = course.candidates()
+        branches, guessed = after_known_part(course, course.candidates())
         for branch in branches:
             value = course.base().extended(branch.values)
             start = {s: branch.values[own] for s, own in course.first.letters.items() if own in branch.values}
@@ -348,7 +349,7 @@ class Unfolder:
                 continue
             if followed.missed is None and same_motion(course, followed, branch):
                 more = {s: Decimal(repr(v)) for s, v in followed.values.items() if s not in branch.values}
-                found = Unfolded(course, finds, branch, followed, value.extended(more), frozenset(more))
+                found = Unfolded(course, finds, branch, followed, value.extended(more), guessed | set(more))
                 if not course.sought() or not passed_before(course, followed, value):
                     found.checks = _left_out(course, again, "pass such a state before, and are left out")
                     return found
