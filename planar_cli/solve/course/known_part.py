@@ -18,7 +18,7 @@ from planar_cli.solve.course.course import Course
 from planar_cli.solve.course.equations import Equation
 from planar_cli.solve.course.idle import ONLY_TIMES
 from planar_cli.solve.course.newton import refined_left
-from planar_cli.solve.course.simulate import Follower
+from planar_cli.solve.course.simulate import Followed, Follower
 from planar_cli.solve.course.starts import told_start
 
 FOLLOWED = Decimal("1e-9")
@@ -36,40 +36,59 @@ class KnownPart:
         """All branches of what comes after it."""
         known = self.branch.values
         chain = course.chain()
-        rest = [e for e in course.equations if (e.residual.free_symbols & chain.unknowns) - set(known)]
         chain = replace(chain, value=course.base().extended(known), agrees=FOLLOWED)
         steps = self.branch.steps
         formulas = self.branch.formulas
         return [
             replace(b, steps=(*steps, *b.steps), formulas={**formulas, **b.formulas})
-            for b in course.ranked(chain.branches(rest))
+            for b in course.ranked(chain.branches(course.equations))
         ]
 
 
-def after_known_part(course: Course, found: list[Branch]) -> tuple[list[Branch], frozenset[sp.Symbol]]:
-    """Branches that are `found`; where all leave something open, those that rest on numbers of the first part."""
-    known = _known_part(course) if all(b.left for b in found) else None
-    return (found, frozenset()) if known is None else (known.branches(course), known.guessed)
+@dataclass(frozen=True, slots=True)
+class Beginning:
+    """The motion up to where something that is sought acts, followed over so many stretches."""
+
+    followed: Followed
+    stretches: int
+
+    def after(self, course: Course, found: list[Branch]) -> tuple[list[Branch], frozenset[sp.Symbol]]:
+        """Branches that are `found`; where all leave something open, those that rest on the numbers of this part, with
+        the letters that are told by them alone.
+        """
+        names = [s.name for s in course.states[: self.stretches + 1]] if self.stretches else []
+        letters = {own for name in names for own in course.stops[name].letters.values()}
+        if not letters or not letters <= set(self.followed.values) or not all(b.left for b in found):
+            return found, frozenset()
+        known = _exact(course, letters, self.followed.values)
+        return known.branches(course), known.guessed
 
 
-def _known_part(course: Course) -> KnownPart | None:
-    """None: the start is not told, or what is sought acts from there."""
-    start = told_start(course)
-    until = _untouched(course)
-    if start is None or not until:
-        return None
+def beginning(course: Course) -> Beginning:
+    """Nothing is followed where the start is not told, or what is sought acts from there."""
+    start, nothing = told_start(course), Beginning(Followed(), 0)
+    if start is None:
+        return nothing
+    wrong = _wrong_at_once(course, start)
+    stretches = _untouched(course)
+    if wrong:
+        return Beginning(Followed(misfit=0, why=wrong), 0)
+    if not stretches:
+        return nothing
     try:
-        follower = Follower(course, course.base(), until)
-        followed = follower.run({s: float(v) for s, v in start.items()})
+        followed = Follower(course, course.base(), stretches).run({s: float(v) for s, v in start.items()})
     except (ArithmeticError, Unvalued):
-        return None
-    names = [s.name for s in course.states[: until + 1]]
-    letters = {own for name in names for own in course.stops[name].letters.values()}
-    if followed.missed or followed.ends or followed.blow is not None or followed.misfit is not None:
-        return None
-    if not letters <= set(followed.values):
-        return None
-    return _exact(course, letters, followed.values)
+        return nothing
+    return Beginning(followed, stretches)
+
+
+def _wrong_at_once(course: Course, start: Mapping[sp.Symbol, Decimal]) -> str:
+    """The test of an assumption that fails at the start, whatever the constants that are sought."""
+    value = course.base().extended(dict(start))
+    for watch in course.regimes[0].watches:
+        if not watch.expr.free_symbols & set(course.sought()) and value(watch.expr) < -FOLLOWED:
+            return watch.test.words
+    return ""
 
 
 def _untouched(course: Course) -> int:

@@ -33,7 +33,7 @@ from planar_cli.solve.course.first_plot import first_plot
 from planar_cli.solve.course.gaps import changes_sides, just_parted
 from planar_cli.solve.course.holding import holding
 from planar_cli.solve.course.idle import without_idle_times
-from planar_cli.solve.course.known_part import after_known_part
+from planar_cli.solve.course.known_part import Beginning, beginning
 from planar_cli.solve.course.masses import demand_mass
 from planar_cli.solve.course.matching import beside, onward, same_motion
 from planar_cli.solve.course.methods import by_method
@@ -323,9 +323,17 @@ class Unfolder:
         """All branches of the equations; the first that, followed from its start, happens so. One in which a state at a
         given time is the first of its kind goes before those that pass such a state earlier.
         """
+        known = beginning(course)
+        try:
+            other = self._changed(course, known.followed)
+        except NoSolution as error:
+            raise self.lack or error from error
+        return self._of_branches(course, finds, known) if other is None else other
+
+    def _of_branches(self, course: Course, finds: FindReader, known: Beginning) -> Unfolded | Plot:
         changed: Plot | None = None
         again: list[Unfolded] = []
-        branches, guessed = after_known_part(course, course.candidates())
+        branches, guessed = known.after(course, course.candidates())
         for branch in branches:
             value = course.base().extended(branch.values)
             start = {s: branch.values[own] for s, own in course.first.letters.items() if own in branch.values}
