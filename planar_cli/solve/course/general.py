@@ -203,12 +203,12 @@ def _general(
 
 def _independent(found: Velocities, tree: tuple[sp.Symbol, ...], displacement: Displacement) -> tuple[sp.Symbol, ...]:
     """As many velocity unknowns as there are freedoms, which fix all others: rates of the file's own coordinates first,
-    then those of the coordinates that we made.
+    then those of the coordinates that we made; of these angular speeds first, as slides stand still at dead centres.
     """
     vectors = [dict(v) for v in found.loose.values()]
     columns = list(dict.fromkeys(x for v in vectors for x in v))
-    ours = {c.speed for c in displacement.coordinates}
-    columns.sort(key=lambda x: (x in tree, x not in ours))
+    ours = {c.speed: c.unit for c in displacement.coordinates}
+    columns.sort(key=lambda x: (x in tree, x not in ours, ours.get(x) != "rad"))
     chosen: list[sp.Symbol] = []
     for column in columns:
         pivot = max(vectors, key=lambda v: abs(v.get(column, Decimal(0))), default=None)

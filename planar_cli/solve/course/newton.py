@@ -66,6 +66,8 @@ def refined(
 
 
 def _number(value: Decimal) -> Any:
+    if not value.is_finite():
+        raise ArithmeticError("infinite")
     return mpmath.mpf(str(value))
 
 

@@ -258,6 +258,9 @@ class Reader:
         scene = general.instant.scene
         if s.body is None:
             found += list(general.free)
+            # What a running surface takes along is not at rest.
+            sticking = [m.sliding for m in general.trial.system.modes.values() if m.direction == 0]
+            found += [row.rate for row in sticking if row is not None and not scene.is_zero(row.rate)]
             if isinstance(s, Equilibrium):
                 found += [general.rate_of(u) for u in general.free]
             return found

@@ -7,7 +7,7 @@ tell the speeds, which differ from their limits by the square of the touch alone
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from decimal import Decimal
 from typing import TYPE_CHECKING
@@ -44,12 +44,14 @@ class Touch:
     time: float
 
 
-def touch_of(course: Course, start: Mapping[sp.Symbol, Decimal], sense: int) -> Touch | None:
-    """What sends the motion off; None: the equilibrium is not unstable, or in several ways."""
+def touch_of(course: Course, start: Mapping[sp.Symbol, Decimal], sense: int, idle: Collection[str]) -> Touch | None:
+    """What sends the motion off, of the free speeds that rest by themselves; None: their rest is not unstable, or in
+    several ways.
+    """
     regime = course.regimes[0]
     value = course.base().extended(dict(start))
     found = []
-    for u in regime.free:
+    for u in (u for u in regime.free if u.name in idle):
         growth = _growth(regime, u, value)
         if growth > 0:
             found.append((u, growth))

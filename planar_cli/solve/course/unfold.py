@@ -76,7 +76,7 @@ class Unfolded:
 class Unfolder:
     """Unfolds one problem. `tried`: choices of modes that failed, by stretch of a plot; `lack`: what is wrong with the
     first of them in which no motion passes through the states. `loose`: the course before what rests was held;
-    `resting`: the plot that begins in an unstable equilibrium, `sense`: which way it is touched then.
+    `resting`: the plot that begins in an unstable equilibrium of its speeds `idle`, `sense`: which way it is touched.
     """
 
     problem: Problem
@@ -87,6 +87,7 @@ class Unfolder:
     lack: NoSolution | None = None
     stays: bool = False
     resting: Plot | None = None
+    idle: frozenset[str] = frozenset()
     sense: int = 0
     loose: tuple[Course, FindReader] | None = None
 
@@ -110,7 +111,8 @@ class Unfolder:
                 return Unfolded(course, finds, course.still.branch, None, course.base())
             found = self._unfold_touched(course, finds)
             if isinstance(found, Unfolded):
-                why = (TOUCHED,) if self.sense else (STAYS,) if self.stays else ()
+                stays = self.stays and not course.regimes[0].free
+                why = (TOUCHED,) if self.sense else (STAYS,) if stays else ()
                 found.checks = (*found.checks, *why)
                 return found
             plot = found
@@ -153,11 +155,13 @@ class Unfolder:
             self._relate(course, finds)
             return self._sought(course, finds) if loose is None else self._determined(course, loose)
         assert isinstance(start, dict)
-        kept = frozenset() if course.blows or self.sense else balanced(course, start)
-        if kept and touch_of(course, start, 1) is not None:
-            self.resting = course.plot
+        by_itself = course.blows or self.sense
+        kept = frozenset() if by_itself else balanced(course, start)
+        idle = frozenset() if by_itself else kept | resting(course, start)
+        if touch_of(course, start, 1, idle) is not None:
+            self.resting, self.idle = course.plot, idle
         if self.sense:
-            course.touch = touch_of(course, start, self.sense)
+            course.touch = touch_of(course, start, self.sense, self.idle)
             start |= {course.touch.speed: course.touch.value} if course.touch is not None else {}
         self.stays = self.stays or bool(kept)
         still = frozenset() if course.blows else resting(course, start) | kept
