@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import sympy as sp
 
 from planar_cli.equation.plain import longer, simplified
-from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Paragraph, Text, line
+from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Paragraph, line
 from planar_cli.report.forces import force_rows
 from planar_cli.report.words import Phrases
 from planar_cli.solve.course.blow import Blow
@@ -17,6 +18,7 @@ from planar_cli.solve.course.impulse_momentum import Momentum
 from planar_cli.solve.course.unfold import Unfolded
 from planar_cli.solve.course.work_energy import Balance
 from planar_cli.solve.solution import InstantSolution
+from planar_cli.solve.stages import Stage
 from planar_cli.solve.write import Written
 
 LONGEST, MOST_NAMED = 60, 8
@@ -107,7 +109,7 @@ class BetweenTelling:
         value = self._value(blow)
         solution = InstantSolution("", blow.struck, blow.trial, (), (blow.stage,), blow.stage.lines, value)
         phrases = Phrases(blow.scene.ledger, value, self.phrases.figures, self.phrases.symbolic)
-        yield from force_rows(solution, blow.stage, phrases, inertia_as_force=False)
+        yield from force_rows(solution, _in_velocities(blow.stage), phrases, inertia_as_force=False)
 
     def _value(self, blow: Blow) -> Any:
         known = dict(self.found.value.values)
@@ -117,27 +119,60 @@ class BetweenTelling:
     def _blow(self, blow: Blow, w: Written, number: int) -> Iterator[Block]:
         left, right = self._put(blow.here(w.left)), self._put(blow.here(w.right))
         sides = (self.phrases.math(left), self.phrases.math(right))
+        yield Paragraph(line(*self._head(blow, w), ":"))
+        yield Equation(sides, number, _lead(w))
+
+    def kept(self, source: tuple[Blow, Written], result: Equation) -> Iterator[Block]:
+        """An equation of a blow that gives at once a velocity that is zero. `result`: its letter with the value."""
+        blow, w = source
+        yield from self._drawn(blow)
+        before = self._put(blow.here(w.left))
+        why = ", zero before, and no impulse changes it" if before == 0 and w.law != "relation" else ""
+        yield Paragraph(line(*self._head(blow, w), f"{why}:"))
+        yield result
+
+    def _head(self, blow: Blow, w: Written) -> Line:
+        """Of which bodies an equation of a blow is, and what it balances."""
         group = ", ".join(w.bodies)
         if w.law == "relation":
             words = w.lead or w.words
-            yield Paragraph(line(f"{words[:1].upper()}{words[1:]}:"))
-            yield Equation(sides, number)
-        elif w.law == "moment":
-            yield Paragraph(self._about(blow, w, group))
-            yield Equation(sides, number, line("↺ ", Name(f"H_{w.lead}"), ":"))
-        else:
-            along = {"x": "→ ", "y": "↑ "}.get(w.lead, "↗ ")
-            where = f"along {w.lead}" if w.lead else w.words
-            yield Paragraph(line(f"{group}, momentum {where}:"))
-            yield Equation(sides, number, line(along))
+            return line(f"{words[:1].upper()}{words[1:]}")
+        if w.law == "moment":
+            return self._about(blow, w, group)
+        if w.lead:
+            return line(f"{group}, momentum along {w.lead}")
+        return line(f"{group}, momentum ", *_across(w.words))
 
     def _about(self, blow: Blow, w: Written, group: str) -> Line:
         centre = None if blow.stage is None else blow.stage.centres.get(w.lead)
         if centre is None:
-            return line(f"{group}, angular momentum about ", Name(w.lead), ":")
+            return line(f"{group}, angular momentum about ", Name(w.lead))
         place, through = centre
         x, y = (self.phrases.math(self._put(blow.here(e))) for e in (place.x, place.y))
         parts: list[Any] = [f"{group}, angular momentum about ", Name(w.lead), " at (", x, ", ", y, ")"]
         if through:
             parts += [", where ", self.phrases.math(through[0]), " and ", self.phrases.math(through[1]), " meet"]
-        return line(*parts, Text(":"))
+        return line(*parts)
+
+
+def _lead(w: Written) -> Line:
+    """What stands before an equation of a blow: the sense in which it counts."""
+    if w.law == "relation":
+        return ()
+    if w.law == "moment":
+        return line("↺ ", Name(f"H_{w.lead}"), ":")
+    return line({"x": "→ ", "y": "↑ "}.get(w.lead, "↗ "))
+
+
+def _across(words: str) -> Line:
+    """`across J_N_hit`, with the names of impulses set as mathematics: across their line of action."""
+    pieces = re.split(r"(\bJ_\w+)", words)
+    named = line(*(Name(p) if i % 2 else p for i, p in enumerate(pieces) if p))
+    return line("across the line of ", *named[1:]) if words.startswith("across J_") else named
+
+
+def _in_velocities(stage: Stage) -> Stage:
+    """A plan of a blow with the velocities just after it by its unknowns, where an instant names accelerations."""
+    explicit = {x.symbol: x.expression for x in stage.lines}
+    put = {b: [(d, c.xreplace(explicit)) for d, c in parts] for b, parts in stage.accelerations.items()}
+    return replace(stage, accelerations=put)

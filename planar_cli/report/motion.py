@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Mapping
 from decimal import Decimal
 from typing import Any
@@ -11,13 +10,15 @@ import sympy as sp
 
 from planar_cli.equation.ledger import display
 from planar_cli.equation.plain import longer, simplified
+from planar_cli.problem.check_dimensions import Kinds
 from planar_cli.problem.expression import Relation as FoundRelation
+from planar_cli.problem.scope import Scope
 from planar_cli.report.between import BetweenTelling
 from planar_cli.report.blocks import Block, Equation, Heading, Line, Math, Name, Paragraph, Value, line
-from planar_cli.report.names import plain_name
+from planar_cli.report.origins import HAPPENS, head, named, told_once, turning
 from planar_cli.report.oscillation import oscillation_blocks
 from planar_cli.report.span_integrals import span_blocks
-from planar_cli.report.words import Phrases
+from planar_cli.report.words import Phrases, told_unit
 from planar_cli.solve.course.equations import DATA
 from planar_cli.solve.course.equations import Equation as Relation
 from planar_cli.solve.course.route import Leg, Result, Route
@@ -46,10 +47,11 @@ class MotionTelling:
         self.varying = {s for regime in self.course.distinct_regimes() for s in regime.letters}
         self._told_laws: set[sp.Symbol] = set()
         self.between = BetweenTelling(found, phrases, {})
+        self._kinds = Kinds(Scope(self.course.problem, ()))
 
     def blocks(self, step: int) -> list[Block]:
         """Step `step` of the solution; empty when the motion needs no step of its own."""
-        body = list(self._body())
+        body = list(told_once(self._body()))
         if not body:
             return []
         route = self.found.route
@@ -71,7 +73,7 @@ class MotionTelling:
                 yield Paragraph(line(f"{name} throughout the motion:"))
                 yield from self._route(route)
         for span in self.found.spans:
-            yield from span_blocks(span, self.phrases, self.phrases.symbolic)
+            yield from span_blocks(span, self._kinds.of, self.phrases, self.phrases.symbolic)
         for swing in self.found.oscillations:
             yield from oscillation_blocks(swing, self.found.value, self.phrases, self.phrases.symbolic)
 
@@ -94,13 +96,11 @@ class MotionTelling:
                 told = True
             for axis, part in zip(("x", "y") if len(parts) > 1 else ("",), parts, strict=True):
                 sides: list[Any] = [line(Name(name), f", {axis}" if axis else ""), self.phrases.math(part)]
-                numbers = self.phrases.numbers(part)
-                if numbers is not None:
-                    sides.append(numbers)
                 if not self.phrases.symbolic:
                     unit = finds.unit_of(asked.find)
                     value = Decimal(0) if self.found.value.is_zero(part) else self.found.value(part)
-                    sides.append(Value(display(value, unit), unit.text, self.phrases.figures))
+                    shown = Value(display(value, unit), told_unit(unit, asked.find.found.what), self.phrases.figures)
+                    sides += [*self.phrases.substituted(part, shown), shown]
                 yield Equation(tuple(sides))
 
     def _signed(self, expr: sp.Expr) -> sp.Expr:
@@ -132,14 +132,17 @@ class MotionTelling:
         return found
 
     def _turnings(self) -> Iterator[Block]:
+        """States that were put in: until when an assumption holds, or what happens there."""
         for name, (expr, words) in self.course.plot.turnings.items():
             t = self.course.stops[name].t
-            when = (
-                ()
-                if self.phrases.symbolic or t not in self.found.value.values
-                else line(" at ", Math(t), " = ", self.phrases.shown(t))
-            )
-            yield Paragraph(line(f"{words[:1].upper()}{words[1:]}", when, f" (state {name}): ", Math(expr), " = 0."))
+            timed = not self.phrases.symbolic and t in self.found.value.values
+            state = f"(state {name})" if timed else f"state {name}"
+            when = line(Math(t), " = ", self.phrases.shown(t), f" {state}") if timed else line(state)
+            if words in HAPPENS:
+                said = line(f"{words[:1].upper()}{words[1:]} at ", *when, ": ")
+            else:
+                said = line("Up to ", *when, " ", *named(words, self.course.ledger.symbols), "; there ")
+            yield Paragraph(line(*said, Math(expr), " = 0."))
 
     # --- the route ---------------------------------------------------------------------------------------------------
 
@@ -165,7 +168,9 @@ class MotionTelling:
 
     def _datum(self, leg: Leg) -> Iterator[Block]:
         e = leg.derivation.equations[0]
-        words = {"drawn": "as drawn", "start": e.words, "turn": e.words, "followed": e.words}.get(e.kind, "given")
+        words = {"drawn": "as drawn", "start": e.words, "turn": turning(e.words), "followed": e.words}.get(
+            e.kind, "given"
+        )
         place = f"{e.stop}: " if e.stop else ""
         for r in leg.results:
             yield Equation(self._chain(r), None, line(f"{place}{words}:"))
@@ -189,8 +194,7 @@ class MotionTelling:
                 yield Equation((self.phrases.math(letter), line(value, ", by quadrature")), self._number())
                 return
             if single and leg.results[0].formula == 0:
-                yield Paragraph(self._head(e))
-                yield Equation(self._chain(leg.results[0]), self._number())
+                yield from self._zero(e, Equation(self._chain(leg.results[0]), self._number()), route)
                 return
             yield from self._relation(e, route)
             numbers.append(self.next - 1)
@@ -199,6 +203,16 @@ class MotionTelling:
             yield Equation(self._chain(r), None, lead if i == 0 else ())
             if i == 0:
                 yield from self._others(r)
+
+    def _zero(self, e: Relation, result: Equation, route: Route) -> Iterator[Block]:
+        """A relation that says at once that its letter is zero."""
+        if e.kind == "blow" and e.source is not None:
+            zeros = {s: sp.S.Zero for s, f in route.formulas.items() if f == 0}
+            self.between.plain = {**zeros, **route.plain}
+            yield from self.between.kept(e.source, result)
+            return
+        yield Paragraph(self._head(e))
+        yield result
 
     def _number(self) -> int:
         self.next += 1
@@ -225,36 +239,7 @@ class MotionTelling:
         yield Equation((self.phrases.math(rate), self.phrases.math(law.f.xreplace({law.v: v}))))
 
     def _head(self, e: Relation) -> Line:
-        """Where a relation comes from."""
-        if e.span is not None:
-            words = self._calculus(e)
-            reach = f"From {e.since} to {e.stop}" if e.stop else f"From {e.since} on"
-            return line(f"{reach}, {words}:" if e.since else f"{words}:")
-        if e.kind in DATA:
-            return self._named(f"At {e.stop}: {e.words}:" if e.stop else f"{e.words}:")
-        place = f"From {e.since} to {e.stop}, " if e.since else f"At {e.stop}, " if e.stop else ""
-        words = f"the loop closes, {e.words}" if e.kind == "loop" else e.words
-        return self._named(f"{place}{words}:")
-
-    def _named(self, words: str) -> Line:
-        """Words in which the names of symbols are set as mathematics."""
-        known = self.course.ledger.symbols
-        pieces = re.split(r"(\b[A-Za-z]\w*\b)", words)
-        return line(*(Name(p) if p in known and len(p) > 1 else p for p in pieces if p))
-
-    def _calculus(self, e: Relation) -> str:
-        """Where a relation between two states comes from, in the letters of its coordinate."""
-        assert e.span is not None
-        if e.law is None:
-            return e.span.words
-        if e.law.f == 0 and e.kind == "v(t)":
-            return f"no acceleration, {e.law.coordinate.words}"
-        q = e.law.coordinate
-        single = plain_name(q.symbol.name.split("_")[0]) if q.unit != "rad" else plain_name(q.symbol.name)
-        words = re.sub(r"\bdq\b", f"d{single}", e.span.words)
-        if q.unit == "rad":
-            words = re.sub(r"\b(d?)v\b", r"\1ω", re.sub(r"\ba\b", "α", words))
-        return f"{words}, {q.words}" if q.words != q.symbol.name else words
+        return head(e, self.course.ledger.symbols)
 
     def _relation(self, e: Relation, route: Route) -> Iterator[Block]:
         if e.source is not None:
@@ -326,9 +311,8 @@ class MotionTelling:
             and (not formula.is_number or self.phrases.symbolic)
         ):
             sides.append(self.phrases.math(formula))
-            numbers = self.phrases.numbers(formula)
-            if numbers is not None and not formula.is_Symbol:
-                sides.append(numbers)
+            if not formula.is_Symbol:
+                sides += self.phrases.substituted(formula, self._shown(r))
         if not self.phrases.symbolic:
             if len(sides) > 1 and self.phrases.by_radians(r.unknown, formula) and r.value.is_finite():
                 sides.append(Value(r.value, "rad", self.phrases.figures))

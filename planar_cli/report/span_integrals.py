@@ -7,12 +7,15 @@ from decimal import Decimal
 
 import sympy as sp
 
+from planar_cli.problem.dimensions import Lookup, dimension_of
+from planar_cli.problem.expression import Quantity
 from planar_cli.report.blocks import Block, Equation, Inline, Line, Paragraph, Result, Value, line
 from planar_cli.report.words import Phrases
 from planar_cli.solve.course.over_spans import Piece, SpanIntegral
+from planar_cli.units import ANGULAR_MOMENTUM, TIME, Dimension, default_unit
 
 NAMES = {"work": "W", "heat": "Q", "impulse": "J", "path_length": "s", "mean": "mean value", "count": "number"}
-UNITS = {"work": "J", "heat": "J", "impulse": "N*s", "path_length": "m"}
+ANGULAR_IMPULSE = "N*m*s"
 HOW = {
     "difference": "the integrand is the rate of",
     "integral": "with the motion as a function of time",
@@ -21,8 +24,10 @@ HOW = {
 }
 
 
-def span_blocks(found: SpanIntegral, phrases: Phrases, symbolic: bool) -> Iterator[Block]:
-    """How one quantity over a span came about. `symbolic`: letters remain, so that no numbers are printed."""
+def span_blocks(found: SpanIntegral, lookup: Lookup, phrases: Phrases, symbolic: bool) -> Iterator[Block]:
+    """How one quantity over a span came about. `lookup`: kinds of names, for the unit. `symbolic`: letters remain, so
+    that no numbers are printed.
+    """
     q = found.quantity
     assert isinstance(q.at, tuple)
     about = "/".join(q.things)
@@ -31,24 +36,40 @@ def span_blocks(found: SpanIntegral, phrases: Phrases, symbolic: bool) -> Iterat
     if q.word == "count":
         yield from _events(found)
         return
+    kind = dimension_of(q, lookup)
+    summed = kind.dimension * TIME if q.word == "mean" and kind.dimension is not None else kind.dimension
+    unit = _unit(q, summed, kind.angle)
     for piece in [p for p in found.pieces if p.integrand != 0] or found.pieces[:1]:
-        yield from _piece(piece, phrases, symbolic, UNITS.get(q.word, ""))
+        yield from _piece(piece, phrases, symbolic, unit, q.parts[0].kind if q.parts else "")
     if found.duration != 1:
         sides: list[Inline | Line] = [line("mean = the sum divided by ", phrases.math(found.duration))]
         if not symbolic:
-            sides.append(Value(found.number, ""))
+            sides.append(Value(found.number, _unit(q, kind.dimension, kind.angle)))
         yield Equation(tuple(sides))
     elif len(found.pieces) > 1 and not symbolic:
-        yield Result(line("together ", Value(found.number, UNITS.get(q.word, ""))))
+        yield Result(line("together ", Value(found.number, unit)))
 
 
-def _piece(piece: Piece, phrases: Phrases, symbolic: bool, unit: str) -> Iterator[Block]:
+def _unit(q: Quantity, dimension: Dimension | None, angle: bool) -> str:
+    """The SI unit of a quantity over a span: joule for work and heat, newton metre second for an angular impulse."""
+    if dimension is None:
+        return ""
+    if q.word in ("work", "heat"):
+        return "J"
+    if q.word == "impulse" and dimension == ANGULAR_MOMENTUM:
+        return ANGULAR_IMPULSE
+    return default_unit(dimension, angle).text
+
+
+def _piece(piece: Piece, phrases: Phrases, symbolic: bool, unit: str, axis: str) -> Iterator[Block]:
+    """One part of a span. `axis`: of which component it is, "" of none."""
     time = sp.Symbol("t", real=True)
     if piece.how == "blow":
         blow: list[Inline | Line] = [phrases.math(piece.integrand)]
         if not symbolic:
             blow.append(Value(piece.number, unit))
-        yield Equation(tuple(blow), None, line(f"in the blow from {piece.since.name} to {piece.until.name}:"))
+        along = f", {axis}" if axis else ""
+        yield Equation(tuple(blow), None, line(f"in the blow from {piece.since.name} to {piece.until.name}{along}:"))
         return
     integrand = piece.over_time if piece.how in ("integral", "quadrature") else piece.integrand
     shown = sp.Integral(integrand, (time, piece.since.t, piece.until.t))
@@ -57,7 +78,7 @@ def _piece(piece: Piece, phrases: Phrases, symbolic: bool, unit: str) -> Iterato
         sides.append(phrases.math(piece.formula))
     if not symbolic:
         sides.append(Value(piece.number, unit))
-    lead: Line = ()
+    lead: Line = line(f"{axis}:") if axis else ()
     if piece.turns:
         lead = line("the parts between the turning points, each counted positive:")
     note = line(HOW[piece.how])

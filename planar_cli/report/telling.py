@@ -152,9 +152,8 @@ class Telling:
         sides: list[Any] = [self.phrases.math(symbol)]
         if not expr.is_number:
             sides.append(self.phrases.math(expr))
-            numbers = self.phrases.numbers(expr)
-            if numbers is not None and not expr.is_Symbol:
-                sides.append(numbers)
+            if not expr.is_Symbol:
+                sides += self.phrases.substituted(expr, value)
         if not self.phrases.symbolic:
             sides.append(value)
         elif expr.is_number:

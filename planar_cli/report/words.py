@@ -16,12 +16,14 @@ from planar_cli.equation.ledger import Ledger, display
 from planar_cli.equation.plain import PRINTABLE, longer
 from planar_cli.problem.expression import Quantity
 from planar_cli.report.blocks import Line, Math, Text, Value
-from planar_cli.report.numbers import rotation_words, significant, vector_arrow, vector_words
+from planar_cli.report.numbers import quantity, rotation_words, significant, vector_arrow, vector_words
+from planar_cli.solve.asked import quantities_in
 from planar_cli.solve.solution import Found
 from planar_cli.units import Unit
 
 LONG = 7
 """A rational with more digits than this is shown rounded."""
+ENERGIES = ("KE", "PE", "work", "heat")
 
 
 def rounded(expr: sp.Expr, figures: int) -> sp.Expr:
@@ -83,6 +85,16 @@ class Phrases:
                 texts[symbol] = significant(display(value, self.ledger.units[symbol]), self.figures) + "°"
         return Math(rounded(_in_radians(expr, apart), self.figures), texts) if texts else None
 
+    def substituted(self, expr: sp.Expr, value: Any) -> list[Math]:
+        """The side with numbers put in, where it says more than the value that follows it."""
+        from planar_cli.report.notation import plain
+
+        found = self.numbers(expr)
+        if found is None:
+            return []
+        same = isinstance(value, Value) and plain(found.expr, found.values) in _texts(value)
+        return [] if same else [found]
+
     def _in_degrees(self, symbol: sp.Symbol) -> bool:
         unit = self.ledger.units.get(symbol)
         return unit is not None and unit.angle and bool(unit.pi_power) and unit.text == "deg"
@@ -110,6 +122,17 @@ class Phrases:
     def _certain(self, expr: Any) -> Decimal:
         value = self.value(expr)
         return Decimal(0) if value and self.value.is_zero(expr) else value
+
+
+def _texts(value: Value) -> tuple[str, str]:
+    """The number of a value without its unit, and with it."""
+    return significant(value.number, value.figures), quantity(value.number, value.unit, value.figures)
+
+
+def told_unit(unit: Unit, what: Any) -> str:
+    """The text of a unit; of an energy joule where its unit would be that of a moment."""
+    energy = any(q.word in ENERGIES for q in quantities_in(what))
+    return "J" if energy and unit.text == "N*m" else unit.text
 
 
 def is_angle(expr: sp.Expr, degrees: Collection[sp.Symbol]) -> bool:
@@ -260,7 +283,6 @@ def direction_words(found: Found, number: Decimal) -> str:
 def answer_text(found: Found, phrases: Phrases) -> str:
     """The answer as plain text, for the JSON document."""
     from planar_cli.report.notation import plain
-    from planar_cli.report.numbers import quantity
 
     parts = []
     for piece in answer_line(found, phrases):

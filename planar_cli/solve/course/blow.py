@@ -111,7 +111,7 @@ class Blow:
         self.stage = maker.accelerations(targets, kinetics=True)
         self.equations = [*self._same_place(), *self._planned(self.stage), *self._zero(self.stage)]
         for u, expr in handing:
-            words = "what moves after the blow"
+            words = "the velocities after the blow"
             self.equations.append(Equation(self.stop.letters[u] - self.here(expr), "blow", words, self.stop.name))
         inside = set().union(*(e.residual.free_symbols for e in self.equations)) if self.equations else set()
         own = {*unknowns, *self.scene.open_names.values()} & inside

@@ -1,0 +1,88 @@
+"""Where a relation of a motion comes from, in words: the heading under which it is told."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Iterable, Iterator
+
+from planar_cli.report.blocks import Block, Equation, Line, Name, Paragraph, line
+from planar_cli.report.names import plain_name
+from planar_cli.solve.course.equations import DATA
+from planar_cli.solve.course.equations import Equation as Relation
+
+HAPPENS = ("it comes to rest", "it turns round")
+"""What happens at an instant; all other words say what holds up to it."""
+KEPT = {
+    "distance from the edge": "the joint {} keeps the distance from the line",
+    "distance of the centres": "the joint {} keeps the distance of the centres",
+    "angle": "the joint {} keeps the angle",
+    "length": "{} keeps its length",
+    "arcs on both rims": "{} runs over equal arcs of both rims",
+    "arc rolled on the line": "at {} the arc rolled equals the way along the line",
+    "arcs rolled on each other": "at {} equal arcs roll on each other",
+}
+"""What a joint keeps of places, by what follows its name in the title."""
+
+
+def head(e: Relation, names: Collection[str]) -> Line:
+    """The heading of a relation. `names`: those of symbols, which are set as mathematics."""
+    if e.span is not None:
+        reach = f"From {e.since} to {e.stop}" if e.stop else f"From {e.since} on"
+        words = calculus(e)
+        return line(f"{reach}, {words}:" if e.since else f"{words}:")
+    if e.kind in DATA:
+        return named(f"At {e.stop}: {e.words}:" if e.stop else f"{e.words}:", names)
+    place = f"From {e.since} to {e.stop}, " if e.since else f"At {e.stop}, " if e.stop else ""
+    words = kept(e.words) if e.kind == "loop" else e.words
+    return named(f"{place}{words}:", names)
+
+
+def named(words: str, names: Collection[str]) -> Line:
+    """Words in which the names of symbols are set as mathematics."""
+    pieces = re.split(r"(\b[A-Za-z]\w*\b)", words)
+    return line(*(Name(p) if p in names and len(p) > 1 else p for p in pieces if p))
+
+
+def kept(title: str) -> str:
+    """What a joint keeps: `B: distance from the edge` as a sentence."""
+    name, _, what = title.partition(": ")
+    if what in KEPT:
+        return KEPT[what].format(name)
+    if what.startswith("place on "):
+        first, _, second = what.removeprefix("place on ").partition(" and ")
+        first, second = ("the ground" if body == "ground" else body for body in (first, second))
+        return f"{name} is the same point of {first} and of {second}"
+    return f"{name} {what}" if what.startswith("stays on ") else title
+
+
+def calculus(e: Relation) -> str:
+    """Where a relation between two states comes from, in the letters of its coordinate."""
+    assert e.span is not None
+    if e.law is None:
+        return e.span.words
+    if e.law.f == 0 and e.kind == "v(t)":
+        return f"no acceleration, {e.law.coordinate.words}"
+    q = e.law.coordinate
+    single = plain_name(q.symbol.name.split("_")[0]) if q.unit != "rad" else plain_name(q.symbol.name)
+    words = re.sub(r"\bdq\b", f"d{single}", e.span.words)
+    if q.unit == "rad":
+        words = re.sub(r"\b(d?)v\b", r"\1ω", re.sub(r"\ba\b", "α", words))
+    return f"{words}, {q.words}" if q.words != q.symbol.name else words
+
+
+def turning(words: str) -> str:
+    """Why a state was put in, before a colon: what holds up to it, or what happens there."""
+    return words if words in HAPPENS else f"up to here {words}"
+
+
+def told_once(blocks: Iterable[Block]) -> Iterator[Block]:
+    """Blocks without a heading that is still in force: only equations have followed it."""
+    heading: Paragraph | None = None
+    for block in blocks:
+        if isinstance(block, Paragraph):
+            if block == heading:
+                continue
+            heading = block
+        elif not isinstance(block, Equation):
+            heading = None
+        yield block
