@@ -179,6 +179,14 @@ def test_one_that_agrees(folder: Path, capsys: pytest.CaptureFixture[str]) -> No
     assert capsys.readouterr().err == ""
 
 
+def test_one_without_answers(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (folder / "d-none.yaml").write_text(ROD)
+    assert cli.run(["check", str(folder / "d-none.yaml")]) == 0
+    told = capsys.readouterr().out.splitlines()
+    assert told[0].split()[1:3] == ["no", "answers"]
+    assert told[1] == "1 problem: 1 no answers; nothing to compare"
+
+
 def test_time_limit(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert cli.run(["check", str(folder / "b-right.yaml"), "--timeout", "0.001"]) == 3
     assert "undecided" in capsys.readouterr().out

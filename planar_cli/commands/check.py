@@ -1,6 +1,7 @@
 """Solve problem files on all cores and compare with the answers that they state.
 
-FILES are problem files or folders (every .yaml and .yml file below). Prints one line for each file and what differs.
+FILES are problem files or folders (every .yaml and .yml file below). Prints one line for each file and what differs; of
+a file without `answers`, which is only solved, `no answers`.
 The exit status is 0 when all agree, 1 when an answer disagrees or a problem has no solution, 2 for a bad file, 3 when
 something was not decided in time, 4 for a fault of planar; of several, the highest.
 """
@@ -27,6 +28,7 @@ STATUS = {
     "undecided": cli.UNDECIDED,
     "fault": cli.FAULT,
 }
+NO_ANSWERS = "no answers"
 COLOURS = {"agrees": "green", "disagrees": "red", "no solution": "red", "bad file": "red"}
 
 
@@ -67,7 +69,12 @@ def _progress(total: int) -> Callable[[int], None]:
 def _row(checked: Checked) -> tuple[str, str, str, str]:
     right = sum(v.agrees for v in checked.verdicts)
     answers = f"{right} of {len(checked.verdicts)}" if checked.verdicts else "-"
-    return checked.path, checked.outcome, answers, f"{checked.seconds:.1f}"
+    return checked.path, _told(checked), answers, f"{checked.seconds:.1f}"
+
+
+def _told(checked: Checked) -> str:
+    """The outcome in print: what was solved and states no answers agrees with nothing."""
+    return NO_ANSWERS if checked.outcome == "agrees" and not checked.verdicts else checked.outcome
 
 
 def _print_table(checked: Sequence[Checked]) -> None:
@@ -91,7 +98,7 @@ def _print_rich(checked: Sequence[Checked], rows: Sequence[tuple[str, ...]]) -> 
     table = Table("File", "Outcome", "Answers", "Seconds", box=None)
     for one, row in zip(checked, rows, strict=True):
         # Text, not str: a name of a file is no markup.
-        table.add_row(Text(row[0]), Text(row[1], style=COLOURS.get(one.outcome, "yellow")), Text(row[2]), Text(row[3]))
+        table.add_row(Text(row[0]), Text(row[1], style=COLOURS.get(_told(one), "yellow")), Text(row[2]), Text(row[3]))
     Console().print(table)
 
 
@@ -108,10 +115,11 @@ def _print_differences(checked: Sequence[Checked]) -> None:
 
 
 def _print_count(checked: Sequence[Checked]) -> None:
-    outcomes = [c.outcome for c in checked]
-    counts = ", ".join(f"{outcomes.count(o)} {o}" for o in STATUS if o in outcomes)
+    outcomes = [_told(c) for c in checked]
+    counts = ", ".join(f"{outcomes.count(o)} {o}" for o in (*STATUS, NO_ANSWERS) if o in outcomes)
     answers = [v.agrees for c in checked for v in c.verdicts]
-    click.echo(f"{len(checked)} problems: {counts}; {sum(answers)} of {len(answers)} answers agree")
+    compared = f"{sum(answers)} of {len(answers)} answers agree" if answers else "nothing to compare"
+    click.echo(f"{len(checked)} problem{'s' if len(checked) != 1 else ''}: {counts}; {compared}")
 
 
 def _print_json(checked: Sequence[Checked]) -> None:

@@ -231,11 +231,18 @@ class Telling:
             joint = next((j for j in self.system.tree.closures if j.joint == w.lead), None)
             if joint is not None:
                 base = "the ground" if joint.base == "ground" else joint.base
+                if any(push.kind == "tension" for push in self.system.modes[joint.joint].facts.pushes):
+                    return f"{self._kind_of(joint.joint)} keeps its length:"
                 if joint.path is not None:
                     return f"{joint.place} stays on its path on {base}, across which nothing moves:"
                 return f"{joint.place} is a point of {joint.mover} and of {base}; {w.words}:"
         words = w.words.removeprefix(w.lead).removeprefix(", ")
         return f"{w.lead[:1].upper()}{w.lead[1:]}{', ' + words if words and w.source != 'row' else ''}:"
+
+    def _kind_of(self, name: str) -> str:
+        """A joint by what it is: `The rope cord`."""
+        kind = next((j.kind for j in self.scene.problem.joints if j.name == name), "")
+        return name if not kind else f"The {name}" if kind in name else f"The {kind} {name}"
 
     def _moment_words(self, w: Written, group: str, stage: Stage) -> Line:
         centre = stage.centres.get(w.lead)
