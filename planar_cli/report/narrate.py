@@ -41,7 +41,7 @@ def part_blocks(
 ) -> list[Block]:
     """One part: its instants, its answers, its checks. `told`: effects that were listed before."""
     blocks: list[Block] = []
-    count = 0
+    steps = count = 0
     for instant in part.instants:
         if instant.state:
             blocks.append(Heading("STATE", instant.state))
@@ -51,16 +51,19 @@ def part_blocks(
         if instant is part.instants[0]:
             blocks += presumed_notes(part, phrases_of(instant, figures))
         if not instant.quiet and (part.tale is None or not part.tale.whole):
-            telling = Telling(instant, phrases_of(instant, figures), audience, _needed(part, instant, audience, why))
+            wanted, before = (
+                _needed(part, instant, audience, why),
+                (steps, count) if part.motion is not None else (0, 0),
+            )
+            telling = Telling(instant, phrases_of(instant, figures), audience, wanted, *before)
             blocks += telling.blocks()
-            count = max(count, telling.count)
+            steps, count = telling.steps, telling.count
     phrases = phrases_of(part.instants[-1], figures) if part.instants else None
     if part.motion is not None:
         from planar_cli.report.motion import MotionTelling, motion_phrases
 
         phrases = motion_phrases(part.motion, figures)
-        steps = [b.label for b in blocks if isinstance(b, Heading) and b.label.startswith("STEP")]
-        blocks += MotionTelling(part.motion, phrases, count + 1, _letters(part, why)).blocks(len(set(steps)) + 1)
+        blocks += MotionTelling(part.motion, phrases, count + 1, _letters(part, why)).blocks(steps + 1)
     assert phrases is not None
     if part.tale is not None:
         if part.tale.passages:

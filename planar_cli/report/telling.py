@@ -27,12 +27,20 @@ LONG_FORMULA = 16
 class Telling:
     """Tells one instant. Equations are numbered in the order in which they are printed.
 
-    `wanted`: names of symbols whose derivation is told; None: all.
+    `wanted`: names of symbols whose derivation is told; None: all. `steps`, `numbers`: how many steps and numbered
+    equations of the same motion stand before it.
     """
 
     def __init__(
-        self, instant: InstantSolution, phrases: Phrases, audience: str, wanted: frozenset[str] | None
+        self,
+        instant: InstantSolution,
+        phrases: Phrases,
+        audience: str,
+        wanted: frozenset[str] | None,
+        steps: int = 0,
+        numbers: int = 0,
     ) -> None:
+        self.steps, self._before = steps, numbers
         self.instant, self.phrases, self.audience = instant, phrases, audience
         self.system = instant.trial.system
         self.scene = instant.instant.scene
@@ -42,12 +50,12 @@ class Telling:
 
     def number(self, stage: Stage, own: int) -> int:
         """The printed number of an equation or line of a stage."""
-        return self._numbers.setdefault((id(stage.algebra), own), len(self._numbers) + 1)
+        return self._numbers.setdefault((id(stage.algebra), own), self.count + 1)
 
     @property
     def count(self) -> int:
-        """How many equations and lines have a number."""
-        return len(self._numbers)
+        """How many equations and lines have a number, with those before it."""
+        return self._before + len(self._numbers)
 
     def blocks(self) -> list[Block]:
         blocks = self._assumptions()
@@ -55,21 +63,23 @@ class Telling:
         last = next((s for s in self.stages if s.level == "acceleration"), None)
         kinetic = last is not None and any(w.law != "relation" for b in last.blocks for w in b.equations)
         kinematics = [*self._definitions("m"), *self._kinematics(velocity, last)]
-        step = 0
         if kinematics:
-            step += 1
-            blocks.append(Heading(f"STEP {step}", "Kinematic analysis"))
+            blocks.append(self._step("Kinematic analysis"))
         blocks += kinematics
         if kinetic and last is not None:
-            step += 1
-            blocks.append(Heading(f"STEP {step}", "Kinetic analysis", self.principle.diagram))
+            blocks.append(self._step("Kinetic analysis", self.principle.diagram))
             blocks += force_rows(self.instant, last, self.phrases, self.principle.inertia_as_force)
             blocks += self._definitions("kg")
             blocks += self._equations([w for b in last.blocks for w in b.equations if w.law != "relation"], last)
         if last is not None and any(not self._is_given(b) for b in last.blocks):
-            blocks.append(Heading(f"STEP {step + 1}", "Solving the equations", self._count(last)))
+            blocks.append(self._step("Solving the equations", self._count(last)))
             blocks += self._solving(last)
         return blocks
+
+    def _step(self, title: str, aside: str | Line = "") -> Heading:
+        """The heading of the next step."""
+        self.steps += 1
+        return Heading(f"STEP {self.steps}", title, aside)
 
     # --- before step 1 -----------------------------------------------------------------------------------------------
 
