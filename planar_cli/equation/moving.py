@@ -46,7 +46,8 @@ class Moving:
         """|v| of a vector that may hold velocities."""
         for one, other in ((v.x, v.y), (v.y, v.x)):
             if self.is_zero(other):
-                return one if self.sign(one) >= 0 else -one
+                moves = sp.sympify(one).free_symbols & self._speeds()
+                return one * (self.sign(one) or 1) if moves else self.on_side(sp.sympify(one), self.sign(one) or 1)
         return self._distance(sp.sqrt(v.dot(v)))
 
     def _distance(self, root: sp.Expr) -> sp.Expr:
@@ -60,7 +61,7 @@ class Moving:
             plain = whole if whole.atoms(sp.Abs) else plain
         sides = plain.atoms(sp.Abs)
         if sides:
-            return plain.xreplace({a: self.sign(a.args[0]) * a.args[0] for a in sides})
+            return plain.xreplace({a: self.on_side(a.args[0], self.sign(a.args[0]) or 1) for a in sides})
         return plain if 2 * operations(plain) < operations(root) else root
 
     def against(self, velocity: Vec, size: sp.Expr) -> Vec:
@@ -174,7 +175,7 @@ def _named(wrench: Wrench, scene: Scene) -> Wrench:
 def _skid(skid: Skid, setting: Moving, others: list[Wrench]) -> list[Wrench]:
     """Friction against the relative velocity; from rest, against what pushes the body."""
     relative = setting.velocity(skid.point, skid.body) - setting.velocity(skid.point, skid.base)
-    if not setting.is_zero(setting.turn(skid.body) - setting.turn(skid.base)):
+    if setting.rigid(skid.body) and not setting.is_zero(setting.turn(skid.body) - setting.turn(skid.base)):
         raise Undecided(f"{skid.body} turns on {skid.base} as it slides: how the pressure is spread is not known")
     if setting.is_zero(relative.dot(relative)):
         pushing = Vec(sp.S.Zero, sp.S.Zero)

@@ -4,7 +4,7 @@ state facts.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
@@ -67,6 +67,8 @@ class Scene:
         self._valuations: tuple[Valuation, ...] | None = None
         self._decided: dict[Any, int] = {}
         self._supposes = False
+        self.sides: Mapping[str, int] = {}
+        self.sided: dict[str, tuple[int, sp.Expr]] = {}
         self.gravity: sp.Expr = self._gravity()
         self._implicit_points()
         for point in problem.points:
@@ -249,7 +251,7 @@ class Scene:
     def _length(self, v: Vec) -> sp.Expr:
         for one, other in ((v.x, v.y), (v.y, v.x)):
             if other == 0:
-                return one if self.sign(one) >= 0 else -one
+                return self.on_side(sp.sympify(one), self.sign(one) or 1)
         square = v.dot(v)
         simple = (
             trigonometric(sp.expand(square))
@@ -260,7 +262,7 @@ class Scene:
         )
         root = sp.sqrt(sp.factor(simple) if simple.free_symbols else simple)
         # A length along a slanting line is a difference of places, on the side where it is drawn.
-        inside = {a: a.args[0] if self.sign(a.args[0]) >= 0 else -a.args[0] for a in root.atoms(sp.Abs)}
+        inside = {a: self.on_side(a.args[0], self.sign(a.args[0]) or 1) for a in root.atoms(sp.Abs)}
         return root.xreplace(inside) if inside else root
 
     def direction(self, along: Side | str) -> Vec:
@@ -297,6 +299,21 @@ class Scene:
     def _agrees(self, valuation: Valuation) -> bool:
         """Does a draw have what is assumed, and every sign that was decided before?"""
         return self._assumed(valuation) and all(sign * valuation(e) > 0 for e, sign in self._decided.items())
+
+    def on_side(self, expr: Any, drawn: int) -> Any:
+        """|a| of a place, as a or -a: on the side where it is drawn, or the one that `sides` names; it is kept in mind
+        in `sided`, as the place may come to the other side.
+        """
+        varying = {*self.ledger.coordinates}
+        if self.displacement is not None:
+            varying |= {c.symbol for c in self.displacement.coordinates}
+        if self.displacement is None or not expr.free_symbols & varying:
+            return expr if drawn > 0 else -expr
+        plain = -expr if expr.could_extract_minus_sign() else expr
+        key = f"|{plain}|"
+        way = self.sides.get(key) or (drawn if plain == expr else -drawn) or 1
+        self.sided[key] = way, plain
+        return way * plain
 
     def presumed(self) -> tuple[Any, ...]:
         """What is positive in the scene as it was drawn, though letters may be had with which it is not."""

@@ -134,14 +134,16 @@ def make_general(
     choice: tuple[int, ...],
     resting: frozenset[str],
     made: dict[str, sp.Symbol],
+    sides: Mapping[str, int],
 ) -> General:
     """The scene in a general position, for one choice of modes. `resting`: names of free speeds that stay zero; `made`:
-    symbols of coordinates of the same problem by name, which are the same in every choice of modes.
+    symbols of coordinates of the same problem by name, which are the same in every choice of modes; `sides`: on which
+    sides places are from which distances are measured.
     """
     still: frozenset[str] = frozenset()
     while True:
         displacement = displaced(drawn, choice, still, made)
-        found = _general(problem, always, earlier, drawn, choice, displacement, resting)
+        found = _general(problem, always, earlier, drawn, choice, displacement, resting, sides)
         velocities = found.trial.velocities
         if _idle(displacement, velocities) - still and loosened(drawn, choice) != choice:
             # What friction holds here may have come to another place before.
@@ -170,6 +172,7 @@ def _general(
     choice: tuple[int, ...],
     displacement: Displacement,
     resting: frozenset[str],
+    sides: Mapping[str, int],
 ) -> General:
     user = _user_coordinates(drawn)
     every = constraints_of(drawn, loosened(drawn, choice), displacement, (*user, *displacement.coordinates))
@@ -177,7 +180,9 @@ def _general(
     kept = tuple(c for c in every if c.kind == "kept")
     loose = parted_modes(drawn, choice)
     course = Course(displacement, ranges(drawn, displacement), _projector(constraints, displacement, user), loose)
-    instant = Instant(Setup(problem, Statements.of(always, ()), earlier, True, course))
+    setup = Setup(problem, Statements.of(always, ()), earlier, True, course)
+    setup.scene.sides = sides
+    instant = Instant(setup)
     system = instant.system(choice)
     held = held_places(instant.setup, system.quantities_of(system.first, None))
     if held:

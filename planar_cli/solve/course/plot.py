@@ -34,8 +34,9 @@ class Span:
 class Stretch:
     """What acts from one state (also one that we put in) to the next: a span in one choice of modes. `still`: names of
     free speeds that are zero from the beginning and stay so. `ways`: signs of free speeds by name, where a resistance
-    asks for them. `blow`: what strikes, and the joints that hold after it, where the next state is just after this one;
-    `blow_choice`: their modes (None: the first). The span then tells of the motion before it.
+    asks for them, and sides of places, |x|, from which distances are measured. `blow`: what strikes, and the joints
+    that hold after it, where the next state is just after this one; `blow_choice`: their modes (None: the first). The
+    span then tells of the motion before it.
     """
 
     span: Span
@@ -174,18 +175,20 @@ class Workshop:
         """The regime of a stretch."""
         key = (stretch.span.key, stretch.choice, stretch.still, stretch.ways)
         if key not in self._regimes:
-            plain = key[:3]
+            sides = tuple((name, way) for name, way in stretch.ways if name.startswith("|"))
+            plain = (*key[:3], sides)
             if plain not in self._generals:
-                self._generals[plain] = self._general(stretch)
+                self._generals[plain] = self._general(stretch, dict(sides))
             # The same letters, whichever way things go.
             general = replace(self._generals[plain], finisher=None, stages=[], solution=None, closed_forms={})
             self._regimes[key] = Regime(general, dict(stretch.ways))
         return self._regimes[key]
 
-    def _general(self, stretch: Stretch) -> General:
+    def _general(self, stretch: Stretch, sides: Mapping[str, int]) -> General:
         span = stretch.span
         drawn = self.drawn(span)
-        return make_general(span.problem, span.always, self.earlier, drawn, stretch.choice, stretch.still, self.made)
+        known = (span.problem, span.always, self.earlier, drawn)
+        return make_general(*known, stretch.choice, stretch.still, self.made, sides)
 
 
 def nearest(plot: Plot, i: int, choices: Iterable[tuple[int, ...]]) -> list[tuple[int, ...]]:

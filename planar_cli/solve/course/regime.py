@@ -54,6 +54,7 @@ class Regime:
     rates: dict[sp.Symbol, sp.Expr] = field(default_factory=dict)
     accelerations: dict[sp.Symbol, sp.Expr] = field(default_factory=dict)
     watches: tuple[Watch, ...] = ()
+    sided: dict[str, tuple[int, sp.Expr]] = field(default_factory=dict)
     slips: tuple[sp.Expr, ...] = ()
     gaps: tuple[Gap, ...] = ()
     balance: tuple[sp.Expr, sp.Expr] | None = None
@@ -107,6 +108,8 @@ class Regime:
         told = self.told
         self.watches = tuple(w for w in (Watch(w.test, self.closed(w.expr)) for w in watches) if told(w.expr))
         self.slips = tuple(e for e in map(self.closed, slips) if told(e))
+        sided = self.general.instant.scene.sided
+        self.sided = {key: (way, self.closed(way * e)) for key, (way, e) in sided.items()} if runs else {}
         self.gaps = tuple(gaps_of(self)) if runs else ()
 
     def _regular(self, expr: sp.Expr) -> sp.Expr:

@@ -328,6 +328,7 @@ class Follower:
         watched = [(w.expr, w.test.words) for w in regime.watches]
         watched += [(s, "it comes to rest") for s in regime.slips]
         watched += [(sign * u, "it turns round") for u, sign in regime.going().items()]
+        watched += [(e, "it comes to the other side") for _, e in regime.sided.values()]
         best: Ends | None = None
         until = time
         for expr, words in watched:

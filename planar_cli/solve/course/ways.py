@@ -26,6 +26,19 @@ def ways_at(regime: Regime, state: Mapping[sp.Symbol, float], value: Valuation) 
         sign = 1 if way >= 0 else -1
         if regime.ways.get(u.name) != sign:
             found[u.name] = sign
+    return found | _other_sides(regime, state, value)
+
+
+def _other_sides(regime: Regime, state: Mapping[sp.Symbol, float], value: Valuation) -> dict[str, int]:
+    """Places that are, or come at once, on the other side of that from which their distance is measured."""
+    found = {}
+    here = [state[s] for s in regime.letters]
+    for key, (way, expr) in regime.sided.items():
+        if not expr.free_symbols & set(regime.letters):
+            continue
+        number = number_function([expr], regime.letters, value)(*here)[0]
+        if number < -SLACK or (abs(number) <= SLACK and becomes_negative(regime, expr, here, value)):
+            found[key] = -way
     return found
 
 
