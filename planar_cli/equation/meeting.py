@@ -201,19 +201,23 @@ def _turned(v: Vec) -> Vec:
 
 def _side(scene: Scene, a: Partner, b: Partner, normal: Vec, point: Vec) -> int:
     """+1 where b lies on the side of the normal, -1 where it lies on the other; 0 where the drawing does not tell."""
+
+    def sign(expr: sp.Expr) -> int:
+        return scene.sign(scene.as_drawn(expr))
+
     for partner, other, sense in ((b, a, 1), (a, b, -1)):
         if partner.particle and partner.center is not None and other.line is not None:
-            side = scene.sign((partner.center - other.line[0]).dot(normal)) * sense
+            side = sign((partner.center - other.line[0]).dot(normal)) * sense
             if side:
                 return side
         if partner.body == GROUND:
             continue
         center = partner.center or scene.center(partner.body)
-        side = scene.sign((center - point).dot(normal)) * sense
+        side = sign((center - point).dot(normal)) * sense
         if side:
             return side
     if a.particle and b.particle:
         assert a.center is not None
         assert b.center is not None
-        return scene.sign((b.center - a.center).dot(normal))
+        return sign((b.center - a.center).dot(normal))
     return 0

@@ -300,6 +300,12 @@ class Scene:
         """Does a draw have what is assumed, and every sign that was decided before?"""
         return self._assumed(valuation) and all(sign * valuation(e) > 0 for e, sign in self._decided.items())
 
+    def as_drawn(self, expr: Any) -> Any:
+        """An expression of a general position where the file draws it."""
+        if self.displacement is None:
+            return expr
+        return expr.xreplace({c.symbol: c.drawn for c in self.displacement.coordinates if c.drawn is not None})
+
     def on_side(self, expr: Any, drawn: int) -> Any:
         """|a| of a place, as a or -a: on the side where it is drawn, or the one that `sides` names; it is kept in mind
         in `sided`, as the place may come to the other side.

@@ -22,7 +22,7 @@ What starts a motion
 
 Largest and smallest
   `X is largest` uses up one freedom. In a state that nothing else dates, it is the time: the instant at which X is
-  largest. In a state that something else dates (`y(P) = 0`, or a given time), it is a constant under `unknowns`: the
+  largest; of a motion in which it grows from one maximum to the next, the first. In a state that something else dates (`y(P) = 0`, or a given time), it is a constant under `unknowns`: the
   one with which X there is largest.
 
 Where what acts changes

@@ -53,7 +53,7 @@ class Followed:
     """What came of following a course. `values`: letters of the states that were reached. `ends`: an assumption that
     ended first; `misfit`: the stretch whose assumptions do not even hold at its beginning, `ways`: the signs that
     speeds have there, if that is all; `missed`: the state that is never reached; `blow`: the blow whose modes do not
-    hold.
+    hold; `growing`: what is to be largest (or smallest), but is more so every time.
     """
 
     legs: list[Leg] = field(default_factory=list)
@@ -65,6 +65,7 @@ class Followed:
     ways: dict[str, int] = field(default_factory=dict)
     at: State = field(default_factory=dict)
     blow: int | None = None
+    growing: list[str] = field(default_factory=list)
 
 
 class Follower:
@@ -309,7 +310,7 @@ class Follower:
         return True
 
     def _extreme(self, demand: Demand, leg: Leg) -> float | None:
-        """The first of the largest (smallest) of the next stationary values."""
+        """The first of the largest (smallest) of the next stationary values; where they grow and grow, the first."""
         regime = leg.regime
         found = list(itertools.islice(events(self._along(regime.derivative(demand.residual), leg), leg), CHOICES))
         height = self._along(demand.residual, leg)
@@ -318,6 +319,10 @@ class Follower:
             v = demand.extreme * height(root.value)
             if best is None or v > demand.extreme * height(best) + SLACK * abs(v):
                 best = root.value
+        tops = [r.value for r in found if height(r.value) * demand.extreme > height(leg.t0) * demand.extreme]
+        if len(found) == CHOICES and best in (r.value for r in found[-2:]) and len(tops) > 1:
+            self.done.growing.append(demand.text)
+            return tops[0]
         return best
 
     # --- what ends ---------------------------------------------------------------------------------------------------

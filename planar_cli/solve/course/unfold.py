@@ -256,7 +256,8 @@ class Unfolder:
         more |= {s: Decimal(repr(followed.values[s])) for s in guessed}
         value = course.base().extended({**more, **branch.values})
         demand_agreement(course, value, guessed)
-        return Unfolded(course, finds, branch, followed, value, frozenset(guessed))
+        later = tuple(f"{text}: the first time; later it is more so" for text in dict.fromkeys(followed.growing))
+        return Unfolded(course, finds, branch, followed, value, frozenset(guessed), checks=later)
 
     def _related(self, course: Course, finds: FindReader, missed: str) -> Unfolded | None:
         """States related by the balance of energy alone, where the file asks for that method and no motion leads there;
