@@ -1,0 +1,117 @@
+"""What a solution of a motion says: headings with a subject, units on every line, numbers of steps, no idle repeats."""
+
+from __future__ import annotations
+
+import re
+
+from planar_cli.formats.terminal import Terminal
+from planar_cli.problem.structure import load_text
+from planar_cli.report.narrate import narrate
+from planar_cli.report.origins import kept
+from planar_cli.solve.run import solve_problem
+
+BRAKE = """
+title: Disk that is braked
+plane: vertical
+given: {m: 4 kg, R: 0.5 m}
+points: {O: [0, 0]}
+bodies: {disk: {disk: O, radius: R, mass: m}}
+joints:
+  - pin: {at: O, between: [ground, disk]}
+loads:
+  - torque: {body: disk, moment: -1 N*m, name: brake}
+states:
+  1: [t = 0, omega(disk) = 10 rad/s]
+  2: [t = 2 s]
+find: {H: impulse(brake/O) @ 1->2, turn: mean(omega(disk)) @ 1->2, lost: KE(all) @ 1 - KE(all) @ 2}
+"""
+OBLIQUE = """
+title: Oblique impact
+plane: horizontal
+given: {r: 0.1 m, e: 0.7, w: 1 m/s}
+points: {A: [0, 0], B: {from: A, distance: 2*r, angle: 30 deg}}
+bodies:
+  DA: {disk: A, radius: r, mass: 2 kg}
+  DB: {disk: B, radius: r, mass: 3 kg}
+joints:
+  - impact: {between: [DA, DB], restitution: e, during: 1->2, name: hit}
+states:
+  1: [v(A).x = 4 m/s, v(A).y = 0, v(B).x = -w, v(B).y = 0.5 m/s, omega(DA) = 0, omega(DB) = 0]
+  2: [just after 1]
+find: {v_A: v(A) @ 2, omega: omega(DA) @ 2, J: impulse(hit/DB).mag @ 1->2}
+"""
+BULLET = """
+title: Bullet into a rod
+plane: vertical
+points: {O: [0, 0], E: [0, -1 m], P: [0, -0.8 m]}
+bodies:
+  rod: {rod: [O, E], mass: 3 kg}
+  bullet: {particle: P, mass: 0.02 kg}
+joints:
+  - pin: {at: O, between: [ground, rod]}
+  - weld: {at: P, between: [rod, bullet], during: 1->2}
+states:
+  1: [rod at rest, v(bullet).x = 200 m/s, v(bullet).y = 0]
+  2: [just after 1]
+find: {omega: omega(rod) @ 2, v_P: v(bullet) @ 2}
+"""
+BUFFER = """
+title: Block that runs into a spring
+plane: horizontal
+points: {P: [0, 0], W: [2 m, 0]}
+bodies: {block: {particle: P, mass: 2 kg}}
+joints:
+  - guide: {point: P, along: 0 deg}
+loads:
+  - spring: {between: [P, W], stiffness: 800 N/m, natural_length: 0.8 m, acts: push, name: buffer}
+states: {0: [t = 0, v(P).x = 3 m/s], deepest: [v(P).x = 0]}
+find: {x: x(P) @ deepest}
+"""
+
+
+def told(text: str) -> str:
+    """The solution of a file as it is printed, in one line of single spaces."""
+    problem, wrong = load_text(text)
+    assert not wrong
+    return " ".join(Terminal().render(narrate(solve_problem(problem))).split())
+
+
+def test_units_of_integrals_and_energies() -> None:
+    found = told(BRAKE)
+    assert "= -2 N·m·s" in found
+    assert re.search(r"mean = the sum divided by .* = 8 rad/s", found)
+    lines = found[found.index("What is asked") : found.index("Answer")]
+    assert "= 16 J" in lines
+    assert not re.search(r"N·m(?!·s)", lines)
+
+
+def test_a_blow_names_its_bodies_and_components() -> None:
+    found = told(OBLIQUE)
+    assert "From 1 to 2, :" not in found
+    assert "DA, angular momentum about A, zero before, and no impulse changes it:" in found
+    assert "DA, momentum across the line of J_N,hit:" in found
+    assert found.count("impulse(hit/DB) from state 1 to state 2:") == 1
+    assert "in the blow from 1 to 2, x:" in found
+    assert "in the blow from 1 to 2, y:" in found
+    assert "v_Bx,1 = -w = -1 m/s" in found
+
+
+def test_what_a_blow_leaves_is_told_in_velocities() -> None:
+    found = told(BULLET)
+    diagram = found[found.index("Just after 1") : found.index("angular momentum about")]
+    assert not re.search(r"\ba_", diagram)
+    assert found.count("the velocities after the blow:") <= 1
+
+
+def test_an_assumption_holds_up_to_its_end() -> None:
+    found = told(BUFFER)
+    assert re.search(r"Up to t_turn = 0\.4(000)? s \(state turn\) the spring buffer is not compressed; there", found)
+    steps = re.findall(r"STEP (\d+)", found)
+    assert steps == [str(i + 1) for i in range(len(steps))]
+
+
+def test_what_a_joint_keeps() -> None:
+    assert kept("B: distance from the edge") == "the joint B keeps the distance from the line"
+    assert kept("hook: place on ground and rod") == "hook is the same point of the ground and of rod"
+    assert kept("tip: stays on profile") == "tip stays on profile"
+    assert kept("odd title") == "odd title"
