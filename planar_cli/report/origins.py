@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterable, Iterator
 
-from planar_cli.report.blocks import Block, Equation, Line, Name, Paragraph, line
+from planar_cli.report.blocks import Block, Equation, Line, Name, Paragraph, Result, line
 from planar_cli.report.names import plain_name
 from planar_cli.solve.course.equations import DATA
 from planar_cli.solve.course.equations import Equation as Relation
@@ -76,13 +76,13 @@ def turning(words: str) -> str:
 
 
 def told_once(blocks: Iterable[Block]) -> Iterator[Block]:
-    """Blocks without a heading that is still in force: only equations have followed it."""
+    """Blocks without a heading that is still in force: only equations and results have followed it."""
     heading: Paragraph | None = None
     for block in blocks:
         if isinstance(block, Paragraph):
             if block == heading:
                 continue
             heading = block
-        elif not isinstance(block, Equation):
+        elif not isinstance(block, Equation | Result):
             heading = None
         yield block
