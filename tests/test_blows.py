@@ -102,6 +102,36 @@ def test_what_does_not_approach_is_not_struck() -> None:
     assert "A and B do not approach each other at 1: no impulse there" in part.motion.checks
 
 
+APART = """
+title: Two carts and a wall, one impact after the other
+plane: horizontal
+given: {m: 1 kg}
+bodies: {A: {particle: [0, 0], mass: m}, B: {particle: [1 m, 0], mass: m}}
+surfaces: {wall: {through: W, angle: 90 deg}}
+points: {W: [4 m, 0]}
+joints:
+  - guide: {body: A, along: 0 deg}
+  - guide: {body: B, along: 0 deg}
+  - impact: {between: [A, B], restitution: 1, name: hit}
+  - impact: {between: [B, wall], restitution: 0.5, name: bounce}
+states:
+  1: [t = 0, v(A).x = 2 m/s, v(B).x = 0]
+  2: [x(A) = x(B)]
+  3: [just after 2]
+  4: [x(B) = 4 m]
+  5: [just after 4]
+find: {v_3: v(B).x @ 3, v_5: v(B).x @ 5, t_5: t @ 5}
+"""
+
+
+def test_what_is_apart_is_not_struck() -> None:
+    """Impacts without `during`: the wall answers when the cart has come to it."""
+    found = solve(APART)
+    assert first(found["v_3"]) == pytest.approx(2)
+    assert first(found["v_5"]) == pytest.approx(-1)
+    assert first(found["t_5"]) == pytest.approx(0.5 + 1.5)
+
+
 def test_a_restitution_that_is_sought() -> None:
     """Left out, it is what a velocity just after tells; as an unknown it is an answer."""
     told = "2: [just after 1, v(B).x = 2.6 m/s]"

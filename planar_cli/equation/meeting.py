@@ -40,7 +40,7 @@ class Partner:
 
 def meeting_of(scene: Scene, between: tuple[str, ...], normal: Vec | None, mark: Mark) -> Meeting:
     """Where `between` meet. `normal`: the direction that the file gives; refused where the shapes leave it open."""
-    a, b = (_partner(scene, name) for name in between)
+    a, b = (partner_of(scene, name) for name in between)
     point = _point(scene, a, b)
     if point is None and normal is not None:
         point = a.center or b.center
@@ -55,7 +55,8 @@ def meeting_of(scene: Scene, between: tuple[str, ...], normal: Vec | None, mark:
     return Meeting(point, across * side if side else across, bool(side))
 
 
-def _partner(scene: Scene, name: str) -> Partner:
+def partner_of(scene: Scene, name: str) -> Partner:
+    """The shape with which a body or surface strikes."""
     surface = scene.surfaces.get(name)
     if surface is not None:
         body, form = surface.body or GROUND, surface.shape

@@ -10,12 +10,15 @@ accelerations, and the momenta with which the bodies arrive act like known impul
 from __future__ import annotations
 
 from collections.abc import Mapping
+from decimal import Decimal
 from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.exact import Valuation
 from planar_cli.equation.meeting import meeting_of
 from planar_cli.equation.motion import Twist
+from planar_cli.equation.nearness import distance
 from planar_cli.equation.scene import Scene
 from planar_cli.errors import Mark
 from planar_cli.problem.expression import Side
@@ -43,6 +46,10 @@ class StruckScene(Scene):
     def meeting(self, between: tuple[str, ...], normal: Side | None, mark: Mark) -> Meeting:
         """Where two bodies strike each other."""
         return meeting_of(self, between, None if normal is None else self.unit(normal), mark)
+
+    def distance(self, between: tuple[str, ...], value: Valuation) -> Decimal | None:
+        """How far apart two bodies are, in m; None where their shapes do not tell."""
+        return distance(self, between, value)
 
     def unknown(self, name: str, unit: str) -> sp.Symbol:
         """A constant of the blow that the file leaves open."""

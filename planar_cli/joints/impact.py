@@ -7,7 +7,7 @@ from typing import Any, ClassVar
 
 from planar_cli.joints.base import Joint
 from planar_cli.problem.expression import Side
-from planar_cli.problem.facts import Action, Anchor, Facts, Law, Meeting, Mode, Pull, Push, Row, Test
+from planar_cli.problem.facts import FAR, Action, Anchor, Facts, Law, Meeting, Mode, Pull, Push, Row, Test
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.keys import PartnersKey, SideKey, key
 from planar_cli.problem.residuals import Residual
@@ -20,7 +20,8 @@ class Impact(Joint):
 
     Meaning
         Between the states of `during` (the second is `just after` the first) the two bodies strike each other; without
-        `during` in every blow in which they approach. They meet where a particle is, where a round rim touches, or with
+        `during` in every blow in which they touch and approach (where the file draws them apart and nothing else
+        makes it a blow, they are taken to touch). They meet where a particle is, where a round rim touches, or with
         the end of a rod or the corner of a plate that is nearest. `normal` is the direction of the common normal, where
         the shapes leave it open (particles at one place, corners). `restitution` is the ratio of the speeds of
         separation and approach along it; left out, it is unknown, and something is stated of the velocities after it.
@@ -75,11 +76,12 @@ class Impact(Joint):
     def blows(self, scene: StruckSetting) -> tuple[Mode, ...]:
         meeting = scene.meeting(self.between, self.normal, self.mark)
         a, b = (scene.carrier(p) for p in self.between)
+        far = (Mode(FAR, f"{self.between[0]} and {self.between[1]} are apart", Facts()),) if self.during is None else ()
         if meeting.told:
-            return (*self._hits(scene, a, b, meeting), self._missed(scene, a, b, meeting))
+            return (*self._hits(scene, a, b, meeting), self._missed(scene, a, b, meeting), *far)
         # What meets may come from either side: the one from which it presses.
         other = replace(meeting, normal=-meeting.normal)
-        return (*self._hits(scene, a, b, meeting), *self._hits(scene, a, b, other))
+        return (*self._hits(scene, a, b, meeting), *self._hits(scene, a, b, other), *far)
 
     def _hits(self, scene: StruckSetting, a: str, b: str, meeting: Meeting) -> list[Mode]:
         """They press on each other along this normal."""

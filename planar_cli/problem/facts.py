@@ -159,6 +159,9 @@ class Skid:
     point: Vec
     size: Any
 
+FAR = "far"
+"""The mode of an impact whose bodies are apart: they do not strike each other in this blow."""
+
 
 @dataclass(frozen=True, slots=True)
 class Test:

@@ -22,8 +22,8 @@ What starts a motion
 
 Largest and smallest
   `X is largest` uses up one freedom. In a state that nothing else dates, it is the time: the instant at which X is
-  largest; of a motion in which it grows from one maximum to the next, the first. In a state that something else dates (`y(P) = 0`, or a given time), it is a constant under `unknowns`: the
-  one with which X there is largest.
+  largest; of a motion in which it grows from one maximum to the next, the first. In a state that something else dates
+  (`y(P) = 0`, or a given time), it is a constant under `unknowns`: the one with which X there is largest.
 
 Where what acts changes
   Places and velocities are the same before and after it. Accelerations, forces and modes may jump; at a state they are

@@ -20,6 +20,7 @@ from planar_cli.equation.setup import Course as Position
 from planar_cli.equation.struck import StruckScene
 from planar_cli.equation.system import System
 from planar_cli.problem.expression import Quantity
+from planar_cli.problem.facts import FAR
 from planar_cli.problem.formulas import formulas
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.walk import walk
@@ -37,6 +38,8 @@ if TYPE_CHECKING:
     from planar_cli.solve.course.course import Course
 
 MOVES = Decimal("1e-9")
+TOUCHES = Decimal("1e-4")
+"""A larger gap is one, in m."""
 ABOUT_PUSHES = ("impulse", "work", "heat", "mean")
 
 
@@ -64,7 +67,8 @@ class Blow:
 
     `drawn`: coordinates put where they were drawn, if nothing has moved yet. `letters`: unknowns of its own, impulses
     above all. `trial`: its modes for draws of all letters, `stage`: its plan of equations. `edges`: what the speeds of
-    all regimes are, by their letters.
+    all regimes are, by their letters. `otherwise`: something else than an impact of the whole motion makes it a blow;
+    `far`: impacts whose bodies are apart, once a motion was followed.
     """
 
     since: Stop
@@ -79,6 +83,8 @@ class Blow:
     stage: Stage | None = None
     letters: tuple[sp.Symbol, ...] = ()
     equations: list[Equation] = field(default_factory=list)
+    otherwise: bool = False
+    far: frozenset[str] | None = None
 
     @property
     def system(self) -> System:
@@ -180,6 +186,9 @@ class Blow:
         """
         number = {s: Decimal(repr(float(v))) for s, v in state.items()}
         here = self.numbers(value.extended({self.since.letters[s]: v for s, v in number.items()}))
+        self.far = self._far(here)
+        if not self.fits(self.choice):
+            return Stroke({}, {}, "what is apart is not struck")
         trial = self.struck.try_choice(self.choice, (here,))
         if not trial.outcomes:
             return Stroke({}, {}, trial.objection)
@@ -191,6 +200,22 @@ class Blow:
         after |= {u: float(found(expr)) for u, expr in self._handed()}
         own = {s: float(unknowns[s]) for s in self.letters if s in unknowns and self._unique(s, outcome)}
         return Stroke(after, own, trial.objection, self._moves(after, found, unknowns))
+
+    def _far(self, here: Valuation) -> frozenset[str]:
+        """Impacts of the whole motion that do not strike here: their bodies are apart. Where all are, and nothing else
+        makes this a blow, the file only draws them so.
+        """
+        free = [j for j in self.scene.problem.joints if j.strikes and j.during is None]
+        gaps = {j.name: self.scene.distance(getattr(j, "between", ()), here) for j in free}
+        far = frozenset(name for name, gap in gaps.items() if gap is not None and gap > TOUCHES)
+        return far if len(far) < len(free) or self.otherwise else frozenset()
+
+    def fits(self, choice: tuple[int, ...]) -> bool:
+        """Do these modes leave out what is apart, and nothing else?"""
+        if self.far is None:
+            return True
+        chosen = ((j.name, found[i].name) for (j, found), i in zip(self.struck.modes, choice, strict=True))
+        return all((mode == FAR) == (name in self.far) for name, mode in chosen)
 
     def _moves(self, after: Mapping[sp.Symbol, float], found: Valuation, unknowns: Mapping[sp.Symbol, Decimal]) -> str:
         """Does something move after the blow that the regime after it takes for held?"""
@@ -245,7 +270,11 @@ def make_blow(course: Course, i: int, span: Span, choice: tuple[int, ...] | None
     struck = struck_instant(span.problem, span.always, course.workshop.earlier, position, told, letters, known, mark)
     choice = choice if choice is not None else next(struck.choices())
     trial = struck.try_choice(choice, struck.scene.valuations[:1])
-    return Blow(since, stop, before, after, struck, drawn, choice, trial, course.edges())
+    made = Blow(since, stop, before, after, struck, drawn, choice, trial, course.edges())
+    held = course.plot.stretches[i].span.problem.joints
+    made.otherwise = any(j.during is not None if j.strikes else j not in held for j in span.problem.joints)
+    made.otherwise = made.otherwise or any(x.strikes for x in span.problem.loads)
+    return made
 
 
 def _as_drawn(course: Course, i: int, before: Regime) -> dict[sp.Symbol, sp.Expr]:

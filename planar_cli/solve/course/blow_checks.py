@@ -97,7 +97,7 @@ def _others(blow: Blow, trial: Trial, here: Valuation) -> Iterator[Trial]:
     kept = _velocities(trial)
     size = max((abs(v) for v in kept.values()), default=Decimal(0)) or Decimal(1)
     for choice in itertools.islice(blow.struck.choices(), MOST_CHOICES):
-        if choice == blow.choice:
+        if choice == blow.choice or not blow.fits(choice):
             continue
         other = blow.struck.try_choice(choice, (here,))
         if other.objection or not other.outcomes:

@@ -320,7 +320,7 @@ class Follower:
             if best is None or v > demand.extreme * height(best) + SLACK * abs(v):
                 best = root.value
         tops = [r.value for r in found if height(r.value) * demand.extreme > height(leg.t0) * demand.extreme]
-        if len(found) == CHOICES and best in (r.value for r in found[-2:]) and len(tops) > 1:
+        if len(found) == CHOICES and best in [r.value for r in found[-2:]] and len(tops) > 1:
             self.done.growing.append(demand.text)
             return tops[0]
         return best

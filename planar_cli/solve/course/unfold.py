@@ -317,7 +317,7 @@ class Unfolder:
         failed.append(course.blows[i].choice)
         self.why = self.why or why
         for choice in course.blows[i].struck.choices():
-            if choice not in failed:
+            if choice not in failed and course.blows[i].fits(choice):
                 return choice
         text = f"no assumption about the contacts holds in the blow: {self.why}"
         raise self.lack or NoSolution([Diagnostic(course.states[i + 1].mark, "PL622", text)])

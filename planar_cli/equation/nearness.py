@@ -1,0 +1,52 @@
+"""How far apart two partners of an impact are: rims, particles, edges and corners."""
+
+from __future__ import annotations
+
+from decimal import Decimal
+from itertools import product
+from typing import TYPE_CHECKING
+
+from planar_cli.equation.exact import Valuation
+from planar_cli.equation.meeting import Partner, partner_of
+from planar_cli.problem.geometry import Vec
+
+if TYPE_CHECKING:
+    from planar_cli.equation.scene import Scene
+
+
+def distance(scene: Scene, between: tuple[str, ...], value: Valuation) -> Decimal | None:
+    """The distance in m with these numbers, as centres, radii, straight edges and corners tell it; None: unknown."""
+    a, b = (partner_of(scene, name) for name in between)
+    found = [d for one, other in ((a, b), (b, a)) for d in _from_edge(one, other, value)]
+    if a.center is not None and b.center is not None:
+        found.append(_between_rims(a, b, value))
+    elif not found:
+        found = [_long(p - q, value) for p, q in product(_corners(a), _corners(b))]
+    return min(found, default=None)
+
+
+def _from_edge(one: Partner, other: Partner, value: Valuation) -> list[Decimal]:
+    """Of a rim or of corners from a straight edge."""
+    if other.line is None:
+        return []
+    start, along = other.line
+    radius = value(one.radius) if one.radius is not None else Decimal(0)
+    return [abs(abs(value((p - start).cross(along))) - radius) for p in _corners(one)]
+
+
+def _corners(partner: Partner) -> tuple[Vec, ...]:
+    return (partner.center,) if partner.center is not None else partner.corners
+
+
+def _between_rims(a: Partner, b: Partner, value: Valuation) -> Decimal:
+    """Of two rims, also of one inside the other."""
+    assert a.center is not None
+    assert b.center is not None
+    far = _long(b.center - a.center, value)
+    radii = [value(p.radius) if p.radius is not None else Decimal(0) for p in (a, b)]
+    within = abs(far - abs(radii[0] - radii[1])) if all(radii) else abs(far - sum(radii))
+    return min(abs(far - sum(radii)), within)
+
+
+def _long(v: Vec, value: Valuation) -> Decimal:
+    return value(v.dot(v)).sqrt()
