@@ -11,7 +11,7 @@ from collections.abc import Sequence
 import sympy as sp
 
 from planar_cli.equation.plain import longer, simplified
-from planar_cli.errors import Undecided
+from planar_cli.errors import Diagnostic, NoSolution, Undecided
 from planar_cli.solve.course.equations import Equation
 
 PLAIN = ("given", "drawn", "start", "turn", "motion", "link", "loop", "q(t)", "v(t)")
@@ -29,7 +29,11 @@ def stationary(
     """The equations left when all linear unknowns but `kept` (times and sought constants) are eliminated, and the
     condition that the objective is stationary; each as an equation of the motion.
     """
-    related, _, letters, condition = eliminated(equations, objective, unknowns, kept)
+    related, aim, letters, condition = eliminated(equations, objective, unknowns, kept)
+    if not related and aim in (letters[0], letters[0] ** 2):
+        text = f"{like.words}: no equation bounds it, only inequalities may"
+        hint = "state the limit itself: `N(P) = 0` where contact is just kept, `v(P).mag = 0` where it just arrives"
+        raise NoSolution([Diagnostic(like.mark, "PL623", text, hint)])
     free = ", ".join(x.name for x in letters if x in kept and "__" not in x.name)
     words = f"{like.words}, so it does not change with a small change of {free}"
     found = [Equation(p, "link", "what is left when the others are put in", like.stop) for p in related]

@@ -48,6 +48,7 @@ from planar_cli.solve.course.starts import Start, balanced, certain_start, resti
 from planar_cli.solve.course.touch import TOUCHED, Endless, demand_no_times, touch_of, without_times
 
 CHANGES, BLOW, SLACK = 40, " blow", Decimal("1e-9")
+AT_A_TOP = "the last state is one of equilibrium: with a little more it is passed, with less never reached"
 STAYS = "it begins at rest in equilibrium, where every acceleration vanishes: nothing moves"
 
 
@@ -343,15 +344,10 @@ class Unfolder:
             value = course.base().extended(branch.values)
             start = {s: branch.values[own] for s, own in course.first.letters.items() if own in branch.values}
             if branch.left or set(start) != set(course.first.letters) or untold(course):
-                led = carried_branch(course, branches)
-                try:
-                    demand_told(course, finds, led.values)
-                except NoSolution as error:
-                    if not course.blows:
-                        raise
-                    self.lack = self.lack or error
+                found = self._led(course, finds, branches)
+                if found is None:
                     continue
-                return Unfolded(course, finds, led, None, course.base().extended(led.values))
+                return found
             try:
                 followed = Follower(course, value).run({s: float(v) for s, v in start.items()})
             except ArithmeticError:
@@ -360,6 +356,8 @@ class Unfolder:
             if other is not None:
                 changed = changed or other
                 continue
+            if followed.missed == course.states[-1].name and _at_a_top(course, followed.missed, value):
+                return Unfolded(course, finds, branch, None, value, checks=(AT_A_TOP,))
             if followed.missed is None and same_motion(course, followed, branch):
                 more = {s: Decimal(repr(v)) for s, v in followed.values.items() if s not in branch.values}
                 found = Unfolded(course, finds, branch, followed, value.extended(more), guessed | set(more))
@@ -386,6 +384,18 @@ class Unfolder:
         except NoSolution:
             raise self.lack from None
 
+    def _led(self, course: Course, finds: FindReader, branches: list[Branch]) -> Unfolded | None:
+        """Where no motion can be followed: the branch to which the drawn position leads; None: after blows, another."""
+        led = carried_branch(course, branches)
+        try:
+            demand_told(course, finds, led.values)
+        except NoSolution as error:
+            if not course.blows:
+                raise
+            self.lack = self.lack or error
+            return None
+        return Unfolded(course, finds, led, None, course.base().extended(led.values))
+
     def _determined(self, course: Course, i: int) -> Plot:
         """Another choice of modes, where in this one forces that are needed are not unique."""
         general = course.regimes[i].general
@@ -410,6 +420,16 @@ class Unfolder:
             self.tried = {k: v for k, v in self.tried.items() if k[0] != BLOW}
             return replace(changed, stretches=tuple(replace(s, blow_choice=None) for s in changed.stretches))
         return None
+
+
+def _at_a_top(course: Course, name: str, value: Valuation) -> bool:
+    """Is the last state one of rest in equilibrium? A motion that just reaches it takes longer and longer."""
+    stop, regime = course.stops[name], course.regimes[len(course.states) - 2]
+    rates = [*regime.rates.values(), *regime.accelerations.values()]
+    try:
+        return all(abs(value(e.xreplace(stop.letters))) < SLACK for e in rates)
+    except (ArithmeticError, Unvalued):
+        return False
 
 
 def _assumed(course: Course, value: Valuation) -> bool:
