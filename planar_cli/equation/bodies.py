@@ -145,6 +145,8 @@ class MassReader:
         demand_time(self.ledger, mass, body.mass.mark, f"the mass of {body.name}")
         if self._varies(mass):
             return mass
+        if mass.is_number and mass.is_positive:
+            return self.ledger.known(self._free(self._named("m", body)), mass, "kg")
         return self._shown(mass, self._named("m", body), "kg", f"mass of {body.name}")
 
     def _varies(self, expr: sp.Expr) -> bool:

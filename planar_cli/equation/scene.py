@@ -4,22 +4,20 @@ state facts.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
-from contextlib import contextmanager
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
 from planar_cli.equation.bodies import BodyModel, MassReader
+from planar_cli.equation.decided import Decided
 from planar_cli.equation.evaluate import Evaluator, refuse
-from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.outlines import edges_at, outline_of
 from planar_cli.equation.places import at_relations, own_points, place_jet
 from planar_cli.equation.plain import longer, trigonometric
 from planar_cli.errors import Mark
-from planar_cli.problem.expression import Name, Relation, Side, Statement
+from planar_cli.problem.expression import Name, Side, Statement
 from planar_cli.problem.facts import Outline
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import (
@@ -43,7 +41,7 @@ WORDY = 4
 """An expression of more operations than this gets a name of its own where it is a coordinate of a point."""
 
 
-class Scene:
+class Scene(Decided):
     """Geometry and bodies of one problem at one instant; built once, then only asked.
 
     `points`: places as expressions. `formulas`: the same as jets in the coordinates. `owners`: the bodies that a point
@@ -64,11 +62,7 @@ class Scene:
         self._building: list[str] = []
         self._lengths: dict[Vec, sp.Expr] = {}
         self._outlines: dict[tuple[str, Vec], Outline] = {}
-        self._valuations: tuple[Valuation, ...] | None = None
-        self._decided: dict[Any, int] = {}
-        self._supposes = False
-        self.sides: Mapping[str, int] = {}
-        self.sided: dict[str, tuple[int, sp.Expr]] = {}
+        self.undecided()
         self.gravity: sp.Expr = self._gravity()
         self._implicit_points()
         for point in problem.points:
@@ -173,43 +167,6 @@ class Scene:
     def _mark(self, name: str) -> Mark:
         return next((b.mark for b in self.problem.bodies if b.name == name), Mark(self.problem.file, 1, 1))
 
-    def forget_valuations(self) -> None:
-        """Draw the numbers anew when they are asked for again: symbols were added."""
-        self._valuations = None
-
-    @contextmanager
-    def supposing(self, valuation: Valuation) -> Iterator[None]:
-        """Signs as they are with these numbers."""
-        kept, self._valuations, self._supposes = self._valuations, (valuation,), True
-        try:
-            yield
-        finally:
-            self._valuations, self._supposes = kept, False
-
-    @property
-    def valuations(self) -> tuple[Valuation, ...]:
-        """Numbers for everything known, and for letters draws in which what is assumed holds."""
-        if self._valuations is None:
-            self._valuations = self.ledger.valuations(self._agrees) or self.ledger.valuations(self._assumed)
-            if not self._valuations:
-                assumed = [a.mark for a in self.problem.assume if isinstance(a, Relation)]
-                text = "no numbers satisfy `assume`, or a length is not real"
-                raise refuse(assumed[0] if assumed else Mark(self.problem.file, 1, 1), "PL532", text)
-        return self._valuations
-
-    def _assumed(self, valuation: Valuation) -> bool:
-        for place in self.points.values():
-            valuation(place.x), valuation(place.y)
-        return all(self.compare(r, valuation) for r in self.problem.assume)
-
-    def compare(self, relation: Any, valuation: Valuation) -> bool:
-        """Does a relation between names hold with these numbers?"""
-        difference = self.value(relation.left) - self.value(relation.right)
-        value = valuation(difference)
-        return {"<": value < 0, ">": value > 0, "<=": value <= 0, ">=": value >= 0, "=": valuation.is_zero(difference)}[
-            relation.operator
-        ]
-
     # --- what joints and loads ask -----------------------------------------------------------------------------------
 
     def point(self, name: str) -> Vec:
@@ -283,56 +240,6 @@ class Scene:
     def with_relations(self, relations: tuple[Statement, ...], expr: sp.Expr) -> sp.Expr:
         """An expression at other values of the coordinates: `relaxed_at: [theta = 30 deg]`."""
         return at_relations(self.ledger, self.evaluator, relations, expr)
-
-    def sign(self, expr: Any) -> int:
-        """-1, 0 or 1, decided to all certain digits."""
-        valuation = self.valuations[0]
-        if valuation.is_zero(expr):
-            return 0
-        found = 1 if valuation(expr) > 0 else -1
-        if not self._supposes:
-            self._decided[expr] = found
-            if not all(self._agrees(v) for v in self.valuations[1:]):
-                self._valuations = self.ledger.valuations(self._agrees) or self._valuations
-        return found
-
-    def _agrees(self, valuation: Valuation) -> bool:
-        """Does a draw have what is assumed, and every sign that was decided before?"""
-        return self._assumed(valuation) and all(sign * valuation(e) > 0 for e, sign in self._decided.items())
-
-    def as_drawn(self, expr: Any) -> Any:
-        """An expression of a general position where the file draws it."""
-        if self.displacement is None:
-            return expr
-        return expr.xreplace({c.symbol: c.drawn for c in self.displacement.coordinates if c.drawn is not None})
-
-    def on_side(self, expr: Any, drawn: int) -> Any:
-        """|a| of a place, as a or -a: on the side where it is drawn, or the one that `sides` names; it is kept in mind
-        in `sided`, as the place may come to the other side.
-        """
-        varying = {*self.ledger.coordinates}
-        if self.displacement is not None:
-            varying |= {c.symbol for c in self.displacement.coordinates}
-        if self.displacement is None or not expr.free_symbols & varying:
-            return expr if drawn > 0 else -expr
-        plain = -expr if expr.could_extract_minus_sign() else expr
-        key = f"|{plain}|"
-        way = self.sides.get(key) or (drawn if plain == expr else -drawn) or 1
-        self.sided[key] = way, plain
-        return way * plain
-
-    def presumed(self) -> tuple[Any, ...]:
-        """What is positive in the scene as it was drawn, though letters may be had with which it is not."""
-        return self.not_always_positive(e * sign for e, sign in self._decided.items() if e.free_symbols)
-
-    def not_always_positive(self, exprs: Iterable[Any]) -> tuple[Any, ...]:
-        """Those of the expressions that are negative for some letters with which `assume` holds."""
-        told = list(dict.fromkeys(exprs))
-        draws = self.ledger.far_draws(self._assumed) if told and self.ledger.letters else ()
-        return tuple(e for e in told if any(_negative(e, d) for d in draws))
-
-    def is_zero(self, expr: Any) -> bool:
-        return expr == 0 or all(v.is_zero(expr) for v in self.valuations)
 
     def carrier(self, partner: str) -> str:
         """The body that a partner of a joint stands for: a surface's body, or the ground."""
@@ -431,10 +338,3 @@ class Scene:
             for point, body_name in load.attachments():
                 belongs(point, body_name)
         return owners
-
-
-def _negative(expr: Any, valuation: Valuation) -> bool:
-    try:
-        return bool(valuation(expr) < 0)
-    except (ArithmeticError, Unvalued):
-        return False

@@ -159,6 +159,7 @@ class Skid:
     point: Vec
     size: Any
 
+
 FAR = "far"
 """The mode of an impact whose bodies are apart: they do not strike each other in this blow."""
 

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import dataclass, field
-from decimal import Context, Decimal
+from decimal import Decimal
 from typing import Any
 
 import sympy as sp
@@ -36,6 +35,7 @@ from planar_cli.solve.course.laws_between import LawsBetween
 from planar_cli.solve.course.oscillation import Oscillation, tell_oscillations
 from planar_cli.solve.course.over_spans import Asked, ask_spans, tell_spans
 from planar_cli.solve.course.plot import Plot, Workshop, fixed_time
+from planar_cli.solve.course.ranking import ranked
 from planar_cli.solve.course.regime import Regime
 from planar_cli.solve.course.still import Still, stand_still
 from planar_cli.solve.course.takeover import handing_of, later_equations, resting_equations
@@ -43,8 +43,6 @@ from planar_cli.solve.course.timeline import Demand, Reader, Stop, stop_of
 from planar_cli.solve.course.touch import Touch
 
 TINY = Decimal("1e-15")
-ROUGHLY = Context(prec=30)
-"""To so many digits times are the same."""
 
 
 @dataclass(slots=True)
@@ -375,28 +373,7 @@ class Course:
 
     def candidates(self) -> list[Branch]:
         """All branches that are possible, those whose states come first in front."""
-        return self.ranked(self.chain().branches(self.equations))
-
-    def ranked(self, branches: Iterable[Branch]) -> list[Branch]:
-        """Those that leave no equation open, if there are any, the best first."""
-        found = list(branches)
-        return sorted([b for b in found if not b.left] or found, key=self.rank)
-
-    def rank(self, branch: Branch) -> tuple[Any, ...]:
-        keys: list[Any] = []
-        for state in self.states:
-            stop = self.stops[state.name]
-            for d in self.demands[state.name]:
-                if d.kind == "extreme":
-                    try:
-                        v = self.base().extended(branch.values)(stop.at(d.residual))
-                    except (Unvalued, ArithmeticError):
-                        v = Decimal(0)
-                    keys.append(-round(v * d.extreme, 12))
-            keys.append(ROUGHLY.plus(branch.values.get(stop.t, Decimal(0))))
-        below = [s for s in self.sought() if branch.values.get(s, Decimal(0)) < 0]
-        negative = sum(not self.ledger.units[s].angle for s in below)
-        return (negative if self.blows else 0, *keys, negative, len(below))
+        return ranked(self, self.chain().branches(self.equations))
 
 
 def make_course(problem: Problem, plot: Plot, workshop: Workshop) -> Course:

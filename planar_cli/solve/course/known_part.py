@@ -18,6 +18,7 @@ from planar_cli.solve.course.course import Course
 from planar_cli.solve.course.equations import Equation
 from planar_cli.solve.course.idle import ONLY_TIMES
 from planar_cli.solve.course.newton import refined_left
+from planar_cli.solve.course.ranking import ranked
 from planar_cli.solve.course.simulate import Followed, Follower
 from planar_cli.solve.course.starts import told_start
 
@@ -41,7 +42,7 @@ class KnownPart:
         formulas = self.branch.formulas
         return [
             replace(b, steps=(*steps, *b.steps), formulas={**formulas, **b.formulas})
-            for b in course.ranked(chain.branches(course.equations))
+            for b in ranked(course, chain.branches(course.equations))
         ]
 
 

@@ -108,8 +108,10 @@ class Regime:
         told = self.told
         self.watches = tuple(w for w in (Watch(w.test, self.closed(w.expr)) for w in watches) if told(w.expr))
         self.slips = tuple(e for e in map(self.closed, slips) if told(e))
-        sided = self.general.instant.scene.sided
-        self.sided = {key: (way, self.closed(way * e)) for key, (way, e) in sided.items()} if runs else {}
+        scene = self.general.instant.scene
+        # Formulas in letters are for the side that is drawn; whether it is left depends on the letters.
+        sided = scene.sided if runs and not scene.problem.symbols else {}
+        self.sided = {key: (way, self.closed(way * e)) for key, (way, e) in sided.items()}
         self.gaps = tuple(gaps_of(self)) if runs else ()
 
     def _regular(self, expr: sp.Expr) -> sp.Expr:

@@ -78,7 +78,7 @@ class Route:
 
 class Router:
     """Plans over the equations of one motion. `value`: numbers of everything; `unknowns`: letters of states and sought
-    constants; `blocks`: those in which the numbers were found. `followed`: what only a step method tells.
+    constants; `blocks`: those in which numbers were found; `followed`: what only a step method tells.
     """
 
     def __init__(
@@ -144,12 +144,10 @@ class Router:
         targets = list(targets)
         edges = self._edges()
         best = self._cheapest(edges)
-        if any(t not in best and t not in self.plain for t in targets):
-            edges += self._rings()
-            best = self._cheapest(edges)
-        if any(t not in best and t not in self.plain for t in targets):
-            edges += self._large()
-            best = self._cheapest(edges)
+        for more in (self._rings, self._large):
+            if any(t not in best and t not in self.plain for t in targets):
+                edges += more()
+                best = self._cheapest(edges)
         for target in targets:
             if target not in best and target not in self.plain:
                 whole = self._whole(target, best)

@@ -30,7 +30,7 @@ from planar_cli.solve.solution import InstantSolution, PartSolution
 def solve_course(problem: Problem, case: str, units: dict[str, str], earlier: Mapping[str, Any]) -> PartSolution:
     """All finds of a problem whose states follow each other in time."""
     workshop = Workshop(earlier)
-    unfolded = reaching(problem, lambda p: Unfolder(p, workshop, units).run())
+    unfolded = reaching(problem, lambda p: Unfolder(p, workshop, units=units).run())
     try:
         return _told(unfolded, case)
     except Unvalued as error:

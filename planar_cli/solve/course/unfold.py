@@ -6,16 +6,14 @@ branches first, and each is followed to see whether it happens so.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from decimal import Decimal
 
 import sympy as sp
 
 from planar_cli.equation.exact import Unvalued, Valuation
-from planar_cli.errors import Diagnostic, Mark, NoSolution, Undecided
-from planar_cli.problem.scene import Problem
+from planar_cli.errors import Diagnostic, NoSolution, Undecided
 from planar_cli.solve.course.astray import (
-    as_drawn,
     clash,
     demand_agreement,
     demand_told,
@@ -26,11 +24,12 @@ from planar_cli.solve.course.astray import (
 )
 from planar_cli.solve.course.carried import carried_branch
 from planar_cli.solve.course.chain import Branch
+from planar_cli.solve.course.choosing import Choosing, assumed, at_a_top
 from planar_cli.solve.course.course import Course, make_course
 from planar_cli.solve.course.differences import by_differences
 from planar_cli.solve.course.finds import FindReader
 from planar_cli.solve.course.first_plot import first_plot
-from planar_cli.solve.course.gaps import changes_sides, just_parted
+from planar_cli.solve.course.gaps import just_parted
 from planar_cli.solve.course.holding import holding
 from planar_cli.solve.course.idle import without_idle_times
 from planar_cli.solve.course.known_part import Beginning, beginning
@@ -40,7 +39,7 @@ from planar_cli.solve.course.methods import by_method
 from planar_cli.solve.course.newton import refined_left
 from planar_cli.solve.course.oscillation import Oscillation
 from planar_cli.solve.course.over_spans import SpanIntegral
-from planar_cli.solve.course.plot import Plot, Workshop, nearest
+from planar_cli.solve.course.plot import Plot
 from planar_cli.solve.course.reached import asked_about
 from planar_cli.solve.course.route import Route
 from planar_cli.solve.course.simulate import Followed, Follower, leaning
@@ -74,18 +73,12 @@ class Unfolded:
 
 
 @dataclass(slots=True)
-class Unfolder:
-    """Unfolds one problem. `tried`: choices of modes that failed, by stretch of a plot; `lack`: what is wrong with the
-    first of them in which no motion passes through the states. `loose`: the course before what rests was held;
+class Unfolder(Choosing):
+    """Unfolds one problem. `units`: of answers, by name; `loose`: the course before what rests was held;
     `resting`: the plot that begins in an unstable equilibrium of its speeds `idle`, `sense`: which way it is touched.
     """
 
-    problem: Problem
-    workshop: Workshop
-    units: dict[str, str]
-    tried: dict[tuple[str, ...], list[tuple[int, ...]]] = field(default_factory=dict)
-    why: str = ""
-    lack: NoSolution | None = None
+    units: dict[str, str] = field(default_factory=dict)
     stays: bool = False
     resting: Plot | None = None
     idle: frozenset[str] = frozenset()
@@ -203,29 +196,6 @@ class Unfolder:
             return None
         return self._changed(course, followed)
 
-    def _unblocked(self, plot: Plot, i: int) -> Plot:
-        """Another choice of modes, where the velocities of this one contradict each other in every position."""
-        try:
-            return self._next(plot, i, "the joints contradict what is given of the velocities")
-        except NoSolution as error:
-            raise as_drawn(plot.stretch(i).span, self.workshop, self.problem) or error from error
-
-    def _agreeing(self, course: Course) -> Plot | None:
-        """Another choice of modes, where in this one the forces of a stretch contradict each other in every position;
-        None: all do, or this one does not.
-        """
-        wrong = next((i for i, r in enumerate(course.regimes) if r.moved()), None)
-        if wrong is None:
-            return None
-        try:
-            return self._next(course.plot, wrong, "the forces contradict each other")
-        except NoSolution:
-            return None
-
-    def _next(self, plot: Plot, i: int, why: str) -> Plot:
-        """The same plot with another choice of modes on stretch i."""
-        return plot.changed(i, self._other(plot, i, why, plot.states[i].mark))
-
     # --- a known start -----------------------------------------------------------------------------------------------
 
     def _followed(self, course: Course, finds: FindReader, start: dict[sp.Symbol, Decimal]) -> Unfolded | Plot:
@@ -273,7 +243,7 @@ class Unfolder:
         if not branches:
             return None
         branch = max(branches, key=lambda b: onward(course, b))
-        if not _assumed(course, course.base().extended(branch.values)):
+        if not assumed(course, course.base().extended(branch.values)):
             return None
         told = f"no motion leads to state {missed} by itself: the balance of energy alone relates the states"
         return Unfolded(course, finds, branch, None, course.base().extended(branch.values), checks=(told,))
@@ -297,31 +267,6 @@ class Unfolder:
                 return self._next(changed, ends.stretch + 1, ends.words)
             return changed
         return None
-
-    def _other(self, plot: Plot, i: int, why: str, mark: Mark) -> tuple[int, ...]:
-        """Another choice of modes for a stretch: those first that differ least from what was before."""
-        name = tuple(s.name for s in plot.states[: i + 1])
-        failed = self.tried.setdefault(name, [])
-        failed.append(plot.stretch(i).choice)
-        self.why = self.why or why
-        for choice in nearest(plot, i, self.workshop.drawn(plot.stretch(i).span).choices()):
-            if choice not in failed and not changes_sides(plot, self.workshop, i, choice):
-                return choice
-        raise NoSolution(
-            [Diagnostic(mark, "PL622", f"no assumption about the contacts holds from here on: {self.why}")]
-        )
-
-    def _other_blow(self, course: Course, i: int, why: str) -> tuple[int, ...]:
-        """Other modes of the joints in a blow."""
-        name = (BLOW, *(s.name for s in course.plot.states[: i + 1]))
-        failed = self.tried.setdefault(name, [])
-        failed.append(course.blows[i].choice)
-        self.why = self.why or why
-        for choice in course.blows[i].struck.choices():
-            if choice not in failed and course.blows[i].fits(choice):
-                return choice
-        text = f"no assumption about the contacts holds in the blow: {self.why}"
-        raise self.lack or NoSolution([Diagnostic(course.states[i + 1].mark, "PL622", text)])
 
     # --- a start that is sought --------------------------------------------------------------------------------------
 
@@ -356,7 +301,7 @@ class Unfolder:
             if other is not None:
                 changed = changed or other
                 continue
-            if followed.missed == course.states[-1].name and _at_a_top(course, followed.missed, value):
+            if followed.missed == course.states[-1].name and at_a_top(course, followed.missed, value):
                 return Unfolded(course, finds, branch, None, value, checks=(AT_A_TOP,))
             if followed.missed is None and same_motion(course, followed, branch):
                 more = {s: Decimal(repr(v)) for s, v in followed.values.items() if s not in branch.values}
@@ -395,53 +340,6 @@ class Unfolder:
             self.lack = self.lack or error
             return None
         return Unfolded(course, finds, led, None, course.base().extended(led.values))
-
-    def _determined(self, course: Course, i: int) -> Plot:
-        """Another choice of modes, where in this one forces that are needed are not unique."""
-        general = course.regimes[i].general
-        try:
-            return self._next(course.plot, i, "the forces are not unique")
-        except NoSolution:
-            general.demand_unique(course.regimes[i].undetermined)
-            raise
-
-    def _elsewhere(self, course: Course, why: str) -> Plot | None:
-        """Other modes in a blow, or after one; None: there are no blows, or all have been tried."""
-        for i in course.blows:
-            try:
-                return course.plot.struck(i, self._other_blow(course, i, why))
-            except NoSolution:
-                continue
-        for i in course.blows:
-            try:
-                changed = self._next(course.plot, i + 1, why)
-            except NoSolution:
-                continue
-            self.tried = {k: v for k, v in self.tried.items() if k[0] != BLOW}
-            return replace(changed, stretches=tuple(replace(s, blow_choice=None) for s in changed.stretches))
-        return None
-
-
-def _at_a_top(course: Course, name: str, value: Valuation) -> bool:
-    """Is the last state one of rest in equilibrium? A motion that just reaches it takes longer and longer."""
-    stop, regime = course.stops[name], course.regimes[len(course.states) - 2]
-    rates = [*regime.rates.values(), *regime.accelerations.values()]
-    try:
-        return all(abs(value(e.xreplace(stop.letters))) < SLACK for e in rates)
-    except (ArithmeticError, Unvalued):
-        return False
-
-
-def _assumed(course: Course, value: Valuation) -> bool:
-    """Do the modes hold in every state? What can not be told there does not speak against them."""
-    for name, stop in course.stops.items():
-        for watch in course.readers[name].regime.watches:
-            try:
-                if value(watch.expr.xreplace(stop.letters)) < -SLACK:
-                    return False
-            except (ArithmeticError, Unvalued):
-                continue
-    return True
 
 
 def _left_out(course: Course, others: list[Unfolded], why: str) -> tuple[str, ...]:

@@ -1,0 +1,140 @@
+"""What is decided about a scene by numbers: the draws of its letters, signs, and sides on which places lie."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any
+
+import sympy as sp
+
+from planar_cli.equation.evaluate import refuse
+from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.equation.ledger import Ledger
+from planar_cli.errors import Mark
+from planar_cli.problem.expression import Relation, Side
+from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scene import Problem
+
+if TYPE_CHECKING:
+    from planar_cli.equation.displaced import Displacement
+
+
+class Decided:
+    """The part of a scene that decides. `sides`: on which sides places are, |x|, from which distances are measured;
+    `sided`: those that were asked for, each with its sign and the place.
+    """
+
+    problem: Problem
+    ledger: Ledger
+    displacement: Displacement | None
+    points: dict[str, Vec]
+    sides: Mapping[str, int]
+    sided: dict[str, tuple[int, sp.Expr]]
+
+    def undecided(self) -> None:
+        """Nothing is decided yet."""
+        self._valuations: tuple[Valuation, ...] | None = None
+        self._decided: dict[Any, int] = {}
+        self._supposes = False
+        self.sides, self.sided = {}, {}
+
+    if TYPE_CHECKING:
+
+        def value(self, side: Side) -> sp.Expr: ...
+
+    def forget_valuations(self) -> None:
+        """Draw the numbers anew when they are asked for again: symbols were added."""
+        self._valuations = None
+
+    @contextmanager
+    def supposing(self, valuation: Valuation) -> Iterator[None]:
+        """Signs as they are with these numbers."""
+        kept, self._valuations, self._supposes = self._valuations, (valuation,), True
+        try:
+            yield
+        finally:
+            self._valuations, self._supposes = kept, False
+
+    @property
+    def valuations(self) -> tuple[Valuation, ...]:
+        """Numbers for everything known, and for letters draws in which what is assumed holds."""
+        if self._valuations is None:
+            self._valuations = self.ledger.valuations(self._agrees) or self.ledger.valuations(self._assumed)
+            if not self._valuations:
+                assumed = [a.mark for a in self.problem.assume if isinstance(a, Relation)]
+                text = "no numbers satisfy `assume`, or a length is not real"
+                raise refuse(assumed[0] if assumed else Mark(self.problem.file, 1, 1), "PL532", text)
+        return self._valuations
+
+    def _assumed(self, valuation: Valuation) -> bool:
+        for place in self.points.values():
+            valuation(place.x), valuation(place.y)
+        return all(self.compare(r, valuation) for r in self.problem.assume)
+
+    def compare(self, relation: Any, valuation: Valuation) -> bool:
+        """Does a relation between names hold with these numbers?"""
+        difference = self.value(relation.left) - self.value(relation.right)
+        value = valuation(difference)
+        return {"<": value < 0, ">": value > 0, "<=": value <= 0, ">=": value >= 0, "=": valuation.is_zero(difference)}[
+            relation.operator
+        ]
+
+    # --- signs -------------------------------------------------------------------------------------------------------
+
+    def sign(self, expr: Any) -> int:
+        """-1, 0 or 1, decided to all certain digits."""
+        valuation = self.valuations[0]
+        if valuation.is_zero(expr):
+            return 0
+        found = 1 if valuation(expr) > 0 else -1
+        if not self._supposes:
+            self._decided[expr] = found
+            if not all(self._agrees(v) for v in self.valuations[1:]):
+                self._valuations = self.ledger.valuations(self._agrees) or self._valuations
+        return found
+
+    def _agrees(self, valuation: Valuation) -> bool:
+        """Does a draw have what is assumed, and every sign that was decided before?"""
+        return self._assumed(valuation) and all(sign * valuation(e) > 0 for e, sign in self._decided.items())
+
+    def as_drawn(self, expr: Any) -> Any:
+        """An expression of a general position where the file draws it."""
+        if self.displacement is None:
+            return expr
+        return expr.xreplace({c.symbol: c.drawn for c in self.displacement.coordinates if c.drawn is not None})
+
+    def on_side(self, expr: Any, drawn: int) -> Any:
+        """|a| of a place, as a or -a: on the side where it is drawn, or the one that `sides` names; it is kept in mind
+        in `sided`, as the place may come to the other side.
+        """
+        varying = {*self.ledger.coordinates}
+        if self.displacement is not None:
+            varying |= {c.symbol for c in self.displacement.coordinates}
+        if self.displacement is None or not expr.free_symbols & varying:
+            return expr if drawn > 0 else -expr
+        plain = -expr if expr.could_extract_minus_sign() else expr
+        key = f"|{plain}|"
+        way = self.sides.get(key) or (drawn if plain == expr else -drawn) or 1
+        self.sided[key] = way, plain
+        return way * plain
+
+    def presumed(self) -> tuple[Any, ...]:
+        """What is positive in the scene as it was drawn, though letters may be had with which it is not."""
+        return self.not_always_positive(e * sign for e, sign in self._decided.items() if e.free_symbols)
+
+    def not_always_positive(self, exprs: Iterable[Any]) -> tuple[Any, ...]:
+        """Those of the expressions that are negative for some letters with which `assume` holds."""
+        told = list(dict.fromkeys(exprs))
+        draws = self.ledger.far_draws(self._assumed) if told and self.ledger.letters else ()
+        return tuple(e for e in told if any(_negative(e, d) for d in draws))
+
+    def is_zero(self, expr: Any) -> bool:
+        return expr == 0 or all(v.is_zero(expr) for v in self.valuations)
+
+
+def _negative(expr: Any, valuation: Valuation) -> bool:
+    try:
+        return bool(valuation(expr) < 0)
+    except (ArithmeticError, Unvalued):
+        return False

@@ -1,0 +1,124 @@
+"""Choices of modes: which assumption about joints is tried next where one has failed, and what was wrong before."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from decimal import Decimal
+
+from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.errors import Diagnostic, Mark, NoSolution
+from planar_cli.problem.scene import Problem
+from planar_cli.solve.course.astray import as_drawn
+from planar_cli.solve.course.course import Course
+from planar_cli.solve.course.gaps import changes_sides
+from planar_cli.solve.course.plot import Plot, Workshop, nearest
+
+BLOW, SLACK = " blow", Decimal("1e-9")
+
+
+@dataclass(slots=True)
+class Choosing:
+    """`tried`: choices of modes that failed, by stretch of a plot; `lack`: what is wrong with the first of them in
+    which no motion passes through the states.
+    """
+
+    problem: Problem
+    workshop: Workshop
+    tried: dict[tuple[str, ...], list[tuple[int, ...]]] = field(default_factory=dict)
+    why: str = ""
+    lack: NoSolution | None = None
+
+    def _unblocked(self, plot: Plot, i: int) -> Plot:
+        """Another choice of modes, where the velocities of this one contradict each other in every position."""
+        try:
+            return self._next(plot, i, "the joints contradict what is given of the velocities")
+        except NoSolution as error:
+            raise as_drawn(plot.stretch(i).span, self.workshop, self.problem) or error from error
+
+    def _agreeing(self, course: Course) -> Plot | None:
+        """Another choice of modes, where in this one the forces of a stretch contradict each other in every position;
+        None: all do, or this one does not.
+        """
+        wrong = next((i for i, r in enumerate(course.regimes) if r.moved()), None)
+        if wrong is None:
+            return None
+        try:
+            return self._next(course.plot, wrong, "the forces contradict each other")
+        except NoSolution:
+            return None
+
+    def _next(self, plot: Plot, i: int, why: str) -> Plot:
+        """The same plot with another choice of modes on stretch i."""
+        return plot.changed(i, self._other(plot, i, why, plot.states[i].mark))
+
+    def _other(self, plot: Plot, i: int, why: str, mark: Mark) -> tuple[int, ...]:
+        """Another choice of modes for a stretch: those first that differ least from what was before."""
+        name = tuple(s.name for s in plot.states[: i + 1])
+        failed = self.tried.setdefault(name, [])
+        failed.append(plot.stretch(i).choice)
+        self.why = self.why or why
+        for choice in nearest(plot, i, self.workshop.drawn(plot.stretch(i).span).choices()):
+            if choice not in failed and not changes_sides(plot, self.workshop, i, choice):
+                return choice
+        raise NoSolution(
+            [Diagnostic(mark, "PL622", f"no assumption about the contacts holds from here on: {self.why}")]
+        )
+
+    def _other_blow(self, course: Course, i: int, why: str) -> tuple[int, ...]:
+        """Other modes of the joints in a blow."""
+        name = (BLOW, *(s.name for s in course.plot.states[: i + 1]))
+        failed = self.tried.setdefault(name, [])
+        failed.append(course.blows[i].choice)
+        self.why = self.why or why
+        for choice in course.blows[i].struck.choices():
+            if choice not in failed and course.blows[i].fits(choice):
+                return choice
+        text = f"no assumption about the contacts holds in the blow: {self.why}"
+        raise self.lack or NoSolution([Diagnostic(course.states[i + 1].mark, "PL622", text)])
+
+    def _determined(self, course: Course, i: int) -> Plot:
+        """Another choice of modes, where in this one forces that are needed are not unique."""
+        general = course.regimes[i].general
+        try:
+            return self._next(course.plot, i, "the forces are not unique")
+        except NoSolution:
+            general.demand_unique(course.regimes[i].undetermined)
+            raise
+
+    def _elsewhere(self, course: Course, why: str) -> Plot | None:
+        """Other modes in a blow, or after one; None: there are no blows, or all have been tried."""
+        for i in course.blows:
+            try:
+                return course.plot.struck(i, self._other_blow(course, i, why))
+            except NoSolution:
+                continue
+        for i in course.blows:
+            try:
+                changed = self._next(course.plot, i + 1, why)
+            except NoSolution:
+                continue
+            self.tried = {k: v for k, v in self.tried.items() if k[0] != BLOW}
+            return replace(changed, stretches=tuple(replace(s, blow_choice=None) for s in changed.stretches))
+        return None
+
+
+def at_a_top(course: Course, name: str, value: Valuation) -> bool:
+    """Is the last state one of rest in equilibrium? A motion that just reaches it takes longer and longer."""
+    stop, regime = course.stops[name], course.regimes[len(course.states) - 2]
+    rates = [*regime.rates.values(), *regime.accelerations.values()]
+    try:
+        return all(abs(value(e.xreplace(stop.letters))) < SLACK for e in rates)
+    except (ArithmeticError, Unvalued):
+        return False
+
+
+def assumed(course: Course, value: Valuation) -> bool:
+    """Do the modes hold in every state? What can not be told there does not speak against them."""
+    for name, stop in course.stops.items():
+        for watch in course.readers[name].regime.watches:
+            try:
+                if value(watch.expr.xreplace(stop.letters)) < -SLACK:
+                    return False
+            except (ArithmeticError, Unvalued):
+                continue
+    return True

@@ -1,0 +1,40 @@
+"""Which of several branches of a motion goes first."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from decimal import Context, Decimal
+from typing import TYPE_CHECKING, Any
+
+from planar_cli.equation.exact import Unvalued
+from planar_cli.solve.course.chain import Branch
+
+if TYPE_CHECKING:
+    from planar_cli.solve.course.course import Course
+
+ROUGHLY = Context(prec=30)
+
+
+def ranked(course: Course, branches: Iterable[Branch]) -> list[Branch]:
+    """Those that leave no equation open, if there are any; of these first the largest where that is asked, the
+    earliest, and those with positive sought constants.
+    """
+    found = list(branches)
+    return sorted([b for b in found if not b.left] or found, key=lambda b: _rank(course, b))
+
+
+def _rank(course: Course, branch: Branch) -> tuple[Any, ...]:
+    keys: list[Any] = []
+    for state in course.states:
+        stop = course.stops[state.name]
+        for d in course.demands[state.name]:
+            if d.kind == "extreme":
+                try:
+                    v = course.base().extended(branch.values)(stop.at(d.residual))
+                except (Unvalued, ArithmeticError):
+                    v = Decimal(0)
+                keys.append(-round(v * d.extreme, 12))
+        keys.append(ROUGHLY.plus(branch.values.get(stop.t, Decimal(0))))
+    below = [s for s in course.sought() if branch.values.get(s, Decimal(0)) < 0]
+    negative = sum(not course.ledger.units[s].angle for s in below)
+    return (negative if course.blows else 0, *keys, negative, len(below))
