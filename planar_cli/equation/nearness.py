@@ -25,6 +25,23 @@ def distance(scene: Scene, between: tuple[str, ...], value: Valuation) -> Decima
     return min(found, default=None)
 
 
+def doubtful_corner(scene: Scene, between: tuple[str, ...], struck: Vec, value: Valuation, near: Decimal) -> str:
+    """What is wrong with the corner that is taken to strike an edge: two come at once, or another does; "" if nothing.
+    `near`: a smaller difference is none, in m.
+    """
+    a, b = (partner_of(scene, name) for name in between)
+    for one, other in ((a, b), (b, a)):
+        if one.center is not None or other.line is None or len(one.corners) < 2 or other.corners:
+            continue
+        found = sorted(_from_edge(one, other, value))
+        start, along = other.line
+        if found[1] - found[0] <= near:
+            return f"two corners of {one.name} meet {other.name} at once"
+        if abs(value((struck - start).cross(along))) - found[0] > near:
+            return f"another corner of {one.name} meets {other.name} than in the drawing"
+    return ""
+
+
 def _from_edge(one: Partner, other: Partner, value: Valuation) -> list[Decimal]:
     """Of a rim or of corners from a straight edge."""
     if other.line is None:

@@ -18,7 +18,7 @@ import sympy as sp
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.meeting import meeting_of
 from planar_cli.equation.motion import Twist
-from planar_cli.equation.nearness import distance
+from planar_cli.equation.nearness import distance, doubtful_corner
 from planar_cli.equation.scene import Scene
 from planar_cli.errors import Mark
 from planar_cli.problem.expression import Side
@@ -50,6 +50,11 @@ class StruckScene(Scene):
     def distance(self, between: tuple[str, ...], value: Valuation) -> Decimal | None:
         """How far apart two bodies are, in m; None where their shapes do not tell."""
         return distance(self, between, value)
+
+    def doubtful(self, joint: Any, value: Valuation, near: Decimal) -> str:
+        """What is wrong with the point at which an impact is taken to happen, with these numbers; "" if nothing is."""
+        struck = self.meeting(joint.between, joint.normal, joint.mark).point
+        return doubtful_corner(self, joint.between, struck, value, near)
 
     def unknown(self, name: str, unit: str) -> sp.Symbol:
         """A constant of the blow that the file leaves open."""

@@ -19,6 +19,7 @@ from planar_cli.equation.motion import Edge, Motion
 from planar_cli.equation.setup import Course as Position
 from planar_cli.equation.struck import StruckScene
 from planar_cli.equation.system import System
+from planar_cli.errors import Diagnostic, NoSolution
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.facts import FAR
 from planar_cli.problem.formulas import formulas
@@ -189,6 +190,7 @@ class Blow:
         self.far = self._far(here)
         if not self.fits(self.choice):
             return Stroke({}, {}, "what is apart is not struck")
+        self._demand_corners(here)
         trial = self.struck.try_choice(self.choice, (here,))
         if not trial.outcomes:
             return Stroke({}, {}, trial.objection)
@@ -200,6 +202,15 @@ class Blow:
         after |= {u: float(found(expr)) for u, expr in self._handed()}
         own = {s: float(unknowns[s]) for s in self.letters if s in unknowns and self._unique(s, outcome)}
         return Stroke(after, own, trial.objection, self._moves(after, found, unknowns))
+
+    def _demand_corners(self, here: Valuation) -> None:
+        """NoSolution: the corner that strikes is another than was taken, or there are two."""
+        for joint in self.scene.problem.joints:
+            if joint.strikes and joint.name not in (self.far or ()):
+                wrong = self.scene.doubtful(joint, here, TOUCHES)
+                if wrong:
+                    hint = "draw the points in the state of the impact, slightly turned so that one corner comes first"
+                    raise NoSolution([Diagnostic(joint.mark, "PL528", wrong, hint)])
 
     def _far(self, here: Valuation) -> frozenset[str]:
         """Impacts of the whole motion that do not strike here: their bodies are apart. Where all are, and nothing else
