@@ -132,6 +132,36 @@ def test_what_is_apart_is_not_struck() -> None:
     assert first(found["t_5"]) == pytest.approx(0.5 + 1.5)
 
 
+FLAT = """
+title: Rod that falls on a floor
+plane: vertical
+points: {A: [0, %s], B: [1 m, %s]}
+surfaces: {floor: {through: F, angle: 0 deg}}
+bodies: {rod: {rod: [A, B], mass: 2 kg}}
+joints:
+  - impact: {between: [rod, floor], restitution: 0.5, name: hit}
+states: {1: [at rest], 2: [y(A) = 0], 3: [just after 2]}
+find: {v: v(A).y @ 3, spin: omega(rod) @ 3}
+"""
+
+
+def test_two_corners_at_once_are_refused() -> None:
+    """With one restitution for both it is not told what becomes of them."""
+    with pytest.raises(NoSolution, match="two corners of rod meet floor at once"):
+        solve((FLAT % ("1 m", "1 m")).replace("points: {", "points: {F: [0, 0], "))
+
+
+def test_a_rod_that_falls_on_one_end() -> None:
+    """v_A after is e times before; the angular momentum about A is kept."""
+    found = solve((FLAT % ("1 m", "1.3 m")).replace("points: {", "points: {F: [0, 0], "))
+    fall = sqrt(2 * G)
+    assert first(found["v"]) == pytest.approx(fall / 2)
+    arm = cos(asin(0.3 / sqrt(1.09))) * sqrt(1.09) / 2
+    inertia = 2 * 1.09 / 12
+    impulse = 1.5 * fall / (1 / 2 + arm**2 / inertia)
+    assert first(found["spin"]) == pytest.approx(-arm * impulse / inertia)
+
+
 def test_a_restitution_that_is_sought() -> None:
     """Left out, it is what a velocity just after tells; as an unknown it is an answer."""
     told = "2: [just after 1, v(B).x = 2.6 m/s]"
