@@ -83,8 +83,8 @@ def _told(problem: Problem, case: str, units: dict[str, str], earlier: dict[str,
     except (ArithmeticError, Unvalued, AssertionError) as error:
         mark = problem.find[0].mark
         text = (
-            f"{mark.file}:{mark.line}: the numbers do not settle what is asked here, so that nothing is told; it may help "
-            "to write places with `coordinates` that follow the motion (r and phi of an orbit), to give a rope "
+            f"{mark.file}:{mark.line}: the numbers do not settle what is asked here, so that nothing is told; it may "
+            "help to write places with `coordinates` that follow the motion (r and phi of an orbit), to give a rope "
             "`along: 90 deg` where its parts stay parallel, or to ask at one instant"
         )
         raise Undecided(text) from error
