@@ -114,7 +114,8 @@ class Displacer:
             return drawn
         # Directions read in degrees; what rolls has turned by radians.
         shape = next((b.shape for b in self.scene.problem.bodies if b.name == body), None)
-        shown = "deg" if unit == "rad" and not isinstance(shape, Round) else unit
+        rolls = isinstance(shape, Round) and name.startswith("theta")
+        shown = "deg" if unit == "rad" and not rolls else unit
         symbol = self.made.get(name)
         if symbol is None:
             symbol = self.made[name] = self.scene.ledger.fresh(name, shown)

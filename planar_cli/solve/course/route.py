@@ -19,6 +19,7 @@ import sympy as sp
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.errors import Undecided
+from planar_cli.solve.course.by_numbers import ByNumbers
 from planar_cli.solve.course.chain import Step
 from planar_cli.solve.course.closed import closed_roots
 from planar_cli.solve.course.equations import DATA, Equation
@@ -88,7 +89,7 @@ class Router:
         value: Valuation,
         symbolic: bool,
         blocks: Sequence[Step] = (),
-        followed: Sequence[Equation] = (),
+        followed: ByNumbers | None = None,
     ) -> None:
         self.unknowns, self.value, self.symbolic, self.blocks = unknowns, value, symbolic, blocks
         self.followed = followed
@@ -154,9 +155,8 @@ class Router:
                 if whole is not None:
                     edges.append(whole)
                     best = self._cheapest(edges)
-        if any(t not in best and t not in self.plain for t in targets):
-            edges += [((e,), (x,), frozenset(), e.cost) for e in self.followed for x in self._inside(e)]
-            best = self._cheapest(edges)
+        if self.followed is not None and any(t not in best and t not in self.plain for t in targets):
+            best = {**self._cheapest(self.followed.edges(edges)), **best}
         order: list[Derivation] = []
         for target in targets:
             self._collect(target, best, order)

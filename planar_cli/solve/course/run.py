@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 import sympy as sp
@@ -12,9 +12,9 @@ from planar_cli.problem.scene import Problem
 from planar_cli.solve.course.agree import compared
 from planar_cli.solve.course.astray import missing
 from planar_cli.solve.course.blow_checks import blow_checks
+from planar_cli.solve.course.by_numbers import by_numbers
 from planar_cli.solve.course.complete import completed
 from planar_cli.solve.course.course import Course
-from planar_cli.solve.course.equations import Equation
 from planar_cli.solve.course.masses import demand_mass
 from planar_cli.solve.course.methods import by_method, demand_reached, follows
 from planar_cli.solve.course.plot import Workshop
@@ -47,8 +47,8 @@ def _told(unfolded: Unfolded, case: str) -> PartSolution:
     targets = {s for a in found.finds.asked for p in a.parts for s in found.finds.settled(a, p).free_symbols}
     allowed = by_method(course.equations, method)
     steps = tuple(s for s in found.branch.steps if len(by_method(s.equations, method)) == len(s.equations))
-    followed = tuple(_followed(found))
-    by_steps = followed if follows(method) else ()
+    followed = by_numbers(found)
+    by_steps = followed if follows(method) else None
     router = Router(allowed, unknowns, found.value, course.symbolic, steps, by_steps)
     wanted = _in_order(course, targets & unknowns)
     found.route = router.route(wanted)
@@ -64,15 +64,6 @@ def _told(unfolded: Unfolded, case: str) -> PartSolution:
     instants = _instants(found.course)
     tale = Tale(tuple(found.finds.curves), whole=False) if found.finds.curves else None
     return PartSolution(case, instants, answers, found, tale)
-
-
-def _followed(found: Unfolded) -> Iterator[Equation]:
-    """Letters of states whose values only the numbers tell."""
-    for state in found.course.states:
-        for own in found.course.stops[state.name].letters.values():
-            if own in found.guessed:
-                residual = own - sp.Rational(str(found.value(own)))
-                yield Equation(residual, "followed", "followed step by step", state.name)
 
 
 def _instants(course: Course) -> tuple[InstantSolution, ...]:

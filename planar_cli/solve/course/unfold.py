@@ -47,6 +47,7 @@ from planar_cli.solve.course.starts import Start, balanced, certain_start, resti
 from planar_cli.solve.course.touch import TOUCHED, Endless, demand_no_times, touch_of, without_times
 
 CHANGES, BLOW, SLACK = 40, " blow", Decimal("1e-9")
+NOTHING = 1e-13
 AT_A_TOP = "the last state is one of equilibrium: with a little more it is passed, with less never reached"
 STAYS = "it begins at rest in equilibrium, where every acceleration vanishes: nothing moves"
 
@@ -224,7 +225,7 @@ class Unfolder(Choosing):
         open_letters = [s for s in followed.values if s not in branch.values]
         more = refined_left(course, branch, open_letters, followed.values)
         guessed = {s for s in open_letters if s not in more}
-        more |= {s: Decimal(repr(followed.values[s])) for s in guessed}
+        more |= {s: _number(followed.values[s]) for s in guessed}
         value = course.base().extended({**more, **branch.values})
         demand_agreement(course, value, guessed)
         later = tuple(f"{text}: the first time; later it is more so" for text in dict.fromkeys(followed.growing))
@@ -340,6 +341,11 @@ class Unfolder(Choosing):
             self.lack = self.lack or error
             return None
         return Unfolded(course, finds, led, None, course.base().extended(led.values))
+
+
+def _number(followed: float) -> Decimal:
+    """What a step method gave; what it leaves of a zero is none."""
+    return Decimal(repr(followed)) if abs(followed) >= NOTHING else Decimal(0)
 
 
 def _left_out(course: Course, others: list[Unfolded], why: str) -> tuple[str, ...]:
