@@ -162,6 +162,26 @@ def test_a_rod_that_falls_on_one_end() -> None:
     assert first(found["spin"]) == pytest.approx(-arm * impulse / inertia)
 
 
+PUCK = """
+title: Puck that is struck and slides
+plane: horizontal
+points: {P: [0, 0]}
+bodies: {puck: {particle: P, mass: 0.5 kg}}
+joints:
+  - flat: {between: [puck, ground], mu: 0.2}
+loads:
+  - impulse: {body: puck, magnitude: 4 N*s, angle: 0 deg, during: 1->2}
+states: {1: [at rest], 2: [just after 1], 3: [x(P) = 3 m]}
+find: {v_2: v(puck).x @ 2, v_3: v(puck).x @ 3}
+"""
+
+
+def test_friction_in_the_plane_has_no_impulse_in_a_blow() -> None:
+    found = solve(PUCK)
+    assert first(found["v_2"]) == pytest.approx(8)
+    assert first(found["v_3"]) == pytest.approx(sqrt(64 - 2 * 0.2 * G * 3))
+
+
 def test_a_restitution_that_is_sought() -> None:
     """Left out, it is what a velocity just after tells; as an unknown it is an answer."""
     told = "2: [just after 1, v(B).x = 2.6 m/s]"

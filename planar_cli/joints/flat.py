@@ -12,7 +12,7 @@ from planar_cli.problem.facts import Action, Anchor, Facts, Joining, Mode, Pull,
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.keys import PartnersKey, SideKey, key
 from planar_cli.problem.residuals import Residual
-from planar_cli.problem.setting import Setting
+from planar_cli.problem.setting import Setting, StruckSetting
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -84,6 +84,10 @@ class Flat(Joint):
             Mode("stick", f"{body} does not slide on {base}", held, (within,), sliding[0], touching=Facts()),
             Mode("slip", f"{body} slides on {base}", slipping, (), None),
         )
+
+    def blows(self, scene: StruckSetting) -> tuple[Mode, ...]:
+        """Nothing: the weight presses on the plane, and friction of a finite size has no impulse in no time."""
+        return (Mode("", "", Facts()),)
 
     def _push(self, axis: str, body: str, base: str, point: Vec, direction: Vec) -> Push:
         actions = (Action(body, point, direction), Action(base, point, -direction))
