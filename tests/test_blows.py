@@ -162,6 +162,28 @@ def test_a_rod_that_falls_on_one_end() -> None:
     assert first(found["spin"]) == pytest.approx(-arm * impulse / inertia)
 
 
+STACK = """
+title: Two balls dropped one above the other
+plane: vertical
+points: {F: [0, 0], A: [0, 1 m], B: [0, 1.02 m]}
+surfaces: {floor: {through: F, angle: 0 deg}}
+bodies: {big: {particle: A, mass: 0.6 kg}, small: {particle: B, mass: 0.06 kg}}
+joints:
+  - impact: {between: [big, floor], restitution: 0.9}
+  - impact: {between: [big, small], normal: 90 deg, restitution: 0.9}
+states: {1: [at rest], 2: [y(A) = 0], 3: [just after 2], 4: [y(A) = y(B)], 5: [just after 4]}
+find: {v_3: v(big).y @ 3, v_4: v(small).y @ 4, V_4: v(big).y @ 4, v_5: v(small).y @ 5}
+"""
+
+
+def test_impacts_without_names_are_told_apart() -> None:
+    """Both are called by their first body."""
+    found = {name: first(f) for name, f in solve(STACK).items()}
+    assert found["v_3"] == pytest.approx(0.9 * sqrt(2 * G))
+    common = (0.6 * found["V_4"] + 0.06 * found["v_4"]) / 0.66
+    assert found["v_5"] == pytest.approx(common + 0.9 * (found["V_4"] - found["v_4"]) * 0.6 / 0.66)
+
+
 PUCK = """
 title: Puck that is struck and slides
 plane: horizontal

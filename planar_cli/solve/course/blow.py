@@ -205,7 +205,7 @@ class Blow:
 
     def _demand_corners(self, here: Valuation) -> None:
         """NoSolution: the corner that strikes is another than was taken, or there are two."""
-        for joint in self.scene.problem.joints:
+        for joint in self.struck.joints:
             if joint.strikes and joint.name not in (self.far or ()):
                 wrong = self.scene.doubtful(joint, here, TOUCHES)
                 if wrong:
@@ -216,7 +216,7 @@ class Blow:
         """Impacts of the whole motion that do not strike here: their bodies are apart. Where all are, and nothing else
         makes this a blow, the file only draws them so.
         """
-        free = [j for j in self.scene.problem.joints if j.strikes and j.during is None]
+        free = [j for j in self.struck.joints if j.strikes and j.during is None]
         gaps = {j.name: self.scene.distance(getattr(j, "between", ()), here) for j in free}
         far = frozenset(name for name, gap in gaps.items() if gap is not None and gap > TOUCHES)
         return far if len(far) < len(free) or self.otherwise else frozenset()

@@ -48,7 +48,7 @@ def _checked(blow: Blow, value: Valuation) -> Iterator[str]:
         lost = _energy_lost(blow, trial, here)
         if lost < -SAME * _energy(blow, here):
             yield f"{name} makes kinetic energy: its data can not be right"
-    for joint in blow.scene.problem.joints:
+    for joint in blow.struck.joints:
         mode = trial.system.modes.get(joint.name)
         if mode is not None and mode.name == "apart" and joint.strikes and joint.during:
             yield f"{mode.words} at {blow.since.name}: no impulse there"

@@ -30,7 +30,7 @@ def stationary(
     condition that the objective is stationary; each as an equation of the motion.
     """
     related, aim, letters, condition = eliminated(equations, objective, unknowns, kept)
-    if not related and aim in (letters[0], letters[0] ** 2):
+    if not related and aim in (letters[0], letters[0] ** 2) and "__" not in letters[0].name:
         text = f"{like.words}: no equation bounds it, only inequalities may"
         hint = "state the limit itself: `N(P) = 0` where contact is just kept, `v(P).mag = 0` where it just arrives"
         raise NoSolution([Diagnostic(like.mark, "PL623", text, hint)])
