@@ -135,7 +135,8 @@ class MotionTelling:
         """States that were put in: until when an assumption holds, or what happens there."""
         for name, (expr, words) in self.course.plot.turnings.items():
             t = self.course.stops[name].t
-            timed = not self.phrases.symbolic and t in self.found.value.values
+            # After a slight touch the time depends on the touch alone.
+            timed = not self.phrases.symbolic and t in self.found.value.values and self.course.touch is None
             state = f"(state {name})" if timed else f"state {name}"
             when = line(Math(t), " = ", self.phrases.shown(t), f" {state}") if timed else line(state)
             if words in HAPPENS:

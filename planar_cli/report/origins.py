@@ -10,7 +10,7 @@ from planar_cli.report.names import plain_name
 from planar_cli.solve.course.equations import DATA
 from planar_cli.solve.course.equations import Equation as Relation
 
-HAPPENS = ("it comes to rest", "it turns round")
+HAPPENS = ("it comes to rest", "it turns round", "it comes to the other side")
 """What happens at an instant; all other words say what holds up to it."""
 KEPT = {
     "distance from the edge": "the joint {} keeps the distance from the line",
