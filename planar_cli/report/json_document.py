@@ -16,7 +16,7 @@ from planar_cli.equation.plain import PRINTABLE, longer
 from planar_cli.homework.answers import Verdict
 from planar_cli.report.effects import effects
 from planar_cli.report.narrate import phrases_of
-from planar_cli.report.words import answer_text, rounded, si_text
+from planar_cli.report.words import answer_text, rounded, si_text, told_unit
 from planar_cli.solve.algebra import Line
 from planar_cli.solve.instant import Trial
 from planar_cli.solve.solution import Found, InstantSolution, PartSolution, Solution
@@ -80,7 +80,7 @@ def failure_data(problem: str, outcome: str, message: str, diagnostics: Sequence
 
 def _answer(found: Found, part: PartSolution, figures: int) -> dict[str, Any]:
     last = part.instants[-1]
-    unit = "J" if found.energy and found.unit.text == "N*m" else found.unit.text
+    unit = told_unit(found.unit, found.energy)
     return {
         "value": _value(found),
         "unit": unit,

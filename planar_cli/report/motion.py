@@ -19,6 +19,7 @@ from planar_cli.report.origins import HAPPENS, head, named, told_once, turning
 from planar_cli.report.oscillation import oscillation_blocks
 from planar_cli.report.span_integrals import span_blocks
 from planar_cli.report.words import Phrases, told_unit
+from planar_cli.solve.asked import is_energy
 from planar_cli.solve.course.equations import DATA
 from planar_cli.solve.course.equations import Equation as Relation
 from planar_cli.solve.course.route import Leg, Result, Route
@@ -97,9 +98,9 @@ class MotionTelling:
             for axis, part in zip(("x", "y") if len(parts) > 1 else ("",), parts, strict=True):
                 sides: list[Any] = [line(Name(name), f", {axis}" if axis else ""), self.phrases.math(part)]
                 if not self.phrases.symbolic:
-                    unit = finds.unit_of(asked.find)
+                    unit, energy = finds.unit_of(asked.find), is_energy(asked.find.found.what)
                     value = Decimal(0) if self.found.value.is_zero(part) else self.found.value(part)
-                    shown = Value(display(value, unit), told_unit(unit, asked.find.found.what), self.phrases.figures)
+                    shown = Value(display(value, unit), told_unit(unit, energy), self.phrases.figures)
                     sides += [*self.phrases.substituted(part, shown), shown]
                 yield Equation(tuple(sides))
 

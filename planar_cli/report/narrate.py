@@ -51,10 +51,8 @@ def part_blocks(
         if instant is part.instants[0]:
             blocks += presumed_notes(part, phrases_of(instant, figures))
         if not instant.quiet and (part.tale is None or not part.tale.whole):
-            wanted, before = (
-                _needed(part, instant, audience, why),
-                (steps, count) if part.motion is not None else (0, 0),
-            )
+            wanted = _needed(part, instant, audience, why)
+            before = (steps, count) if part.motion is not None else (0, 0)
             telling = Telling(instant, phrases_of(instant, figures), audience, wanted, *before)
             blocks += telling.blocks()
             steps, count = telling.steps, telling.count

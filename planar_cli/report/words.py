@@ -17,13 +17,11 @@ from planar_cli.equation.plain import PRINTABLE, longer
 from planar_cli.problem.expression import Quantity
 from planar_cli.report.blocks import Line, Math, Text, Value
 from planar_cli.report.numbers import quantity, rotation_words, significant, vector_arrow, vector_words
-from planar_cli.solve.asked import quantities_in
 from planar_cli.solve.solution import Found
 from planar_cli.units import Unit
 
 LONG = 7
 """A rational with more digits than this is shown rounded."""
-ENERGIES = ("KE", "PE", "work", "heat")
 
 
 def rounded(expr: sp.Expr, figures: int) -> sp.Expr:
@@ -129,9 +127,8 @@ def _texts(value: Value) -> tuple[str, str]:
     return significant(value.number, value.figures), quantity(value.number, value.unit, value.figures)
 
 
-def told_unit(unit: Unit, what: Any) -> str:
+def told_unit(unit: Unit, energy: bool) -> str:
     """The text of a unit; of an energy joule where its unit would be that of a moment."""
-    energy = any(q.word in ENERGIES for q in quantities_in(what))
     return "J" if energy and unit.text == "N*m" else unit.text
 
 
@@ -176,7 +173,7 @@ def answer_line(found: Found, phrases: Phrases) -> Line:
         line = (*parts, Text("]")) if found.kind == "vector" else tuple(p for p in parts if p != Text(""))
         return (*line, *_unit_of_formula(found, phrases))
     numbers = [display(v, found.unit) for v in found.values]
-    unit = "J" if found.energy and found.unit.text == "N*m" else found.unit.text
+    unit = told_unit(found.unit, found.energy)
     if found.kind == "vector":
         what = found.find.found.what if found.find is not None else None
         place = isinstance(what, Quantity) and what.word in ("IC", "r")

@@ -7,6 +7,8 @@ from typing import Any
 from planar_cli.problem.expression import Name, Quantity, Relation, Side
 from planar_cli.problem.walk import walk
 
+ENERGIES = ("KE", "PE", "work", "heat")
+
 
 def quantities_in(side: Any) -> list[Quantity]:
     """All quantities of a side or relation, the outermost."""
@@ -20,6 +22,11 @@ def quantities_in(side: Any) -> list[Quantity]:
         if inner is not None and not isinstance(inner, str):
             found += quantities_in(inner)
     return found
+
+
+def is_energy(what: Any) -> bool:
+    """Does a find ask for an energy or for work, whose newton metre is a joule?"""
+    return any(q.word in ENERGIES for q in quantities_in(what))
 
 
 def names_anywhere(side: Side) -> set[str]:

@@ -19,7 +19,7 @@ from planar_cli.problem.dimensions import Kind, dimension_of
 from planar_cli.problem.expression import Quantity, Relation, Side
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import Find
-from planar_cli.solve.asked import quantities_in
+from planar_cli.solve.asked import is_energy
 from planar_cli.solve.instant import Instant, Trial
 from planar_cli.solve.seek import Sought
 from planar_cli.solve.solution import Found, InstantSolution
@@ -239,7 +239,7 @@ class Finisher:
         values = None if symbolic else tuple(_number(e, value) for e in exprs)
         short = all(not longer(c, CLOSED_OPS) and not rounded_inside(c) for c in closed)
         kind = "vector" if len(exprs) == 2 else "number"
-        energy = any(q.word in ("KE", "PE", "work", "heat") for q in quantities_in(what))
+        energy = is_energy(what)
         return Found(find.name, kind, unit, values, closed if symbolic or short else None, "", find, energy, exprs)
 
     def unit_of(self, find: Find, what: Side) -> Unit:

@@ -19,6 +19,8 @@ What starts a motion
   `at rest`: whatever `motion` does not drive has no velocity; `P at rest` says it of one body. What is not stated of
   the first state may follow from later ones: a target, a duration. A constant is sought when it stands under
   `unknowns`.
+  Released at rest in an unstable equilibrium nothing moves, and `reached(s)` says so. Where a later state asks for
+  more, the motion is the limit of a slight touch, as the check says: speeds and forces are told, no times.
 
 Largest and smallest
   `X is largest` uses up one freedom. In a state that nothing else dates, it is the time: the instant at which X is

@@ -81,10 +81,10 @@ class Blow:
     choice: tuple[int, ...]
     trial: Trial
     edges: Mapping[sp.Symbol, Edge]
+    otherwise: bool
     stage: Stage | None = None
     letters: tuple[sp.Symbol, ...] = ()
     equations: list[Equation] = field(default_factory=list)
-    otherwise: bool = False
     far: frozenset[str] | None = None
 
     @property
@@ -281,11 +281,15 @@ def make_blow(course: Course, i: int, span: Span, choice: tuple[int, ...] | None
     struck = struck_instant(span.problem, span.always, course.workshop.earlier, position, told, letters, known, mark)
     choice = choice if choice is not None else next(struck.choices())
     trial = struck.try_choice(choice, struck.scene.valuations[:1])
-    made = Blow(since, stop, before, after, struck, drawn, choice, trial, course.edges())
-    held = course.plot.stretches[i].span.problem.joints
-    made.otherwise = any(j.during is not None if j.strikes else j not in held for j in span.problem.joints)
-    made.otherwise = made.otherwise or any(x.strikes for x in span.problem.loads)
-    return made
+    otherwise = _struck_otherwise(course.plot.stretches[i].span, span)
+    return Blow(since, stop, before, after, struck, drawn, choice, trial, course.edges(), otherwise)
+
+
+def _struck_otherwise(before: Span, blow: Span) -> bool:
+    """Is it a blow by an impulse, an impact that the file puts there, or a joint that takes hold?"""
+    held = before.problem.joints
+    taken = any(j.during is not None if j.strikes else j not in held for j in blow.problem.joints)
+    return taken or any(x.strikes for x in blow.problem.loads)
 
 
 def _as_drawn(course: Course, i: int, before: Regime) -> dict[sp.Symbol, sp.Expr]:

@@ -40,9 +40,8 @@ DATA = ("given", "drawn", "start", "turn", "motion", "followed")
 @dataclass(frozen=True, slots=True)
 class Equation:
     """`residual` vanishes. `kind`: given, drawn, start, motion, link, loop, extreme, that of a span, or followed: in
-    numbers alone. `family`: of
-    which only `rank` are independent. `stop`: the state at its end, `since` the one at its beginning. `source`: what it
-    was planned from. `surcharge`: what it costs beside its kind.
+    numbers alone. `family`: of which only `rank` are independent. `stop`: the state at its end, `since` the one at its
+    beginning. `source`: what it was planned from. `surcharge`: what it costs beside its kind.
     """
 
     residual: sp.Expr

@@ -20,7 +20,7 @@ from planar_cli.problem.expression import Name, Quantity, Relation
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import Find
 from planar_cli.problem.scope import Scope
-from planar_cli.solve.asked import quantities_in
+from planar_cli.solve.asked import is_energy
 from planar_cli.solve.course.complete import TRUTHS, is_true
 from planar_cli.solve.course.course import Course
 from planar_cli.solve.course.paths import CurveReader
@@ -120,7 +120,7 @@ class FindReader:
         values = None if symbolic else tuple(self._number(p, value) for p in parts)
         short = all(not longer(c, CLOSED_OPS) and not rounded_inside(c) and not c.atoms(sp.Dummy) for c in closed)
         kind = "vector" if len(parts) == 2 else "number"
-        energy = any(q.word in ("KE", "PE", "work", "heat") for q in quantities_in(what))
+        energy = is_energy(what)
         return Found(
             find.name,
             kind,

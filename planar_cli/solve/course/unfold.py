@@ -150,16 +150,14 @@ class Unfolder(Choosing):
             self._relate(course, finds)
             return self._sought(course, finds) if loose is None else self._determined(course, loose)
         assert isinstance(start, dict)
-        by_itself = course.blows or self.sense
-        kept = frozenset() if by_itself else balanced(course, start)
-        idle = frozenset() if by_itself else kept | resting(course, start)
-        if touch_of(course, start, 1, idle) is not None:
-            self.resting, self.idle = course.plot, idle
         if self.sense:
             course.touch = touch_of(course, start, self.sense, self.idle)
             start |= {course.touch.speed: course.touch.value} if course.touch is not None else {}
-        self.stays = self.stays or bool(kept)
+        kept = frozenset() if course.blows or self.sense else balanced(course, start)
         still = frozenset() if course.blows else resting(course, start) | kept
+        if not self.sense and touch_of(course, start, 1, still) is not None:
+            self.resting, self.idle = course.plot, still
+        self.stays = self.stays or bool(kept)
         if still - course.plot.stretches[0].still:
             if self.loose is None and self.problem.method == "energy":
                 self._relate(course, finds)
