@@ -30,6 +30,21 @@ joints:
   - pin: {{at: D, between: [ground, DC]}}
 """
 
+BRAKED = """
+title: Disk that is braked
+plane: vertical
+given: {m: 4 kg, R: 0.5 m}
+points: {O: [0, 0]}
+bodies: {disk: {disk: O, radius: R, mass: m}}
+joints:
+  - pin: {at: O, between: [ground, disk]}
+loads:
+  - torque: {body: disk, moment: -1 N*m, name: brake}
+states:
+  1: [t = 0, omega(disk) = 10 rad/s]
+  2: [t = 2 s]
+"""
+
 
 def solve(text: str, seconds: float = SECONDS) -> Answers:
     """All finds of a file, by name; what keeps it from being solved is raised."""

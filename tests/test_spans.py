@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 import sympy as sp
+from answered import BRAKED, solved
 from answered import first as number
-from answered import solved
 
 from planar_cli.errors import NoSolution
 
@@ -32,21 +32,10 @@ find: {{{find}}}
 NUMBERS = "given: {m: 2 kg, k: 200 N/m, a: 0.1 m, d: 1 m, T: 1 s}"
 LETTERS = "symbols: {m: kg, k: N/m, a: m, d: m}\nassume: [a < d]"
 
-DISK = """
-title: Disk that is braked
-plane: vertical
-given: {m: 4 kg, R: 0.5 m}
-points: {O: [0, 0]}
-bodies: {disk: {disk: O, radius: R, mass: m}}
-joints:
-  - pin: {at: O, between: [ground, disk]}
-loads:
-  - torque: {body: disk, moment: -1 N*m, name: brake}
-states:
-  1: [t = 0, omega(disk) = 10 rad/s]
-  2: [t = 2 s]
-find: {W: work(brake) @ 1->2, H: impulse(brake/O) @ 1->2, all_of_it: work(disk) @ 1->2, turn: mean(omega(disk)) @ 1->2}
-"""
+DISK = (
+    f"{BRAKED}find: {{W: work(brake) @ 1->2, H: impulse(brake/O) @ 1->2, "
+    "all_of_it: work(disk) @ 1->2, turn: mean(omega(disk)) @ 1->2}\n"
+)
 
 SHOT = """
 title: Shot

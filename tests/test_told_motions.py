@@ -4,27 +4,17 @@ from __future__ import annotations
 
 import re
 
+from answered import BRAKED
+
 from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.structure import load_text
 from planar_cli.report.narrate import narrate
 from planar_cli.report.origins import kept
 from planar_cli.solve.run import solve_problem
 
-BRAKE = """
-title: Disk that is braked
-plane: vertical
-given: {m: 4 kg, R: 0.5 m}
-points: {O: [0, 0]}
-bodies: {disk: {disk: O, radius: R, mass: m}}
-joints:
-  - pin: {at: O, between: [ground, disk]}
-loads:
-  - torque: {body: disk, moment: -1 N*m, name: brake}
-states:
-  1: [t = 0, omega(disk) = 10 rad/s]
-  2: [t = 2 s]
-find: {H: impulse(brake/O) @ 1->2, turn: mean(omega(disk)) @ 1->2, lost: KE(all) @ 1 - KE(all) @ 2}
-"""
+BRAKE = (
+    f"{BRAKED}find: {{H: impulse(brake/O) @ 1->2, turn: mean(omega(disk)) @ 1->2, lost: KE(all) @ 1 - KE(all) @ 2}}\n"
+)
 OBLIQUE = """
 title: Oblique impact
 plane: horizontal
