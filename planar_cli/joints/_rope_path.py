@@ -4,15 +4,28 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+from planar_cli.errors import Mark
+from planar_cli.problem.expression import Side
 from planar_cli.problem.facts import Action, Anchor, Segment
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.keys import RopeStop
 from planar_cli.problem.setting import Setting
 
-if TYPE_CHECKING:
-    from planar_cli.joints.rope import Rope
+
+@dataclass(frozen=True, slots=True)
+class RopePath:
+    """How a rope runs, as the file says it."""
+
+    name: str
+    """The joint's name."""
+    stops: tuple[RopeStop, ...]
+    """Points, pulleys passed over or under, and drums on which the rope is wound, in order."""
+    along: Side | None
+    """The direction of all its parts; None: each runs straight from stop to stop."""
+    mark: Mark
+    """The place of the entry in the file."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,7 +44,7 @@ class Stop:
 
 
 def free_parts(
-    rope: Rope, scene: Setting
+    rope: RopePath, scene: Setting
 ) -> tuple[tuple[Segment, ...], tuple[tuple[str, Any], ...], tuple[Action, ...]]:
     """Segments between stops, spins of drums, and the actions of a unit of tension.
 
@@ -51,19 +64,19 @@ def free_parts(
     return tuple(segments), tuple(spins), tuple(actions)
 
 
-def stops_of(rope: Rope, scene: Setting) -> list[Stop]:
+def stops_of(rope: RopePath, scene: Setting) -> list[Stop]:
     """What the path says: each stop with its body, centre, radius and side."""
-    return [_stop(rope, scene, i) for i in range(len(rope.path))]
+    return [_stop(rope, scene, i) for i in range(len(rope.stops))]
 
 
-def _stop(rope: Rope, scene: Setting, index: int) -> Stop:
-    stop = rope.path[index]
+def _stop(rope: RopePath, scene: Setting, index: int) -> Stop:
+    stop = rope.stops[index]
     if stop.way == "on":
         body = stop.body or ""
         return Stop(body, scene.center(body), 0, 0, scene.point(stop.name))
     if stop.way == "point":
         return Stop(scene.owner(stop.name), scene.point(stop.name), 0, 0, None)
-    if not 0 < index < len(rope.path) - 1:
+    if not 0 < index < len(rope.stops) - 1:
         raise scene.refuse(
             rope.mark,
             "PL525",
@@ -75,7 +88,7 @@ def _stop(rope: Rope, scene: Setting, index: int) -> Stop:
     center = scene.point(stop.name)
     if rope.along is not None or radius == 0:
         return Stop(body or scene.owner(stop.name), center, 0, 0, None)
-    before, after = (_place(scene, rope.path[i]) for i in (index - 1, index + 1))
+    before, after = (_place(scene, rope.stops[i]) for i in (index - 1, index + 1))
     ahead = scene.sign(after.x - before.x)
     if ahead == 0:
         raise scene.refuse(
@@ -91,7 +104,7 @@ def _place(scene: Setting, stop: RopeStop) -> Vec:
     return scene.point(stop.name)
 
 
-def _tangent(rope: Rope, scene: Setting, start: Stop, end: Stop) -> tuple[Vec, Any]:
+def _tangent(rope: RopePath, scene: Setting, start: Stop, end: Stop) -> tuple[Vec, Any]:
     """Direction of the straight part from one stop to the next, and its length (None: the direction stays)."""
     if rope.along is not None:
         direction = scene.unit(rope.along)

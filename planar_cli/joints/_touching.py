@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from dataclasses import dataclass, replace
+from typing import Any
 
+from planar_cli.errors import Mark
 from planar_cli.joints._outline_residuals import center_of
 from planar_cli.problem.facts import (
     Action,
@@ -24,15 +25,39 @@ from planar_cli.problem.facts import (
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.setting import Setting
 
-if TYPE_CHECKING:
-    from planar_cli.joints.contact import Contact
+
+@dataclass(frozen=True, slots=True)
+class ContactPlace:
+    """Where a contact is and between whom, as the file names it."""
+
+    name: str
+    """The joint's name."""
+    between: tuple[str, ...]
+    """The two partners: bodies, or a body and a surface."""
+    at: str
+    """The point where they touch."""
+    mark: Mark
+    """The place of the entry in the file."""
+
+
+@dataclass(frozen=True, slots=True)
+class Friction:
+    """What a contact resists sliding with; None: not given."""
+
+    static: Any = None
+    """The coefficient of static friction, dimensionless."""
+    kinetic: Any = None
+    """The coefficient of kinetic friction, dimensionless."""
+    limit: Any = None
+    """The largest friction force whatever the normal force, N."""
 
 
 class Touching:
     """One contact: who slides on whom, the normal that pushes the mover away, and all modes that may be."""
 
-    def __init__(self, contact: Contact, scene: Setting, static: Any, kinetic: Any, limit: Any) -> None:
-        self.contact, self.scene, self.static, self.kinetic, self.limit = contact, scene, static, kinetic, limit
+    def __init__(self, contact: ContactPlace, scene: Setting, friction: Friction) -> None:
+        self.contact, self.scene = contact, scene
+        self.static, self.kinetic, self.limit = friction.static, friction.kinetic, friction.limit
         self.name, self.place = contact.name, scene.point(contact.at)
         self.mover, self.base = self._roles()
         tangent = self.base.tangent or Vec(1, 0)

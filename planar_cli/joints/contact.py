@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from planar_cli.joints._outline_residuals import flush, stuck
-from planar_cli.joints._touching import Touching
+from planar_cli.joints._touching import ContactPlace, Friction, Touching
 from planar_cli.joints.base import Joint
 from planar_cli.problem.expression import Side
 from planar_cli.problem.facts import Mode, Outline
@@ -71,22 +71,20 @@ class Contact(Joint):
         return tuple((self.at, body) for body in self.between)
 
     def modes(self, scene: Setting) -> tuple[Mode, ...]:
-        static, kinetic = self.mu_s or self.mu, self.mu_k or self.mu
-        return Touching(
-            self,
-            scene,
-            None if static is None else scene.value(static),
-            None if kinetic is None else scene.value(kinetic),
-            None if self.friction is None else scene.value(self.friction),
-        ).modes()
+        given = (self.mu_s or self.mu, self.mu_k or self.mu, self.friction)
+        friction = Friction(*(None if side is None else scene.value(side) for side in given))
+        return Touching(self._place(), scene, friction).modes()
 
     def residuals(self, scene: Setting, mode: Mode) -> tuple[Residual, ...]:
         if mode.name == "apart":
             return ()
-        pair = Touching(self, scene, None, None, None)
+        pair = Touching(self._place(), scene, Friction())
         mover, place = pair.mover, pair.place
         if mode.name == "tip":
             # Which corner stays is a choice of the mode: it is where its forces act.
             mover, place = Outline("corner", mover.body), mode.facts.pushes[0].actions[0].point
         sticks = mode.name == "stick" or (mode.name == "tip" and mode.sliding is not None and mode.direction == 0)
         return (stuck if sticks else flush)(self.name, mover, pair.base, place)
+
+    def _place(self) -> ContactPlace:
+        return ContactPlace(self.name, self.between, self.at, self.mark)

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from planar_cli.joints._rope_length import rope_length
-from planar_cli.joints._rope_path import free_parts, stops_of
+from planar_cli.joints._rope_path import RopePath, free_parts, stops_of
 from planar_cli.joints._swing import swing
 from planar_cli.joints.base import Joint
 from planar_cli.problem.expression import Side
@@ -73,7 +73,7 @@ class Rope(Joint):
         return tuple((stop.name, stop.body) for stop in self.path if stop.way == "on" and stop.body is not None)
 
     def modes(self, scene: Setting) -> tuple[Mode, ...]:
-        segments, spins, actions = free_parts(self, scene)
+        segments, spins, actions = free_parts(self._route(), scene)
         row = Row(self.name, f"the rope {self.name} keeps its length", spins=spins, segments=segments)
         push = Push(f"T_{self.name}", "tension", self.name, self.name, actions)
         taut = Facts(rows=(row,), pushes=(push,))
@@ -100,7 +100,10 @@ class Rope(Joint):
         if mode.name == "slack":
             return ()
         along = None if self.along is None else scene.unit(self.along)
-        return (rope_length(f"{self.name}: length", stops_of(self, scene), along),)
+        return (rope_length(f"{self.name}: length", stops_of(self._route(), scene), along),)
+
+    def _route(self) -> RopePath:
+        return RopePath(self.name, self.path, self.along, self.mark)
 
 
 def _to_ground(segment: Segment) -> bool:
