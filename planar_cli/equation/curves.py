@@ -4,29 +4,40 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import Protocol
 
 import sympy as sp
 
+from planar_cli.equation.displacement import Displacement
+from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.plain import simplified
 from planar_cli.equation.pose import HERE, Pose
+from planar_cli.problem.expression import Side
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND, Curve, Surface
-
-if TYPE_CHECKING:
-    from planar_cli.equation.scene import Scene
 
 ZERO = sp.S.Zero
 Sign = Callable[[sp.Expr], int]
 
 
-def curve_place(scene: Scene, curve: Curve) -> tuple[sp.Symbol, Vec]:
+class CurveSetting(Protocol):
+    """What a curve asks of the scene in which it is drawn."""
+
+    ledger: Ledger
+    displacement: Displacement | None
+
+    def value(self, side: Side) -> sp.Expr: ...
+    def length(self, v: Vec) -> sp.Expr: ...
+    def sign(self, expr: sp.Expr) -> int: ...
+
+
+def curve_place(scene: CurveSetting, curve: Curve) -> tuple[sp.Symbol, Vec]:
     """The variable of a curve (x in m, or theta in rad), and the place that goes with it, in the axes as drawn."""
     x, formula = curve_formula(scene, curve)
     return x, Vec(x, formula) if curve.kind == "y" else Vec(formula * sp.cos(x), formula * sp.sin(x))
 
 
-def curve_formula(scene: Scene, curve: Curve) -> tuple[sp.Symbol, sp.Expr]:
+def curve_formula(scene: CurveSetting, curve: Curve) -> tuple[sp.Symbol, sp.Expr]:
     """The variable of a curve and its formula."""
     name = "x" if curve.kind == "y" else "theta"
     x = sp.Symbol(name, real=True)
@@ -41,7 +52,7 @@ def curve_formula(scene: Scene, curve: Curve) -> tuple[sp.Symbol, sp.Expr]:
     return x, formula
 
 
-def carrier_pose(scene: Scene, surface: Surface) -> Pose:
+def carrier_pose(scene: CurveSetting, surface: Surface) -> Pose:
     """Where the body of a surface is now."""
     poses = scene.displacement.poses if scene.displacement is not None else {}
     return poses.get(surface.body or GROUND, HERE)
@@ -66,7 +77,7 @@ class Bend:
     curvature: sp.Expr
 
 
-def bend_at(scene: Scene, curve: Curve, pose: Pose, point: Vec) -> Bend:
+def bend_at(scene: CurveSetting, curve: Curve, pose: Pose, point: Vec) -> Bend:
     """A curve where a point of it is now: what is drawn, carried along by its body."""
     x, formula = curve_formula(scene, curve)
     at = parameter(curve, pose, point, scene.sign)
@@ -96,7 +107,7 @@ def _direction(seen: Vec, sign: Sign) -> sp.Expr:
     return simplified(sp.atan2(seen.y, seen.x))
 
 
-def off_curve(scene: Scene, curve: Curve, pose: Pose, point: Vec, sign: Sign) -> sp.Expr:
+def off_curve(scene: CurveSetting, curve: Curve, pose: Pose, point: Vec, sign: Sign) -> sp.Expr:
     """What vanishes where a place is on the curve: y - y(x), or r - r(theta)."""
     variable, formula = curve_formula(scene, curve)
     at = parameter(curve, pose, point, sign)

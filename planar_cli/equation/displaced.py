@@ -7,59 +7,23 @@ left to conditions between coordinates. (An Introduction to Planar Dynamics, 1.3
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING
 
 import sympy as sp
 
 from planar_cli.equation.curves import curve_place
+from planar_cli.equation.displacement import Coordinate, Displacement
 from planar_cli.equation.motion import Edge, Tree
 from planar_cli.equation.plain import simplified
 from planar_cli.equation.pose import HERE, Pose
+from planar_cli.equation.scene import Scene
 from planar_cli.errors import NOWHERE
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND, Circle, Curve, Line, Polar, Round
 from planar_cli.units import parse_unit
 
-if TYPE_CHECKING:
-    from planar_cli.equation.scene import Scene
-
 ZERO = sp.S.Zero
-
-
-@dataclass(frozen=True, slots=True)
-class Coordinate:
-    """One freedom of the tree. `drawn`: its value as drawn (None: open). `speed`: the velocity unknown that goes with
-    it; its rate is factor · speed + extra. `unit`: "m" or "rad". `words`: what it is. `shown`: the unit it is told in.
-    """
-
-    symbol: sp.Symbol
-    unit: str
-    drawn: sp.Expr | None
-    speed: sp.Symbol
-    factor: sp.Expr
-    words: str
-    body: str
-    shown: str
-    extra: sp.Expr = ZERO
-
-    @property
-    def rate(self) -> sp.Expr:
-        """How fast it grows, in the velocity unknowns of its tree."""
-        return self.factor * self.speed + self.extra
-
-
-@dataclass(frozen=True, slots=True)
-class Displacement:
-    """Poses by body, places of points that no body carries along (points of contact), all coordinates;
-    `formula`: bodies whose places the file itself writes with coordinates.
-    """
-
-    poses: Mapping[str, Pose]
-    spots: Mapping[str, Vec]
-    coordinates: tuple[Coordinate, ...]
-    formula: frozenset[str]
 
 
 @dataclass(slots=True)

@@ -2,22 +2,32 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import Protocol
 
 import sympy as sp
 
-from planar_cli.equation.curves import bend_at, carrier_pose
+from planar_cli.equation.bodies import BodyModel
+from planar_cli.equation.curves import CurveSetting, bend_at, carrier_pose
 from planar_cli.equation.evaluate import refuse
 from planar_cli.errors import Mark
 from planar_cli.problem.facts import Outline
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import Circle, Composite, Curve, Line, Plate, Rod, Round, Sector, Surface
 
-if TYPE_CHECKING:
-    from planar_cli.equation.scene import Scene
+
+class OutlineSetting(CurveSetting, Protocol):
+    """What an outline asks of the scene: shapes and surfaces where they are now."""
+
+    surfaces: dict[str, Surface]
+    bodies: dict[str, BodyModel]
+
+    def point(self, name: str) -> Vec: ...
+    def turn(self, body: str) -> sp.Expr: ...
+    def surface_angle(self, surface: Surface) -> Vec: ...
+    def is_zero(self, expr: sp.Expr) -> bool: ...
 
 
-def outline_of(scene: Scene, partner: str, point: Vec, mark: Mark) -> Outline:
+def outline_of(scene: OutlineSetting, partner: str, point: Vec, mark: Mark) -> Outline:
     """The outline of `partner` (a body or a surface) at `point`. Refused when the point is not on it."""
     surface = scene.surfaces.get(partner)
     if surface is not None:
@@ -38,7 +48,7 @@ def outline_of(scene: Scene, partner: str, point: Vec, mark: Mark) -> Outline:
     return Outline("corner", partner)
 
 
-def arc(scene: Scene, body: str, center: Vec, name: str, point: Vec, drift: Vec | None = None) -> Outline:
+def arc(scene: OutlineSetting, body: str, center: Vec, name: str, point: Vec, drift: Vec | None = None) -> Outline:
     """An arc about `center`; its tangent is k × (outward normal), its curvature +1/R."""
     out = point - center
     radius = scene.length(out)
@@ -46,7 +56,7 @@ def arc(scene: Scene, body: str, center: Vec, name: str, point: Vec, drift: Vec 
     return Outline("arc", body, normal.turned(), 1 / radius, center, name, drift)
 
 
-def _surface(scene: Scene, surface: Surface, point: Vec, mark: Mark) -> Outline:
+def _surface(scene: OutlineSetting, surface: Surface, point: Vec, mark: Mark) -> Outline:
     body = surface.body or "ground"
     shape = surface.shape
     if isinstance(shape, Line):
@@ -80,14 +90,14 @@ def _surface(scene: Scene, surface: Surface, point: Vec, mark: Mark) -> Outline:
     return _curve(scene, surface, shape, point, mark)
 
 
-def _drift(scene: Scene, surface: Surface, tangent: Vec | None) -> Vec | None:
+def _drift(scene: OutlineSetting, surface: Surface, tangent: Vec | None) -> Vec | None:
     if surface.speed is None or tangent is None:
         return None
     found: Vec = tangent * scene.value(surface.speed)
     return found
 
 
-def polar_angle(scene: Scene, point: Vec) -> sp.Expr:
+def polar_angle(scene: OutlineSetting, point: Vec) -> sp.Expr:
     """The angle of a place; of one that is written as (ρ cos φ, ρ sin φ) just φ, with its turns."""
     for sine in sorted(point.y.atoms(sp.sin), key=str):
         phi = sine.args[0]
@@ -97,7 +107,7 @@ def polar_angle(scene: Scene, point: Vec) -> sp.Expr:
     return sp.sympify(sp.atan2(point.y, point.x))
 
 
-def _curve(scene: Scene, surface: Surface, shape: Curve, point: Vec, mark: Mark) -> Outline:
+def _curve(scene: OutlineSetting, surface: Surface, shape: Curve, point: Vec, mark: Mark) -> Outline:
     """Tangent and signed curvature of y(x) or r(theta) at the point; the arc of the osculating circle. They are those
     as drawn, carried along by the body of the curve.
     """
@@ -115,7 +125,7 @@ def _curve(scene: Scene, surface: Surface, shape: Curve, point: Vec, mark: Mark)
     )
 
 
-def _round(scene: Scene, body: str, shape: Round, point: Vec, mark: Mark) -> Outline:
+def _round(scene: OutlineSetting, body: str, shape: Round, point: Vec, mark: Mark) -> Outline:
     center = scene.point(shape.center)
     out = point - center
     radii = [scene.value(shape.radius), *([scene.value(shape.hub)] if shape.hub is not None else [])]
@@ -133,7 +143,7 @@ def _round(scene: Scene, body: str, shape: Round, point: Vec, mark: Mark) -> Out
     )
 
 
-def _plate(scene: Scene, body: str, shape: Plate, point: Vec, mark: Mark) -> Outline:
+def _plate(scene: OutlineSetting, body: str, shape: Plate, point: Vec, mark: Mark) -> Outline:
     """An edge of the rectangle through the point, with the distances to its corners behind and ahead; both edges at a
     corner are offered by `edges_at`.
     """
@@ -145,7 +155,7 @@ def _plate(scene: Scene, body: str, shape: Plate, point: Vec, mark: Mark) -> Out
     return edges[0] if len(edges) == 1 else Outline("corner", body)
 
 
-def edges_at(scene: Scene, body: str, shape: Plate, point: Vec) -> list[Outline]:
+def edges_at(scene: OutlineSetting, body: str, shape: Plate, point: Vec) -> list[Outline]:
     """The edges of a plate that pass through a point (two at a corner)."""
     angle = (scene.value(shape.angle) if shape.angle is not None else sp.S.Zero) + scene.turn(body)
     along = Vec(sp.cos(angle), sp.sin(angle))
@@ -162,7 +172,7 @@ def edges_at(scene: Scene, body: str, shape: Plate, point: Vec) -> list[Outline]
     return found
 
 
-def _rod(scene: Scene, body: str, shape: Rod, point: Vec) -> Outline:
+def _rod(scene: OutlineSetting, body: str, shape: Rod, point: Vec) -> Outline:
     start = scene.point(shape.start)
     if shape.end is None or _same(scene, start, point) or _same(scene, scene.point(shape.end), point):
         return Outline("corner", body)
@@ -172,7 +182,7 @@ def _rod(scene: Scene, body: str, shape: Rod, point: Vec) -> Outline:
     return Outline("straight", body, reach / scene.length(reach))
 
 
-def _composite(scene: Scene, body: str, shape: Composite, point: Vec) -> Outline:
+def _composite(scene: OutlineSetting, body: str, shape: Composite, point: Vec) -> Outline:
     """The first part on whose rim the point is; a corner when none."""
     for piece in shape.pieces:
         part = piece.shape
@@ -188,5 +198,5 @@ def _composite(scene: Scene, body: str, shape: Composite, point: Vec) -> Outline
     return Outline("corner", body)
 
 
-def _same(scene: Scene, a: Vec, b: Vec) -> bool:
+def _same(scene: OutlineSetting, a: Vec, b: Vec) -> bool:
     return scene.is_zero(a.x - b.x) and scene.is_zero(a.y - b.y)

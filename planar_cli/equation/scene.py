@@ -5,12 +5,13 @@ state facts.
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import sympy as sp
 
 from planar_cli.equation.bodies import BodyModel, MassReader
 from planar_cli.equation.decided import Decided
+from planar_cli.equation.displacement import Displacement
 from planar_cli.equation.evaluate import Evaluator, refuse
 from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.outlines import edges_at, outline_of
@@ -33,9 +34,6 @@ from planar_cli.problem.scene import (
     Surface,
     TwoFacts,
 )
-
-if TYPE_CHECKING:
-    from planar_cli.equation.displaced import Displacement
 
 WORDY = 4
 """An expression of more operations than this gets a name of its own where it is a coordinate of a point."""

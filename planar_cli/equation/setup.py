@@ -8,7 +8,7 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.displaced import Displacement
+from planar_cli.equation.displacement import Displacement
 from planar_cli.equation.evaluate import Evaluator, refuse
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.ledger import Ledger

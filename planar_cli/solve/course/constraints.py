@@ -15,7 +15,7 @@ import mpmath
 import sympy as sp
 
 from planar_cli.equation.curves import off_curve
-from planar_cli.equation.displaced import Coordinate, Displacement
+from planar_cli.equation.displacement import Coordinate, Displacement
 from planar_cli.equation.exact import DIGITS, Valuation
 from planar_cli.equation.plain import simplified
 from planar_cli.equation.pose import HERE

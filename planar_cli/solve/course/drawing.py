@@ -12,7 +12,7 @@ from itertools import pairwise
 
 import sympy as sp
 
-from planar_cli.equation.displaced import Displacement
+from planar_cli.equation.displacement import Displacement
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.equation.setup import has_quantity
 from planar_cli.errors import PlanarError

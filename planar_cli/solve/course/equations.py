@@ -13,7 +13,7 @@ import sympy as sp
 
 from planar_cli.calculus.laws import Moment, Span, relations
 from planar_cli.calculus.limits import limit
-from planar_cli.equation.displaced import Coordinate
+from planar_cli.equation.displacement import Coordinate
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.errors import NOWHERE, Mark

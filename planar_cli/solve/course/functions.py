@@ -9,7 +9,7 @@ from decimal import Decimal
 import sympy as sp
 
 from planar_cli.calculus.laws import Moment, relations
-from planar_cli.equation.displaced import Coordinate
+from planar_cli.equation.displacement import Coordinate
 from planar_cli.equation.exact import PI, Unvalued, Valuation
 from planar_cli.equation.plain import simplified
 from planar_cli.errors import Undecided

@@ -9,7 +9,8 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.equation.displaced import Coordinate, Displacement, Displacer
+from planar_cli.equation.displaced import Displacer
+from planar_cli.equation.displacement import Coordinate, Displacement
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.motion import Tree
 from planar_cli.equation.quantities import Quantities

@@ -13,7 +13,7 @@ import sympy as sp
 
 from planar_cli.calculus.curve_words import CURVE, Curve
 from planar_cli.calculus.curves import curve_numeric
-from planar_cli.equation.displaced import Coordinate
+from planar_cli.equation.displacement import Coordinate
 from planar_cli.equation.exact import Valuation
 from planar_cli.problem.geometry import Vec
 from planar_cli.solve.course.constraints import Constraint, fixed_by, project, start_symbol

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from planar_cli.equation.displaced import Coordinate, Displacement
+from planar_cli.equation.displacement import Coordinate, Displacement
 from planar_cli.equation.exact import Unvalued
 from planar_cli.equation.motion import Motion
 from planar_cli.problem.facts import Mode

@@ -17,7 +17,7 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.calculus.first import polish, roots
-from planar_cli.equation.displaced import Coordinate
+from planar_cli.equation.displacement import Coordinate
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.problem.facts import Test

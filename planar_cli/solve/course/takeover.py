@@ -10,7 +10,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 import sympy as sp
 
-from planar_cli.equation.displaced import Coordinate
+from planar_cli.equation.displacement import Coordinate
 from planar_cli.equation.plain import simplified
 from planar_cli.solve.course.equations import Equation, is_speed
 from planar_cli.solve.course.general import General
