@@ -1,0 +1,377 @@
+"""Numbers that vary, as a graph of operations: what the fast model of a scene is written in before it becomes code.
+
+A term knows its value in the reference configuration (as drawn, at t = 0), so that signs and zeros are decided there,
+and it can be differentiated and written out as straight-line Python. Terms with the same operation and operands are one
+object, which is all the common subexpression elimination that is needed. SymPy is not used here.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field
+from itertools import pairwise
+
+ROUNDING = 1e-11
+"""A value below this part of the size of what it was made of is zero."""
+
+Number = int | float
+FUNCTIONS: dict[str, Callable[..., float]] = {
+    "sqrt": math.sqrt,
+    "sin": math.sin,
+    "cos": math.cos,
+    "tan": math.tan,
+    "asin": math.asin,
+    "acos": math.acos,
+    "atan": math.atan,
+    "atan2": math.atan2,
+    "exp": math.exp,
+    "log": math.log,
+    "abs": abs,
+    "sign": lambda x: math.copysign(1.0, x) if x else 0.0,
+    "step": lambda x: 1.0 if x >= 0 else 0.0,
+}
+"""What a term may call, by the name that it has in the code too."""
+
+
+class Term:
+    """One number. Terms are made by a `Graph` and by arithmetic with other terms and plain numbers."""
+
+    __slots__ = ("args", "graph", "index", "op", "size", "value")
+
+    graph: Graph
+    """To which it belongs."""
+    op: str
+    """`number`, `variable`, `+`, `*`, `/`, `**`, `atan2` ..., a function of FUNCTIONS, or a table's name."""
+    args: tuple[Term, ...]
+    """Its operands."""
+    value: float
+    """Its value in the reference configuration; nan where it has none there."""
+    size: float
+    """The size of the largest parts that it was made of, in the reference configuration: the scale of its rounding."""
+    index: int
+    """Terms are numbered as they are made: operands come first."""
+
+    def __add__(self, other: Term | Number) -> Term:
+        return self.graph.add(self, self.graph.of(other))
+
+    __radd__ = __add__
+
+    def __neg__(self) -> Term:
+        return self.graph.multiply(self.graph.number(-1.0), self)
+
+    def __sub__(self, other: Term | Number) -> Term:
+        return self.graph.add(self, -self.graph.of(other))
+
+    def __rsub__(self, other: Term | Number) -> Term:
+        return self.graph.add(self.graph.of(other), -self)
+
+    def __mul__(self, other: Term | Number) -> Term:
+        return self.graph.multiply(self, self.graph.of(other))
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, other: Term | Number) -> Term:
+        return self.graph.divide(self, self.graph.of(other))
+
+    def __rtruediv__(self, other: Term | Number) -> Term:
+        return self.graph.divide(self.graph.of(other), self)
+
+    def __pow__(self, exponent: Term | Number) -> Term:
+        return self.graph.power(self, self.graph.of(exponent))
+
+    def __rpow__(self, base: Term | Number) -> Term:
+        return self.graph.power(self.graph.of(base), self)
+
+    @property
+    def constant(self) -> bool:
+        """Is it a plain number?"""
+        return self.op == "number"
+
+    @property
+    def zero(self) -> bool:
+        """Is it zero in the reference configuration, to rounding?"""
+        return abs(self.value) <= ROUNDING * self.size
+
+    @property
+    def positive(self) -> int:
+        """Its sign in the reference configuration: -1, 0 or 1."""
+        return 0 if self.zero else (1 if self.value > 0 else -1)
+
+    def __repr__(self) -> str:
+        return f"<{self.op} {self.value:.6g}>" if self.op != "variable" else f"<{self.graph.names[self]}>"
+
+
+@dataclass(slots=True)
+class Graph:
+    """All terms of one scene."""
+
+    names: dict[Term, str] = field(default_factory=dict)
+    """Variables, by name in the code."""
+    tables: dict[str, Table] = field(default_factory=dict)
+    """Functions given by a table, by the name that they have in the code."""
+    _known: dict[tuple[object, ...], Term] = field(default_factory=dict)
+    _count: int = 0
+
+    def of(self, number: Term | Number) -> Term:
+        """A term as it is; a plain number as a term."""
+        return number if isinstance(number, Term) else self.number(float(number))
+
+    def number(self, value: float) -> Term:
+        """A constant."""
+        return self._made("number", (), value, abs(value), (value, math.copysign(1.0, value)))
+
+    def variable(self, name: str, value: float, size: float = 0.0) -> Term:
+        """A new variable with its value in the reference configuration, on the scale `size`."""
+        found = self._made("variable", (), value, max(abs(value), size), (name,))
+        self.names[found] = name
+        return found
+
+    def add(self, a: Term, b: Term) -> Term:
+        """a + b."""
+        if a.constant and b.constant:
+            return self.number(a.value + b.value)
+        if a.constant and a.value == 0:
+            return b
+        if b.constant and b.value == 0:
+            return a
+        if b.index < a.index:
+            a, b = b, a
+        return self._made("+", (a, b), a.value + b.value, max(a.size, b.size))
+
+    def multiply(self, a: Term, b: Term) -> Term:
+        """a b; a number comes first and goes into a number already there."""
+        if b.constant or (b.index < a.index and not a.constant):
+            a, b = b, a
+        if a.constant:
+            if b.constant:
+                return self.number(a.value * b.value)
+            if a.value == 0:
+                return self.number(0.0)
+            if a.value == 1:
+                return b
+            if b.op == "*" and b.args[0].constant:
+                return self.multiply(self.number(a.value * b.args[0].value), b.args[1])
+        return self._made("*", (a, b), a.value * b.value, a.size * b.size)
+
+    def divide(self, a: Term, b: Term) -> Term:
+        """a / b."""
+        if b.constant and b.value:
+            return self.multiply(self.number(1.0 / b.value), a)
+        if a.constant and a.value == 0:
+            return a
+        if a is b:
+            return self.number(1.0)
+        quotient = a.value / b.value if b.value else math.nan
+        size = a.size / abs(b.value) if b.value else math.inf
+        return self._made("/", (a, b), quotient, size)
+
+    def power(self, a: Term, b: Term) -> Term:
+        """a to the power b; small whole powers are products."""
+        if a.constant and b.constant:
+            return self.number(_safely(pow, a.value, b.value))
+        if b.constant and b.value in (0.0, 0.5, 1.0, 2.0, 3.0, -1.0):
+            match b.value:
+                case 0.0:
+                    return self.number(1.0)
+                case 0.5:
+                    return self.call("sqrt", a)
+                case 1.0:
+                    return a
+                case 2.0:
+                    return self.multiply(a, a)
+                case 3.0:
+                    return self.multiply(a, self.multiply(a, a))
+                case _:
+                    return self.divide(self.number(1.0), a)
+        value = _safely(pow, a.value, b.value)
+        return self._made("**", (a, b), value, abs(value))
+
+    def call(self, name: str, *args: Term) -> Term:
+        """A function of FUNCTIONS, or of a table."""
+        function = FUNCTIONS[name] if name in FUNCTIONS else self.tables[name].at
+        value = _safely(function, *(a.value for a in args))
+        if all(a.constant for a in args) and not math.isnan(value):
+            return self.number(value)
+        # sin and cos of an angle round on the scale of 1.
+        size = 1.0 if name in ("sin", "cos", "sign", "step") else max(abs(value), _own_size(name, args))
+        return self._made(name, args, value, size)
+
+    def table(self, points: Iterable[tuple[float, float]]) -> str:
+        """A function that is given by values, straight in between; returns its name for `call`."""
+        name = f"table{len(self.tables) // 2}"
+        self.tables[name] = Table(tuple(points))
+        self.tables[f"{name}_slope"] = self.tables[name].slopes()
+        return name
+
+    # --- derivatives -------------------------------------------------------------------------------------------------
+
+    def gradient(self, term: Term) -> dict[Term, Term]:
+        """∂term/∂variable for every variable in it."""
+        weights: dict[Term, Term] = {term: self.number(1.0)}
+        found: dict[Term, Term] = {}
+        for t in reversed(ordered([term])):
+            weight = weights.pop(t, None)
+            if weight is None or (weight.constant and weight.value == 0):
+                continue
+            if t.op == "variable":
+                found[t] = weight
+            for arg, slope in zip(t.args, self._slopes(t), strict=True):
+                share = weight * slope
+                weights[arg] = weights[arg] + share if arg in weights else share
+        return found
+
+    def rate(self, term: Term, rates: Mapping[Term, Term]) -> Term:
+        """The time derivative, with those of the variables (left out: 0)."""
+        zero = self.number(0.0)
+        found: dict[Term, Term] = {}
+        for t in ordered([term]):
+            if t.op == "variable":
+                found[t] = rates.get(t, zero)
+                continue
+            total = zero
+            if any(not (found[a].constant and found[a].value == 0) for a in t.args):
+                for arg, slope in zip(t.args, self._slopes(t), strict=True):
+                    total = total + slope * found[arg]
+            found[t] = total
+        return found[term]
+
+    def _slopes(self, t: Term) -> tuple[Term, ...]:
+        """∂t/∂arg for each of its operands."""
+        one = self.number(1.0)
+        match t.op, t.args:
+            case "number" | "variable", _:
+                return ()
+            case "+", _:
+                return one, one
+            case "*", (a, b):
+                return b, a
+            case "/", (a, b):
+                return one / b, -t / b
+            case "**", (a, b):
+                slope = self.power(a, b - one) * b
+                return slope, self.number(0.0) if b.constant else t * self.call("log", a)
+            case "atan2", (y, x):
+                square = x * x + y * y
+                return x / square, -y / square
+            case name, (a,):
+                return (self._slope(name, a, t),)
+        raise TypeError(t.op)
+
+    def _slope(self, name: str, a: Term, t: Term) -> Term:
+        """The derivative of a function of one argument; t is its value."""
+        one = self.number(1.0)
+        match name:
+            case "sqrt":
+                return self.number(0.5) / t
+            case "sin":
+                return self.call("cos", a)
+            case "cos":
+                return -self.call("sin", a)
+            case "tan":
+                return one + t * t
+            case "asin":
+                return one / self.call("sqrt", one - a * a)
+            case "acos":
+                return -one / self.call("sqrt", one - a * a)
+            case "atan":
+                return one / (one + a * a)
+            case "exp":
+                return t
+            case "log":
+                return one / a
+            case "abs":
+                return self.call("sign", a)
+            case "sign" | "step":
+                return self.number(0.0)
+        return self.number(0.0) if name.endswith("_slope") else self.call(f"{name}_slope", a)
+
+    def _made(self, op: str, args: tuple[Term, ...], value: float, size: float, extra: tuple[object, ...] = ()) -> Term:
+        key = (op, *extra, *(a.index for a in args))
+        found = self._known.get(key)
+        if found is None:
+            found = Term()
+            found.graph, found.op, found.args, found.value, found.size = self, op, args, value, size
+            found.index = self._count
+            self._count += 1
+            self._known[key] = found
+        return found
+
+
+@dataclass(frozen=True, slots=True)
+class Table:
+    """Values over an argument, in ascending order: straight in between (or steps), constant before and after."""
+
+    points: tuple[tuple[float, float], ...]
+    steps: bool = False
+    """Constant from each point to the next; zero before the first."""
+
+    def at(self, x: float) -> float:
+        """The value at x."""
+        points = self.points
+        if self.steps:
+            return next((y for a, y in reversed(points) if a <= x), 0.0)
+        if x <= points[0][0]:
+            return points[0][1]
+        for (a, y), (b, z) in pairwise(points):
+            if x < b:
+                return y + (z - y) * (x - a) / (b - a)
+        return points[-1][1]
+
+    def slopes(self) -> Table:
+        """Its derivative."""
+        rises = [(a, (z - y) / (b - a)) for (a, y), (b, z) in pairwise(self.points)]
+        return Table((*rises, (self.points[-1][0], 0.0)), steps=True)
+
+
+def ordered(terms: Iterable[Term]) -> list[Term]:
+    """The terms and all that they are made of, operands first."""
+    seen: set[Term] = set()
+    waiting = list(terms)
+    while waiting:
+        term = waiting.pop()
+        if term not in seen:
+            seen.add(term)
+            waiting.extend(a for a in term.args if a not in seen)
+    return sorted(seen, key=lambda t: t.index)
+
+
+def evaluate(terms: Iterable[Term], values: Mapping[Term, float]) -> list[float]:
+    """The terms at other values of the variables than those of the reference configuration (left out: as there)."""
+    wanted = list(terms)
+    found: dict[Term, float] = {}
+    for t in ordered(wanted):
+        args = [found[a] for a in t.args]
+        match t.op:
+            case "number":
+                found[t] = t.value
+            case "variable":
+                found[t] = values.get(t, t.value)
+            case "+":
+                found[t] = args[0] + args[1]
+            case "*":
+                found[t] = args[0] * args[1]
+            case "/":
+                found[t] = args[0] / args[1]
+            case "**":
+                found[t] = pow(args[0], args[1])
+            case _:
+                function = FUNCTIONS[t.op] if t.op in FUNCTIONS else t.graph.tables[t.op].at
+                found[t] = function(*args)
+    return [found[t] for t in wanted]
+
+
+def _own_size(name: str, args: tuple[Term, ...]) -> float:
+    """How large the rounding scale of a function's value is at least."""
+    if name == "sqrt":
+        return math.sqrt(args[0].size) if args[0].size < math.inf else math.inf
+    return args[0].size if name == "abs" else 0.0
+
+
+def _safely(function: Callable[..., float], *values: float) -> float:
+    """The value, or nan outside the domain: only what is evaluated there must have one."""
+    try:
+        found = function(*values)
+    except (ValueError, ZeroDivisionError, OverflowError):
+        return math.nan
+    return found if isinstance(found, int | float) else math.nan
