@@ -2,10 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from decimal import Decimal
-from typing import TYPE_CHECKING
-
 import sympy as sp
 
 from planar_cli.equation.conditions import Condition
@@ -19,31 +15,7 @@ from planar_cli.solve.instant import Instant, Trial
 from planar_cli.solve.linear import solve
 from planar_cli.solve.offers import body_residuals
 from planar_cli.solve.plan import Planner
-
-if TYPE_CHECKING:
-    from planar_cli.solve.seek import Seeker
-
-LOOSE = "is open"
-
-
-def loose_limit(instant: Instant, trial: Trial, known: Iterable[sp.Symbol]) -> str:
-    """A constant that stayed open and on which an assumption rests that the file does not state; "" for none."""
-    loose = set(instant.scene.ledger.sought) - set(known)
-    if not loose or not trial.outcomes:
-        return ""
-    stated = {joint for joint, _ in instant.statements.modes}
-    outcome = trial.outcomes[0]
-    for joint, mode in trial.system.modes.items():
-        if instant.aliases[joint] in stated:
-            continue
-        for test in mode.tests:
-            hanging = {s for _, f in test.pushes for s in sp.sympify(f).free_symbols & loose}
-            sure = [(n, f) for n, f in test.pushes if not sp.sympify(f).free_symbols & loose]
-            rest = sum((outcome.value(f) * (outcome.push(n) or Decimal(0)) for n, f in sure), Decimal(0))
-            if hanging and rest < Decimal("-1e-25"):
-                names = listed(sorted(s.name for s in hanging))
-                return f"{names} {LOOSE}: whether {mode.words} depends on it"
-    return ""
+from planar_cli.solve.seeker import LOOSE, Seeker
 
 
 def open_symbols(candidates: list[Candidate], nonlinear: int, bits: dict[sp.Symbol, int]) -> list[sp.Symbol]:

@@ -21,7 +21,7 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import Find
 from planar_cli.solve.asked import is_energy
 from planar_cli.solve.instant import Instant, Trial
-from planar_cli.solve.seek import Sought
+from planar_cli.solve.seeker import Sought
 from planar_cli.solve.solution import Found, InstantSolution
 from planar_cli.solve.stages import Stage, StageMaker, acceleration_unknowns, needed
 from planar_cli.solve.verify import verify

@@ -10,7 +10,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from decimal import Decimal
-from typing import TYPE_CHECKING
 
 import sympy as sp
 
@@ -20,9 +19,8 @@ from planar_cli.equation.form import Nonlinear, linear_form
 from planar_cli.errors import Undecided
 from planar_cli.problem.expression import Extreme
 from planar_cli.solve.offers import body_residuals
-
-if TYPE_CHECKING:
-    from planar_cli.solve.seek import Seeker, Sought
+from planar_cli.solve.seeker import Seeker, Sought
+from planar_cli.solve.stationary_point import eliminated
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,17 +84,14 @@ def stationary_branches(seeker: Seeker, targets: set[sp.Symbol], side: sp.Expr, 
 
 def stationary_of(seeker: Seeker, extreme: Extreme, side: sp.Expr) -> Stationary | None:
     """Where X can be largest or smallest without a limit; None: nothing is left that it could depend on."""
-    from planar_cli.solve.course.equations import Equation
-    from planar_cli.solve.course.extremes import eliminated
-
     sought = frozenset(seeker.ledger.sought)
     exprs = [e for c in seeker.conditions for e in c.rows()]
     for body in seeker.scene.bodies:
         exprs += body_residuals(seeker.system, body)[: 3 if seeker.scene.rigid(body) else 2]
-    pool = [Equation(_opened(e, seeker), "given", "", "") for e in exprs]
+    residuals = [_opened(e, seeker) for e in exprs]
     try:
         related, objective, letters, condition = eliminated(
-            pool, _opened(side, seeker), frozenset(seeker.unknowns), (sought - seeker.linear) or sought
+            residuals, _opened(side, seeker), frozenset(seeker.unknowns), (sought - seeker.linear) or sought
         )
     except Undecided:
         return None

@@ -1,8 +1,4 @@
-"""`X is largest` in a state whose time is fixed by something else: the freedom is a constant that is sought.
-
-Of all equations what is linear is eliminated; X is stationary on what is left where the determinant vanishes of the
-slopes of the equations left and of X, taken for the unknowns left.
-"""
+"""`X is largest` in a state whose time is fixed by something else: the freedom is a constant that is sought."""
 
 from __future__ import annotations
 
@@ -10,13 +6,11 @@ from collections.abc import Sequence
 
 import sympy as sp
 
-from planar_cli.equation.plain import longer, simplified
-from planar_cli.errors import Diagnostic, NoSolution, Undecided
+from planar_cli.errors import Diagnostic, NoSolution
 from planar_cli.solve.course.equations import Equation
+from planar_cli.solve.stationary_point import eliminated
 
 PLAIN = ("given", "drawn", "start", "turn", "motion", "link", "loop", "q(t)", "v(t)")
-MOST = 4
-LONGEST = 400
 
 
 def stationary(
@@ -29,7 +23,8 @@ def stationary(
     """The equations left when all linear unknowns but `kept` (times and sought constants) are eliminated, and the
     condition that the objective is stationary; each as an equation of the motion.
     """
-    related, aim, letters, condition = eliminated(equations, objective, unknowns, kept)
+    plain = [e.residual for e in equations if e.kind in PLAIN]
+    related, aim, letters, condition = eliminated(plain, objective, unknowns, kept)
     if not related and aim in (letters[0], letters[0] ** 2) and "__" not in letters[0].name:
         text = f"{like.words}: no equation bounds it, only inequalities may"
         hint = "state the limit itself: `N(P) = 0` where contact is just kept, `v(P).mag = 0` where it just arrives"
@@ -38,100 +33,3 @@ def stationary(
     words = f"{like.words}, so it does not change with a small change of {free}"
     found = [Equation(p, "link", "what is left when the others are put in", like.stop) for p in related]
     return [*found, Equation(condition, "extreme", words, like.stop, mark=like.mark)]
-
-
-def eliminated(
-    equations: Sequence[Equation], objective: sp.Expr, unknowns: frozenset[sp.Symbol], kept: frozenset[sp.Symbol]
-) -> tuple[list[sp.Expr], sp.Expr, list[sp.Symbol], sp.Expr]:
-    """What is left of equations and objective, the unknowns in it, and the determinant that vanishes where the
-    objective is stationary. Undecided: more than one unknown is free, or too many are left.
-    """
-    pool = [e.residual for e in equations if e.kind in PLAIN]
-    pool = [p for p in pool if p.free_symbols & unknowns]
-    x_of = True
-    while x_of:
-        x_of = False
-        for index, residual in enumerate(pool):
-            x = _linear_in(residual, unknowns - kept)
-            if x is None:
-                continue
-            slope = sp.diff(residual, x)
-            formula = simplified(x - residual / slope) if not longer(residual, LONGEST) else x - residual / slope
-            formula = sp.expand(formula) if x in formula.free_symbols else formula
-            pool.pop(index)
-            pool = [_put(p, x, formula) for p in pool]
-            objective = _put(objective, x, formula)
-            pool = [p for p in pool if p != 0]
-            x_of = True
-            break
-    pool, objective = _without_data(pool, objective, unknowns)
-    related = _related(pool, objective, unknowns)
-    letters = sorted({s for p in (*related, objective) for s in p.free_symbols if s in unknowns}, key=lambda s: s.name)
-    if len(letters) != len(related) + 1 or len(letters) > MOST:
-        raise Undecided("what is largest or smallest here depends on several unknowns at once")
-    rows = [[sp.diff(p, x) for x in letters] for p in (*related, objective)]
-    condition = _proper(simplified(sp.Matrix(rows).det(method="berkowitz")), unknowns)
-    return related, objective, letters, condition
-
-
-def _linear_in(residual: sp.Expr, candidates: frozenset[sp.Symbol]) -> sp.Symbol | None:
-    """An unknown that enters linearly with a constant factor."""
-    for x in sorted(residual.free_symbols & candidates, key=lambda s: s.name):
-        slope = sp.diff(residual, x)
-        if slope.is_number and slope != 0:
-            return x
-    for x in sorted(residual.free_symbols & candidates, key=lambda s: s.name):
-        slope = sp.diff(residual, x)
-        if x not in slope.free_symbols and slope != 0 and not slope.free_symbols & candidates:
-            return x
-    return None
-
-
-def _put(expr: sp.Expr, x: sp.Symbol, formula: sp.Expr) -> sp.Expr:
-    if x not in expr.free_symbols:
-        return expr
-    found = expr.xreplace({x: formula})
-    return simplified(found) if not longer(found, LONGEST) else found
-
-
-def _without_data(
-    pool: list[sp.Expr], objective: sp.Expr, unknowns: frozenset[sp.Symbol]
-) -> tuple[list[sp.Expr], sp.Expr]:
-    """Times and constants that are known, put in; factors that vanish only at the start, dropped."""
-    changed = True
-    while changed:
-        changed = False
-        for index, residual in enumerate(pool):
-            inside = [s for s in residual.free_symbols if s in unknowns]
-            if len(inside) == 1 and sp.diff(residual, inside[0]).is_number:
-                x = inside[0]
-                formula = simplified(x - residual / sp.diff(residual, x))
-                pool.pop(index)
-                pool = [p for p in (_put(p, x, formula) for p in pool) if p != 0]
-                objective = _put(objective, x, formula)
-                changed = True
-                break
-    return [_proper(p, unknowns) for p in pool], objective
-
-
-def _proper(residual: sp.Expr, unknowns: frozenset[sp.Symbol]) -> sp.Expr:
-    """The factor of an equation that really relates unknowns: t (a t - b) = 0 at a later time."""
-    numerator = sp.fraction(sp.together(residual))[0]
-    factors = [f for f in sp.Mul.make_args(sp.factor_terms(sp.factor(numerator))) if f.free_symbols & unknowns]
-    proper = [f for f in factors if not f.is_Symbol and not (f.is_Pow and f.base.is_Symbol)]
-    return sp.Mul(*proper) if proper and len(proper) < len(factors) else residual
-
-
-def _related(pool: list[sp.Expr], objective: sp.Expr, unknowns: frozenset[sp.Symbol]) -> list[sp.Expr]:
-    """The equations that reach the objective through shared unknowns."""
-    reached = objective.free_symbols & unknowns
-    found: list[sp.Expr] = []
-    changed = True
-    while changed:
-        changed = False
-        for p in pool:
-            if p not in found and p.free_symbols & reached:
-                found.append(p)
-                reached |= p.free_symbols & unknowns
-                changed = True
-    return found

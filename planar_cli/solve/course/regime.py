@@ -24,7 +24,7 @@ from planar_cli.problem.facts import Test
 from planar_cli.solve.course.balance import balance_of
 from planar_cli.solve.course.general import General, loose_tree
 from planar_cli.solve.course.handing import edges_of, handed
-from planar_cli.solve.course.parting import Gap, gaps_of
+from planar_cli.solve.course.opening import Gap, gaps_of
 
 MOST_CORNERS = 200
 LONGEST = 150
@@ -112,7 +112,7 @@ class Regime:
         # Formulas in letters are for the side that is drawn; whether it is left depends on the letters.
         sided = scene.sided if runs and not scene.problem.symbols else {}
         self.sided = {key: (way, self.closed(way * e)) for key, (way, e) in sided.items()}
-        self.gaps = tuple(gaps_of(self)) if runs else ()
+        self.gaps = tuple(gaps_of(general, self.rates, self.closed)) if runs else ()
 
     def _regular(self, expr: sp.Expr) -> sp.Expr:
         """A formula simplified where it has no value as drawn, as 0/0 may be taken out of it."""
