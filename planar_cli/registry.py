@@ -8,7 +8,11 @@ from __future__ import annotations
 
 import importlib
 import pkgutil
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 from functools import cache
+from pathlib import Path
 from types import ModuleType
 
 SHELVES = ("joints", "loads", "principles", "formats", "commands")
@@ -32,6 +36,22 @@ def members(shelf: str) -> dict[str, type]:
                 raise ValueError(f"{shelf}: {kind!r} is registered twice")
             found[kind] = member
     return found
+
+
+@contextmanager
+def extended(shelf: str, folder: Path) -> Iterator[None]:
+    """For a while the modules of another folder stand on a shelf beside its own."""
+    package = importlib.import_module(f"planar_cli.{shelf}")
+    package.__path__.append(str(folder))
+    importlib.invalidate_caches()
+    members.cache_clear()
+    try:
+        yield
+    finally:
+        package.__path__.remove(str(folder))
+        for path in folder.glob("*.py"):
+            sys.modules.pop(f"planar_cli.{shelf}.{path.stem}", None)
+        members.cache_clear()
 
 
 def _members_in(module: ModuleType) -> list[type]:

@@ -284,17 +284,13 @@ class Displacer:
         found: dict[str, Vec] = {}
         for joint in self.scene.problem.joints:
             at, between = getattr(joint, "at", None), getattr(joint, "between", ())
-            if joint.kind in ("contact", "rolling", "impact") and at is not None and len(between) == 2:
+            if joint.touches and at is not None and len(between) == 2:
                 spot = self._touching(at, between)
                 if spot is not None:
                     found[at] = spot
-            for stop in getattr(joint, "path", ()) if joint.kind == "rope" else ():
-                if stop.way == "on":
-                    found[stop.name] = self._with_center(stop.name, stop.body or "")
-        for load in self.scene.problem.loads:
-            wound, body = getattr(load, "wound_at", None), getattr(load, "body", "")
-            if wound is not None:
-                found[wound] = self._with_center(wound, body)
+        rims = [pair for joint in self.scene.problem.joints for pair in joint.rims()]
+        for point, body in (*rims, *(pair for load in self.scene.problem.loads for pair in load.rims())):
+            found[point] = self._with_center(point, body)
         return found
 
     def _with_center(self, point: str, body: str) -> Vec:

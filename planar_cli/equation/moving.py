@@ -9,6 +9,7 @@ from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.acting import acting_loads, kind_of
 from planar_cli.equation.evaluate import demand_time, refuse
 from planar_cli.equation.motion import Motion
 from planar_cli.equation.plain import MANY, longer, operations, simplified
@@ -16,13 +17,12 @@ from planar_cli.equation.quantities import quantities_of
 from planar_cli.equation.scene import Scene
 from planar_cli.equation.struck import StruckScene
 from planar_cli.errors import Mark, Undecided
-from planar_cli.loads.base import mode_key
+from planar_cli.loads.base import Load
 from planar_cli.problem.expression import Side
 from planar_cli.problem.facts import Skid, Wrench
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.keys import Table
 from planar_cli.problem.scene import GROUND
-from planar_cli.registry import members
 
 
 class Moving:
@@ -87,9 +87,6 @@ class Moving:
     def turn(self, body: str) -> sp.Expr:
         return self._motion.velocities[body].angular
 
-    def mass(self, body: str) -> sp.Expr:
-        return self._scene.bodies[body].mass
-
     def size(self, magnitude: Side | Table, mark: Mark) -> sp.Expr:
         """A magnitude, which may use velocities, or a table over time."""
         if isinstance(magnitude, Table):
@@ -125,14 +122,11 @@ def all_wrenches(
     setting = Moving(scene, motion, numbers)
     if isinstance(scene, StruckScene):
         return scene.blows(setting)
-    weight = members("loads")["weight"]
     found: list[Wrench] = []
-    for body in scene.problem.bodies:
-        found += weight(name=body.name, during=None, mark=body.mark).wrenches(setting)
-        found += _growing(scene, motion, body.name)
-    for load in scene.problem.loads:
-        if mode_key(load.name) not in idle:
-            found += load.wrenches(setting)
+    for load in acting_loads(scene, idle):
+        found += [w for w in load.wrenches(setting) if w.body != GROUND]
+    for body in scene.bodies:
+        found += _growing(scene, motion, body)
     for skid in skids:
         found += _skid(skid, setting, found)
     return tuple(_named(w, scene) for w in found)
@@ -151,19 +145,12 @@ def _named(wrench: Wrench, scene: Scene) -> Wrench:
     pieced = magnitude.has(sp.Piecewise)
     if wrench.force is None or not (pieced or longer(magnitude, 3)) or scene.rests_on_sought(magnitude):
         return wrench
-    titles = {
-        "weight": "weight of",
-        "spring": "pull of the spring",
-        "damper": "pull of the damper",
-        "drag": "drag on",
-        "stream": "push of the stream",
-    }
-    title = f"{titles.get(wrench.kind, 'magnitude of')} {wrench.name}"
+    kind = kind_of(wrench) or Load
+    title = kind.line.format(wrench.name)
     ledger = scene.ledger
     symbol = next((s for s, t in ledger.titles.items() if t == title and ledger.definitions[s] == magnitude), None)
     if symbol is None:
-        letter = "W" if wrench.kind == "weight" else "F"
-        symbol = ledger.define(f"{letter}_{wrench.name}", magnitude, "N", title)
+        symbol = ledger.define(f"{kind.letter}_{wrench.name}", magnitude, "N", title)
     if pieced:
         # SymPy divides every piece, also those that are zero.
         force = Vec(*(p.xreplace({magnitude: symbol}) for p in (wrench.force.x, wrench.force.y)))

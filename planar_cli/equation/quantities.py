@@ -257,16 +257,14 @@ class Quantities:
         return Jet(sp.Add(*parts), sp.Add(*rates), None)
 
     def _q_pe(self, q: Quantity) -> Jet:
-        """m g y_G, from y = 0; of the whole system also k s²/2 of every spring, s its stretch."""
+        """m g y_G, from y = 0; of the whole system also what every other load has, k s²/2 of a spring."""
         parts = [
             self.scene.bodies[n].mass * self.scene.gravity * self.scene.bodies[n].center.y for n in self._bodies(q)
         ]
         if q.things[0] == "all" and self.reactions is not None:
-            pulls = {w.name: w.magnitude for w in self.reactions.wrenches if w.kind == "spring"}
-            for load in self.scene.problem.loads:
-                stiffness = getattr(load, "stiffness", None)
-                if load.name in pulls and stiffness is not None:
-                    parts.append(sp.sympify(pulls[load.name]) ** 2 / (2 * self.scene.value(stiffness)))
+            acting = {(w.kind, w.name) for w in self.reactions.wrenches}
+            stored = (x.potential(self.scene) for x in self.scene.problem.loads if (x.kind, x.name) in acting)
+            parts += [energy for energy in stored if energy is not None]
         return only(sp.Add(*parts))
 
     def _q_momentum(self, q: Quantity) -> Vec:

@@ -6,8 +6,10 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from planar_cli.equation.acting import kind_of
 from planar_cli.equation.evaluate import refuse
 from planar_cli.equation.motion import Motion
+from planar_cli.loads.base import Load
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.facts import Action, Push, Wrench
 from planar_cli.problem.geometry import Vec
@@ -36,9 +38,10 @@ class Reactions:
         return [(p, e) for p, e in self.pushes if self.joints.get(p.joint) == name]
 
     def number(self, q: Quantity, kind: str) -> sp.Expr:
-        """The normal force or tension of a joint; for a spring, its pull."""
+        """The normal force or tension of a joint; of a load that pulls along its line, its pull."""
         for wrench in self.wrenches:
-            if wrench.name == q.things[0] and kind == "tension" and wrench.kind in ("spring", "damper"):
+            pulls = (kind_of(wrench) or Load).pulls
+            if wrench.name == q.things[0] and kind == "tension" and pulls:
                 return wrench.magnitude
         found = [e for p, e in self._of(q) if p.kind == kind]
         return found[0] if found else sp.S.Zero

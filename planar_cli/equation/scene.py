@@ -265,6 +265,9 @@ class Scene(Decided):
         """The name of a body's mass centre in print."""
         return self.bodies[body].center_name or body
 
+    def mass(self, body: str) -> sp.Expr:
+        return self.bodies[body].mass
+
     def names_carrier(self, name: str) -> bool:
         """Is the name a body or a surface?"""
         return name in self.bodies or name in self.surfaces
@@ -287,8 +290,8 @@ class Scene(Decided):
         return edges_at(self, body, shape, point) if isinstance(shape, Plate) else []
 
     def contacts(self, a: str, b: str) -> int:
-        """How many contacts the same two partners have."""
-        return sum(set(getattr(j, "between", ())) == {a, b} and j.kind == "contact" for j in self.problem.joints)
+        """At how many points the same two partners press on each other."""
+        return sum(set(getattr(j, "between", ())) == {a, b} and j.unilateral for j in self.problem.joints)
 
     def heaviness(self, body: str) -> sp.Expr:
         """m g of a body, also in a horizontal plane, where it presses on what it lies on."""

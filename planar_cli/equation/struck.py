@@ -76,5 +76,5 @@ class StruckScene(Scene):
                 size = body.inertia * spin
                 found.append(Wrench("", "momentum", name, body.center, None, size, size))
         for load in self.problem.loads:
-            found += load.impulses(setting)
+            found += [w for w in load.impulses(setting) if w.body != GROUND]
         return tuple(found)

@@ -16,21 +16,28 @@ A joint is what keeps bodies from moving freely past each other. A member is one
 - `during` is the span of states in which the joint acts; None: always.
 - `mark` is the place of the entry in the file.
 
+What the rest of the program must know of a kind stands in class variables: `quantities` are words that may be asked of
+it and not of every joint, `touches` and `unilateral` say how it meets its partner.
+
 A member states facts only and does not import SymPy at module level, so that reading a file stays quick.
 """
 
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
+from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
-from planar_cli.errors import Mark
+from planar_cli.errors import Diagnostic, Mark
 from planar_cli.problem.blows import in_a_blow
 from planar_cli.problem.facts import Mode
 from planar_cli.problem.keys import Choice
 from planar_cli.problem.residuals import Residual
 from planar_cli.problem.setting import Setting, StruckSetting
+
+if TYPE_CHECKING:
+    from planar_cli.problem.scene import Problem
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -40,6 +47,12 @@ class Joint(ABC):
     kind: ClassVar[str]
     choices: ClassVar[tuple[Choice, ...]] = ()
     strikes: ClassVar[bool] = False
+    quantities: ClassVar[tuple[str, ...]] = ()
+    """Quantities of the language that may be asked of this kind and not of every joint: N, friction, tension, mode."""
+    touches: ClassVar[bool] = False
+    """Do two outlines touch at the point `at`, which then stays with the centres, not with a rim?"""
+    unilateral: ClassVar[bool] = False
+    """Does it press from one side alone, on which the body is drawn?"""
 
     name: str
     during: tuple[str, str] | None
@@ -47,6 +60,18 @@ class Joint(ABC):
 
     def attachments(self) -> tuple[tuple[str, str], ...]:
         """Pairs (point, body or surface): the points that belong to a body because this joint names them together."""
+        return ()
+
+    def rims(self) -> tuple[tuple[str, str], ...]:
+        """Pairs (point, body): where a cord leaves a rim. Such a point keeps its direction from the body's centre."""
+        return ()
+
+    def holder(self) -> str | None:
+        """What holds the other partner where no key `between` names it: a body, a surface, the ground."""
+        return None
+
+    def objections(self, problem: Problem) -> Iterable[Diagnostic]:
+        """What is wrong with it in this problem, beyond what its keys and names tell."""
         return ()
 
     @abstractmethod

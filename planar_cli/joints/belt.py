@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
+from planar_cli.errors import Diagnostic
 from planar_cli.joints.base import Joint
 from planar_cli.problem.facts import Action, Anchor, Facts, Mode, Pull, Push, Row
 from planar_cli.problem.keys import FlagKey, PartnersKey, key
 from planar_cli.problem.residuals import Poses, Residual
+from planar_cli.problem.scene import Composite, Problem, Round
 from planar_cli.problem.setting import Setting
 
 
@@ -47,9 +50,16 @@ class Belt(Joint):
     """
 
     kind: ClassVar[str] = "belt"
+    quantities: ClassVar[tuple[str, ...]] = ("tension",)
 
     between: tuple[str, ...] = key(PartnersKey(), "the two disks")
     crossed: bool = key(FlagKey(), "true: the belt crosses itself and reverses the sense", default=False)
+
+    def objections(self, problem: Problem) -> Iterable[Diagnostic]:
+        for body in problem.bodies:
+            if body.name in self.between and not isinstance(body.shape, Round | Composite):
+                message = f"a belt runs round disks; {body.name} is none"
+                yield Diagnostic(body.mark, "PL455", message, "give it `disk: G, radius: …`")
 
     def modes(self, scene: Setting) -> tuple[Mode, ...]:
         a, b = self.between

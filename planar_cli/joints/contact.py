@@ -53,6 +53,9 @@ class Contact(Joint):
     """
 
     kind: ClassVar[str] = "contact"
+    quantities: ClassVar[tuple[str, ...]] = ("N", "friction", "mode")
+    touches: ClassVar[bool] = True
+    unilateral: ClassVar[bool] = True
     choices: ClassVar[tuple[Choice, ...]] = (
         Choice(
             (("mu",), ("mu_s", "mu_k"), ("friction",)),

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import ClassVar
 
+from planar_cli.errors import Diagnostic
 from planar_cli.joints._outline_residuals import same_turn, together
 from planar_cli.joints.base import Joint
 from planar_cli.problem.expression import Side
@@ -12,6 +14,7 @@ from planar_cli.problem.facts import Action, Anchor, Facts, Joining, Mode, Pull,
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.keys import PartnersKey, SideKey, key
 from planar_cli.problem.residuals import Residual
+from planar_cli.problem.scene import Problem
 from planar_cli.problem.setting import Setting, StruckSetting
 
 
@@ -52,9 +55,15 @@ class Flat(Joint):
     """
 
     kind: ClassVar[str] = "flat"
+    quantities: ClassVar[tuple[str, ...]] = ("N", "friction", "mode")
 
     between: tuple[str, ...] = key(PartnersKey(), "the body that lies, then the one it lies on or `ground`")
     mu: Side = key(SideKey("1"), "coefficient of friction; 0 is smooth")
+
+    def objections(self, problem: Problem) -> Iterable[Diagnostic]:
+        if problem.plane == "vertical":
+            message, hint = "a flat contact needs `plane: horizontal`", "in a vertical plane write `contact`"
+            yield Diagnostic(self.mark, "PL456", message, hint)
 
     def modes(self, scene: Setting) -> tuple[Mode, ...]:
         """The pressure carries the weight; friction holds the body, or acts at its mass centre against its sliding."""

@@ -12,6 +12,7 @@ from planar_cli.problem.facts import Action, Anchor, Facts, Joining, Law, Mode, 
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.keys import BodyKey, Choice, DirectionKey, PointKey, SideKey, key
 from planar_cli.problem.residuals import Residual
+from planar_cli.problem.scene import GROUND
 from planar_cli.problem.setting import Setting
 
 
@@ -56,6 +57,7 @@ class Guide(Joint):
     """
 
     kind: ClassVar[str] = "guide"
+    quantities: ClassVar[tuple[str, ...]] = ("N", "friction", "mode")
     choices: ClassVar[tuple[Choice, ...]] = (
         Choice((("point",), ("body",)), "`point: B` when its body may turn, `body: b` when it cannot"),
         Choice(((), ("mu",), ("mu_s", "mu_k")), "`mu`, or `mu_s` and `mu_k`; neither when it is smooth"),
@@ -67,6 +69,9 @@ class Guide(Joint):
     mu: Side | None = key(SideKey("1"), "coefficient of friction, static and kinetic", default=None)
     mu_s: Side | None = key(SideKey("1"), "coefficient of static friction", default=None)
     mu_k: Side | None = key(SideKey("1"), "coefficient of kinetic friction", default=None)
+
+    def holder(self) -> str:
+        return self.along if isinstance(self.along, str) else GROUND
 
     def modes(self, scene: Setting) -> tuple[Mode, ...]:
         joining, normal = self._joining(scene)

@@ -58,6 +58,7 @@ class Impact(Joint):
     """
 
     kind: ClassVar[str] = "impact"
+    quantities: ClassVar[tuple[str, ...]] = ("N", "friction")
     strikes: ClassVar[bool] = True
 
     between: tuple[str, ...] = key(PartnersKey(), "the two bodies, or a body and a surface")

@@ -51,6 +51,7 @@ class Link(Joint):
     """
 
     kind: ClassVar[str] = "link"
+    quantities: ClassVar[tuple[str, ...]] = ("tension",)
 
     between: tuple[str, str] = key(PointPairKey(), "the two points it joins")
     length: Side | None = key(SideKey("m"), "its length, where the drawing leaves it open", default=None)

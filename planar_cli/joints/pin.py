@@ -50,6 +50,7 @@ class Pin(Joint):
     """
 
     kind: ClassVar[str] = "pin"
+    quantities: ClassVar[tuple[str, ...]] = ("friction",)
 
     at: str = key(PointKey(), "the common point")
     between: tuple[str, ...] = key(

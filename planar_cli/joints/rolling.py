@@ -51,6 +51,8 @@ class Rolling(Joint):
     """
 
     kind: ClassVar[str] = "rolling"
+    quantities: ClassVar[tuple[str, ...]] = ("N", "friction", "mode")
+    touches: ClassVar[bool] = True
 
     between: tuple[str, ...] = key(PartnersKey(), "the wheel and what it rolls on")
     at: str = key(PointKey(), "the point where they touch")

@@ -63,6 +63,7 @@ class Rope(Joint):
     """
 
     kind: ClassVar[str] = "rope"
+    quantities: ClassVar[tuple[str, ...]] = ("tension", "mode")
 
     path: tuple[RopeStop, ...] = key(RopePathKey(), "its stops in order: A, over D, under E, T on drum")
     along: Side | None = key(
@@ -70,6 +71,9 @@ class Rope(Joint):
     )
 
     def attachments(self) -> tuple[tuple[str, str], ...]:
+        return self.rims()
+
+    def rims(self) -> tuple[tuple[str, str], ...]:
         return tuple((stop.name, stop.body) for stop in self.path if stop.way == "on" and stop.body is not None)
 
     def modes(self, scene: Setting) -> tuple[Mode, ...]:

@@ -17,6 +17,9 @@ one file with one final class:
 - `during` is the span of states in which the load acts; None: always.
 - `mark` is the place of the entry in the file.
 
+What the rest of the program must know of a kind stands in class variables: how it is told (`effect`, `line`, `letter`,
+`working`), and what it does (`pulls`, `opposes`, `dissipates`); `quantities` are words that may be asked of it alone.
+
 A member states facts only and does not import SymPy at module level, so that reading a file stays quick.
 """
 
@@ -24,10 +27,10 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import Any, ClassVar
 
 from planar_cli.errors import Mark
-from planar_cli.problem.facts import Mode, Wrench
+from planar_cli.problem.facts import Effect, Mode, Wrench
 from planar_cli.problem.keys import Choice
 from planar_cli.problem.residuals import Residual
 from planar_cli.problem.setting import MovingSetting, Setting, StruckSetting
@@ -45,6 +48,22 @@ class Load(ABC):
     kind: ClassVar[str]
     choices: ClassVar[tuple[Choice, ...]] = ()
     strikes: ClassVar[bool] = False
+    effect: ClassVar[Effect | None] = None
+    """How it stands among the effects of a scene; None: by its kind."""
+    line: ClassVar[str] = "magnitude of {}"
+    """The words beside a magnitude that has a line of its own; {} is the load's name."""
+    letter: ClassVar[str] = "F"
+    """The letter of such a magnitude."""
+    working: ClassVar[str] = ""
+    """What does work, in words; {} is the load's name. "": its kind and its name."""
+    quantities: ClassVar[tuple[str, ...]] = ()
+    """Quantities of the language that may be asked of this kind and not of every load: tension."""
+    pulls: ClassVar[bool] = False
+    """Is its magnitude the pull along the line of its ends, what `tension(j)` asks?"""
+    opposes: ClassVar[bool] = False
+    """Is its force always against the velocity, whose sense may be open?"""
+    dissipates: ClassVar[bool] = False
+    """Does it turn motion into heat?"""
 
     name: str
     during: tuple[str, str] | None
@@ -52,6 +71,10 @@ class Load(ABC):
 
     def attachments(self) -> tuple[tuple[str, str], ...]:
         """Pairs (point, body): the points that belong to a body because this load names them together."""
+        return ()
+
+    def rims(self) -> tuple[tuple[str, str], ...]:
+        """Pairs (point, body): where a cord leaves a rim. Such a point keeps its direction from the body's centre."""
         return ()
 
     def modes(self, scene: Setting) -> tuple[Mode, ...]:
@@ -68,4 +91,14 @@ class Load(ABC):
 
     @abstractmethod
     def wrenches(self, scene: MovingSetting) -> tuple[Wrench, ...]:
-        """What the load does to each body, once positions and velocities are known."""
+        """What the load does to each body, once positions and velocities are known.
+
+        What it does to the ground needs not be stated, and is left out of the equations by whoever asks.
+        """
+
+    def potential(self, scene: Setting) -> Any | None:
+        """Its potential energy [J] in this position, whose value where it is zero is free; None: it has none.
+
+        Where none is stated, a function of place is still looked for: the integral of the load's power.
+        """
+        return None

@@ -7,7 +7,7 @@ from typing import ClassVar
 
 from planar_cli.loads.base import Load
 from planar_cli.problem.expression import Side
-from planar_cli.problem.facts import Wrench
+from planar_cli.problem.facts import Effect, Wrench
 from planar_cli.problem.keys import PointPairKey, SideKey, key
 from planar_cli.problem.setting import MovingSetting
 
@@ -45,6 +45,11 @@ class Damper(Load):
     """
 
     kind: ClassVar[str] = "damper"
+    effect: ClassVar[Effect] = Effect("damper force", "dampers", rank=5)
+    line: ClassVar[str] = "pull of the damper {}"
+    quantities: ClassVar[tuple[str, ...]] = ("tension",)
+    pulls: ClassVar[bool] = True
+    dissipates: ClassVar[bool] = True
 
     between: tuple[str, str] = key(PointPairKey(), "the two points it joins")
     coefficient: Side = key(SideKey("N*s/m"), "force per speed")
@@ -58,4 +63,4 @@ class Damper(Load):
             return ()
         tension = scene.value(self.coefficient) * rate
         ends = ((bodies[0], start, along), (bodies[1], end, -along))
-        return tuple(Wrench(self.name, "damper", b, at, d * tension, 0, tension) for b, at, d in ends if b != "ground")
+        return tuple(Wrench(self.name, "damper", b, at, d * tension, 0, tension) for b, at, d in ends)

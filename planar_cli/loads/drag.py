@@ -7,7 +7,7 @@ from typing import ClassVar
 
 from planar_cli.loads.base import Load
 from planar_cli.problem.expression import Side
-from planar_cli.problem.facts import Wrench
+from planar_cli.problem.facts import Effect, Wrench
 from planar_cli.problem.keys import BodyKey, MagnitudeKey, Table, key
 from planar_cli.problem.setting import MovingSetting
 
@@ -44,6 +44,10 @@ class Drag(Load):
     """
 
     kind: ClassVar[str] = "drag"
+    effect: ClassVar[Effect] = Effect("drag", "drag", rank=3)
+    line: ClassVar[str] = "drag on {}"
+    opposes: ClassVar[bool] = True
+    dissipates: ClassVar[bool] = True
 
     body: str = key(BodyKey(), "the body that is braked")
     magnitude: Side | Table = key(MagnitudeKey("N"), "its magnitude, such as `c*v(b).mag^2`")

@@ -7,7 +7,7 @@ from typing import ClassVar
 
 from planar_cli.loads.base import Load
 from planar_cli.problem.expression import Side
-from planar_cli.problem.facts import Wrench
+from planar_cli.problem.facts import Effect, Wrench
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.keys import BodyKey, Choice, MagnitudeKey, PointKey, SideKey, Table, key
 from planar_cli.problem.setting import MovingSetting
@@ -53,6 +53,7 @@ class Force(Load):
     """
 
     kind: ClassVar[str] = "force"
+    effect: ClassVar[Effect] = Effect("applied force", rank=1)
     choices: ClassVar[tuple[Choice, ...]] = (
         Choice(((), ("at",), ("wound_at",)), "`at: P`, or `wound_at: T` for a cord that unwinds, not both"),
         Choice(
@@ -72,6 +73,9 @@ class Force(Load):
     def attachments(self) -> tuple[tuple[str, str], ...]:
         point = self.at or self.wound_at
         return () if point is None else ((point, self.body),)
+
+    def rims(self) -> tuple[tuple[str, str], ...]:
+        return () if self.wound_at is None else ((self.wound_at, self.body),)
 
     def wrenches(self, scene: MovingSetting) -> tuple[Wrench, ...]:
         name = self.at or self.wound_at

@@ -7,7 +7,7 @@ from typing import Any, ClassVar
 
 from planar_cli.loads.base import Load, mode_key
 from planar_cli.problem.expression import Side, Statement
-from planar_cli.problem.facts import Facts, Mode, Test, Wrench
+from planar_cli.problem.facts import Effect, Facts, Mode, Test, Wrench
 from planar_cli.problem.keys import Choice, PointPairKey, SideKey, StatementsKey, WordKey, key
 from planar_cli.problem.setting import MovingSetting, Setting
 
@@ -48,6 +48,10 @@ class Spring(Load):
     """
 
     kind: ClassVar[str] = "spring"
+    effect: ClassVar[Effect] = Effect("spring force", "springs", rank=4)
+    line: ClassVar[str] = "pull of the spring {}"
+    quantities: ClassVar[tuple[str, ...]] = ("tension",)
+    pulls: ClassVar[bool] = True
     choices: ClassVar[tuple[Choice, ...]] = (
         Choice(
             (("natural_length",), ("relaxed_at",)),
@@ -95,8 +99,9 @@ class Spring(Load):
         tension = scene.value(self.stiffness) * stretch
         along = (end - start) / length
         ends = ((self.between[0], start, along), (self.between[1], end, -along))
-        return tuple(
-            Wrench(self.name, "spring", scene.owner(p), at, d * tension, 0, tension)
-            for p, at, d in ends
-            if scene.owner(p) != "ground"
-        )
+        return tuple(Wrench(self.name, "spring", scene.owner(p), at, d * tension, 0, tension) for p, at, d in ends)
+
+    def potential(self, scene: Setting) -> Any:
+        """k s²/2, s its stretch."""
+        start, end = (scene.point(p) for p in self.between)
+        return scene.value(self.stiffness) * self._stretch(scene, scene.length(end - start)) ** 2 / 2

@@ -7,7 +7,7 @@ from typing import Any, ClassVar
 
 from planar_cli.loads.base import Load
 from planar_cli.problem.expression import Side
-from planar_cli.problem.facts import Wrench
+from planar_cli.problem.facts import Effect, Wrench
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.keys import BodyKey, Choice, Flow, FlowKey, MagnitudeKey, Table, key
 from planar_cli.problem.setting import MovingSetting
@@ -65,6 +65,8 @@ class Stream(Load):
     """
 
     kind: ClassVar[str] = "stream"
+    effect: ClassVar[Effect] = Effect("stream of matter", rank=6)
+    line: ClassVar[str] = "push of the stream {}"
     choices: ClassVar[tuple[Choice, ...]] = (
         Choice(
             (("enters",), ("leaves",), ("enters", "leaves")),

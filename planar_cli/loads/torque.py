@@ -7,7 +7,7 @@ from typing import ClassVar
 
 from planar_cli.loads.base import Load
 from planar_cli.problem.expression import Side
-from planar_cli.problem.facts import Wrench
+from planar_cli.problem.facts import Effect, Wrench
 from planar_cli.problem.keys import BodyKey, Choice, MagnitudeKey, PartnersKey, Table, key
 from planar_cli.problem.setting import MovingSetting
 
@@ -47,6 +47,7 @@ class Torque(Load):
     """
 
     kind: ClassVar[str] = "torque"
+    effect: ClassVar[Effect] = Effect("applied torque", rank=2)
     choices: ClassVar[tuple[Choice, ...]] = (
         Choice((("body",), ("between",)), "`body: b`, or `between: [a, b]`: on b, reversed on a"),
     )
@@ -61,4 +62,4 @@ class Torque(Load):
             return (Wrench(self.name, "torque", self.body, scene.center(self.body), None, moment, moment),)
         first, second = self.between or ("ground", "ground")
         pairs = ((second, moment), (first, -moment))
-        return tuple(Wrench(self.name, "torque", b, scene.center(b), None, m, m) for b, m in pairs if b != "ground")
+        return tuple(Wrench(self.name, "torque", b, scene.center(b), None, m, m) for b, m in pairs)

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import Any, ClassVar
 
 from planar_cli.loads.base import Load
-from planar_cli.problem.facts import Wrench
+from planar_cli.problem.facts import Effect, Wrench
 from planar_cli.problem.geometry import Vec
-from planar_cli.problem.setting import MovingSetting
+from planar_cli.problem.setting import MovingSetting, Setting
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -44,10 +44,19 @@ class Weight(Load):
     """
 
     kind: ClassVar[str] = "weight"
+    effect: ClassVar[Effect] = Effect("weight", rank=0)
+    line: ClassVar[str] = "weight of {}"
+    letter: ClassVar[str] = "W"
+    working: ClassVar[str] = "weight of {}"
 
     def wrenches(self, scene: MovingSetting) -> tuple[Wrench, ...]:
         """The weight m g of one body, downward at its mass centre; `name` is the body."""
         weight = scene.mass(self.name) * scene.gravity
         if weight == 0:
             return ()
-        return (Wrench(self.name, "weight", self.name, scene.center(self.name), Vec(0, -1) * weight, 0, weight),)
+        point, place = scene.center(self.name), scene.center_name(self.name)
+        return (Wrench(self.name, "weight", self.name, point, Vec(0, -1) * weight, 0, weight, place),)
+
+    def potential(self, scene: Setting) -> Any:
+        """m g y_G, from y = 0."""
+        return scene.mass(self.name) * scene.gravity * scene.center(self.name).y

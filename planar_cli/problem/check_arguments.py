@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import Any
 
 from planar_cli.errors import Diagnostic
 from planar_cli.joints.base import Joint
@@ -12,16 +13,21 @@ from planar_cli.problem.expression import Quantity
 from planar_cli.problem.reading import did_you_mean, listed
 from planar_cli.problem.scene import GROUND
 from planar_cli.problem.scope import Member, Scope
+from planar_cli.registry import members
 
 SPANNED = frozenset("work impulse heat path_length mean count".split())
 STATED = frozenset("reached period frequency stable".split())
 TIMELESS = frozenset("path hodograph".split()) | STATED
 
 
+OWN = "own"
+"""Stands for the kinds of joints and loads among whose `quantities` a word is."""
+
+
 @dataclass(frozen=True, slots=True)
 class Takes:
-    """`first`, `second`: what may stand there, of point, body, all, ground, and kinds of joints and loads (`joint`,
-    `load` for every kind). No `second`: only one thing. `both`: the second must be there.
+    """`first`, `second`: what may stand there, of point, body, all, ground, and joints and loads (`joint`, `load` for
+    every kind; OWN for those that answer to the word). No `second`: only one thing. `both`: the second must be there.
     """
 
     first: str
@@ -39,13 +45,13 @@ TAKES: dict[str, Takes] = {
     "IC": Takes("body", "body"),
     "path": Takes("point body", "point body"),
     "hodograph": Takes("point body"),
-    "N": Takes("contact rolling guide flat impact", "body"),
-    "friction": Takes("contact rolling guide flat impact pin", "body"),
+    "N": Takes(OWN, "body"),
+    "friction": Takes(OWN, "body"),
     "reaction": Takes("joint load", "body"),
     "moment": Takes("joint load", "body"),
-    "tension": Takes("rope link belt spring damper", "body"),
+    "tension": Takes(OWN, "body"),
     "force": Takes("load", "body"),
-    "mode": Takes("contact rolling guide flat rope", "body"),
+    "mode": Takes(OWN, "body"),
     "mass": Takes("body all"),
     "I": Takes("body all", "point body"),
     "KE": Takes("body all"),
@@ -58,6 +64,12 @@ TAKES: dict[str, Takes] = {
     "heat": Takes("joint all"),
     "path_length": Takes("point body", "point body"),
 }
+
+
+def answering(word: str) -> list[str]:
+    """The kinds of joints, then of loads, of which a quantity may be asked that not all of them have."""
+    kinds: list[tuple[str, Any]] = [*members("joints").items(), *members("loads").items()]
+    return [kind for kind, member in kinds if word in member.quantities]
 
 
 def arguments(quantity: Quantity, scope: Scope) -> Iterator[Diagnostic]:
@@ -103,12 +115,12 @@ def _instant(quantity: Quantity) -> Iterator[Diagnostic]:
 
 def _thing(quantity: Quantity, index: int, allowed: str, scope: Scope) -> Iterator[Diagnostic]:
     name = quantity.things[index]
-    kinds = allowed.split()
+    kinds = answering(quantity.word) if allowed == OWN else allowed.split()
     if not name or _is_plain_thing(name, kinds, scope):
         return
-    members = [m for m in scope.members.get(name, ()) if _fits(m, kinds)]
-    if members:
-        yield from _ambiguous(quantity, members, scope)
+    meant = [m for m in scope.members.get(name, ()) if _fits(m, kinds)]
+    if meant:
+        yield from _ambiguous(quantity, meant, scope)
         return
     yield Diagnostic(quantity.mark, "PL420", _no_fit(quantity, name, kinds), _hint(quantity, name, kinds, scope))
 
@@ -179,16 +191,12 @@ def _known(kinds: list[str], scope: Scope) -> set[str]:
         known |= set(scope.points)
     if "body" in kinds:
         known |= set(scope.bodies)
-    return known | {n for n, members in scope.members.items() if any(_fits(m, kinds) for m in members)}
+    return known | {n for n, named in scope.members.items() if any(_fits(m, kinds) for m in named)}
 
 
 def _alternative(member: Member, name: str) -> str:
-    match member.kind:
-        case "pin" | "weld":
-            return f"its force is `reaction({name})`"
-        case "rope" | "link" | "belt" | "spring" | "damper":
-            return f"its force is `tension({name})`"
-        case "contact" | "rolling" | "guide" | "flat" | "impact":
-            return f"its forces are `N({name})` and `friction({name})`"
-        case _:
-            return f"its force is `force({name})`"
+    if "N" in member.quantities:
+        return f"its forces are `N({name})` and `friction({name})`"
+    if "tension" in member.quantities:
+        return f"its force is `tension({name})`"
+    return f"its force is `{'reaction' if isinstance(member, Joint) else 'force'}({name})`"

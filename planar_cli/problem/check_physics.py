@@ -8,7 +8,7 @@ from fractions import Fraction
 from planar_cli.errors import Diagnostic
 from planar_cli.problem.expression import Binary, Name, Negate, Number, Quantity, Side
 from planar_cli.problem.formulas import formulas
-from planar_cli.problem.scene import GROUND, At, Body, Composite, Particle, Polar, Round, Towards, TwoFacts
+from planar_cli.problem.scene import GROUND, At, Body, Composite, Particle, Polar, Towards, TwoFacts
 from planar_cli.problem.scope import Scope
 from planar_cli.problem.walk import Tree, walk
 
@@ -187,20 +187,6 @@ def partners_fit(scope: Scope) -> Iterator[Diagnostic]:
             yield Diagnostic(
                 joint.mark, "PL455", f"{what} is between '{twice}' and itself", "name two different partners"
             )
-        elif joint.kind != "link" and len(between) > 1 and {scope.carrier(name) for name in between} == {GROUND}:
+        elif len(between) > 1 and {scope.carrier(name) for name in between} == {GROUND}:
             yield Diagnostic(joint.mark, "PL455", f"{what} joins only fixed things", "name the body that moves")
-        if joint.kind == "belt":
-            yield from _belt(between, scope)
-        if joint.kind == "flat" and scope.problem.plane == "vertical":
-            yield Diagnostic(
-                joint.mark, "PL456", "a flat contact needs `plane: horizontal`", "in a vertical plane write `contact`"
-            )
-
-
-def _belt(between: tuple[str, ...], scope: Scope) -> Iterator[Diagnostic]:
-    for name in between:
-        body = scope.bodies.get(name)
-        if body is not None and not isinstance(body.shape, Round | Composite):
-            yield Diagnostic(
-                body.mark, "PL455", f"a belt runs round disks; {name} is none", "give it `disk: G, radius: …`"
-            )
+        yield from joint.objections(scope.problem)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from planar_cli.errors import Diagnostic, Mark
+from planar_cli.joints.base import Joint
 from planar_cli.problem.check_names import points_of_place
 from planar_cli.problem.expression import Extreme, Grouped, JustAfter, Name, Quantity, Relation, Word
 from planar_cli.problem.formulas import formulas
@@ -70,9 +71,9 @@ def blows_have_spans(scope: Scope) -> Iterator[Diagnostic]:
     p = scope.problem
     after = {s.name: r.state for s in p.states for r in s.relations if isinstance(r, JustAfter)}
     for member in members_of(p):
-        if member.kind not in ("impact", "impulse"):
+        if not member.strikes:
             continue
-        if member.during is None and not (member.kind == "impact" and after):
+        if member.during is None and not (isinstance(member, Joint) and after):
             yield Diagnostic(
                 member.mark, "PL433", f"the {member.kind} does not say when it happens", "write `during: 1->2`"
             )

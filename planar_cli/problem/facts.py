@@ -138,7 +138,11 @@ class Law:
 
 @dataclass(frozen=True, slots=True)
 class Wrench:
-    """A load on one body: a force at a point and a couple; `name` of the load, `kind` weight, force, spring, …"""
+    """A load on one body: a force at a point and a couple.
+
+    `name` of the load, `kind` its word on the shelf (or skid: friction of a fixed size; momentum: what a body brings to
+    a blow). `place`: the name of the point in print, where it is not to be found among the points of the file.
+    """
 
     name: str
     kind: str
@@ -147,6 +151,7 @@ class Wrench:
     force: Vec | None
     couple: Any = 0
     magnitude: Any = 0
+    place: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -158,6 +163,18 @@ class Skid:
     base: str
     point: Vec
     size: Any
+
+
+@dataclass(frozen=True, slots=True)
+class Effect:
+    """How the effects of a scene are listed: what a load brings, and what is said of a scene without it."""
+
+    words: str
+    """What it is called where it acts."""
+    absent: str = ""
+    """What it is called in the list of what does not act; "" where that is not worth saying."""
+    rank: int = 9
+    """Its place in these lists, from what is always there to what is rare."""
 
 
 FAR = "far"

@@ -105,14 +105,13 @@ class Scope:
         points the tuple is empty.
         """
         between = getattr(member, "between", None) or ()
-        along = getattr(member, "along", None)
         named = [
             n
             for n in (*between, getattr(member, "body", None))
             if n in self.bodies or n in self.surfaces or n == GROUND
         ]
-        if getattr(member, "kind", "") == "guide":
-            named.append(along if isinstance(along, str) else GROUND)
+        holder = member.holder() if isinstance(member, Joint) else None
+        named += [] if holder is None else [holder]
         named += [stop.body for stop in self._stops(member) if stop.body]
         return tuple(self.carrier(n) for n in named)
 

@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from planar_cli.problem.expression import JustAfter
+from planar_cli.problem.facts import Effect
+from planar_cli.registry import members
 from planar_cli.report.blocks import Note, line
 from planar_cli.solve.solution import InstantSolution
 
@@ -22,18 +26,8 @@ def effects(instant: InstantSolution) -> tuple[list[str], list[str]]:
     kinds = {w.kind for w in system.wrenches}
     present: list[str] = []
     has_mass = any(b.mass != 0 for b in scene.bodies.values())
-    if "weight" in kinds:
-        present.append("weight")
-    for kind, words in (
-        ("force", "applied force"),
-        ("torque", "applied torque"),
-        ("spring", "spring force"),
-        ("damper", "damper force"),
-        ("drag", "drag"),
-        ("stream", "stream of matter"),
-    ):
-        if kind in kinds:
-            present.append(words)
+    shelf = sorted(((_effect(kind), kind) for kind in members("loads")), key=lambda pair: pair[0].rank)
+    present += [effect.words for effect, kind in shelf if kind in kinds]
     if any(b.varies(scene.ledger.symbols["t"]) for b in scene.bodies.values()):
         present.append("mass that varies")
     if has_mass:
@@ -46,12 +40,18 @@ def effects(instant: InstantSolution) -> tuple[list[str], list[str]]:
     coriolis = _coriolis(instant)
     if coriolis:
         present.append("Coriolis acceleration")
-    absent = [w for k, w in (("drag", "drag"), ("spring", "springs"), ("damper", "dampers")) if k not in kinds]
+    absent = [effect.absent for effect, kind in shelf if effect.absent and kind not in kinds]
     absent += [] if coriolis else ["Coriolis"]
     blows = any(isinstance(s, JustAfter) for state in scene.problem.states for s in state.relations)
     if scene.problem.struck or blows:
         return [*present, "impact"], absent
     return present, [*absent, "impact"]
+
+
+def _effect(kind: str) -> Effect:
+    """How a kind of load is listed."""
+    member: Any = members("loads")[kind]
+    return member.effect or Effect(kind)
 
 
 def _contacts(instant: InstantSolution) -> list[str]:

@@ -7,6 +7,8 @@ from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.acting import kind_of
+from planar_cli.loads.base import Load
 from planar_cli.problem.facts import Push, Wrench
 from planar_cli.report.blocks import Forces, Line, Math, Text
 from planar_cli.report.words import Phrases
@@ -38,7 +40,7 @@ def _acting(instant: InstantSolution, body: str, phrases: Phrases) -> Line:
     parts: list[list[Any]] = []
     for w in system.wrenches:
         if w.body == body and not (w.kind == "momentum" and phrases.value.is_zero(w.magnitude)):
-            where = _at(instant, w.point) if w.kind != "weight" else f"at {instant.instant.scene.center_name(body)}"
+            where = f"at {w.place}" if w.place else _at(instant, w.point)
             if w.force is not None:
                 parts.append([phrases.math(w.magnitude), Text(f" {_sense(w, phrases)} {where}")])
             elif w.couple != 0:
@@ -54,9 +56,9 @@ def _acting(instant: InstantSolution, body: str, phrases: Phrases) -> Line:
 
 
 def _sense(w: Wrench, phrases: Phrases) -> str:
-    """The direction in which a positive magnitude acts; drag is against a velocity whose sense may be open."""
+    """The direction in which a positive magnitude acts; the sense of a velocity that it opposes may be open."""
     assert w.force is not None
-    if w.kind == "drag" and phrases.symbolic:
+    if (kind_of(w) or Load).opposes and phrases.symbolic:
         return "against its velocity"
     reversed_sense = phrases.value(sp.sympify(w.magnitude)) < 0
     return phrases.arrow(-w.force.x, -w.force.y) if reversed_sense else phrases.arrow(w.force.x, w.force.y)

@@ -139,11 +139,8 @@ class Offers:
             for b in bodies:
                 found[b] |= bodies - {b}
         for wrench in self.system.wrenches:
-            others = {
-                w.body
-                for w in self.system.wrenches
-                if w.name == wrench.name and w.kind in ("spring", "damper", "torque")
-            }
+            pair = (wrench.kind, wrench.name)
+            others = {w.body for w in self.system.wrenches if wrench.name and (w.kind, w.name) == pair}
             found[wrench.body] |= (others & set(found)) - {wrench.body}
         return found
 

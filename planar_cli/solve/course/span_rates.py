@@ -7,18 +7,18 @@ from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.acting import kind_of
 from planar_cli.equation.evaluate import refuse
 from planar_cli.equation.plain import simplified
 from planar_cli.equation.quantities import Quantities
 from planar_cli.equation.reactions import Reactions
+from planar_cli.loads.base import Load
 from planar_cli.problem.expression import Quantity, Relation
 from planar_cli.problem.facts import Wrench
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
 from planar_cli.solve.course.regime import Regime
 from planar_cli.solve.course.timeline import Reader
-
-DISSIPATING = ("damper", "drag", "skid")
 
 
 def rates_of(q: Quantity, reader: Reader) -> tuple[sp.Expr, ...]:
@@ -96,7 +96,7 @@ def _heat(name: str, quantities: Quantities, regime: Regime) -> sp.Expr:
     if name != "all":
         return _lost(name, quantities, reactions, regime)
     joints = dict.fromkeys(reactions.joints.values())
-    loads = [w for w in reactions.wrenches if w.kind in DISSIPATING and w.name not in joints]
+    loads = [w for w in reactions.wrenches if (kind_of(w) or Load).dissipates]
     parts = [_lost(j, quantities, reactions, regime) for j in joints]
     return sp.Add(*parts, *(-_power(w, quantities) for w in loads))
 
@@ -104,7 +104,7 @@ def _heat(name: str, quantities: Quantities, regime: Regime) -> sp.Expr:
 def _lost(joint: str, quantities: Quantities, reactions: Reactions, regime: Regime) -> sp.Expr:
     """Minus the power of a joint; a belt, which is no body, moves with the rate of the row that measures the slip."""
     # A load that is called by the same point is none of the joint's own.
-    loads = [w for w in reactions.wrenches if w.kind not in DISSIPATING and joint in reactions.joints.values()]
+    loads = [w for w in reactions.wrenches if kind_of(w) is not None]
     own = [w for w in reactions.acting(joint) if w.name == joint and w not in loads]
     parts = [-_power(w, quantities) for w in own]
     motion = quantities.motion

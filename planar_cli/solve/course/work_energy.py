@@ -16,6 +16,8 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
+from planar_cli.equation.acting import acting_loads
+from planar_cli.equation.moving import Moving
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.problem.facts import Wrench
 from planar_cli.problem.geometry import Vec
@@ -28,7 +30,8 @@ from planar_cli.solve.course.timeline import Stop
 if TYPE_CHECKING:
     from planar_cli.solve.course.course import Course
 
-WORDS = {"weight": "weight of {}", "skid": "friction at {}"}
+FRICTION = "friction at {}"
+"""What does work where no load does: bodies that skid."""
 LONGEST = 500
 """A longer kinetic energy is not put on paper."""
 
@@ -111,24 +114,21 @@ def _sources(general: General) -> Iterator[Source]:
     named: dict[tuple[str, str], list[Wrench]] = {}
     for w in system.wrenches:
         named.setdefault((w.kind, w.name), []).append(w)
-    stiffness = {x.name: getattr(x, "stiffness", None) for x in scene.problem.loads}
+    loads = {(x.kind, x.name): x for x in acting_loads(scene)}
+    setting = Moving(scene, motion, general.value)
     for (kind, name), wrenches in named.items():
         power = sp.Add(*(_power(w, general) for w in wrenches))
-        function: sp.Expr | None = None
-        if kind == "weight":
-            function = -scene.bodies[name].mass * scene.gravity * scene.center(name).y
-        k = stiffness.get(name)
-        if kind == "spring" and k is not None:
-            function = -(sp.sympify(wrenches[0].magnitude) ** 2) / (2 * scene.value(k))
-        words = WORDS.get(kind, f"{kind} {{}}").format(name)
-        yield Source(words, power, function)
+        load = loads.get((kind, name))
+        stored = None if load is None else load.potential(setting)
+        working = FRICTION if load is None else load.working or f"{kind} {{}}"
+        yield Source(working.format(name), power, None if stored is None else -sp.sympify(stored))
     followers = {law.push for law in system.laws}
     for push, value in system.reactions.pushes:
         if push.name not in followers or value == 0:
             continue
         parts = [a.force.dot(motion.velocity(a.point, a.body)) for a in push.actions if a.force is not None]
         parts += [a.couple * motion.velocities[a.body].angular for a in push.actions]
-        yield Source(f"friction at {push.place}", sp.Add(*parts) * value)
+        yield Source(FRICTION.format(push.place), sp.Add(*parts) * value)
 
 
 def _power(w: Wrench, general: General) -> sp.Expr:

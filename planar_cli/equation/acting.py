@@ -1,0 +1,22 @@
+"""Which loads act in a scene, and the kind of load behind a wrench."""
+
+from __future__ import annotations
+
+from collections.abc import Container
+
+from planar_cli.equation.scene import Scene
+from planar_cli.loads.base import Load, mode_key
+from planar_cli.problem.facts import Wrench
+from planar_cli.registry import members
+
+
+def acting_loads(scene: Scene, idle: Container[str] = ()) -> list[Load]:
+    """The weight of every body, then the loads of the file but those that are `idle`, by the keys of their modes."""
+    weight = members("loads")["weight"]
+    weights: list[Load] = [weight(name=b.name, during=None, mark=b.mark) for b in scene.problem.bodies]
+    return [*weights, *(x for x in scene.problem.loads if mode_key(x.name) not in idle)]
+
+
+def kind_of(wrench: Wrench) -> type[Load] | None:
+    """The class of the load that a wrench comes from; None: friction, or the momentum that a body brings."""
+    return members("loads").get(wrench.kind)
