@@ -10,28 +10,13 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
-from itertools import pairwise
+
+from planar_cli.motion.functions import FUNCTIONS, Table, Turning
 
 ROUNDING = 1e-11
 """A value below this part of the size of what it was made of is zero."""
 
 Number = int | float
-FUNCTIONS: dict[str, Callable[..., float]] = {
-    "sqrt": math.sqrt,
-    "sin": math.sin,
-    "cos": math.cos,
-    "tan": math.tan,
-    "asin": math.asin,
-    "acos": math.acos,
-    "atan": math.atan,
-    "atan2": math.atan2,
-    "exp": math.exp,
-    "log": math.log,
-    "abs": abs,
-    "sign": lambda x: math.copysign(1.0, x) if x else 0.0,
-    "step": lambda x: 1.0 if x >= 0 else 0.0,
-}
-"""What a term may call, by the name that it has in the code too."""
 
 
 class Term:
@@ -110,6 +95,8 @@ class Graph:
     """Variables, by name in the code."""
     tables: dict[str, Table] = field(default_factory=dict)
     """Functions given by a table, by the name that they have in the code."""
+    turnings: dict[str, Turning] = field(default_factory=dict)
+    """Angles that go on over many turns, by the name that they have in the code."""
     _known: dict[tuple[object, ...], Term] = field(default_factory=dict)
     _count: int = 0
 
@@ -152,6 +139,10 @@ class Graph:
                 return b
             if b.op == "*" and b.args[0].constant:
                 return self.multiply(self.number(a.value * b.args[0].value), b.args[1])
+        elif _minus(a) or _minus(b):
+            # A minus sign goes outward, where a sum takes it in.
+            a, b, odd = _bare(a), _bare(b), _minus(a) != _minus(b)
+            return -self.multiply(a, b) if odd else self.multiply(a, b)
         return self._made("*", (a, b), a.value * b.value, a.size * b.size)
 
     def divide(self, a: Term, b: Term) -> Term:
@@ -162,6 +153,9 @@ class Graph:
             return a
         if a is b:
             return self.number(1.0)
+        if _minus(a) or _minus(b):
+            bare = self.divide(_bare(a), _bare(b))
+            return -bare if _minus(a) != _minus(b) else bare
         quotient = a.value / b.value if b.value else math.nan
         size = a.size / abs(b.value) if b.value else math.inf
         return self._made("/", (a, b), quotient, size)
@@ -188,8 +182,8 @@ class Graph:
         return self._made("**", (a, b), value, abs(value))
 
     def call(self, name: str, *args: Term) -> Term:
-        """A function of FUNCTIONS, or of a table."""
-        function = FUNCTIONS[name] if name in FUNCTIONS else self.tables[name].at
+        """A function of FUNCTIONS, of a table, or a turning."""
+        function = self.function(name)
         value = _safely(function, *(a.value for a in args))
         if all(a.constant for a in args) and not math.isnan(value):
             return self.number(value)
@@ -203,6 +197,22 @@ class Graph:
         self.tables[name] = Table(tuple(points))
         self.tables[f"{name}_slope"] = self.tables[name].slopes()
         return name
+
+    def turning(self, y: Term, x: Term, drawn: float | None = None) -> Term:
+        """The direction of (x, y) as an angle that goes on over many turns, counted from the angle `drawn`.
+
+        Left out, from that of the reference configuration: it is zero there.
+        """
+        name = f"turn{len(self.turnings)}"
+        start = math.atan2(y.value, x.value)
+        self.turnings[name] = Turning(start, start)
+        return self.call(name, y, x) - (start if drawn is None else drawn)
+
+    def function(self, name: str) -> Callable[..., float]:
+        """What a call of this name computes."""
+        if name in FUNCTIONS:
+            return FUNCTIONS[name]
+        return self.turnings[name].at if name in self.turnings else self.tables[name].at
 
     # --- derivatives -------------------------------------------------------------------------------------------------
 
@@ -251,7 +261,8 @@ class Graph:
             case "**", (a, b):
                 slope = self.power(a, b - one) * b
                 return slope, self.number(0.0) if b.constant else t * self.call("log", a)
-            case "atan2", (y, x):
+            case _, (y, x):
+                # atan2, and angles that go on.
                 square = x * x + y * y
                 return x / square, -y / square
             case name, (a,):
@@ -298,32 +309,6 @@ class Graph:
         return found
 
 
-@dataclass(frozen=True, slots=True)
-class Table:
-    """Values over an argument, in ascending order: straight in between (or steps), constant before and after."""
-
-    points: tuple[tuple[float, float], ...]
-    steps: bool = False
-    """Constant from each point to the next; zero before the first."""
-
-    def at(self, x: float) -> float:
-        """The value at x."""
-        points = self.points
-        if self.steps:
-            return next((y for a, y in reversed(points) if a <= x), 0.0)
-        if x <= points[0][0]:
-            return points[0][1]
-        for (a, y), (b, z) in pairwise(points):
-            if x < b:
-                return y + (z - y) * (x - a) / (b - a)
-        return points[-1][1]
-
-    def slopes(self) -> Table:
-        """Its derivative."""
-        rises = [(a, (z - y) / (b - a)) for (a, y), (b, z) in pairwise(self.points)]
-        return Table((*rises, (self.points[-1][0], 0.0)), steps=True)
-
-
 def ordered(terms: Iterable[Term]) -> list[Term]:
     """The terms and all that they are made of, operands first."""
     seen: set[Term] = set()
@@ -356,9 +341,18 @@ def evaluate(terms: Iterable[Term], values: Mapping[Term, float]) -> list[float]
             case "**":
                 found[t] = pow(args[0], args[1])
             case _:
-                function = FUNCTIONS[t.op] if t.op in FUNCTIONS else t.graph.tables[t.op].at
-                found[t] = function(*args)
+                found[t] = t.graph.function(t.op)(*args)
     return [found[t] for t in wanted]
+
+
+def _minus(term: Term) -> bool:
+    """Is it written with a minus sign before it?"""
+    return term.op == "*" and term.args[0].constant and term.args[0].value == -1.0
+
+
+def _bare(term: Term) -> Term:
+    """The same without its minus sign."""
+    return term.args[1] if _minus(term) else term
 
 
 def _own_size(name: str, args: tuple[Term, ...]) -> float:

@@ -1,0 +1,69 @@
+"""What terms may call: common functions, values given by a table, and angles that go on over many turns."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from itertools import pairwise
+
+FUNCTIONS: dict[str, Callable[..., float]] = {
+    "sqrt": math.sqrt,
+    "sin": math.sin,
+    "cos": math.cos,
+    "tan": math.tan,
+    "asin": math.asin,
+    "acos": math.acos,
+    "atan": math.atan,
+    "atan2": math.atan2,
+    "exp": math.exp,
+    "log": math.log,
+    "abs": abs,
+    "sign": lambda x: math.copysign(1.0, x) if x else 0.0,
+    "step": lambda x: 1.0 if x >= 0 else 0.0,
+}
+"""What a term may call, by the name that it has in the code too."""
+
+
+@dataclass(slots=True)
+class Turning:
+    """An angle that goes on over many turns: the direction of (x, y) that is nearest to the last one noted.
+
+    Whoever follows a motion notes the angle at the end of every step, which turns it by less than half a turn.
+    """
+
+    start: float
+    """In the reference configuration [rad]."""
+    last: float
+    """As last noted [rad]."""
+
+    def at(self, y: float, x: float) -> float:
+        """The angle [rad]."""
+        found = math.atan2(y, x)
+        return found + math.tau * round((self.last - found) / math.tau)
+
+
+@dataclass(frozen=True, slots=True)
+class Table:
+    """Values over an argument, in ascending order: straight in between (or steps), constant before and after."""
+
+    points: tuple[tuple[float, float], ...]
+    steps: bool = False
+    """Constant from each point to the next; zero before the first."""
+
+    def at(self, x: float) -> float:
+        """The value at x."""
+        points = self.points
+        if self.steps:
+            return next((y for a, y in reversed(points) if a <= x), 0.0)
+        if x <= points[0][0]:
+            return points[0][1]
+        for (a, y), (b, z) in pairwise(points):
+            if x < b:
+                return y + (z - y) * (x - a) / (b - a)
+        return points[-1][1]
+
+    def slopes(self) -> Table:
+        """Its derivative."""
+        rises = [(a, (z - y) / (b - a)) for (a, y), (b, z) in pairwise(self.points)]
+        return Table((*rises, (self.points[-1][0], 0.0)), steps=True)
