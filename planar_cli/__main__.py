@@ -1,6 +1,21 @@
-"""`python -m planar_cli`."""
+"""`planar` and `python -m planar_cli`: the help page at once, everything else by the command line."""
 
-from planar_cli.cli import main
+from __future__ import annotations
+
+import sys
+
+
+def main() -> None:
+    """Run the command line and leave with its exit status."""
+    if sys.argv[1:] in (["--help"], ["-h"]):
+        from planar_cli.help_page import show
+
+        show()
+        return
+    from planar_cli.cli import run
+
+    sys.exit(run())
+
 
 if __name__ == "__main__":
     main()

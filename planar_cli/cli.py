@@ -5,24 +5,20 @@ No command is imported before it is run, so that `planar --help` stays quick.
 
 from __future__ import annotations
 
-import ast
 import importlib
 import os
 import sys
 from collections.abc import Sequence
-from difflib import get_close_matches
-from pathlib import Path
-from typing import NoReturn
 
 import click
 
 from planar_cli import __version__
 from planar_cli.errors import FileProblem, NoSolution, PlanarError, Undecided
+from planar_cli.help_page import ABOUT, commands
 from planar_cli.registry import modules
 
 SOLVED, DISAGREES, BAD, UNDECIDED, FAULT = range(5)
 INTERRUPTED = 130
-_COMMANDS = Path(__file__).parent / "commands"
 
 
 class CommandShelf(click.Group):
@@ -43,6 +39,8 @@ class CommandShelf(click.Group):
     ) -> tuple[str | None, click.Command | None, list[str]]:
         known = self.list_commands(ctx)
         if args and args[0] not in known and not args[0].startswith("-"):
+            from difflib import get_close_matches
+
             near = get_close_matches(args[0], known, n=1, cutoff=0.5)
             hint = f" Did you mean '{near[0]}'?" if near else f" There are {', '.join(known)}."
             raise click.UsageError(f"There is no command '{args[0]}'.{hint}", ctx)
@@ -50,30 +48,14 @@ class CommandShelf(click.Group):
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """The commands with the first line of their docstrings, read from the files without importing them."""
-        rows = [(name, short_help(name.replace("-", "_"))) for name in self.list_commands(ctx)]
-        if rows:
-            with formatter.section("Commands"):
-                formatter.write_dl(rows)
+        with formatter.section("Commands"):
+            formatter.write_dl(list(commands().items()))
 
 
-def short_help(module: str) -> str:
-    """The first line of the docstring of a command's module."""
-    tree = ast.parse((_COMMANDS / f"{module}.py").read_text(encoding="utf-8"))
-    return (ast.get_docstring(tree) or "").partition("\n")[0]
-
-
-@click.group(cls=CommandShelf, context_settings={"help_option_names": ["-h", "--help"]})
+@click.group(cls=CommandShelf, context_settings={"help_option_names": ["-h", "--help"]}, help="\n\n".join(ABOUT))
 @click.version_option(__version__, prog_name="planar")
 def cli() -> None:
-    """Worked solutions of planar dynamics problems, from small YAML files.
-
-    `planar explain` tells how such a file is written.
-    """
-
-
-def main(args: Sequence[str] | None = None) -> NoReturn:
-    """Run the command line and leave with its exit status."""
-    sys.exit(run(args))
+    """The group of all commands."""
 
 
 def run(args: Sequence[str] | None = None) -> int:
