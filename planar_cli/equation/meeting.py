@@ -8,19 +8,16 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import sympy as sp
 
 from planar_cli.equation.evaluate import refuse
 from planar_cli.equation.outlines import outline_of
+from planar_cli.equation.scene import Scene
 from planar_cli.errors import FileProblem, Mark
 from planar_cli.problem.facts import Meeting
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND, Circle, Line, Particle, Plate, Rod, Round
-
-if TYPE_CHECKING:
-    from planar_cli.equation.scene import Scene
 
 
 @dataclass(frozen=True, slots=True)

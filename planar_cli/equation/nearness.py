@@ -4,14 +4,11 @@ from __future__ import annotations
 
 from decimal import Decimal
 from itertools import product
-from typing import TYPE_CHECKING
 
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.meeting import Partner, partner_of
+from planar_cli.equation.scene import Scene
 from planar_cli.problem.geometry import Vec
-
-if TYPE_CHECKING:
-    from planar_cli.equation.scene import Scene
 
 
 def distance(scene: Scene, between: tuple[str, ...], value: Valuation) -> Decimal | None:

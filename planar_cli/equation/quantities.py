@@ -4,20 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import sympy as sp
 
 from planar_cli.equation.evaluate import Evaluator, refuse
 from planar_cli.equation.jets import Jet, constant, magnitude, vector_jet
 from planar_cli.equation.motion import Motion
+from planar_cli.equation.reactions import Reactions
 from planar_cli.equation.scene import Scene
 from planar_cli.problem.expression import Name, Part, PointPair, Quantity, Relation
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
-
-if TYPE_CHECKING:
-    from planar_cli.equation.reactions import Reactions
 
 LATER = {
     "path",

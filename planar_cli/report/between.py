@@ -15,7 +15,7 @@ from planar_cli.report.forces import force_rows
 from planar_cli.report.words import Phrases
 from planar_cli.solve.course.blow import Blow
 from planar_cli.solve.course.impulse_momentum import Momentum
-from planar_cli.solve.course.unfold import Unfolded
+from planar_cli.solve.course.unfolded import Unfolded
 from planar_cli.solve.course.work_energy import Balance
 from planar_cli.solve.solution import InstantSolution
 from planar_cli.solve.stages import Stage

@@ -6,9 +6,9 @@ from decimal import Decimal
 from typing import Any
 
 from planar_cli.report.words import rounded, si_text
+from planar_cli.solve.course.derivation import Result
 from planar_cli.solve.course.equations import Equation
-from planar_cli.solve.course.route import Result
-from planar_cli.solve.course.unfold import Unfolded
+from planar_cli.solve.course.unfolded import Unfolded
 
 STEP_DIGITS = 12
 

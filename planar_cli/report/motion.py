@@ -20,10 +20,10 @@ from planar_cli.report.oscillation import oscillation_blocks
 from planar_cli.report.span_integrals import span_blocks
 from planar_cli.report.words import Phrases, told_unit
 from planar_cli.solve.asked import is_energy
+from planar_cli.solve.course.derivation import Leg, Result, Route
 from planar_cli.solve.course.equations import DATA
 from planar_cli.solve.course.equations import Equation as Relation
-from planar_cli.solve.course.route import Leg, Result, Route
-from planar_cli.solve.course.unfold import Unfolded
+from planar_cli.solve.course.unfolded import Unfolded
 
 MOST_ROOTS = 4
 SHORT = 40

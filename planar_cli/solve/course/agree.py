@@ -17,7 +17,7 @@ from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.solve.course.events import LOOKS
 from planar_cli.solve.course.regime import Regime
 from planar_cli.solve.course.simulate import Followed
-from planar_cli.solve.course.unfold import Unfolded
+from planar_cli.solve.course.unfolded import Unfolded
 from planar_cli.solve.verify import Disagreement
 
 NEEDED = 6

@@ -10,14 +10,17 @@ from collections.abc import Callable, Collection, Iterable
 from contextlib import suppress
 from decimal import Decimal
 from itertools import islice
-from typing import TYPE_CHECKING
 
 import sympy as sp
 
 from planar_cli.calculus.first import first_extreme
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.errors import NOWHERE, Diagnostic, Mark, NoSolution, Undecided
+from planar_cli.problem.scene import Problem
+from planar_cli.solve.course.course import Course
+from planar_cli.solve.course.equations import Equation
 from planar_cli.solve.course.events import Leg, events, is_zero, scale_of
+from planar_cli.solve.course.finds import FindReader
 from planar_cli.solve.course.plot import Span, Workshop, fixed_time
 from planar_cli.solve.course.reached import asked_about
 from planar_cli.solve.course.simulate import Ends, Followed, Follower
@@ -25,12 +28,6 @@ from planar_cli.solve.course.timeline import Demand, Stop
 from planar_cli.solve.diagnose import explain_failure, singular_position
 from planar_cli.solve.instant import make_instant, search_modes
 from planar_cli.solve.linear import solve
-
-if TYPE_CHECKING:
-    from planar_cli.problem.scene import Problem
-    from planar_cli.solve.course.course import Course
-    from planar_cli.solve.course.equations import Equation
-    from planar_cli.solve.course.finds import FindReader
 
 AGREES = Decimal("1e-7")
 SAMPLES = 60

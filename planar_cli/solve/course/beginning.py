@@ -4,20 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from decimal import Decimal
-from typing import TYPE_CHECKING
 
 import sympy as sp
 
 from planar_cli.equation.exact import Valuation
 from planar_cli.errors import Diagnostic, NoSolution
+from planar_cli.solve.course.course import Course
 from planar_cli.solve.course.equations import is_speed
 from planar_cli.solve.course.events import SLACK, Leg, State, length_of
 from planar_cli.solve.course.gaps import closes_at_once, openings
 from planar_cli.solve.course.regime import Regime, number_function
 from planar_cli.solve.course.ways import becomes_negative
-
-if TYPE_CHECKING:
-    from planar_cli.solve.course.course import Course
 
 MOVES = 1e-7
 """A larger speed is one, in m/s or rad/s."""

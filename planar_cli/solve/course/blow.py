@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from decimal import Decimal
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import sympy as sp
 
@@ -29,14 +29,12 @@ from planar_cli.solve.course.equations import Equation
 from planar_cli.solve.course.handing import handed
 from planar_cli.solve.course.plot import Span
 from planar_cli.solve.course.regime import Regime
+from planar_cli.solve.course.regime_sequence import RegimeSequence
 from planar_cli.solve.course.struck import Struck, struck_instant
 from planar_cli.solve.course.timeline import Stop
 from planar_cli.solve.instant import Trial
 from planar_cli.solve.stages import Stage, StageMaker, acceleration_unknowns
 from planar_cli.solve.worked import unknowns_of
-
-if TYPE_CHECKING:
-    from planar_cli.solve.course.course import Course
 
 MOVES = Decimal("1e-9")
 TOUCHES = Decimal("1e-4")
@@ -262,11 +260,13 @@ def asked_of_blows(problem: Any) -> list[str]:
     return [q.things[0] for q in quantities if q.things]
 
 
-def make_blow(course: Course, i: int, span: Span, choice: tuple[int, ...] | None) -> Blow:
-    """The blow between states i and i + 1, its modes not yet tried but in draws."""
+def make_blow(course: RegimeSequence, i: int, span: Span, choice: tuple[int, ...] | None, placed: bool) -> Blow:
+    """The blow between states i and i + 1, its modes not yet tried but in draws. `placed`: what `motion` says fixes
+    the places of the first state.
+    """
     since, stop = (course.stops[course.states[k].name] for k in (i, i + 1))
     before, after = course.readers[since.name].regime, course.readers[stop.name].regime
-    drawn = _as_drawn(course, i, before)
+    drawn = {} if placed else _as_drawn(course, i, before)
     named = {u: since.letters[u] for u in before.free}
     told = {}
     for body, (v, spin) in arriving(before).items():
@@ -292,8 +292,8 @@ def _struck_otherwise(before: Span, blow: Span) -> bool:
     return taken or any(x.strikes for x in blow.problem.loads)
 
 
-def _as_drawn(course: Course, i: int, before: Regime) -> dict[sp.Symbol, sp.Expr]:
+def _as_drawn(course: RegimeSequence, i: int, before: Regime) -> dict[sp.Symbol, sp.Expr]:
     """The coordinates as drawn, if nothing but blows happens before state i."""
-    if any(s.blow is None for s in course.plot.stretches[:i]) or course.placed[course.first.name]:
+    if not all(course.is_impulsive(k) for k in range(i)):
         return {}
     return {c.symbol: c.drawn for c in before.coordinates if c.drawn is not None}

@@ -15,7 +15,7 @@ from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.equation.motion import Twist
 from planar_cli.problem.geometry import Vec
 from planar_cli.solve.course.blow import Blow
-from planar_cli.solve.course.unfold import Unfolded
+from planar_cli.solve.course.unfolded import Unfolded
 from planar_cli.solve.instant import Trial
 from planar_cli.solve.verify import Disagreement
 from planar_cli.solve.worked import unknowns_of

@@ -2,19 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import sympy as sp
 
+from planar_cli.equation.exact import Valuation
 from planar_cli.equation.plain import longer
+from planar_cli.solve.course.derivation import Edge
 from planar_cli.solve.course.equations import Equation
-
-if TYPE_CHECKING:
-    from planar_cli.solve.course.course import Course
-    from planar_cli.solve.course.route import Edge
-    from planar_cli.solve.course.unfold import Unfolded
+from planar_cli.solve.course.regime_sequence import RegimeSequence
 
 LONGEST = 60
 
@@ -40,14 +37,13 @@ def _onward(edge: Edge, order: Mapping[sp.Symbol, int]) -> bool:
     return last <= first and not any(longer(e.residual, LONGEST) for e in equations)
 
 
-def by_numbers(found: Unfolded) -> ByNumbers:
-    """The letters of states whose values came from following the motion alone."""
-    course: Course = found.course
+def by_numbers(course: RegimeSequence, guessed: Collection[sp.Symbol], value: Valuation) -> ByNumbers:
+    """The letters of states whose values came from following the motion alone, `guessed`. `value`: their numbers."""
     stops = [course.stops[state.name] for state in course.states]
     order = {own: i for i, stop in enumerate(stops) for own in stop.letters.values()}
     told = []
     for own, i in order.items():
-        if own in found.guessed:
-            residual = own - sp.Rational(str(found.value(own)))
+        if own in guessed:
+            residual = own - sp.Rational(str(value(own)))
             told.append(Equation(residual, "followed", "followed step by step", course.states[i].name))
     return ByNumbers(tuple(told), order)

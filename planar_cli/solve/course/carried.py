@@ -9,17 +9,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from decimal import Decimal
-from typing import TYPE_CHECKING
 
 import sympy as sp
 
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.errors import Diagnostic, NoSolution
 from planar_cli.solve.course.chain import Branch
+from planar_cli.solve.course.course import Course
 from planar_cli.solve.linear import solve
-
-if TYPE_CHECKING:
-    from planar_cli.solve.course.course import Course
 
 STEP, SMALLEST, NEWTON = Decimal(1) / 32, Decimal("1e-4"), 10
 CLOSE, SAME = Decimal("1e-20"), Decimal("1e-9")

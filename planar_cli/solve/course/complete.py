@@ -5,21 +5,15 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 from decimal import Decimal
-from typing import TYPE_CHECKING
 
 import sympy as sp
 
 from planar_cli.equation.exact import Unvalued, Valuation
-from planar_cli.problem.expression import Quantity
 from planar_cli.solve.course.chain import Branch
-from planar_cli.solve.course.course import Course
-from planar_cli.solve.course.oscillation import check_oscillations, oscillation_at, oscillations_of, stability
+from planar_cli.solve.course.oscillation import check_oscillations, placed
 from planar_cli.solve.course.over_spans import solve_spans
+from planar_cli.solve.course.unfolded import Unfolded
 
-if TYPE_CHECKING:
-    from planar_cli.solve.course.unfold import Unfolded
-
-TRUTHS = ("reached", "stable")
 AGREE = Decimal("1e-9")
 
 
@@ -35,7 +29,7 @@ def completed(found: Unfolded) -> Unfolded:
             branch.left,
         )
     value = found.value.extended(still.values)
-    check_oscillations(course, value)
+    check_oscillations(course, course.swings, value)
     for letter in still.values:
         formula = _resolved(letter, still.formulas)
         if not formula.free_symbols & set(still.values):
@@ -45,7 +39,8 @@ def completed(found: Unfolded) -> Unfolded:
         if s.formula is not None and _agrees(s.formula, s.number, value):
             course.told.setdefault(s.symbol, s.formula)
     value = value.extended({s.symbol: s.number for s in spans})
-    return replace(found, branch=branch, value=value, spans=spans, oscillations=oscillations_of(course))
+    oscillations = tuple(placed(course, found) for found in course.swings.values())
+    return replace(found, branch=branch, value=value, spans=spans, oscillations=oscillations)
 
 
 def _agrees(formula: sp.Expr, number: Decimal, value: Valuation) -> bool:
@@ -64,10 +59,3 @@ def _resolved(expr: sp.Expr, formulas: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
             break
         expr = expr.xreplace(inside)
     return expr
-
-
-def is_true(course: Course, q: Quantity, value: Valuation) -> bool:
-    """reached(s): is the state part of the motion? stable(s): does a small deviation stay small?"""
-    if q.word == "reached":
-        return q.things[0] in course.stops
-    return stability(oscillation_at(course, q), value).stable

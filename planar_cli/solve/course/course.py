@@ -4,18 +4,15 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from decimal import Decimal
-from typing import Any
 
 import sympy as sp
 
 from planar_cli.equation.conditions import order
 from planar_cli.equation.exact import Unvalued, Valuation
-from planar_cli.equation.motion import Edge
 from planar_cli.problem.expression import Relation, Statement
 from planar_cli.problem.scene import Problem, State
-from planar_cli.solve.course.after import asked_after
 from planar_cli.solve.course.blow import Blow, arriving, asked_of_blows, make_blow
-from planar_cli.solve.course.chain import Branch, Chain
+from planar_cli.solve.course.chain import Chain
 from planar_cli.solve.course.equations import (
     Equation,
     Laws,
@@ -30,39 +27,28 @@ from planar_cli.solve.course.equations import (
     stated_equations,
 )
 from planar_cli.solve.course.extremes import stationary
-from planar_cli.solve.course.handing import edges_of
 from planar_cli.solve.course.laws_between import LawsBetween
-from planar_cli.solve.course.oscillation import Oscillation, tell_oscillations
-from planar_cli.solve.course.over_spans import Asked, ask_spans, tell_spans
+from planar_cli.solve.course.oscillation import Oscillation, oscillations_asked, periods
 from planar_cli.solve.course.plot import Plot, Workshop, fixed_time
-from planar_cli.solve.course.ranking import ranked
 from planar_cli.solve.course.regime import Regime
+from planar_cli.solve.course.regime_sequence import RegimeSequence, regime_sequence
+from planar_cli.solve.course.span_quantities import SpanQuantity, ask_spans, tell_spans
 from planar_cli.solve.course.still import Still, stand_still
 from planar_cli.solve.course.takeover import handing_of, later_equations, resting_equations
-from planar_cli.solve.course.timeline import Demand, Reader, Stop, stop_of
+from planar_cli.solve.course.timeline import Demand, Stop
 from planar_cli.solve.course.touch import Touch
 
 TINY = Decimal("1e-15")
 
 
 @dataclass(slots=True)
-class Course:
-    """The motion of one problem along one plot. `regimes[i]` acts from state i to the next; `beyond` from the last on.
-    `readers`: who reads what a state states, `tellers`: what is asked of it and may jump there. `told`: what stand-ins
-    for quantities about states are; `still`: the equilibrium states, solved; `spanned`: quantities over spans;
-    `swings`: about equilibrium states. `said`: by regime, what the file states and asks in it. `blows[i]`: between
-    state i and the next; `handings`: by regime, the free speeds of others in its own motion; `between`: laws of energy
-    and momentum.
+class Course(RegimeSequence):
+    """The motion of one problem along one plot. `still`: the equilibrium states, solved; `spanned`: quantities over
+    spans; `swings`: about equilibrium states. `said`: by regime, what the file states and asks in it. `blows[i]`:
+    between state i and the next; `handings`: by regime, the free speeds of others in its own motion; `between`: laws
+    of energy and momentum.
     """
 
-    problem: Problem
-    plot: Plot
-    workshop: Workshop
-    regimes: list[Regime] = field(default_factory=list)
-    stops: dict[str, Stop] = field(default_factory=dict)
-    readers: dict[str, Reader] = field(default_factory=dict)
-    tellers: dict[str, Reader] = field(default_factory=dict)
-    beyond: Regime | None = None
     laws: list[Laws] = field(default_factory=list)
     demands: dict[str, list[Demand]] = field(default_factory=dict)
     placed: dict[str, list[Demand]] = field(default_factory=dict)
@@ -70,71 +56,13 @@ class Course:
     touches: list[Equation] = field(default_factory=list)
     differences: list[sp.Symbol] = field(default_factory=list)
     touch: Touch | None = None
-    told: dict[sp.Symbol, sp.Expr] = field(default_factory=dict)
     still: Still | None = None
-    spanned: dict[sp.Symbol, Asked] = field(default_factory=dict)
+    spanned: dict[sp.Symbol, SpanQuantity] = field(default_factory=dict)
     swings: dict[str, Oscillation] = field(default_factory=dict)
     blows: dict[int, Blow] = field(default_factory=dict)
     handings: dict[int, dict[sp.Symbol, sp.Expr]] = field(default_factory=dict)
     said: dict[int, tuple[sp.Expr, ...]] = field(default_factory=dict)
     between: LawsBetween = field(default_factory=LawsBetween)
-
-    @property
-    def states(self) -> tuple[State, ...]:
-        return self.plot.states
-
-    # --- the scene ---------------------------------------------------------------------------------------------------
-
-    def prepare(self) -> None:
-        """The regime of every stretch; then the letters of every state, and who reads it."""
-        self.regimes = [self.workshop.regime(s) for s in self.plot.stretches]
-        apart = [(state, self.workshop.regime(s)) for state, s in self.plot.equilibria]
-        every = [*self.regimes, *(r for _, r in apart)]
-        if self.regimes:
-            self.beyond = self.workshop.regime(self.plot.stretch(len(self.regimes)))
-            every.append(self.beyond)
-        letters = list(dict.fromkeys(s for r in every for s in r.letters))
-        ledger = every[0].general.instant.scene.ledger
-        for regime in every:
-            for s in regime.letters:
-                ledger.units.setdefault(s, regime.general.instant.scene.ledger.units[s])
-        for state in (*self.states, *(s for s, _ in apart)):
-            made = self.workshop.letters
-            self.stops[state.name] = stop_of(state.name, state.relations, state.mark, letters, ledger, made)
-        by_regime: dict[int, Reader] = {}
-
-        def reader_of(regime: Regime) -> Reader:
-            made = Reader(self.problem, regime, self.stops, self.readers, self.tellers, self.told)
-            return by_regime.setdefault(id(regime), made)
-
-        for i, state in enumerate(self.states):
-            begins = self.regimes[i] if i < len(self.regimes) else self.beyond
-            assert begins is not None
-            struck = i > 0 and self.plot.stretches[i - 1].blow is not None
-            self.readers[state.name] = reader_of(begins if struck else self.regimes[max(i - 1, 0)])
-            self.tellers[state.name] = reader_of(begins)
-        for state, regime in apart:
-            self.readers[state.name] = self.tellers[state.name] = reader_of(regime)
-
-    @property
-    def scene(self) -> Any:
-        """The scene of the first regime."""
-        return next(iter(self.readers.values())).regime.general.instant.scene
-
-    @property
-    def ledger(self) -> Any:
-        return self.scene.ledger
-
-    @property
-    def first(self) -> Stop:
-        return next(iter(self.stops.values()))
-
-    def distinct_readers(self) -> list[Reader]:
-        """Every reader once."""
-        return list({id(r): r for r in (*self.readers.values(), *self.tellers.values())}.values())
-
-    def distinct_regimes(self) -> list[Regime]:
-        return list({id(r): r for r in (*self.regimes, *(r.regime for r in self.distinct_readers()))}.values())
 
     # --- equations ---------------------------------------------------------------------------------------------------
 
@@ -155,9 +83,10 @@ class Course:
             self.placed[s.name] = self.readers[s.name].demands(self.stops[s.name], always[s.name])
         self._strike()
         self.between.close(self.regimes)
-        tell_oscillations(self)
+        self.swings = oscillations_asked(self)
+        self.told |= periods(self, self.swings)
         if self.spanned:
-            tell_spans(self, raw)
+            tell_spans(self, self.spanned, self.blows, raw)
         self.still = stand_still(self, beside)
         for s in self.states:
             self.demands[s.name] = self.readers[s.name].demands(self.stops[s.name], raw[s.name])
@@ -171,25 +100,6 @@ class Course:
 
     def _at_limits(self, equations: list[Equation]) -> list[Equation]:
         return at_limits(equations, self.infinite(), self.regimes[0].general.value) if self.states else []
-
-    def edges(self) -> dict[sp.Symbol, Edge]:
-        """What the free speeds of all regimes are, by their letters."""
-        regimes = self.distinct_regimes()
-        return {s: e for r in regimes for s, e in edges_of(r.general.trial.system.tree).items() if s in r.free}
-
-    def running(self) -> list[Regime]:
-        """The regimes in which time passes, or in which what is asked of the last state is told."""
-        found = [r for i, r in enumerate(self.regimes) if self.plot.stretches[i].blow is None]
-        found += [self.workshop.regime(s) for _, s in self.plot.equilibria]
-        last = self.states[-1].name if self.states else ""
-        if self.beyond is not None and (not self.blows_last or asked_after(self.problem, last)):
-            found.append(self.beyond)
-        return found
-
-    @property
-    def blows_last(self) -> bool:
-        """Is the last state just after a blow?"""
-        return bool(self.plot.stretches) and self.plot.stretches[-1].blow is not None
 
     def _ask_handing(self) -> None:
         """Letters of other regimes, and how bodies arrive at blows, are worked out with each regime."""
@@ -205,7 +115,9 @@ class Course:
         """The blows, once the velocities before them are worked out."""
         for i, stretch in enumerate(self.plot.stretches):
             if stretch.blow is not None:
-                self.blows[i] = make_blow(self, i, stretch.blow, stretch.blow_choice)
+                self.blows[i] = make_blow(
+                    self, i, stretch.blow, stretch.blow_choice, bool(self.placed[self.first.name])
+                )
                 self.blows[i].work(asked_of_blows(self.problem))
                 units = self.blows[i].scene.ledger.units
                 self.ledger.units |= {x: units[x] for x in self.blows[i].letters if x in units}
@@ -305,17 +217,9 @@ class Course:
     # --- solution ----------------------------------------------------------------------------------------------------
 
     def base(self) -> Valuation:
-        """Numbers of everything that is known: given values, and draws of the letters of the file."""
-        ledger = self.ledger
-        scene = self.scene
-        varying = {s for r in self.distinct_regimes() for s in r.letters}
-        sought = {ledger.symbols[s.name] for s in self.problem.unknowns if s.name in ledger.symbols}
-        values = {s: v for s, v in scene.valuations[0].values.items() if s not in varying and s not in sought}
-        still = {} if self.still is None else self.still.branch.values
-        return Valuation({**values, **still}, scene.valuations[0].definitions)
-
-    def sought(self) -> list[sp.Symbol]:
-        return [self.ledger.symbols[s.name] for s in self.problem.unknowns if s.name in self.ledger.symbols]
+        """Numbers of everything that is known, also of the equilibrium states."""
+        known = self.given()
+        return known if self.still is None else known.extended(self.still.branch.values)
 
     def parameters(self) -> set[sp.Symbol]:
         """What has no number of its own: letters of the file, as they were drawn."""
@@ -371,13 +275,9 @@ class Course:
                         return False
         return True
 
-    def candidates(self) -> list[Branch]:
-        """All branches that are possible, those whose states come first in front."""
-        return ranked(self, self.chain().branches(self.equations))
-
 
 def make_course(problem: Problem, plot: Plot, workshop: Workshop) -> Course:
     """The course of a problem along one plot, ready to read finds."""
-    course = Course(problem, plot, workshop)
-    course.prepare()
-    return course
+    found = regime_sequence(problem, plot, workshop)
+    parts = (found.regimes, found.beyond, found.stops, found.readers, found.tellers, found.told)
+    return Course(problem, plot, workshop, *parts)

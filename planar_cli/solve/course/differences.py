@@ -8,17 +8,14 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 from itertools import combinations
-from typing import TYPE_CHECKING
 
 import sympy as sp
 
 from planar_cli.equation.plain import longer, simplified
+from planar_cli.solve.course.course import Course
 from planar_cli.solve.course.equations import Equation, is_speed
+from planar_cli.solve.course.finds import FindReader
 from planar_cli.solve.course.timeline import Stop
-
-if TYPE_CHECKING:
-    from planar_cli.solve.course.course import Course
-    from planar_cli.solve.course.finds import FindReader
 
 LONG = 200
 

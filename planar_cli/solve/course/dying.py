@@ -8,21 +8,18 @@ of e^-100 of the first passes zero as cleanly as the first, and a formula whose 
 from __future__ import annotations
 
 from decimal import Decimal
-from typing import TYPE_CHECKING
 
 import sympy as sp
 
 from planar_cli.calculus.first import roots
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.errors import Undecided
+from planar_cli.solve.course.course import Course
 from planar_cli.solve.course.events import WINDOWS, Leg, State, scale_of
 from planar_cli.solve.course.legs import explicit
 from planar_cli.solve.course.starts import certain_start
 from planar_cli.solve.course.timeline import Stop
 from planar_cli.solve.roots import real_roots
-
-if TYPE_CHECKING:
-    from planar_cli.solve.course.course import Course
 
 SAME = Decimal("1e-13")
 LOOKS, MOST = 8, 4000

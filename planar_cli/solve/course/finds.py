@@ -21,10 +21,10 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import Find
 from planar_cli.problem.scope import Scope
 from planar_cli.solve.asked import is_energy
-from planar_cli.solve.course.complete import TRUTHS, is_true
 from planar_cli.solve.course.course import Course
+from planar_cli.solve.course.derivation import Route
+from planar_cli.solve.course.oscillation import stability
 from planar_cli.solve.course.paths import CurveReader
-from planar_cli.solve.course.route import Route
 from planar_cli.solve.course.starts import started
 from planar_cli.solve.course.throughout import Throughout
 from planar_cli.solve.course.timeline import Reader, Stop
@@ -34,6 +34,7 @@ from planar_cli.solve.solution import Found
 from planar_cli.units import IMPULSE, Unit, parse_unit
 
 CLOSED_OPS, LONGEST = 90, 600
+TRUTHS = ("reached", "stable")
 
 
 @dataclass(slots=True)
@@ -94,7 +95,7 @@ class FindReader:
         if mode is not None:
             return Found(find.name, mode[0], pure, None, None, mode[1], find)
         if isinstance(what, Quantity) and what.word in TRUTHS:
-            word = "true" if is_true(self.course, what, value) else "false"
+            word = "true" if _is_true(self.course, what, value) else "false"
             return Found(find.name, "truth", pure, None, None, word, find)
         if is_curve(what):
             known = {} if self.throughout is None else self.throughout.start
@@ -197,3 +198,10 @@ class FindReader:
         system = reader.regime.general.trial.system
         ours = next(our for our, name in system.aliases.items() if name == joint and system.modes[our].name)
         return system.modes[ours].name
+
+
+def _is_true(course: Course, q: Quantity, value: Valuation) -> bool:
+    """reached(s): is the state part of the motion? stable(s): does a small deviation stay small?"""
+    if q.word == "reached":
+        return q.things[0] in course.stops
+    return stability(course.swings[q.things[0]], value).stable

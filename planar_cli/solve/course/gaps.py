@@ -4,21 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING
 
 import sympy as sp
 
 from planar_cli.equation.exact import Valuation
+from planar_cli.problem.facts import Mode
+from planar_cli.problem.geometry import Vec
+from planar_cli.solve.course.course import Course
 from planar_cli.solve.course.equations import Equation
 from planar_cli.solve.course.events import SLACK, Leg, events, scale_of
 from planar_cli.solve.course.plot import Plot, Workshop
 from planar_cli.solve.course.regime import Regime, number_function
 from planar_cli.solve.course.ways import becomes_negative
-
-if TYPE_CHECKING:
-    from planar_cli.problem.facts import Mode
-    from planar_cli.problem.geometry import Vec
-    from planar_cli.solve.course.course import Course
 
 OPEN = 1e-10
 """A gap that is open, in parts of the largest length in sight."""

@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import sympy as sp
 
+from planar_cli.solve.course.course import Course
 from planar_cli.solve.course.equations import Equation
-
-if TYPE_CHECKING:
-    from planar_cli.solve.course.course import Course
-    from planar_cli.solve.course.finds import FindReader
+from planar_cli.solve.course.finds import FindReader
 
 ONLY_TIMES = ("t(q)", "t(v)")
 

@@ -13,7 +13,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import sympy as sp
 
@@ -25,10 +24,8 @@ from planar_cli.solve.course.equations import NO_MASS, Equation
 from planar_cli.solve.course.general import General
 from planar_cli.solve.course.potential import potential
 from planar_cli.solve.course.regime import Regime
+from planar_cli.solve.course.regime_sequence import RegimeSequence
 from planar_cli.solve.course.timeline import Stop
-
-if TYPE_CHECKING:
-    from planar_cli.solve.course.course import Course
 
 LONGEST, MOST_BODIES = 300, 6
 ARROWS = {"x": "→ ", "y": "↑ "}
@@ -162,12 +159,12 @@ def integrated(regime: Regime, candidates: Sequence[Candidate]) -> list[Integrat
     return found
 
 
-def momentum_equations(course: Course, found: Sequence[Sequence[Integrated]], k: int) -> Iterator[Equation]:
+def momentum_equations(course: RegimeSequence, found: Sequence[Sequence[Integrated]], k: int) -> Iterator[Equation]:
     """The equations that end at state k: from the state before it, and from where its regime began."""
-    if k < 1 or k - 1 in course.blows:
+    if k < 1 or course.is_impulsive(k - 1):
         return
     begins = k - 1
-    while begins > 0 and begins - 1 not in course.blows and course.regimes[begins - 1] is course.regimes[k - 1]:
+    while begins > 0 and not course.is_impulsive(begins - 1) and course.regimes[begins - 1] is course.regimes[k - 1]:
         begins -= 1
     for since in dict.fromkeys((k - 1, begins)):
         a, b = (course.stops[course.states[i].name] for i in (since, k))

@@ -6,8 +6,7 @@ for the impulse of each reaction. (An Introduction to Planar Dynamics, 4.6, Exam
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Iterator, Mapping
 
 import sympy as sp
 
@@ -17,18 +16,18 @@ from planar_cli.solve.course.equations import Equation
 from planar_cli.solve.course.impulse_momentum import ARROWS, Momentum
 from planar_cli.solve.course.potential import potential
 from planar_cli.solve.course.regime import Regime
+from planar_cli.solve.course.regime_sequence import RegimeSequence
 from planar_cli.solve.course.timeline import Stop
 from planar_cli.solve.write import Written
 
+ImpulseLetter = Callable[[sp.Symbol, Stop, Stop, str], sp.Symbol]
+"""The letter for the impulse of a reaction between two states, in a unit."""
 UNITS = {"N": "N*s", "N*m": "N*m*s"}
 
-if TYPE_CHECKING:
-    from planar_cli.solve.course.course import Course
 
-
-def impulse_equations(course: Course, k: int) -> Iterator[Equation]:
-    """The equations between state k and the one before it."""
-    if k < 1 or k - 1 in course.blows or not course.regimes[k - 1].runs:
+def impulse_equations(course: RegimeSequence, letter_of: ImpulseLetter, k: int) -> Iterator[Equation]:
+    """The equations between state k and the one before it. `letter_of`: the letter for the impulse of a reaction."""
+    if k < 1 or course.is_impulsive(k - 1) or not course.regimes[k - 1].runs:
         return
     regime = course.regimes[k - 1]
     a, b = (course.stops[course.states[i].name] for i in (k - 1, k))
@@ -37,14 +36,14 @@ def impulse_equations(course: Course, k: int) -> Iterator[Equation]:
     for block in stage.blocks if stage is not None else ():
         for w in block.equations:
             if w.law in ("force", "moment"):
-                told = _integrated(course, regime, w, explicit, a, b)
+                told = _integrated(letter_of, regime, w, explicit, a, b)
                 if told is not None:
                     residual = sp.expand(told.after - told.before - told.impulse)
                     yield Equation(residual, "momentum", "impulse and momentum", b.name, a.name, source=told)
 
 
 def _integrated(
-    course: Course, regime: Regime, w: Written, explicit: Mapping[sp.Symbol, sp.Expr], a: Stop, b: Stop
+    letter_of: ImpulseLetter, regime: Regime, w: Written, explicit: Mapping[sp.Symbol, sp.Expr], a: Stop, b: Stop
 ) -> Momentum | None:
     """One equation integrated; None: some coefficient varies, or a force is no function of place and time."""
     system = regime.general.trial.system
@@ -65,7 +64,7 @@ def _integrated(
         return None
     impulse = b.at(function) - a.at(function)
     for symbol, c in forces.terms.items():
-        impulse += c * course.between.impulse_letter(course.ledger, symbol, a, b, UNITS[pushes[symbol].unit])
+        impulse += c * letter_of(symbol, a, b, UNITS[pushes[symbol].unit])
     before, after = (sp.Add(*(c * s.at(regime.closed(rates[x])) for x, c in inertia.terms.items())) for s in (a, b))
     about = w.lead if w.law == "moment" else ""
     return Momentum(a, b, w.bodies, about, ARROWS.get(w.lead, "↗ "), before, after, impulse)

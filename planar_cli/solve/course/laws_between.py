@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from functools import partial
+from typing import Any
 
 import sympy as sp
 
@@ -18,11 +19,9 @@ from planar_cli.solve.course.impulse_momentum import (
 )
 from planar_cli.solve.course.impulses import impulse_equations
 from planar_cli.solve.course.regime import Regime
+from planar_cli.solve.course.regime_sequence import RegimeSequence
 from planar_cli.solve.course.timeline import Stop
 from planar_cli.solve.course.work_energy import Closed, Energies, closed_energies, energies_of, energy_equations
-
-if TYPE_CHECKING:
-    from planar_cli.solve.course.course import Course
 
 
 @dataclass(slots=True)
@@ -52,12 +51,12 @@ class LawsBetween:
         self.closed = [closed_energies(r, self.energies.get(id(r))) for r in regimes]
         self.integrated = [integrated(r, self.momenta.get(id(r), [])) for r in regimes]
 
-    def equations(self, course: Course, k: int) -> Iterator[Equation]:
+    def equations(self, course: RegimeSequence, k: int) -> Iterator[Equation]:
         """All that end at state k."""
         yield from energy_equations(course, self.closed, k)
         yield from momentum_equations(course, self.integrated, k)
         if course.problem.method == "momentum":
-            yield from impulse_equations(course, k)
+            yield from impulse_equations(course, partial(self.impulse_letter, course.ledger), k)
 
     def impulse_letter(self, ledger: Any, push: sp.Symbol, since: Stop, stop: Stop, unit: str) -> sp.Symbol:
         """The letter for the impulse of a reaction between two states."""

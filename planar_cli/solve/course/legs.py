@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from decimal import Decimal
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import mpmath
 import sympy as sp
@@ -19,12 +19,10 @@ from planar_cli.calculus.flow import Flow
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.equation.plain import simplified
 from planar_cli.solve.course.constraints import project, start_symbol
+from planar_cli.solve.course.course import Course
 from planar_cli.solve.course.equations import Laws, law_equations, laws_of, link_equations
 from planar_cli.solve.course.regime import Regime, corners, number_function
 from planar_cli.solve.course.timeline import Stop
-
-if TYPE_CHECKING:
-    from planar_cli.solve.course.course import Course
 
 ENOUGH, FEW_DIGITS, MANY_DIGITS = 10, 13, 20
 """A flow in machine numbers serves if so many of its digits are certain; else it is integrated with many."""

@@ -4,15 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from decimal import Decimal
-from typing import TYPE_CHECKING
 
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.errors import Diagnostic, NoSolution
 from planar_cli.problem.expression import Name
+from planar_cli.solve.course.course import Course
 from planar_cli.solve.course.plot import fixed_time
-
-if TYPE_CHECKING:
-    from planar_cli.solve.course.course import Course
 
 
 def demand_mass(course: Course, value: Valuation) -> None:

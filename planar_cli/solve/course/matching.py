@@ -2,18 +2,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import sympy as sp
 
 from planar_cli.equation.exact import Unvalued
 from planar_cli.solve.course.chain import Branch, Chain
+from planar_cli.solve.course.course import Course
+from planar_cli.solve.course.finds import FindReader
 from planar_cli.solve.course.idle import ONLY_TIMES, asked_letters
 from planar_cli.solve.course.simulate import Followed
-
-if TYPE_CHECKING:
-    from planar_cli.solve.course.course import Course
-    from planar_cli.solve.course.finds import FindReader
 
 AGREE, SMALL = 1e-6, 1e-3
 

@@ -10,8 +10,8 @@ import sympy as sp
 from planar_cli.equation.evaluate import refuse
 from planar_cli.problem.scene import Problem
 from planar_cli.registry import members
+from planar_cli.solve.course.derivation import Route
 from planar_cli.solve.course.equations import Equation
-from planar_cli.solve.course.route import Route
 
 FOLLOWED = frozenset(("v(t)",))
 """Laws of methods that work with the equations of motion."""

@@ -6,7 +6,7 @@ import sympy as sp
 
 from planar_cli.solve.course.impulse_momentum import Momentum
 from planar_cli.solve.course.regime import Regime
-from planar_cli.solve.course.unfold import Unfolded
+from planar_cli.solve.course.unfolded import Unfolded
 from planar_cli.solve.course.work_energy import Balance
 from planar_cli.solve.solution import InstantSolution
 from planar_cli.solve.stages import acceleration_unknowns

@@ -4,16 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from decimal import Decimal
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import mpmath
 import sympy as sp
 
 from planar_cli.equation.exact import DIGITS, Valuation
-
-if TYPE_CHECKING:
-    from planar_cli.solve.course.chain import Branch
-    from planar_cli.solve.course.course import Course
+from planar_cli.solve.course.chain import Branch
+from planar_cli.solve.course.course import Course
 
 STEPS = 12
 SMALL = Decimal("1e-42")

@@ -10,8 +10,8 @@ stability. SI units.
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
 
 import mpmath
 import sympy as sp
@@ -21,10 +21,8 @@ from planar_cli.equation.plain import simplified
 from planar_cli.errors import Diagnostic, FileProblem, Mark, NoSolution, Undecided
 from planar_cli.problem.expression import Quantity
 from planar_cli.solve.course.regime import Regime
+from planar_cli.solve.course.regime_sequence import RegimeSequence
 from planar_cli.solve.course.timeline import Stop
-
-if TYPE_CHECKING:
-    from planar_cli.solve.course.course import Course
 
 HIGHEST = 5
 """Where the linear term vanishes, terms up to this power of the deviation are looked at."""
@@ -115,39 +113,31 @@ def _demand_steady(law: sp.Expr, drift: dict[sp.Symbol, sp.Expr], regime: Regime
 # --- quantities about states -----------------------------------------------------------------------------------------
 
 
-def oscillation_at(course: Course, q: Quantity) -> Oscillation:
-    """The oscillation that period(s), frequency(s) or stable(s) asks about."""
-    name = q.things[0]
-    if name not in {s.name for s, _ in course.plot.equilibria}:
-        text = f"{q.word}({name}): state {name} is no equilibrium"
-        raise FileProblem([Diagnostic(q.mark, "PL631", text, f"write `{name}: [equilibrium, …]` in `states`")])
-    if name not in course.swings:
-        course.swings[name] = linearised(course.readers[name].regime, course.stops[name])
-    return course.swings[name]
+def oscillations_asked(course: RegimeSequence) -> dict[str, Oscillation]:
+    """The oscillations that period(s), frequency(s) or stable(s) ask about, by state."""
+    found: dict[str, Oscillation] = {}
+    for q in _asked(course):
+        name = q.things[0]
+        if name not in {s.name for s, _ in course.plot.equilibria}:
+            text = f"{q.word}({name}): state {name} is no equilibrium"
+            raise FileProblem([Diagnostic(q.mark, "PL631", text, f"write `{name}: [equilibrium, …]` in `states`")])
+        if name not in found:
+            found[name] = linearised(course.readers[name].regime, course.stops[name])
+    return found
 
 
-def tell_oscillations(course: Course) -> None:
+def periods(course: RegimeSequence, swings: Mapping[str, Oscillation]) -> dict[sp.Symbol, sp.Expr]:
     """What period(s) and frequency(s) of one freedom are, in letters of their states."""
+    told = {}
     for reader in course.distinct_readers():
         for symbol, q in reader.spans.items():
-            if q.word in ("period", "frequency"):
-                found = oscillation_at(course, q)
-                if found.single:
-                    course.told[symbol] = found.period if q.word == "period" else found.frequency
+            if q.word in ("period", "frequency") and swings[q.things[0]].single:
+                found = swings[q.things[0]]
+                told[symbol] = found.period if q.word == "period" else found.frequency
+    return told
 
 
-def oscillations_of(course: Course) -> tuple[Oscillation, ...]:
-    """The oscillations that are asked about, one for each state."""
-    asked = {
-        q.things[0]: q
-        for reader in course.distinct_readers()
-        for q in reader.spans.values()
-        if q.word in ("period", "frequency", "stable")
-    }
-    return tuple(_placed(course, oscillation_at(course, q)) for q in asked.values())
-
-
-def _placed(course: Course, found: Oscillation) -> Oscillation:
+def placed(course: RegimeSequence, found: Oscillation) -> Oscillation:
     """With the place of the equilibrium put in."""
     reader = course.readers[found.stop.name]
 
@@ -157,12 +147,16 @@ def _placed(course: Course, found: Oscillation) -> Oscillation:
     return replace(found, stiffness=put(found.stiffness), damping=put(found.damping))
 
 
-def check_oscillations(course: Course, value: Valuation) -> None:
+def check_oscillations(course: RegimeSequence, swings: Mapping[str, Oscillation], value: Valuation) -> None:
     """NoSolution: a period that is asked for does not exist, or is not the only one."""
-    for reader in course.distinct_readers():
-        for q in reader.spans.values():
-            if q.word in ("period", "frequency"):
-                _demand_period(oscillation_at(course, q), q, value)
+    for q in _asked(course):
+        if q.word in ("period", "frequency"):
+            _demand_period(swings[q.things[0]], q, value)
+
+
+def _asked(course: RegimeSequence) -> Iterator[Quantity]:
+    spans = (q for reader in course.distinct_readers() for q in reader.spans.values())
+    return (q for q in spans if q.word in ("period", "frequency", "stable"))
 
 
 def _demand_period(found: Oscillation, q: Quantity, value: Valuation) -> None:

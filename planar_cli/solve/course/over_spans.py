@@ -11,13 +11,12 @@ A path length is the sum of its parts between the instants at which the velocity
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass
 from decimal import Decimal
 from functools import cached_property, partial
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any
 
 import mpmath
 import sympy as sp
@@ -25,37 +24,21 @@ import sympy as sp
 from planar_cli.calculus.antiderivative import definite
 from planar_cli.calculus.first import all_roots
 from planar_cli.calculus.polish import polish
-from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.equation.exact import Valuation
 from planar_cli.equation.plain import simplified
 from planar_cli.errors import Diagnostic, NoSolution, Undecided
-from planar_cli.problem.expression import Quantity, Relation, Statement
+from planar_cli.problem.expression import Quantity, Relation
 from planar_cli.solve.course.blow import Blow
 from planar_cli.solve.course.blow_spans import over_blow
+from planar_cli.solve.course.course import Course
 from planar_cli.solve.course.legs import ENOUGH, FEW_DIGITS, MANY_DIGITS, Leg, legs
 from planar_cli.solve.course.potential import potential, signed_speed
-from planar_cli.solve.course.span_rates import rates_of
+from planar_cli.solve.course.span_quantities import SpanQuantity
 from planar_cli.solve.course.timeline import Stop
-
-if TYPE_CHECKING:
-    from planar_cli.solve.course.course import Course
 
 CERTAIN = Decimal("1e-9")
 """What an integral in a state's own relations may differ from the same by numbers, relative to its size."""
 SAME_TIME = Decimal("1e-20")
-
-
-@dataclass(frozen=True, slots=True)
-class Asked:
-    """A quantity over a span: what is integrated, by the regime that acts (closed later, when that is worked out)."""
-
-    quantity: Quantity
-    rates: Mapping[int, tuple[sp.Expr, ...]]
-
-    @property
-    def span(self) -> tuple[str, str]:
-        at = self.quantity.at
-        assert isinstance(at, tuple)
-        return at
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,82 +72,6 @@ class SpanIntegral:
     events: tuple[Decimal, ...] = ()
 
 
-def ask_spans(course: Course) -> dict[sp.Symbol, Asked]:
-    """Everything that is asked over spans; what it needs is put on the lists of what regimes work out."""
-    found: dict[sp.Symbol, Asked] = {}
-    readers = course.distinct_readers()
-    moving = {id(r) for r in course.regimes}
-    used = set().union(*(e.free_symbols for r in readers for e in map(sp.sympify, r.exprs)))
-    for reader in readers:
-        for symbol, q in list(reader.spans.items()):
-            if not isinstance(q.at, tuple) or symbol not in used:
-                continue
-            rates: dict[int, tuple[sp.Expr, ...]] = {}
-            for other in readers:
-                if id(other.regime) in moving and id(other.regime) not in rates:
-                    rates[id(other.regime)] = rates_of(q, other)
-                    other.exprs += rates[id(other.regime)]
-            found[symbol] = Asked(q, rates)
-    return found
-
-
-# --- inside a state's own relations ----------------------------------------------------------------------------------
-
-
-def tell_spans(course: Course, raw: Mapping[str, list[tuple[Statement, tuple[Any, ...]]]]) -> None:
-    """What stand-ins that stand in states are, as differences between states; they must have one regime."""
-    parts = [p for found in raw.values() for _, ps in found for p in ps if isinstance(p, sp.Basic)]
-    used = set().union(*(p.free_symbols for p in parts)) if parts else set()
-    first = course.first
-    own = [d for d in course.readers[first.name].demands(first, raw[first.name]) if d.kind == "equation"]
-    for symbol, asked in course.spanned.items():
-        if symbol in used:
-            course.told[symbol] = _difference(course, asked, [d.residual for d in own])
-
-
-def _difference(course: Course, asked: Asked, early: list[sp.Expr]) -> sp.Expr:
-    q = asked.quantity
-    a, b = (course.stops[n] for n in asked.span)
-    reader = course.readers[asked.span[1]]
-    rates = tuple(reader.closed(e) for e in asked.rates[id(reader.regime)])
-    g = None
-    order = {s.name: i for i, s in enumerate(course.states)}
-    since, until = order[a.name], order[b.name]
-    if all(i in course.blows for i in range(since, until)):
-        return sp.Add(*(over_blow(course.blows[i], q) for i in range(since, until)))
-    if len({id(r) for r in course.regimes}) == 1 and q.word != "count" and not course.blows:
-        rate = signed_speed(rates[0], rates[1], reader.regime)[0] if q.word == "path_length" else rates[0]
-        g = potential(rate, reader.regime)
-    if g is None:
-        text = f"{q.word}(…) @ {a.name}->{b.name} has no closed form here, so it can not fix a state"
-        raise Undecided(f"{q.mark.file}:{q.mark.line}: {text}")
-    change = b.at(g) - a.at(g)
-    if q.word == "mean":
-        return change / (b.t - a.t)
-    return change * _sense(course, rate, early) if q.word == "path_length" else change
-
-
-def _sense(course: Course, speed: sp.Expr, early: list[sp.Expr]) -> int:
-    """Which way a motion goes that does not turn: as at the first state, of which `early` vanish."""
-    first = course.first
-    for residual in early:
-        inside = residual.free_symbols & set(first.letters.values())
-        if len(inside) == 1:
-            own = next(iter(inside))
-            letter = next(k for k, v in first.letters.items() if v == own)
-            slope = sp.diff(residual, own)
-            if letter in speed.free_symbols and not slope.free_symbols & inside:
-                try:
-                    value = course.base().extended({letter: course.base()(-residual.subs(own, 0) / slope)})
-                    return -1 if value(speed) < 0 else 1
-                except (Unvalued, ArithmeticError):
-                    continue
-    return 1
-
-
-# --- once the motion is known ----------------------------------------------------------------------------------------
-
-
 class SpanSolver:
     """Integrates over spans of one motion. `value`: numbers of names and of the letters of states."""
 
@@ -175,7 +82,7 @@ class SpanSolver:
     def legs(self) -> tuple[Leg, ...]:
         return legs(self.course, self.value)
 
-    def solve(self, symbol: sp.Symbol, asked: Asked) -> SpanIntegral:
+    def solve(self, symbol: sp.Symbol, asked: SpanQuantity) -> SpanIntegral:
         q = asked.quantity
         parts = self._parts(asked)
         if q.word == "count":
@@ -195,7 +102,7 @@ class SpanSolver:
             symbol, q, pieces, number / self.value(time), None if formula is None else formula / time, time
         )
 
-    def _blows(self, asked: Asked) -> list[Blow]:
+    def _blows(self, asked: SpanQuantity) -> list[Blow]:
         """The blows inside a span."""
         order = {s.name: i for i, s in enumerate(self.course.states)}
         a, b = (order.get(n, -1) for n in asked.span)
@@ -209,7 +116,7 @@ class SpanSolver:
             raise NoSolution([Diagnostic(q.mark, "PL603", text, "ask for what is unique, or leave a support out")])
         return Piece(blow.since, blow.stop, formula, "blow", self.value(formula), formula)
 
-    def _parts(self, asked: Asked) -> list[tuple[Stop, Stop, Leg]]:
+    def _parts(self, asked: SpanQuantity) -> list[tuple[Stop, Stop, Leg]]:
         """The span cut where a blow falls, and where the regime changes."""
         a, b = (self.course.stops[n] for n in asked.span)
         found = []
@@ -218,7 +125,7 @@ class SpanSolver:
             a = blow.stop
         return [*found, *self._between(a, b, asked)] if a is not b else found
 
-    def _between(self, a: Stop, b: Stop, asked: Asked) -> list[tuple[Stop, Stop, Leg]]:
+    def _between(self, a: Stop, b: Stop, asked: SpanQuantity) -> list[tuple[Stop, Stop, Leg]]:
         """Part of a span without blows, cut where the regime changes."""
         ta, tb = self.value(a.t), self.value(b.t)
         if tb < ta:
@@ -234,13 +141,13 @@ class SpanSolver:
             found.append((p, r, leg[0]))
         return found
 
-    def _rates(self, asked: Asked, leg: Leg) -> tuple[sp.Expr, ...]:
+    def _rates(self, asked: SpanQuantity, leg: Leg) -> tuple[sp.Expr, ...]:
         reader = next(r for r in self.course.distinct_readers() if r.regime is leg.regime)
         return tuple(simplified(reader.closed(e)) for e in asked.rates[id(leg.regime)])
 
     # --- one piece ---------------------------------------------------------------------------------------------------
 
-    def _piece(self, p: Stop, r: Stop, asked: Asked, leg: Leg) -> Piece:
+    def _piece(self, p: Stop, r: Stop, asked: SpanQuantity, leg: Leg) -> Piece:
         rates = self._rates(asked, leg)
         if asked.quantity.word != "path_length":
             return self._integral(p, r, rates[0], leg)

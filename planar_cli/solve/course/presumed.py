@@ -9,8 +9,8 @@ import sympy as sp
 
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.solve.course.blow import Blow
-from planar_cli.solve.course.route import Route
-from planar_cli.solve.course.unfold import Unfolded
+from planar_cli.solve.course.derivation import Route
+from planar_cli.solve.course.unfolded import Unfolded
 
 
 def presumed(found: Unfolded, routes: Iterable[Route]) -> tuple[sp.Expr, ...]:

@@ -4,15 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from decimal import Context, Decimal
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from planar_cli.equation.exact import Unvalued
 from planar_cli.solve.course.chain import Branch
-
-if TYPE_CHECKING:
-    from planar_cli.solve.course.course import Course
+from planar_cli.solve.course.course import Course
 
 ROUGHLY = Context(prec=30)
+
+
+def candidates(course: Course) -> list[Branch]:
+    """All branches of the equations that are possible, those whose states come first in front."""
+    return ranked(course, course.chain().branches(course.equations))
 
 
 def ranked(course: Course, branches: Iterable[Branch]) -> list[Branch]:

@@ -11,7 +11,6 @@ from __future__ import annotations
 import heapq
 import itertools
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
 from decimal import Decimal
 
 import sympy as sp
@@ -22,9 +21,9 @@ from planar_cli.errors import Undecided
 from planar_cli.solve.course.by_numbers import ByNumbers
 from planar_cli.solve.course.chain import Step
 from planar_cli.solve.course.closed import closed_roots
+from planar_cli.solve.course.derivation import Derivation, Edge, Leg, Result, Route
 from planar_cli.solve.course.equations import DATA, Equation
 from planar_cli.solve.linear import solve
-from planar_cli.solve.roots import Root
 
 LONG_POOL = 30
 """A longer remainder is not put in a plainer form where numbers stand behind it."""
@@ -34,47 +33,6 @@ TOGETHER = 0.8
 """What solving equations together costs beside them."""
 HIDDEN = 1.5
 """What it costs to solve for an unknown inside sines or exponentials."""
-Edge = tuple[tuple[Equation, ...], tuple[sp.Symbol, ...], frozenset[sp.Symbol], float]
-
-
-@dataclass(frozen=True, slots=True)
-class Derivation:
-    """Unknowns from equations, all else in them being known."""
-
-    equations: tuple[Equation, ...]
-    unknowns: tuple[sp.Symbol, ...]
-    needs: frozenset[sp.Symbol]
-    cost: float
-
-
-@dataclass(frozen=True, slots=True)
-class Result:
-    """One line: unknown = formula = value; `roots`: all roots of its equation, with those that do not happen."""
-
-    unknown: sp.Symbol
-    formula: sp.Expr | None
-    value: Decimal
-    roots: tuple[Root, ...] = ()
-
-
-@dataclass(frozen=True, slots=True)
-class Leg:
-    """One derivation worked out. `datum`: it only says what is given."""
-
-    derivation: Derivation
-    results: tuple[Result, ...]
-    datum: bool
-
-
-@dataclass(slots=True)
-class Route:
-    """The way to the targets: legs in order; `formulas` of all that was derived; `plain`: data that are put in at once
-    (zeros and names of the file).
-    """
-
-    legs: tuple[Leg, ...]
-    formulas: dict[sp.Symbol, sp.Expr]
-    plain: dict[sp.Symbol, sp.Expr] = field(default_factory=dict)
 
 
 class Router:

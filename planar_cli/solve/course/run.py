@@ -22,7 +22,8 @@ from planar_cli.solve.course.presumed import presumed
 from planar_cli.solve.course.reached import reaching
 from planar_cli.solve.course.route import Router
 from planar_cli.solve.course.throughout import Throughout
-from planar_cli.solve.course.unfold import Unfolded, Unfolder
+from planar_cli.solve.course.unfold import Unfolder
+from planar_cli.solve.course.unfolded import Unfolded
 from planar_cli.solve.passages import Tale
 from planar_cli.solve.solution import InstantSolution, PartSolution
 
@@ -47,7 +48,7 @@ def _told(unfolded: Unfolded, case: str) -> PartSolution:
     targets = {s for a in found.finds.asked for p in a.parts for s in found.finds.settled(a, p).free_symbols}
     allowed = by_method(course.equations, method)
     steps = tuple(s for s in found.branch.steps if len(by_method(s.equations, method)) == len(s.equations))
-    followed = by_numbers(found)
+    followed = by_numbers(found.course, found.guessed, found.value)
     by_steps = followed if follows(method) else None
     router = Router(allowed, unknowns, found.value, course.symbolic, steps, by_steps)
     wanted = _in_order(course, targets & unknowns)

@@ -7,7 +7,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from decimal import Decimal
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import sympy as sp
 
@@ -17,10 +17,8 @@ from planar_cli.problem.expression import Equilibrium, Statement
 from planar_cli.problem.scene import State
 from planar_cli.solve.course.chain import Branch, Chain
 from planar_cli.solve.course.equations import Equation, drawn_equations, loop_equations, stated_equations
+from planar_cli.solve.course.regime_sequence import RegimeSequence
 from planar_cli.solve.course.timeline import Demand, Stop
-
-if TYPE_CHECKING:
-    from planar_cli.solve.course.course import Course
 
 TINY = Decimal("1e-15")
 SAME = Decimal("1e-12")
@@ -42,7 +40,7 @@ def is_equilibrium(state: State) -> bool:
     return any(isinstance(r, Equilibrium) for r in state.relations)
 
 
-def stand_still(course: Course, raw: Raw) -> Still:
+def stand_still(course: RegimeSequence, raw: Raw) -> Still:
     """Solve all equilibrium states. NoSolution: there is none, or several places fit."""
     states = tuple(state for state, _ in course.plot.equilibria)
     demands: dict[str, tuple[Demand, ...]] = {}
@@ -61,9 +59,12 @@ def stand_still(course: Course, raw: Raw) -> Still:
 
 
 def _solved(
-    course: Course, states: tuple[State, ...], demands: Mapping[str, tuple[Demand, ...]], equations: list[Equation]
+    course: RegimeSequence,
+    states: tuple[State, ...],
+    demands: Mapping[str, tuple[Demand, ...]],
+    equations: list[Equation],
 ) -> Branch:
-    base = course.base()
+    base = course.given()
     stops = [course.stops[s.name] for s in states]
     letters = [v for stop in stops for v in stop.letters.values()]
     units = course.ledger.units

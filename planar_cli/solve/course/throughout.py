@@ -10,10 +10,11 @@ import sympy as sp
 
 from planar_cli.equation.exact import Valuation
 from planar_cli.solve.course.course import Course
+from planar_cli.solve.course.derivation import Route
 from planar_cli.solve.course.equations import Equation, law_equations, link_equations
 from planar_cli.solve.course.events import Leg, scale_of
 from planar_cli.solve.course.newton import refined
-from planar_cli.solve.course.route import Route, Router
+from planar_cli.solve.course.route import Router
 from planar_cli.solve.course.simulate import Followed, Follower
 from planar_cli.solve.course.timeline import Stop
 

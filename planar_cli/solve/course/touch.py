@@ -10,29 +10,17 @@ import math
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from decimal import Decimal
-from typing import TYPE_CHECKING
 
 import sympy as sp
 
 from planar_cli.equation.displacement import Coordinate
 from planar_cli.equation.exact import Unvalued, Valuation
-from planar_cli.errors import Diagnostic, NoSolution
-from planar_cli.solve.course.equations import Equation
 from planar_cli.solve.course.events import length_of
 from planar_cli.solve.course.regime import Regime
-
-if TYPE_CHECKING:
-    from planar_cli.solve.course.course import Course
-    from planar_cli.solve.course.finds import FindReader
 
 SLIGHT = 1e-9
 """The touch in parts of a radian, or of the size of the scene, in the time in which it grows."""
 TOUCHED = "released at rest in an unstable equilibrium: the limit of a slight touch"
-OVER_TIME = ("mean", "impulse")
-
-
-class Endless(NoSolution):
-    """The time is asked that a slight touch takes."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,12 +32,13 @@ class Touch:
     time: float
 
 
-def touch_of(course: Course, start: Mapping[sp.Symbol, Decimal], sense: int, idle: Collection[str]) -> Touch | None:
+def touch_of(
+    regime: Regime, base: Valuation, start: Mapping[sp.Symbol, Decimal], sense: int, idle: Collection[str]
+) -> Touch | None:
     """What sends the motion off, of the free speeds that rest by themselves; None: their rest is not unstable, or in
-    several ways.
+    several ways. `regime`: the first; `base`: numbers of everything that is known.
     """
-    regime = course.regimes[0]
-    value = course.base().extended(dict(start))
+    value = base.extended(dict(start))
     found = []
     for u in (u for u in regime.free if u.name in idle):
         growth = _growth(regime, u, value)
@@ -82,22 +71,3 @@ def _growth(regime: Regime, u: sp.Symbol, value: Valuation) -> float:
         return float(value(sp.diff(regime.accelerations[u], c.symbol) * sp.diff(regime.rates[c.symbol], u)))
     except (ArithmeticError, Unvalued):
         return 0.0
-
-
-def without_times(course: Course) -> list[Equation]:
-    """The equations that hold in the limit: none in which the time of a later state stands."""
-    times = {stop.t for stop in course.stops.values()} - {course.first.t}
-    return [e for e in course.equations if not e.residual.free_symbols & times]
-
-
-def demand_no_times(course: Course, finds: FindReader) -> None:
-    """Endless: something is asked that grows beyond all bounds with the time."""
-    times = {stop.t for stop in course.stops.values()} - {course.first.t}
-    for asked in finds.asked:
-        parts = [finds.settled(asked, p) for p in asked.parts]
-        spans = {s for p in parts for s in p.free_symbols if s in course.spanned}
-        lasting = any(course.spanned[s].quantity.word in OVER_TIME for s in spans)
-        if lasting or any(p.free_symbols & times for p in parts):
-            text = f"{asked.find.name}: it begins at rest in an unstable equilibrium, and takes longer without bound"
-            hint = "ask for places, velocities and forces, or give the touch: a small angle or speed in the first state"
-            raise Endless([Diagnostic(asked.find.mark, "PL621", text, hint)])

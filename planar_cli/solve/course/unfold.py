@@ -11,7 +11,7 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.equation.exact import Unvalued
 from planar_cli.errors import Diagnostic, NoSolution, Undecided
 from planar_cli.solve.course.astray import (
     clash,
@@ -37,40 +37,19 @@ from planar_cli.solve.course.masses import demand_mass
 from planar_cli.solve.course.matching import beside, onward, same_motion
 from planar_cli.solve.course.methods import by_method
 from planar_cli.solve.course.newton import refined_left
-from planar_cli.solve.course.oscillation import Oscillation
-from planar_cli.solve.course.over_spans import SpanIntegral
 from planar_cli.solve.course.plot import Plot
+from planar_cli.solve.course.ranking import candidates
 from planar_cli.solve.course.reached import asked_about
-from planar_cli.solve.course.route import Route
 from planar_cli.solve.course.simulate import Followed, Follower, leaning
 from planar_cli.solve.course.starts import Start, balanced, certain_start, resting, resting_though_sought, untold
-from planar_cli.solve.course.touch import TOUCHED, Endless, demand_no_times, touch_of, without_times
+from planar_cli.solve.course.touch import TOUCHED, touch_of
+from planar_cli.solve.course.unbounded_times import Endless, demand_no_times, without_times
+from planar_cli.solve.course.unfolded import Unfolded
 
 CHANGES, BLOW, SLACK = 40, " blow", Decimal("1e-9")
 NOTHING = 1e-13
 AT_A_TOP = "the last state is one of equilibrium: with a little more it is passed, with less never reached"
 STAYS = "it begins at rest in equilibrium, where every acceleration vanishes: nothing moves"
-
-
-@dataclass(slots=True)
-class Unfolded:
-    """A course with the branch of its equations that happens, and how it was followed in numbers (None: it could not
-    be). `guessed`: letters whose values come from the numbers alone. `route`: the way that is told. `spans`: quantities
-    over spans; `oscillations`: about equilibrium states that are asked about. `checks`: what was compared, in phrases.
-    `presumed`: what is positive with these letters, and need not be.
-    """
-
-    course: Course
-    finds: FindReader
-    branch: Branch
-    followed: Followed | None
-    value: Valuation
-    guessed: frozenset[sp.Symbol] = frozenset()
-    route: Route | None = None
-    spans: tuple[SpanIntegral, ...] = ()
-    oscillations: tuple[Oscillation, ...] = ()
-    checks: tuple[str, ...] = ()
-    presumed: tuple[sp.Expr, ...] = ()
 
 
 @dataclass(slots=True)
@@ -151,11 +130,11 @@ class Unfolder(Choosing):
             return self._sought(course, finds) if loose is None else self._determined(course, loose)
         assert isinstance(start, dict)
         if self.sense:
-            course.touch = touch_of(course, start, self.sense, self.idle)
+            course.touch = touch_of(course.regimes[0], course.base(), start, self.sense, self.idle)
             start |= {course.touch.speed: course.touch.value} if course.touch is not None else {}
         kept = frozenset() if course.blows or self.sense else balanced(course, start)
         still = frozenset() if course.blows else resting(course, start) | kept
-        if not self.sense and touch_of(course, start, 1, still) is not None:
+        if not self.sense and touch_of(course.regimes[0], course.base(), start, 1, still) is not None:
             self.resting, self.idle = course.plot, still
         self.stays = self.stays or bool(kept)
         if still - course.plot.stretches[0].still:
@@ -238,7 +217,7 @@ class Unfolder(Choosing):
         course.equations = by_method(course.equations, "energy")
         letters = {s for a in finds.asked for p in a.parts for s in finds.settled(a, p).free_symbols}
         needed = letters & course.chain().unknowns
-        branches = [b for b in course.candidates() if needed <= set(b.values)]
+        branches = [b for b in candidates(course) if needed <= set(b.values)]
         if not branches:
             return None
         branch = max(branches, key=lambda b: onward(course, b))
@@ -283,7 +262,7 @@ class Unfolder(Choosing):
     def _of_branches(self, course: Course, finds: FindReader, known: Beginning) -> Unfolded | Plot:
         changed: Plot | None = None
         again: list[Unfolded] = []
-        branches, guessed = known.after(course, course.candidates())
+        branches, guessed = known.after(course, candidates(course))
         for branch in branches:
             value = course.base().extended(branch.values)
             start = {s: branch.values[own] for s, own in course.first.letters.items() if own in branch.values}

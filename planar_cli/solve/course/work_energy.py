@@ -12,7 +12,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import sympy as sp
 
@@ -25,10 +24,8 @@ from planar_cli.solve.course.equations import NO_MASS, Equation
 from planar_cli.solve.course.general import General
 from planar_cli.solve.course.potential import potential
 from planar_cli.solve.course.regime import Regime
+from planar_cli.solve.course.regime_sequence import RegimeSequence
 from planar_cli.solve.course.timeline import Stop
-
-if TYPE_CHECKING:
-    from planar_cli.solve.course.course import Course
 
 FRICTION = "friction at {}"
 """What does work where no load does: bodies that skid."""
@@ -177,16 +174,16 @@ def _idle(general: General) -> tuple[sp.Symbol, ...]:
     return tuple(system.symbols[p.name] for p in system.pushes if p.name not in followers and p.kind != "drive")
 
 
-def energy_equations(course: Course, closed: Sequence[Closed | None], k: int) -> Iterator[Equation]:
+def energy_equations(course: RegimeSequence, closed: Sequence[Closed | None], k: int) -> Iterator[Equation]:
     """The equations that end at state k: from the state before it, and from where the run began."""
     begins = k
-    while begins > 0 and begins - 1 not in course.blows and closed[begins - 1] is not None:
+    while begins > 0 and not course.is_impulsive(begins - 1) and closed[begins - 1] is not None:
         begins -= 1
     for since in dict.fromkeys((k - 1, begins)) if begins < k else ():
         yield from _balance(course, closed, since, k)
 
 
-def _balance(course: Course, closed: Sequence[Closed | None], since: int, k: int) -> Iterable[Equation]:
+def _balance(course: RegimeSequence, closed: Sequence[Closed | None], since: int, k: int) -> Iterable[Equation]:
     stops = [course.stops[course.states[i].name] for i in range(since, k + 1)]
     first, last = closed[since], closed[k - 1]
     assert first is not None

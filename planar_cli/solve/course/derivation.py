@@ -1,0 +1,54 @@
+"""The way through the equations of a motion to what is asked, as data: derivations in order, and their lines."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from decimal import Decimal
+
+import sympy as sp
+
+from planar_cli.solve.course.equations import Equation
+from planar_cli.solve.roots import Root
+
+Edge = tuple[tuple[Equation, ...], tuple[sp.Symbol, ...], frozenset[sp.Symbol], float]
+"""Equations, the unknowns that they fix, what must be known for that, and what it costs."""
+
+
+@dataclass(frozen=True, slots=True)
+class Derivation:
+    """Unknowns from equations, all else in them being known."""
+
+    equations: tuple[Equation, ...]
+    unknowns: tuple[sp.Symbol, ...]
+    needs: frozenset[sp.Symbol]
+    cost: float
+
+
+@dataclass(frozen=True, slots=True)
+class Result:
+    """One line: unknown = formula = value; `roots`: all roots of its equation, with those that do not happen."""
+
+    unknown: sp.Symbol
+    formula: sp.Expr | None
+    value: Decimal
+    roots: tuple[Root, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Leg:
+    """One derivation worked out. `datum`: it only says what is given."""
+
+    derivation: Derivation
+    results: tuple[Result, ...]
+    datum: bool
+
+
+@dataclass(slots=True)
+class Route:
+    """The way to the targets: legs in order; `formulas` of all that was derived; `plain`: data that are put in at once
+    (zeros and names of the file).
+    """
+
+    legs: tuple[Leg, ...]
+    formulas: dict[sp.Symbol, sp.Expr]
+    plain: dict[sp.Symbol, sp.Expr] = field(default_factory=dict)

@@ -1,0 +1,133 @@
+"""The regimes of a motion in their order, and the states of the file between which they act, each with its symbols."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.equation.exact import Valuation
+from planar_cli.equation.motion import Edge
+from planar_cli.problem.scene import Problem, State
+from planar_cli.solve.course.after import asked_after
+from planar_cli.solve.course.handing import edges_of
+from planar_cli.solve.course.plot import Plot, Workshop
+from planar_cli.solve.course.regime import Regime
+from planar_cli.solve.course.timeline import Reader, Stop, stop_of
+
+
+@dataclass(slots=True)
+class RegimeSequence:
+    """What acts from state to state along one plot, before anything that is stated is read."""
+
+    problem: Problem
+    """The problem whose states these are."""
+    plot: Plot
+    """What the file says of time, with one choice of modes for each stretch."""
+    workshop: Workshop
+    """Where regimes come from; all plots of one problem share it."""
+    regimes: list[Regime]
+    """`regimes[i]` acts from state i to the next."""
+    beyond: Regime | None
+    """What acts from the last state on; None: all states stand beside the order."""
+    stops: dict[str, Stop]
+    """The symbols of every state, by its name."""
+    readers: dict[str, Reader]
+    """Who reads what a state states, by its name."""
+    tellers: dict[str, Reader]
+    """Who reads what is asked of a state and may jump there, by its name."""
+    told: dict[sp.Symbol, sp.Expr]
+    """What stand-ins for quantities about states are; the readers put it in."""
+
+    @property
+    def states(self) -> tuple[State, ...]:
+        """The states in their order; not those of equilibrium, which stand beside it."""
+        return self.plot.states
+
+    @property
+    def first(self) -> Stop:
+        return next(iter(self.stops.values()))
+
+    @property
+    def scene(self) -> Any:
+        """The scene of the first regime."""
+        return next(iter(self.readers.values())).regime.general.instant.scene
+
+    @property
+    def ledger(self) -> Any:
+        return self.scene.ledger
+
+    def distinct_readers(self) -> list[Reader]:
+        """Every reader once."""
+        return list({id(r): r for r in (*self.readers.values(), *self.tellers.values())}.values())
+
+    def distinct_regimes(self) -> list[Regime]:
+        return list({id(r): r for r in (*self.regimes, *(r.regime for r in self.distinct_readers()))}.values())
+
+    def edges(self) -> dict[sp.Symbol, Edge]:
+        """What the free speeds of all regimes are, by their letters."""
+        regimes = self.distinct_regimes()
+        return {s: e for r in regimes for s, e in edges_of(r.general.trial.system.tree).items() if s in r.free}
+
+    def running(self) -> list[Regime]:
+        """The regimes in which time passes, or in which what is asked of the last state is told."""
+        found = [r for i, r in enumerate(self.regimes) if not self.is_impulsive(i)]
+        found += [self.workshop.regime(s) for _, s in self.plot.equilibria]
+        last = self.states[-1].name if self.states else ""
+        if self.beyond is not None and (not self.blows_last or asked_after(self.problem, last)):
+            found.append(self.beyond)
+        return found
+
+    @property
+    def blows_last(self) -> bool:
+        """Is the last state just after a blow?"""
+        return bool(self.plot.stretches) and self.plot.stretches[-1].blow is not None
+
+    def is_impulsive(self, i: int) -> bool:
+        """Does no time pass from state i to the next, only an impact or an impulse?"""
+        return self.plot.stretches[i].blow is not None
+
+    def sought(self) -> list[sp.Symbol]:
+        """The constants that the file leaves unknown."""
+        return [self.ledger.symbols[s.name] for s in self.problem.unknowns if s.name in self.ledger.symbols]
+
+    def given(self) -> Valuation:
+        """Numbers of everything that is known: given values, and draws of the letters of the file."""
+        drawn = self.scene.valuations[0]
+        varying = {s for r in self.distinct_regimes() for s in r.letters}
+        values = {s: v for s, v in drawn.values.items() if s not in varying and s not in self.sought()}
+        return Valuation(values, drawn.definitions)
+
+
+def regime_sequence(problem: Problem, plot: Plot, workshop: Workshop) -> RegimeSequence:
+    """The regime of every stretch; then the symbols of every state, and who reads it."""
+    regimes = [workshop.regime(s) for s in plot.stretches]
+    apart = [(state, workshop.regime(s)) for state, s in plot.equilibria]
+    beyond = workshop.regime(plot.stretch(len(regimes))) if regimes else None
+    every = [*regimes, *(r for _, r in apart), *(r for r in (beyond,) if r is not None)]
+    letters = list(dict.fromkeys(s for r in every for s in r.letters))
+    ledger = every[0].general.instant.scene.ledger
+    for regime in every:
+        for s in regime.letters:
+            ledger.units.setdefault(s, regime.general.instant.scene.ledger.units[s])
+    stops = {
+        state.name: stop_of(state.name, state.relations, state.mark, letters, ledger, workshop.letters)
+        for state in (*plot.states, *(s for s, _ in apart))
+    }
+    found = RegimeSequence(problem, plot, workshop, regimes, beyond, stops, {}, {}, {})
+    by_regime: dict[int, Reader] = {}
+
+    def reader_of(regime: Regime) -> Reader:
+        made = Reader(problem, regime, stops, found.readers, found.tellers, found.told)
+        return by_regime.setdefault(id(regime), made)
+
+    for i, state in enumerate(plot.states):
+        begins = regimes[i] if i < len(regimes) else beyond
+        assert begins is not None
+        struck = i > 0 and found.is_impulsive(i - 1)
+        found.readers[state.name] = reader_of(begins if struck else regimes[max(i - 1, 0)])
+        found.tellers[state.name] = reader_of(begins)
+    for state, regime in apart:
+        found.readers[state.name] = found.tellers[state.name] = reader_of(regime)
+    return found
