@@ -86,6 +86,24 @@ def test_stages_import_to_the_left(path: Path) -> None:
     assert not wrong
 
 
+def reached(start: tuple[str, ...], graph: dict[tuple[str, ...], set[tuple[str, ...]]]) -> set[tuple[str, ...]]:
+    """Everything that a module imports, directly or by a chain."""
+    found: set[tuple[str, ...]] = set()
+    waiting = [start]
+    while waiting:
+        new = graph[waiting.pop()] - found
+        found |= new
+        waiting += new
+    return found
+
+
+def test_no_file_imports_what_imports_it() -> None:
+    """Also not for type checking or inside a function, and not by a chain of others."""
+    names = {parts_of(path) for path in MODULES}
+    graph = {parts_of(path): {t for t in imports(path) if t in names} for path in MODULES}
+    assert not sorted(".".join(name) for name in names if name in reached(name, graph))
+
+
 @pytest.mark.parametrize("path", [p for p in MODULES if parts_of(p)[:1] and parts_of(p)[0] in MEMBERS_SEE], ids=id_of)
 def test_members_see_little(path: Path) -> None:
     shelf = parts_of(path)[0]
