@@ -27,17 +27,14 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, ClassVar
+from typing import ClassVar
 
 from planar_cli.errors import Diagnostic, Mark
 from planar_cli.problem.blows import in_a_blow
 from planar_cli.problem.facts import Mode
 from planar_cli.problem.keys import Choice
 from planar_cli.problem.residuals import Residual
-from planar_cli.problem.setting import Setting, StruckSetting
-
-if TYPE_CHECKING:
-    from planar_cli.problem.scene import Problem
+from planar_cli.problem.setting import Setting, StruckSetting, WrittenScene
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -70,7 +67,7 @@ class Joint(ABC):
         """What holds the other partner where no key `between` names it: a body, a surface, the ground."""
         return None
 
-    def objections(self, problem: Problem) -> Iterable[Diagnostic]:
+    def objections(self, scene: WrittenScene) -> Iterable[Diagnostic]:
         """What is wrong with it in this problem, beyond what its keys and names tell."""
         return ()
 

@@ -11,8 +11,7 @@ from planar_cli.joints.base import Joint
 from planar_cli.problem.facts import Action, Anchor, Facts, Mode, Pull, Push, Row
 from planar_cli.problem.keys import FlagKey, PartnersKey, key
 from planar_cli.problem.residuals import Poses, Residual
-from planar_cli.problem.scene import Composite, Problem, Round
-from planar_cli.problem.setting import Setting
+from planar_cli.problem.setting import Setting, WrittenScene
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -55,9 +54,9 @@ class Belt(Joint):
     between: tuple[str, ...] = key(PartnersKey(), "the two disks")
     crossed: bool = key(FlagKey(), "true: the belt crosses itself and reverses the sense", default=False)
 
-    def objections(self, problem: Problem) -> Iterable[Diagnostic]:
-        for body in problem.bodies:
-            if body.name in self.between and not isinstance(body.shape, Round | Composite):
+    def objections(self, scene: WrittenScene) -> Iterable[Diagnostic]:
+        for body in scene.bodies:
+            if body.name in self.between and not body.is_round:
                 message = f"a belt runs round disks; {body.name} is none"
                 yield Diagnostic(body.mark, "PL455", message, "give it `disk: G, radius: …`")
 

@@ -14,8 +14,7 @@ from planar_cli.problem.facts import Action, Anchor, Facts, Joining, Mode, Pull,
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.keys import PartnersKey, SideKey, key
 from planar_cli.problem.residuals import Residual
-from planar_cli.problem.scene import Problem
-from planar_cli.problem.setting import Setting, StruckSetting
+from planar_cli.problem.setting import Setting, StruckSetting, WrittenScene
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -60,8 +59,8 @@ class Flat(Joint):
     between: tuple[str, ...] = key(PartnersKey(), "the body that lies, then the one it lies on or `ground`")
     mu: Side = key(SideKey("1"), "coefficient of friction; 0 is smooth")
 
-    def objections(self, problem: Problem) -> Iterable[Diagnostic]:
-        if problem.plane == "vertical":
+    def objections(self, scene: WrittenScene) -> Iterable[Diagnostic]:
+        if scene.plane == "vertical":
             message, hint = "a flat contact needs `plane: horizontal`", "in a vertical plane write `contact`"
             yield Diagnostic(self.mark, "PL456", message, hint)
 

@@ -212,6 +212,11 @@ class Body:
     points: tuple[str, ...]
     mark: Mark
 
+    @property
+    def is_round(self) -> bool:
+        """Has it a round rim, itself or as what one of its parts may be?"""
+        return isinstance(self.shape, Round | Composite)
+
 
 @dataclass(frozen=True, slots=True)
 class State:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any, Protocol
 
 from planar_cli.errors import Mark
@@ -9,6 +10,26 @@ from planar_cli.problem.expression import Side, Statement
 from planar_cli.problem.facts import Meeting, Outline
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.keys import Table
+
+
+class WrittenBody(Protocol):
+    """A body as the file describes it."""
+
+    @property
+    def name(self) -> str: ...
+    @property
+    def mark(self) -> Mark: ...
+    @property
+    def is_round(self) -> bool: ...
+
+
+class WrittenScene(Protocol):
+    """The scene as the file describes it, before any of it has a value."""
+
+    @property
+    def plane(self) -> str | None: ...
+    @property
+    def bodies(self) -> Sequence[WrittenBody]: ...
 
 
 class Setting(Protocol):
