@@ -78,6 +78,8 @@ class _Writer:
     def code(self) -> Code:
         """Write all lines and compile them."""
         uses = self._uses()
+        for term in self.text:
+            self._check(term)
         for term in self.order:
             if term in self.text:
                 continue
@@ -119,9 +121,12 @@ class _Writer:
         name = f"a{len(self.lines)}"
         self.lines.append(f" {name} = {self.text[term]}")
         self._atom(term, name)
+        self._check(term)
+
+    def _check(self, term: Term) -> None:
         least = self.checks.get(term)
         if least is not None:
-            self.lines.append(f" if {-least!r} < {name} < {least!r}: raise Singular")
+            self.lines.append(f" if {-least!r} < {self.text[term]} < {least!r}: raise Singular")
 
     def _write(self, term: Term) -> None:
         op, args = term.op, term.args

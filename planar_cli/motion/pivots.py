@@ -1,0 +1,207 @@
+"""The order of pivots in which a sparse linear system is eliminated with the fewest operations.
+
+Equation i belongs to unknown i (the balance of a coordinate to its acceleration, a constraint to its multiplier), so
+that a pivot on the diagonal keeps a symmetric system symmetric. The order is chosen once from the numbers of one
+configuration: among the pivots that are large enough, always the one that costs least (Markowitz, with operations
+counted: constants cost nothing). What is left without an acceptable pivot is what the system does not determine.
+"""
+
+from __future__ import annotations
+
+import heapq
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+SMALLEST = 1e-3
+"""A pivot is at least this part of the largest entry of its column (rows and columns scaled to 1)."""
+CANCELLED = 1e-9
+"""An entry below this part of the terms that it is the difference of is zero."""
+
+
+@dataclass(frozen=True, slots=True)
+class Pivot:
+    """One step of the elimination."""
+
+    row: int
+    """The equation."""
+    column: int
+    """The unknown for which it is solved."""
+    size: float
+    """How large the parts are that the pivot is the sum of, in its own unit."""
+
+
+@dataclass(frozen=True, slots=True)
+class Order:
+    """In which order the system is eliminated."""
+
+    pivots: tuple[Pivot, ...]
+    rows: tuple[int, ...]
+    """Equations that say nothing new: with what the others say, they are 0 = rest."""
+    columns: tuple[int, ...]
+    """Unknowns that stay open."""
+
+
+class Entry:
+    """One coefficient in numbers."""
+
+    __slots__ = ("size", "value", "varies")
+
+    def __init__(self, value: float, size: float, varies: bool) -> None:
+        self.value = value
+        """Scaled."""
+        self.size = size
+        """The largest part of it."""
+        self.varies = varies
+        """Is it not a constant?"""
+
+
+def order(rows: Sequence[Mapping[int, tuple[float, bool]]]) -> Order:
+    """The order for a square system: for every equation its coefficients by unknown, and whether they vary."""
+    return _Chooser(rows).order()
+
+
+def scales(rows: Sequence[Mapping[int, float]], count: int) -> tuple[list[float], list[float]]:
+    """Powers of two for equations and unknowns that make the largest scaled coefficient in each of them about 1."""
+    left, right = [0.0] * len(rows), [0.0] * count
+    logs = [[(j, math.log2(abs(v))) for j, v in row.items() if v] for row in rows]
+    for _ in range(4):
+        tops = [-math.inf] * count
+        for i, row in enumerate(logs):
+            largest = max((v + right[j] for j, v in row), default=-left[i]) + left[i]
+            left[i] -= largest / 2
+            for j, v in row:
+                tops[j] = max(tops[j], v + left[i] + right[j])
+        for j, top in enumerate(tops):
+            if top > -math.inf:
+                right[j] -= top / 2
+    return [2.0 ** round(s) for s in left], [2.0 ** round(s) for s in right]
+
+
+class _Chooser:
+    """The system in numbers, as it is eliminated."""
+
+    def __init__(self, rows: Sequence[Mapping[int, tuple[float, bool]]]) -> None:
+        count = len(rows)
+        self.left, self.right = scales([{j: v for j, (v, _) in row.items()} for row in rows], count)
+        self.rows: list[dict[int, Entry]] = []
+        self.columns: list[set[int]] = [set() for _ in range(count)]
+        for i, row in enumerate(rows):
+            entries = {}
+            for j, (value, varies) in row.items():
+                scaled = value * self.left[i] * self.right[j]
+                entries[j] = Entry(scaled, abs(scaled), varies)
+                self.columns[j].add(i)
+            self.rows.append(entries)
+        self.partner = list(range(count))
+        """Of every equation, the unknown that it belongs to."""
+        self.owner = list(range(count))
+        """Of every unknown, the equation that belongs to it."""
+        self.open = set(range(count))
+        self.heap: list[tuple[float, int, int]] = []
+        for i in range(count):
+            self._offer(i)
+
+    def order(self) -> Order:
+        """Eliminate one pivot after the other."""
+        pivots = []
+        while self.open:
+            found = self._cheapest() or self._elsewhere()
+            if found is None:
+                break
+            i, j = found
+            entry = self.rows[i][j]
+            pivots.append(Pivot(i, j, entry.size / (self.left[i] * self.right[j])))
+            self._eliminate(i, j)
+        rows = tuple(sorted(self.open))
+        return Order(tuple(pivots), rows, tuple(sorted(self.partner[i] for i in rows)))
+
+    def _cheapest(self) -> tuple[int, int] | None:
+        """The cheapest pivot where an equation meets its own unknown."""
+        while self.heap:
+            cost, i, j = heapq.heappop(self.heap)
+            if i in self.open and self.partner[i] == j and self._acceptable(i, j):
+                now = self._cost(i, j)
+                if now <= cost or not self.heap or now <= self.heap[0][0]:
+                    return i, j
+                heapq.heappush(self.heap, (now, i, j))
+        return None
+
+    def _elsewhere(self) -> tuple[int, int] | None:
+        """The cheapest pivot anywhere."""
+        best: tuple[float, int, int] | None = None
+        for i in self.open:
+            for j in self.rows[i]:
+                if self._acceptable(i, j):
+                    key = (self._cost(i, j), i, j)
+                    best = key if best is None or key < best else best
+        return None if best is None else best[1:]
+
+    def _offer(self, i: int) -> None:
+        j = self.partner[i]
+        if j in self.rows[i]:
+            heapq.heappush(self.heap, (self._cost(i, j), i, j))
+
+    def _acceptable(self, i: int, j: int) -> bool:
+        entry = self.rows[i].get(j)
+        if entry is None or abs(entry.value) <= CANCELLED * entry.size:
+            return False
+        return abs(entry.value) >= SMALLEST * max(abs(self.rows[k][j].value) for k in self.columns[j])
+
+    def _cost(self, i: int, j: int) -> float:
+        """Operations that the pivot makes: quotients, products and sums; a symmetric half is shared."""
+        row, column = self.rows[i], self.columns[j]
+        pivot = row[j].varies
+        varying = sum(1 for k in column if k != i and self.rows[k][j].varies)
+        quotients = len(column) - 1 if pivot else varying
+        products = sums = 0
+        for k in column:
+            if k == i:
+                continue
+            factor = pivot or self.rows[k][j].varies
+            target = self.rows[k]
+            for other, entry in row.items():
+                if other != j and (factor or entry.varies):
+                    products += 1
+                    sums += other in target
+        shared = 0.5 if self.partner[i] == j else 1.0
+        # The right side and the unknowns found last: a product and a sum each.
+        return shared * (products + sums) + quotients + 2 * (len(column) + len(row) - 2)
+
+    def _eliminate(self, i: int, j: int) -> None:
+        row = self.rows[i]
+        self._pair(i, j)
+        self.open.discard(i)
+        others = [k for k in self.columns[j] if k != i]
+        pivot = row.pop(j)
+        for other in row:
+            self.columns[other].discard(i)
+        for k in others:
+            target = self.rows[k]
+            lead = target.pop(j)
+            factor, varies = lead.value / pivot.value, lead.varies or pivot.varies
+            for other, entry in row.items():
+                change = factor * entry.value
+                old = target.get(other)
+                if old is None:
+                    target[other] = Entry(-change, abs(change), varies or entry.varies)
+                    self.columns[other].add(k)
+                else:
+                    old.value -= change
+                    old.size = max(old.size, abs(factor) * entry.size)
+                    old.varies |= varies or entry.varies
+        self.columns[j] = set()
+        self._refresh(others, row)
+
+    def _pair(self, i: int, j: int) -> None:
+        """Equation i is used up for unknown j: what belonged to them belongs together now."""
+        other, own = self.owner[j], self.partner[i]
+        if other != i:
+            self.partner[other], self.owner[own] = own, other
+            self.partner[i], self.owner[j] = j, i
+
+    def _refresh(self, rows: Sequence[int], columns: Mapping[int, Entry]) -> None:
+        """Offer anew the pivots whose cost or size has changed."""
+        for i in {*rows, *(self.owner[j] for j in columns)}:
+            if i in self.open:
+                self._offer(i)
