@@ -14,8 +14,9 @@ from contextlib import contextmanager
 from functools import cache
 from pathlib import Path
 from types import ModuleType
+from typing import Any
 
-SHELVES = ("joints", "loads", "principles", "formats", "commands")
+SHELVES = ("joints", "loads", "principles", "integrators", "formats", "commands")
 
 
 def modules(shelf: str) -> tuple[str, ...]:
@@ -52,6 +53,15 @@ def extended(shelf: str, folder: Path) -> Iterator[None]:
         for path in folder.glob("*.py"):
             sys.modules.pop(f"planar_cli.{shelf}.{path.stem}", None)
         members.cache_clear()
+
+
+def member(shelf: str, kind: str) -> Any:
+    """One member, of which only its own module is imported if that has its name. KeyError if there is none."""
+    if kind in modules(shelf):
+        for found in _members_in(importlib.import_module(f"planar_cli.{shelf}.{kind}")):
+            if found.__dict__["kind"] == kind:
+                return found
+    return members(shelf)[kind]
 
 
 def _members_in(module: ModuleType) -> list[type]:

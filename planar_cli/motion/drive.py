@@ -1,0 +1,204 @@
+"""Drives an integrator along one regime: from a start to a time, or to the first thing that a watched value reaches.
+
+Times at which loads jump or kink are hit exactly, and the rates on either side of such a time are never asked for
+beyond it. No run is without an end: steps below the rounding of the time, or too many of them, are refused by name.
+
+Where the fastest motion of a scene goes much faster than what the tolerance can see, the rest of the run is given to
+the implicit method, and the run says so (`Changed`). That is the case
+
+- where an explicit method is held down by its stability: step · fastest > 6 time and again; or
+- where it would resolve a vibration for very long (more than LONG steps to go, each shorter than a few radians of it)
+  whose displacement is below the tolerance. Then its velocity, though perhaps above the tolerance, dies out in the
+  implicit method; whoever wants to see it names an explicit one.
+
+A state whose rates are exactly zero stays as it is: an unstable equilibrium is not left by rounding here.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from itertools import pairwise
+
+from planar_cli.integrators.base import EPSILON, Counts, Integrator, Rates, Setting, Step, Vector
+from planar_cli.motion.crossings import BAND, Crossing, Sentinel, Watch
+from planar_cli.registry import member
+
+AUTOMATIC, EXPLICIT, STIFF = "auto", "dop853", "radau"
+"""The choice by the scene, and what it chooses from."""
+UNSTABLE, TIMES = 6.1, 4
+"""Beyond the first, step · fastest shows that stability holds the steps down (Hairer); so many times in a row."""
+LONG = 500
+"""A vibration that nobody sees is followed if so many steps do it."""
+RESOLVED = 0.3
+"""Above this, step · fastest says that the steps are short for the fastest motion's sake."""
+INVISIBLE = 0.1
+"""A displacement below this part of the tolerance is not seen."""
+FEWEST = 16
+"""No step is longer than this part of the way to the end of the run."""
+
+
+@dataclass(frozen=True, slots=True)
+class Changed:
+    """The run was given to the implicit method."""
+
+    t: float
+    fastest: float
+    """How fast the fastest motion goes [1/s]."""
+    seen: bool
+    """False: a vibration whose displacement is below the tolerance is no longer resolved."""
+
+
+@dataclass(frozen=True, slots=True)
+class Run:
+    """One run: its steps, and where and why it ended."""
+
+    t0: float
+    y0: Vector
+    steps: tuple[Step, ...]
+    t1: float
+    y1: Vector
+    crossings: tuple[Crossing, ...]
+    """What ended it: the first thing reached, with all that is reached at the same time. Empty: the end of the time."""
+    changed: Changed | None
+    counts: Counts
+
+    def at(self, t: float) -> Vector:
+        """The state at a time of the run."""
+        if not self.steps or t == self.t1:
+            return list(self.y1)
+        forward = 1.0 if self.t1 >= self.t0 else -1.0
+        low, high = 0, len(self.steps) - 1
+        while low < high:
+            middle = (low + high) // 2
+            if (self.steps[middle].t1 - t) * forward < 0.0:
+                low = middle + 1
+            else:
+                high = middle
+        return self.steps[low].at(t)
+
+
+def drive(
+    f: Rates,
+    t0: float,
+    y0: Sequence[float],
+    t1: float,
+    setting: Setting,
+    *,
+    kind: str = AUTOMATIC,
+    watch: Watch | None = None,
+    breakpoints: Sequence[float] = (),
+    band: float = BAND,
+    on_step: Callable[[Step], None] | None = None,
+) -> Run:
+    """Follow y' = f(t, y) from t0 to t1, or to the first crossing of a watched value.
+
+    `kind`: a member of the shelf of integrators, or `auto`. `band`: the part of its scale below which a watched value
+    is zero. `on_step` sees every step. Raises StepTooSmall.
+    """
+    y, steps, counts = list(y0), list[Step](), Counts()
+    sentinel = Sentinel(watch, band) if watch is not None else None
+    crossings = sentinel.at_start(t0, y) if sentinel is not None else []
+    if setting.longest == math.inf:
+        setting = replace(setting, longest=abs(t1 - t0) / FEWEST or math.inf)
+    followed = _Followed(kind, setting, counts)
+    for rates, start, end in _legs(f, t0, t1, breakpoints):
+        if crossings:
+            break
+        for step in followed.steps(rates, start, y, end):
+            steps.append(step)
+            if on_step is not None:
+                on_step(step)
+            y = step.y1
+            crossings = sentinel.within(step) if sentinel is not None else []
+            if crossings:
+                y = crossings[0].y
+                break
+    if setting.project is not None and crossings and steps:
+        y = setting.project(crossings[0].t, y)
+    end = crossings[0].t if crossings else t1
+    return Run(t0, list(y0), tuple(steps), end, y, tuple(crossings), followed.changed, counts)
+
+
+class _Followed:
+    """The steps of a run, from the explicit method as long as that is reasonable."""
+
+    def __init__(self, kind: str, setting: Setting, counts: Counts) -> None:
+        self.choosing = kind == AUTOMATIC
+        self.kind = EXPLICIT if self.choosing else kind
+        self.setting, self.counts = setting, counts
+        self.changed: Changed | None = None
+        self._unstable = 0
+
+    def steps(self, f: Rates, t0: float, y0: Vector, t1: float) -> Iterator[Step]:
+        """The steps of one leg, on which the rates are smooth."""
+        for step in self._own(self.kind, f, t0, y0, t1, self.setting):
+            yield step
+            if self.choosing and step.fastest and self._stiff(step, t1):
+                break
+        else:
+            return
+        self.choosing, self.kind = False, STIFF
+        coarse = replace(self.setting, first=min(abs(t1 - step.t1) / FEWEST, self.setting.longest))
+        yield from self._own(STIFF, f, step.t1, step.y1, t1, coarse)
+
+    def _own(self, kind: str, f: Rates, t0: float, y0: Vector, t1: float, setting: Setting) -> Iterator[Step]:
+        """The steps of one method."""
+        integrator: Integrator = member("integrators", kind)()
+        integrator.counts = self.counts
+        return integrator.steps(f, t0, y0, t1, setting)
+
+    def _stiff(self, step: Step, t1: float) -> bool:
+        """Is the rest of the leg better left to the implicit method?"""
+        h = abs(step.t1 - step.t0)
+        angle, left = h * step.fastest, abs(t1 - step.t1)
+        self._unstable = self._unstable + 1 if angle > UNSTABLE else 0
+        held_down = self._unstable >= TIMES
+        hidden = angle > RESOLVED and left > LONG * h and self._displacement(step) < INVISIBLE
+        if held_down or hidden:
+            self.changed = Changed(step.t1, step.fastest, held_down)
+        return self.changed is not None
+
+    def _displacement(self, step: Step) -> float:
+        """How far the fastest motion moves anything, in parts of what the tolerance allows.
+
+        The positions are the first half of the state; what the accelerations change within a step of that motion, over
+        its rate squared, is the displacement.
+        """
+        half = len(step.y1) // 2
+        middle = step.at(0.5 * (step.t0 + step.t1))
+        chord = [0.5 * (a + b) for a, b in zip(step.y0, step.y1, strict=True)]
+        # The velocity's bend over a step: h² a'/8.
+        bend = [abs(m - c) for m, c in zip(middle[half:], chord[half:], strict=True)]
+        change = [abs(a - b) for a, b in zip(step.r0[half:], step.r1[half:], strict=True)]
+        scale = self.setting.scale
+        return max(
+            (max(c / step.fastest**2, b / step.fastest) / (self.setting.tolerance * s))
+            for c, b, s in zip(change, bend, scale[:half], strict=True)
+        )
+
+
+def _legs(f: Rates, t0: float, t1: float, breakpoints: Sequence[float]) -> Iterator[tuple[Rates, float, float]]:
+    """The run in pieces between breakpoints, each with rates that are not asked for beyond its ends."""
+    low, high = min(t0, t1), max(t0, t1)
+    inner = sorted({b for b in breakpoints if low < b < high}, reverse=t1 < t0)
+    kinks = {b for b in breakpoints if low <= b <= high}
+    if not kinks:
+        yield f, t0, t1
+        return
+    ends = [t0, *inner, t1]
+    for a, b in pairwise(ends):
+        yield _held_between(f, min(a, b), max(a, b), kinks), a, b
+
+
+def _held_between(f: Rates, low: float, high: float, kinks: set[float]) -> Rates:
+    """The rates as they are just after `low` and just before `high`, where these are kinks."""
+    crumb = 4.0 * EPSILON * max(abs(low), abs(high))
+    after = low + crumb if low in kinks else low
+    before = high - crumb if high in kinks else high
+
+    def rates(t: float, y: Vector) -> Vector:
+        return f(min(max(t, after), before), y)
+
+    return rates
