@@ -166,23 +166,21 @@ class Sentinel:
 
     def _leaving(self, step: Step, i: int, a: _Node, b: _Node) -> list[Crossing]:
         """A value that has been zero so far takes its first sign, which for a guard may not be negative."""
-        after, h = self._sign(i, b.values[i]), b.t - a.t
-        slope = self._slope_sign(i, a, h)
-        if not self.watch.falls(i):
-            self.signs[i] = after
-            return []
-        if slope > 0 and after < 0:
-            # It rose first, for less than the time between the two instants.
-            hop = self._last_with(step, i, 1, a, b)
-            return [self._crossing(step, i, hop, b.t, 1)] if hop > a.t else [Crossing(i, a.t, step.at(a.t), "falls")]
-        if after < 0:
+        after, slope = self._sign(i, b.values[i]), self._slope_sign(i, a, b.t - a.t)
+        guard = self.watch.falls(i)
+        if slope and after == -slope and (slope > 0 or not guard):
+            # It left to the other side first, and was there for less than the time between the two instants.
+            away = self._last_with(step, i, slope, a, b)
+            if away > a.t:
+                return [self._crossing(step, i, away, b.t, slope)]
+        if guard and (after < 0 or (slope < 0 and self._dips(step, i, a, b))):
             return [Crossing(i, a.t, step.at(a.t), "falls")]
-        if slope < 0 and after > 0:
-            _, value = _minimum(lambda t: self._value(step, i, t), a.t, b.t, -self.bands[i])
-            if value < -self.bands[i]:
-                return [Crossing(i, a.t, step.at(a.t), "falls")]
         self.signs[i] = after
         return []
+
+    def _dips(self, step: Step, i: int, a: _Node, b: _Node) -> bool:
+        """Does the value fall below zero between two instants?"""
+        return _minimum(lambda t: self._value(step, i, t), a.t, b.t, -self.bands[i])[1] < -self.bands[i]
 
     def _slope_sign(self, i: int, a: _Node, h: float) -> int:
         """Which way a value at zero goes, if its change over the interval can be told from rounding."""
