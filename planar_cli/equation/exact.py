@@ -8,11 +8,11 @@ from __future__ import annotations
 
 import decimal
 import operator
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Container, Mapping
 from decimal import Decimal
 from functools import lru_cache, partial
 from itertools import combinations, pairwise
-from typing import Any
+from typing import Any, NewType
 
 import mpmath
 import sympy as sp
@@ -94,6 +94,10 @@ COMPARISONS: dict[type, Callable[[Decimal, Decimal], bool]] = {
 }
 
 
+Settled = NewType("Settled", Decimal)
+"""An SI number that the file fixes, made by `Valuation.settled` alone: what answers consist of."""
+
+
 class Unvalued(LookupError):
     """A symbol has no value in this valuation."""
 
@@ -112,8 +116,38 @@ class Valuation:
         self._known: dict[Any, Decimal] = {}
 
     def extended(self, more: Mapping[sp.Symbol, Decimal]) -> Valuation:
-        """A new valuation with some more (or other) values."""
+        """A new valuation with some more (or other) values; a letter that was drawn stays one that was."""
         return Valuation({**self.values, **more}, self.definitions)
+
+    def without(self, gone: Container[sp.Symbol]) -> Valuation:
+        """A new valuation in which these symbols have no value of their own."""
+        return Valuation({s: v for s, v in self.values.items() if s not in gone}, self.definitions)
+
+    def knowing(self, found: Mapping[sp.Symbol, Decimal]) -> Valuation:
+        """A new valuation with values that were worked out, also of what was drawn before."""
+        return self.without(found).extended(found)
+
+    def updated(self, other: Valuation) -> Valuation:
+        """A new valuation with the values of another, which knows the same definitions."""
+        return _of({**self.values, **other.values}, self.definitions, other.drawn)
+
+    def defining(self, more: Mapping[sp.Symbol, sp.Expr]) -> Valuation:
+        """A new valuation that knows more symbols by expressions."""
+        return _of(self.values, {**more, **self.definitions}, self.drawn)
+
+    @property
+    def drawn(self) -> frozenset[sp.Symbol]:
+        """The symbols whose values mean nothing, as they were drawn."""
+        return frozenset()
+
+    def settled(self, expr: Any, closed: Any) -> Settled:
+        """The number of an answer. `closed`: the same as a formula, as far down to the names of the file as there is
+        one. Unvalued: numbers that were drawn would have to tell it.
+        """
+        if expr in (sp.oo, -sp.oo):
+            return Settled(Decimal("Infinity") if expr == sp.oo else Decimal("-Infinity"))
+        number = self(expr)
+        return Settled(ZERO if number and self.is_zero(expr) else number)
 
     def __call__(self, expr: Any) -> Decimal:
         """The value of an expression. Unvalued: a symbol has none; ArithmeticError: it has no real value."""
@@ -194,6 +228,47 @@ class Valuation:
         """Does the expression vanish to all certain digits?"""
         value = self(expr)
         return not value or abs(value) <= CERTAIN * max(self.size(expr), CERTAIN)
+
+
+class Sample(Valuation):
+    """Numbers where some letters have none: these are `drawn`, and stand for any.
+
+    It tells what vanishes, what is larger, which root it is. It is no answer: whatever was worked out beside letters
+    that were drawn may rest on them, so that only a formula in names with numbers settles something.
+    """
+
+    def __init__(
+        self,
+        values: Mapping[sp.Symbol, Decimal],
+        definitions: Mapping[sp.Symbol, sp.Expr],
+        drawn: frozenset[sp.Symbol],
+    ) -> None:
+        super().__init__(values, definitions)
+        self._drawn = drawn
+
+    @property
+    def drawn(self) -> frozenset[sp.Symbol]:
+        return self._drawn
+
+    def extended(self, more: Mapping[sp.Symbol, Decimal]) -> Sample:
+        return Sample({**self.values, **more}, self.definitions, self._drawn)
+
+    def without(self, gone: Container[sp.Symbol]) -> Valuation:
+        left = {s: v for s, v in self.values.items() if s not in gone}
+        return _of(left, self.definitions, frozenset(s for s in self._drawn if s not in gone))
+
+    def updated(self, other: Valuation) -> Valuation:
+        drawn = self._drawn.difference(other.values) | other.drawn
+        return _of({**self.values, **other.values}, self.definitions, drawn)
+
+    def settled(self, expr: Any, closed: Any) -> Settled:
+        return Valuation({}, self.definitions).settled(closed, closed)
+
+
+def _of(
+    values: Mapping[sp.Symbol, Decimal], definitions: Mapping[sp.Symbol, sp.Expr], drawn: frozenset[sp.Symbol]
+) -> Valuation:
+    return Sample(values, definitions, drawn) if drawn else Valuation(values, definitions)
 
 
 def power(base: Decimal, exponent: Any, value: Valuation) -> Decimal:

@@ -14,7 +14,7 @@ from fractions import Fraction
 
 import sympy as sp
 
-from planar_cli.equation.exact import PI, Valuation
+from planar_cli.equation.exact import PI, Sample, Valuation
 from planar_cli.units import PURE, Unit, parse_unit
 
 DRAWS, WIDER, MANY = 2, 10, 30
@@ -128,7 +128,9 @@ class Ledger:
         found: list[Valuation] = []
         rng = random.Random(20)
         for _ in range(tries if free else 1):
-            candidate = Valuation({s: draw(s, rng) for s in free}, ChainMap(self.values, self.definitions))
+            known = ChainMap(self.values, self.definitions)
+            numbers = {s: draw(s, rng) for s in free}
+            candidate = Sample(numbers, known, frozenset(free)) if free else Valuation({}, known)
             placed = self._projected(candidate)
             if placed is not None and _holds(holds, placed):
                 found.append(placed)

@@ -170,7 +170,7 @@ class _Comparison:
         lines: dict[sp.Symbol, sp.Expr] = {}
         for stage in self.stages:
             lines |= {**stage.algebra.explicit, **stage.algebra.formulas}
-        return Valuation(draw.values, {**lines, **draw.definitions})
+        return draw.defining(lines)
 
     def _formulas(self) -> str:
         return _joined(self.found.expressions or ())

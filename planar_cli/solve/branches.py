@@ -200,11 +200,6 @@ def holds(definitions: Mapping[sp.Symbol, sp.Expr], symbol: sp.Symbol, unknowns:
 
 def copied(algebra: Algebra) -> Algebra:
     """The same state, to be extended on its own."""
-    twin = Algebra(
-        Valuation(dict(algebra.value.values), algebra.value.definitions),
-        algebra.explicit,
-        algebra.symbolic,
-        algebra.unknowns,
-    )
+    twin = Algebra(algebra.value.extended({}), algebra.explicit, algebra.symbolic, algebra.unknowns)
     twin.formulas = dict(algebra.formulas)
     return twin

@@ -217,5 +217,4 @@ def _changes(joints: Joints, relation: Relation, names: set[str], vector: Vector
 
 
 def _without(numbers: Valuation, symbols: list[sp.Symbol]) -> Valuation:
-    gone = set(symbols)
-    return Valuation({s: v for s, v in numbers.values.items() if s not in gone}, numbers.definitions)
+    return numbers.without(symbols)

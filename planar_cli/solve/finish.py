@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from decimal import Decimal
-from typing import Any
 
 import sympy as sp
 
@@ -107,7 +106,7 @@ class Finisher:
 
     def _drop(self, base: Valuation, unknowns: set[sp.Symbol]) -> Valuation:
         """The numbers of everything but the unknowns."""
-        return Valuation({s: v for s, v in base.values.items() if s not in unknowns}, base.definitions)
+        return base.without(unknowns)
 
     def _has_forces(self) -> bool:
         return any(b.mass != 0 for b in self.scene.bodies.values()) or bool(self.system.wrenches)
@@ -159,7 +158,7 @@ class Finisher:
         stages: list[Stage] = []
         if targets:
             known = {s: v for s, v in velocities.values.items() if not v}
-            plain = Valuation({s: v for s, v in maker.value.values.items() if s not in moving}, maker.value.definitions)
+            plain = maker.value.without(moving)
             maker_of_velocities = StageMaker(self.system, plain, self.symbolic, letters=self.letters)
             stages.append(maker_of_velocities.velocities(targets, known))
         if acceleration is not None:
@@ -179,15 +178,12 @@ class Finisher:
 
     def _values(self, stages: list[Stage]) -> Valuation:
         outcome = self.trial.outcomes[0]
-        value = outcome.value
-        found = dict(value.values)
-        for s in self.ledger.sought:
-            column = outcome.assembly.columns.get(s.name)
-            if column is not None:
-                found[s] = outcome.solved.values[column]
+        columns = {s: outcome.assembly.columns.get(s.name) for s in self.ledger.sought}
+        found = {s: outcome.solved.values[column] for s, column in columns.items() if column is not None}
+        value = outcome.value.knowing(found)
         for stage in stages:
-            found.update(stage.algebra.value.values)
-        return Valuation(found, value.definitions)
+            value = value.updated(stage.algebra.value)
+        return value
 
     # --- finds -------------------------------------------------------------------------------------------------------
 
@@ -236,7 +232,7 @@ class Finisher:
         unit = self.unit_of(find, what)
         closed = tuple(self.closed(e, stages) for e in exprs)
         symbolic = any(set(self.ledger.letters) & c.free_symbols for c in closed)
-        values = None if symbolic else tuple(_number(e, value) for e in exprs)
+        values = None if symbolic else tuple(value.settled(e, c) for e, c in zip(exprs, closed, strict=True))
         short = all(not longer(c, CLOSED_OPS) and not rounded_inside(c) for c in closed)
         kind = "vector" if len(exprs) == 2 else "number"
         energy = is_energy(what)
@@ -279,10 +275,3 @@ class Finisher:
         if not self.symbolic:
             return expr if longer(expr, 199) else sp.factor_terms(expr)
         return simplified(expr)
-
-
-def _number(expr: Any, value: Valuation) -> Decimal:
-    if expr in (sp.oo, -sp.oo):
-        return Decimal("Infinity") if expr == sp.oo else Decimal("-Infinity")
-    number = value(expr)
-    return Decimal(0) if number and value.is_zero(expr) else number

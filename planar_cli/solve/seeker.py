@@ -166,10 +166,8 @@ class Seeker:
         writer = Writer(self.system, numbers)
         work = [(b, tuple(writer.write(e) for e in b.equations)) for b in plan.blocks]
         explicit = {line.symbol: line.expression for line in writer.lines}
-        kept = {s: v for s, v in numbers.value.values.items() if s not in numbers.unknowns}
-        algebra = Algebra(
-            Valuation(kept, numbers.value.definitions), explicit, self.ledger.symbolic, frozenset(numbers.unknowns)
-        )
+        unknowns = frozenset(numbers.unknowns)
+        algebra = Algebra(numbers.value.without(unknowns), explicit, self.ledger.symbolic, unknowns)
         angles = frozenset(
             s for s in numbers.unknowns if self.ledger.units[s].angle and self.ledger.units[s].dimension == PURE
         )
@@ -182,7 +180,7 @@ class Seeker:
         """Solve the instant again with the constants known, and test everything."""
         solved = branch.algebra.value.values
         constants = {s: solved[s] for s in self.ledger.sought if s in solved}
-        base = self.scene.valuations[0].extended(constants)
+        base = self.scene.valuations[0].knowing(constants)
         trial = self.instant.try_choice(
             self.choice, (base,), given={s: v for s, v in solved.items() if s in self.unknowns}
         )

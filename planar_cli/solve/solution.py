@@ -5,13 +5,12 @@ made.
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from decimal import Decimal
 from typing import Any
 
 import sympy as sp
 
 from planar_cli.calculus.curve_words import Curve
-from planar_cli.equation.exact import Valuation
+from planar_cli.equation.exact import Settled, Valuation
 from planar_cli.problem.scene import Find
 from planar_cli.solve.instant import Instant, Trial
 from planar_cli.solve.passages import Tale
@@ -33,7 +32,7 @@ class Found:
     name: str
     kind: str
     unit: Unit
-    values: tuple[Decimal, ...] | None
+    values: tuple[Settled, ...] | None
     expressions: tuple[sp.Expr, ...] | None
     word: str = ""
     find: Find | None = None

@@ -111,7 +111,7 @@ class Blow:
         targets = {s for _, e in handing for s in e.free_symbols & unknowns}
         targets |= set(self.stop.letters.values()) & unknowns | self._asked(asked) & unknowns
         base = self.trial.outcomes[0].value
-        value = Valuation({s: v for s, v in base.values.items() if s not in unknowns}, base.definitions)
+        value = base.without(unknowns)
         maker = StageMaker(self.system, value, True, constructed=self.scene.displacement is None, whole=True)
         self.stage = maker.accelerations(targets, kinetics=True)
         self.equations = [*self._same_place(), *self._planned(self.stage), *self._zero(self.stage)]
@@ -175,7 +175,7 @@ class Blow:
         """Numbers of the scene in the blow; `value` knows the letters of the state before it, and all names."""
         places = {s: value(own) for s, own in self.since.letters.items() if own in value.values}
         draws = self.scene.valuations[0]
-        return Valuation({**draws.values, **value.values, **places}, draws.definitions)
+        return draws.extended({**value.values, **places})
 
     # --- numbers -----------------------------------------------------------------------------------------------------
 

@@ -223,7 +223,7 @@ class Course(RegimeSequence):
 
     def parameters(self) -> set[sp.Symbol]:
         """What has no number of its own: letters of the file, as they were drawn."""
-        return set(self.base().values) - set(self.still.branch.values if self.still else ())
+        return set(self.base().drawn)
 
     @property
     def symbolic(self) -> bool:

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from decimal import Decimal
 from typing import Any
 
 import sympy as sp
 
 from planar_cli.equation.conditions import gap
 from planar_cli.equation.evaluate import refuse
-from planar_cli.equation.exact import Valuation
+from planar_cli.equation.exact import Settled, Valuation
 from planar_cli.equation.plain import longer, rounded_inside, simplified, with_short_roots
 from planar_cli.equation.system import mode_of
 from planar_cli.errors import Undecided
@@ -28,6 +27,7 @@ from planar_cli.solve.course.paths import CurveReader
 from planar_cli.solve.course.starts import started
 from planar_cli.solve.course.throughout import Throughout
 from planar_cli.solve.course.timeline import Reader, Stop
+from planar_cli.solve.course.unsettled import demand_settled, holds
 from planar_cli.solve.passages import Passage
 from planar_cli.solve.roads import is_curve
 from planar_cli.solve.solution import Found
@@ -106,19 +106,18 @@ class FindReader:
         parts = [self.settled(asked, p) for p in asked.parts]
         if isinstance(what, Quantity) and what.word == "frequency" and self.unit_of(find).angle:
             parts = [2 * sp.pi * p for p in parts]
-        if isinstance(what, Relation):
-            number, *more = (Decimal(0) if value.is_zero(p) else value(p) for p in parts)
-            same = not number and not any(more)
-            truth = {"<": number < 0, ">": number > 0, "<=": number <= 0, ">=": number >= 0, "=": same}
-            return Found(find.name, "truth", pure, None, None, "true" if truth[what.operator] else "false", find)
         passing = None if self.throughout is None else self.throughout.route(parts)
         if passing is not None:
             self.passing[find.name] = passing
             parts = [self.put_in(p, passing) for p in parts]
         closed = tuple(self.closed(p, route) for p in parts)
+        demand_settled(self.course, find, closed, value)
+        if isinstance(what, Relation):
+            word = "true" if holds(self.course, find, what.operator, parts, closed, value) else "false"
+            return Found(find.name, "truth", pure, None, None, word, find)
         letters = self.course.parameters() | self._varying()
         symbolic = any(letters & c.free_symbols for c in closed)
-        values = None if symbolic else tuple(self._number(p, value) for p in parts)
+        values = None if symbolic else tuple(self._number(p, c, value) for p, c in zip(parts, closed, strict=True))
         short = all(not longer(c, CLOSED_OPS) and not rounded_inside(c) and not c.atoms(sp.Dummy) for c in closed)
         kind = "vector" if len(parts) == 2 else "number"
         energy = is_energy(what)
@@ -143,12 +142,11 @@ class FindReader:
             return asked.reader.at(asked.at, part)
         return asked.reader.closed(part)
 
-    def _number(self, expr: sp.Expr, value: Valuation) -> Decimal:
+    def _number(self, expr: sp.Expr, closed: sp.Expr, value: Valuation) -> Settled:
         """Undecided: a denominator vanishes there, so that no number is one."""
         if any(p.exp.could_extract_minus_sign() and value.is_zero(p.base) for p in expr.atoms(sp.Pow)):
             raise Undecided("what is asked becomes 0/0 in the letters of this motion: it is not told")
-        number = value(expr)
-        return Decimal(0) if number and value.is_zero(expr) else number
+        return value.settled(expr, closed)
 
     @staticmethod
     def put_in(expr: sp.Expr, route: Route) -> sp.Expr:

@@ -170,7 +170,7 @@ class FormulaReader:
         values = None
         if not any(p.free_symbols & varying for p in parts):
             value = self.regime.general.instant.scene.valuations[0]
-            values = tuple(Decimal(0) if value.is_zero(p) else value(p) for p in parts)
+            values = tuple(value.settled(p, p) for p in parts)
         short = all(not longer(p, CLOSED_OPS) and not rounded_inside(p) for p in parts)
         kind = "vector" if len(parts) == 2 else "number"
         energy = any(q.word in ("KE", "PE") for q in quantities_in(what))

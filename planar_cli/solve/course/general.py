@@ -95,7 +95,7 @@ class General:
         letters, `known`: numbers of everything else.
         """
         draws = self.instant.scene.valuations[0]
-        here = Valuation({**draws.values, **known.values, **state}, draws.definitions)
+        here = draws.extended({**known.values, **state})
         given = {u: state.get(u, Decimal(0)) for u in (*self.free, *self.resting)}
         trial = self.instant.try_choice(self.choice, (here,), given=given)
         failed = trial.outcomes[0].failed if trial.outcomes else ()

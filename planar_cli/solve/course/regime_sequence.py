@@ -96,8 +96,7 @@ class RegimeSequence:
         """Numbers of everything that is known: given values, and draws of the letters of the file."""
         drawn = self.scene.valuations[0]
         varying = {s for r in self.distinct_regimes() for s in r.letters}
-        values = {s: v for s, v in drawn.values.items() if s not in varying and s not in self.sought()}
-        return Valuation(values, drawn.definitions)
+        return drawn.without(varying.union(self.sought()))
 
 
 def regime_sequence(problem: Problem, plot: Plot, workshop: Workshop) -> RegimeSequence:

@@ -1,0 +1,72 @@
+"""What a motion in letters leaves without a formula: it is told by name, and never as numbers that were drawn."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from decimal import Decimal
+from typing import TYPE_CHECKING
+
+import sympy as sp
+
+from planar_cli.equation.exact import Sample, Valuation
+from planar_cli.equation.plain import longer
+from planar_cli.errors import Undecided
+from planar_cli.problem.scene import Find
+
+if TYPE_CHECKING:
+    from planar_cli.solve.course.course import Course
+    from planar_cli.solve.course.regime import Regime
+
+READABLE = 40
+"""An equation of motion with more operations is not written into a message."""
+
+
+def demand_settled(course: Course, find: Find, closed: Sequence[sp.Expr], value: Valuation) -> None:
+    """Undecided: a find holds letters of states that only a motion with numbers that were drawn would tell."""
+    if not isinstance(value, Sample):
+        return
+    told = value.drawn | {s for r in course.distinct_regimes() for s in r.letters}
+    if any(s in value.values and s not in told for c in closed for s in c.free_symbols):
+        letters = _named(course, value)
+        text = f"{_place(find)} no formula in {letters} is found for `{find.name}`, and {letters} have no numbers"
+        known = [_equation(r, u) for r in course.running() for u in r.free if not longer(r.accelerations[u], READABLE)]
+        known = list(dict.fromkeys(known))
+        said = f"; what is known is the motion's own equation, {', '.join(known)}" if known else ""
+        raise Undecided(f"{text}{said}; with numbers under `given` it is followed step by step")
+
+
+def holds(
+    course: Course, find: Find, operator: str, parts: Sequence[sp.Expr], closed: Sequence[sp.Expr], value: Valuation
+) -> bool:
+    """Does a relation hold? `parts`: left - right, one or two; `closed`: their formulas. Undecided: in letters, only
+    for some of their values.
+    """
+    if not isinstance(value, Sample):
+        return _compared(operator, parts, value)
+    truths = {_compared(operator, closed, draw) for draw in course.scene.valuations}
+    if len(truths) > 1:
+        text = f"{_place(find)} whether `{find.name}` holds depends on {_named(course, value)}, which have no numbers"
+        raise Undecided(text)
+    return truths.pop()
+
+
+def _compared(operator: str, parts: Sequence[sp.Expr], value: Valuation) -> bool:
+    number, *more = (Decimal(0) if value.is_zero(p) else value(p) for p in parts)
+    same = not number and not any(more)
+    return {"<": number < 0, ">": number > 0, "<=": number <= 0, ">=": number >= 0, "=": same}[operator]
+
+
+def _place(find: Find) -> str:
+    return f"{find.mark.file}:{find.mark.line}:"
+
+
+def _named(course: Course, value: Sample) -> str:
+    return ", ".join(s.name for s in course.ledger.letters if s in value.drawn)
+
+
+def _equation(regime: Regime, speed: sp.Symbol) -> str:
+    """The rate of a free speed as a line of the file's own mathematics."""
+    plain = {c.speed: c.symbol.name for c in regime.coordinates if c.factor == 1 and c.extra == 0}
+    words = {u: sp.Symbol(f"dot({plain[u]})") for u in regime.free if u in plain}
+    left = f"ddot({plain[speed]})" if speed in plain else f"dot({speed.name})"
+    return f"{left} = {regime.accelerations[speed].xreplace(words)}".replace("**", "^")
