@@ -5,7 +5,6 @@ Sixty digits; letters without a number are drawn at random several times, and al
 
 from __future__ import annotations
 
-import random
 from collections.abc import Iterable, Mapping
 from copy import copy
 from decimal import Decimal
@@ -14,6 +13,7 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.equation.sample import generator
 
 DRAWS = 3
 SIGN_DRAWS = 10
@@ -41,7 +41,7 @@ class Trial:
         free = {s for e in expressions for s in e.free_symbols} - {parameter}
         known = {s for s in free if s in valuation.values or s in valuation.definitions}
         self.letters = sorted((free - known) | (free & letters), key=str)
-        self.rng = random.Random(7)
+        self.rng = generator(1)
         missing = [s for s in self.letters if s not in known]
         self.draws = [valuation.extended(self._draw(missing)) for _ in range(DRAWS if missing else 1)]
         self.wide = [valuation.extended(self._draw(self.letters)) for _ in range(SIGN_DRAWS if self.letters else 1)]
@@ -119,6 +119,6 @@ class Trial:
         low, high = (Decimal(str(b)) for b in between)
         if parameter.is_positive or parameter.is_nonnegative:
             low = max(low, Decimal("0.05"))
-        rng = random.Random(11)
+        rng = generator(2)
         step = (high - low) / PLACES
         return [low + step * (i + Decimal(rng.randrange(1, 10**18)) / 10**18) for i in range(PLACES)]

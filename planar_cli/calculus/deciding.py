@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import random
 from decimal import Decimal
 
 import sympy as sp
 
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.equation.plain import MANY, longer, simplified
+from planar_cli.equation.sample import generator
 
 CONFIRMED, DRAWS = 2, 16
 """So many points must confirm a closed form, of so many that are tried."""
@@ -49,7 +49,7 @@ def confirmed(difference: sp.Expr, value: Valuation | None = None, free: tuple[s
     """Does the difference vanish at drawn points? The letters `free` are drawn even if they have values."""
     if difference == 0:
         return True
-    draw = random.Random(7)
+    draw = generator(4)
     found = 0
     for trial in range(DRAWS):
         numbers = {}

@@ -127,6 +127,12 @@ class Decided:
         draws = self.ledger.far_draws(self._assumed) if told and self.ledger.letters else ()
         return tuple(e for e in told if any(_negative(e, d) for d in draws))
 
+    def everywhere(self) -> tuple[Valuation, ...]:
+        """Many draws of the letters, from decades, with which assumptions hold and signs are as decided."""
+        far = self.ledger.far_draws(self._assumed) if self.ledger.letters else ()
+        signs = [e * sign for e, sign in self._decided.items() if e.free_symbols]
+        return (*self.valuations, *(d for d in far if not any(_negative(e, d) for e in signs)))
+
     def is_zero(self, expr: Any) -> bool:
         return expr == 0 or all(v.is_zero(expr) for v in self.valuations)
 

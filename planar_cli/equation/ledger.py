@@ -15,6 +15,7 @@ from fractions import Fraction
 import sympy as sp
 
 from planar_cli.equation.exact import PI, Sample, Valuation
+from planar_cli.equation.sample import fraction, generator
 from planar_cli.units import PURE, Unit, parse_unit
 
 DRAWS, WIDER, MANY = 2, 10, 30
@@ -126,7 +127,7 @@ class Ledger:
     ) -> tuple[Valuation, ...]:
         free = [*self.letters, *self.sought]
         found: list[Valuation] = []
-        rng = random.Random(20)
+        rng = generator()
         for _ in range(tries if free else 1):
             known = ChainMap(self.values, self.definitions)
             numbers = {s: draw(s, rng) for s in free}
@@ -147,7 +148,7 @@ class Ledger:
             return None
 
     def _draw(self, symbol: sp.Symbol, rng: random.Random) -> Decimal:
-        number = Decimal(rng.randrange(10**30, 10**31)) / Decimal(10**31)
+        number = fraction(rng)
         if symbol.name in self.ranges:
             low, high = self.ranges[symbol.name]
             return low + (high - low) * number
@@ -159,7 +160,7 @@ class Ledger:
         """A draw from some decades, or of any acute angle."""
         if symbol.name in self.ranges:
             return self._draw(symbol, rng)
-        number = Decimal(rng.randrange(10**30, 10**31)) / Decimal(10**31)
+        number = fraction(rng)
         if self.units[symbol].angle and self.units[symbol].dimension == PURE:
             return PI * number / 2
         return Decimal(10) ** (3 * (2 * number - 1))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import random
 from collections.abc import Iterable
 from dataclasses import replace
 from decimal import Decimal
@@ -12,6 +11,7 @@ import sympy as sp
 
 from planar_cli.equation.evaluate import Evaluator
 from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.equation.sample import generator
 from planar_cli.errors import NOWHERE
 from planar_cli.problem.expression import Relation
 from planar_cli.problem.parser import parse_statement
@@ -43,7 +43,7 @@ def same_curve(stated: str, solved: tuple[Any, ...], evaluator: Evaluator, valua
 
 
 def _constant_ratio(ours: sp.Expr, theirs: sp.Expr, draw: Valuation, axes: list[sp.Symbol]) -> bool:
-    rng = random.Random(3)
+    rng = generator(3)
     ratios: list[Decimal] = []
     for _ in range(POINTS):
         point = draw.extended({axis: Decimal(rng.randrange(1, 10**12)) / 10**12 for axis in axes})

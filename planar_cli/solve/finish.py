@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from decimal import Decimal
 
 import sympy as sp
 
 from planar_cli.equation.conditions import vector_or_jet
 from planar_cli.equation.evaluate import refuse
-from planar_cli.equation.exact import Valuation
+from planar_cli.equation.exact import Sample, Valuation
 from planar_cli.equation.plain import longer, rounded_inside, simplified
 from planar_cli.equation.quantities import Quantities
 from planar_cli.equation.system import System, mode_of
@@ -23,6 +22,7 @@ from planar_cli.solve.instant import Instant, Trial
 from planar_cli.solve.seeker import Sought
 from planar_cli.solve.solution import Found, InstantSolution
 from planar_cli.solve.stages import Stage, StageMaker, acceleration_unknowns, needed
+from planar_cli.solve.truth import holds
 from planar_cli.solve.verify import verify
 from planar_cli.units import Unit, parse_unit
 
@@ -221,11 +221,9 @@ class Finisher:
             if mode is not None:
                 truth = self._mode_name(mode[0]) == mode[1]
             else:
-                difference = exprs[0] - exprs[1]
-                number = Decimal(0) if value.is_zero(difference) else value(difference)
-                truth = {"<": number < 0, ">": number > 0, "<=": number <= 0, ">=": number >= 0, "=": not number}[
-                    what.operator
-                ]
+                apart = (exprs[0] - exprs[1],)
+                closed = (self.closed(apart[0], stages),) if isinstance(value, Sample) else apart
+                truth = holds(find, what.operator, apart, closed, value, self.scene.everywhere())
             return Found(find.name, "truth", pure, None, None, "true" if truth else "false", find)
         if isinstance(what, Quantity) and what.word == "mode":
             return Found(find.name, "word", pure, None, None, self._mode_name(what.things[0]), find)

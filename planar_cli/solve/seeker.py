@@ -8,7 +8,6 @@ the file, signs that a mass or a coefficient must have.
 
 from __future__ import annotations
 
-import random
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from decimal import Decimal
@@ -19,6 +18,7 @@ from planar_cli.equation.conditions import POSITION, Condition, stated
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.form import Nonlinear, linear_form
 from planar_cli.equation.moving import all_wrenches
+from planar_cli.equation.sample import fraction, generator
 from planar_cli.equation.system import System
 from planar_cli.problem.facts import Test
 from planar_cli.solve.algebra import Algebra
@@ -127,11 +127,11 @@ class Seeker:
         return True
 
     def _generic(self, base: Valuation) -> Valuation:
-        rng = random.Random(7)
+        rng = generator(5)
         numbers = {}
         for s in self.unknowns:
             if s not in self.ledger.sought:
-                numbers[s] = Decimal(rng.randrange(10**30, 10**31)) / Decimal(10**31) + Decimal("0.3")
+                numbers[s] = fraction(rng) + Decimal("0.3")
         return base.extended({**numbers, **{s: Decimal(0) for s in self.still}})
 
     # --- plan and branches -------------------------------------------------------------------------------------------

@@ -103,7 +103,7 @@ def _joined(
     unit: Unit = sample.unit
     numbers = instants[-1].value
     values = (
-        tuple(numbers(p) for p in parts)
+        tuple(numbers.settled(p, p) for p in parts)
         if not any(p.free_symbols & set(instants[-1].instant.scene.ledger.letters) for p in parts)
         else None
     )

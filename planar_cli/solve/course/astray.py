@@ -15,6 +15,7 @@ import sympy as sp
 
 from planar_cli.calculus.first import first_extreme
 from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.equation.sample import anywhere
 from planar_cli.errors import NOWHERE, Diagnostic, Mark, NoSolution, Undecided
 from planar_cli.problem.scene import Problem
 from planar_cli.solve.course.course import Course
@@ -45,7 +46,7 @@ REPEATING = ("energy", "momentum")
 def loose_letters(course: Course) -> list[sp.Symbol]:
     """Letters of states and sought constants that the equations do not fix."""
     unknowns = sorted(course.chain().unknowns, key=lambda s: s.name)
-    value = course.base().extended({x: Decimal("0.31") + Decimal(i) / 7 for i, x in enumerate(unknowns)})
+    value = course.base().extended({x: anywhere(i) for i, x in enumerate(unknowns)})
     rows = []
     places = [s.name for s in course.states]
     # Where laws of motion tell everything, those of energy and momentum say nothing new.

@@ -19,6 +19,7 @@ from planar_cli.equation.displacement import Coordinate, Displacement
 from planar_cli.equation.exact import DIGITS, Valuation
 from planar_cli.equation.plain import simplified
 from planar_cli.equation.pose import HERE
+from planar_cli.equation.sample import anywhere
 from planar_cli.equation.scene import Scene
 from planar_cli.joints.base import Joint
 from planar_cli.loads.base import Load
@@ -122,7 +123,7 @@ def constraints_of(
     base = scene.valuations[0]
     start = start_of(coordinates)
     value = base.extended({s: base(s) for s in start.values() if s.is_Symbol and s in base.values})
-    value = value.extended({v: Decimal("0.37") for v in start.values() if v.is_Symbol and v not in value.values})
+    value = value.extended({v: anywhere() for v in start.values() if v.is_Symbol and v not in value.values})
     poses = GeneralPoses(displacement, start, value, scene.ledger.symbols["t"])
     found: list[Constraint] = []
     for (joint, modes), index in zip(drawn.modes, choice, strict=True):
@@ -141,7 +142,7 @@ def kept_while_held(
     """What a joint would keep in one of its modes, in the coordinates of a position in which it has parted."""
     base = drawn.scene.valuations[0]
     start = start_of(coordinates)
-    value = base.extended({v: Decimal("0.37") for v in start.values() if v.is_Symbol and v not in base.values})
+    value = base.extended({v: anywhere() for v in start.values() if v.is_Symbol and v not in base.values})
     poses = GeneralPoses(displacement, start, value, drawn.scene.ledger.symbols["t"])
     return tuple(_kept(drawn, joint, mode, poses, value, start))
 

@@ -27,10 +27,11 @@ from planar_cli.solve.course.paths import CurveReader
 from planar_cli.solve.course.starts import started
 from planar_cli.solve.course.throughout import Throughout
 from planar_cli.solve.course.timeline import Reader, Stop
-from planar_cli.solve.course.unsettled import demand_settled, holds
+from planar_cli.solve.course.unsettled import demand_settled
 from planar_cli.solve.passages import Passage
 from planar_cli.solve.roads import is_curve
 from planar_cli.solve.solution import Found
+from planar_cli.solve.truth import holds
 from planar_cli.units import IMPULSE, Unit, parse_unit
 
 CLOSED_OPS, LONGEST = 90, 600
@@ -113,8 +114,8 @@ class FindReader:
         closed = tuple(self.closed(p, route) for p in parts)
         demand_settled(self.course, find, closed, value)
         if isinstance(what, Relation):
-            word = "true" if holds(self.course, find, what.operator, parts, closed, value) else "false"
-            return Found(find.name, "truth", pure, None, None, word, find)
+            truth = holds(find, what.operator, parts, closed, value, self.course.scene.everywhere())
+            return Found(find.name, "truth", pure, None, None, "true" if truth else "false", find)
         letters = self.course.parameters() | self._varying()
         symbolic = any(letters & c.free_symbols for c in closed)
         values = None if symbolic else tuple(self._number(p, c, value) for p, c in zip(parts, closed, strict=True))

@@ -14,6 +14,7 @@ from planar_cli.equation.displacement import Coordinate, Displacement
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.motion import Tree
 from planar_cli.equation.quantities import Quantities
+from planar_cli.equation.sample import anywhere
 from planar_cli.equation.setup import Course, Setup
 from planar_cli.equation.system import Statements
 from planar_cli.problem.scene import Problem
@@ -193,7 +194,7 @@ def _general(
     valuations = instant.scene.valuations
     found = solve_velocities(system, valuations[0], False)
     independent = _independent(found, system.tree.velocity_unknowns(), displacement)
-    given = {s: Decimal("0.71") + Decimal(i) / 7 for i, s in enumerate(independent)}
+    given = {s: anywhere(i) for i, s in enumerate(independent)}
     given |= {s: Decimal(0) for s in independent if s.name in resting}
     rests = tuple(s for s in independent if s.name in resting)
     independent = tuple(s for s in independent if s.name not in resting)
@@ -240,7 +241,7 @@ def _projector(
     starts = {start_symbol(c) for c in coordinates} & inside
 
     def place(value: Valuation) -> Mapping[sp.Symbol, Decimal]:
-        drawn = {s: Decimal("0.37") for s in starts}
+        drawn = {s: anywhere() for s in starts}
         return {**drawn, **project(constraints, unknowns, value.extended(drawn))}
 
     return place

@@ -20,6 +20,7 @@ from planar_cli.calculus.first import polish, roots
 from planar_cli.equation.displacement import Coordinate
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.equation.plain import longer, simplified
+from planar_cli.equation.sample import anywhere
 from planar_cli.problem.facts import Test
 from planar_cli.solve.course.balance import balance_of
 from planar_cli.solve.course.general import General, loose_tree
@@ -120,7 +121,7 @@ class Regime:
             return expr
         base = self.general.instant.scene.valuations[0]
         drawn = {c.symbol: base(c.drawn) if c.drawn is not None else Decimal(0) for c in self.coordinates}
-        drawn |= {u: Decimal("0.57") + Decimal(i) / 7 for i, u in enumerate(self.free)}
+        drawn |= {u: anywhere(i) for i, u in enumerate(self.free)}
         try:
             base.extended(drawn)(expr)
         except Unvalued:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from decimal import Decimal
 from typing import TYPE_CHECKING
 
 import sympy as sp
@@ -35,33 +34,15 @@ def demand_settled(course: Course, find: Find, closed: Sequence[sp.Expr], value:
         raise Undecided(f"{text}{said}; with numbers under `given` it is followed step by step")
 
 
-def holds(
-    course: Course, find: Find, operator: str, parts: Sequence[sp.Expr], closed: Sequence[sp.Expr], value: Valuation
-) -> bool:
-    """Does a relation hold? `parts`: left - right, one or two; `closed`: their formulas. Undecided: in letters, only
-    for some of their values.
-    """
-    if not isinstance(value, Sample):
-        return _compared(operator, parts, value)
-    truths = {_compared(operator, closed, draw) for draw in course.scene.valuations}
-    if len(truths) > 1:
-        text = f"{_place(find)} whether `{find.name}` holds depends on {_named(course, value)}, which have no numbers"
-        raise Undecided(text)
-    return truths.pop()
-
-
-def _compared(operator: str, parts: Sequence[sp.Expr], value: Valuation) -> bool:
-    number, *more = (Decimal(0) if value.is_zero(p) else value(p) for p in parts)
-    same = not number and not any(more)
-    return {"<": number < 0, ">": number > 0, "<=": number <= 0, ">=": number >= 0, "=": same}[operator]
-
-
 def _place(find: Find) -> str:
     return f"{find.mark.file}:{find.mark.line}:"
 
 
 def _named(course: Course, value: Sample) -> str:
-    return ", ".join(s.name for s in course.ledger.letters if s in value.drawn)
+    """The letters without numbers, as the file writes them; g only where it acts."""
+    written = {s.name for s in course.problem.symbols}
+    gravity = course.scene.gravity
+    return ", ".join(s.name for s in course.ledger.letters if s in value.drawn and (s.name in written or s == gravity))
 
 
 def _equation(regime: Regime, speed: sp.Symbol) -> str:

@@ -1,0 +1,47 @@
+"""Whether a relation that is asked holds; with letters, whatever numbers they have."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from decimal import Decimal
+
+import sympy as sp
+
+from planar_cli.equation.exact import Sample, Valuation
+from planar_cli.errors import Undecided
+from planar_cli.problem.scene import Find
+
+
+def holds(
+    find: Find,
+    operator: str,
+    parts: Sequence[sp.Expr],
+    closed: Sequence[sp.Expr],
+    value: Valuation,
+    draws: Iterable[Valuation],
+) -> bool:
+    """Does left - right, one part or two, compare with zero as the operator says? `closed`: the same as formulas, which
+    are looked at for all `draws` where the letters have no numbers. Undecided: it holds only for some.
+    """
+    if not isinstance(value, Sample):
+        return _compared(operator, parts, value)
+    truths = {truth for draw in draws if (truth := _told(operator, closed, draw)) is not None}
+    if len(truths) != 1:
+        letters = ", ".join(sorted(s.name for s in set().union(*(c.free_symbols for c in closed)) & value.drawn))
+        place = f"{find.mark.file}:{find.mark.line}:"
+        raise Undecided(f"{place} whether `{find.name}` holds depends on {letters}, which have no numbers")
+    return truths.pop()
+
+
+def _told(operator: str, closed: Sequence[sp.Expr], draw: Valuation) -> bool | None:
+    """None: with these numbers there is no such motion."""
+    try:
+        return _compared(operator, closed, draw)
+    except ArithmeticError:
+        return None
+
+
+def _compared(operator: str, parts: Sequence[sp.Expr], value: Valuation) -> bool:
+    number, *more = (Decimal(0) if value.is_zero(p) else value(p) for p in parts)
+    same = not number and not any(more)
+    return {"<": number < 0, ">": number > 0, "<=": number <= 0, ">=": number >= 0, "=": same}[operator]
