@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from planar_cli.equation.exact import Sample, Valuation
+from planar_cli.equation.exact import Valuation
 from planar_cli.equation.plain import longer
 from planar_cli.solve.course.derivation import Edge
 from planar_cli.solve.course.equations import Equation
@@ -38,11 +38,7 @@ def _onward(edge: Edge, order: Mapping[sp.Symbol, int]) -> bool:
 
 
 def by_numbers(course: RegimeSequence, guessed: Collection[sp.Symbol], value: Valuation) -> ByNumbers:
-    """The letters of states whose values came from following the motion alone, `guessed`. `value`: their numbers;
-    none where letters were drawn for it.
-    """
-    if isinstance(value, Sample):
-        return ByNumbers()
+    """The letters of states whose values came from following the motion alone, `guessed`. `value`: their numbers."""
     stops = [course.stops[state.name] for state in course.states]
     order = {own: i for i, stop in enumerate(stops) for own in stop.letters.values()}
     told = []

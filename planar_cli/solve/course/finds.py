@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -23,11 +24,12 @@ from planar_cli.solve.asked import is_energy
 from planar_cli.solve.course.course import Course
 from planar_cli.solve.course.derivation import Route
 from planar_cli.solve.course.oscillation import stability
+from planar_cli.solve.course.over_spans import SpanIntegral
 from planar_cli.solve.course.paths import CurveReader
 from planar_cli.solve.course.starts import started
 from planar_cli.solve.course.throughout import Throughout
 from planar_cli.solve.course.timeline import Reader, Stop
-from planar_cli.solve.course.unsettled import demand_settled
+from planar_cli.solve.course.unsettled import settled_by
 from planar_cli.solve.passages import Passage
 from planar_cli.solve.roads import is_curve
 from planar_cli.solve.solution import Found
@@ -89,7 +91,8 @@ class FindReader:
 
     # --- answers -----------------------------------------------------------------------------------------------------
 
-    def answer(self, asked: Asked, route: Route, value: Valuation) -> Found:
+    def answer(self, asked: Asked, route: Route, value: Valuation, spans: Iterable[SpanIntegral]) -> Found:
+        """One find. `value`: numbers of everything; `spans`: quantities over spans, worked out."""
         find, what = asked.find, asked.find.found.what
         pure = parse_unit("1")
         mode = self._mode(what, asked)
@@ -112,13 +115,15 @@ class FindReader:
             self.passing[find.name] = passing
             parts = [self.put_in(p, passing) for p in parts]
         closed = tuple(self.closed(p, route) for p in parts)
-        demand_settled(self.course, find, closed, value)
+        by = settled_by(self.course, find, closed, value, spans)
         if isinstance(what, Relation):
-            truth = holds(find, what.operator, parts, closed, value, self.course.scene.everywhere())
+            truth = holds(
+                find, what.operator, parts if by is value else closed, closed, by, self.course.scene.everywhere()
+            )
             return Found(find.name, "truth", pure, None, None, "true" if truth else "false", find)
         letters = self.course.parameters() | self._varying()
         symbolic = any(letters & c.free_symbols for c in closed)
-        values = None if symbolic else tuple(self._number(p, c, value) for p, c in zip(parts, closed, strict=True))
+        values = None if symbolic else tuple(self._number(p, c, value, by) for p, c in zip(parts, closed, strict=True))
         short = all(not longer(c, CLOSED_OPS) and not rounded_inside(c) and not c.atoms(sp.Dummy) for c in closed)
         kind = "vector" if len(parts) == 2 else "number"
         energy = is_energy(what)
@@ -143,11 +148,12 @@ class FindReader:
             return asked.reader.at(asked.at, part)
         return asked.reader.closed(part)
 
-    def _number(self, expr: sp.Expr, closed: sp.Expr, value: Valuation) -> Settled:
-        """Undecided: a denominator vanishes there, so that no number is one."""
+    @staticmethod
+    def _number(expr: sp.Expr, closed: sp.Expr, value: Valuation, by: Valuation) -> Settled:
+        """The number of a formula. `by`: what settles it. Undecided: a denominator vanishes there, so that no number is one."""
         if any(p.exp.could_extract_minus_sign() and value.is_zero(p.base) for p in expr.atoms(sp.Pow)):
             raise Undecided("what is asked becomes 0/0 in the letters of this motion: it is not told")
-        return value.settled(expr, closed)
+        return by.settled(expr if by is value else closed, closed)
 
     @staticmethod
     def put_in(expr: sp.Expr, route: Route) -> sp.Expr:

@@ -26,7 +26,7 @@ from planar_cli.calculus.first import all_roots
 from planar_cli.calculus.polish import polish
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.plain import simplified
-from planar_cli.errors import Diagnostic, NoSolution, Undecided
+from planar_cli.errors import Diagnostic, NoSolution
 from planar_cli.problem.expression import Quantity, Relation
 from planar_cli.solve.course.blow import Blow
 from planar_cli.solve.course.blow_spans import over_blow

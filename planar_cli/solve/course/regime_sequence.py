@@ -94,7 +94,7 @@ class RegimeSequence:
 
     def given(self) -> Valuation:
         """Numbers of everything that is known: given values, and draws of the letters of the file."""
-        drawn = self.scene.valuations[0]
+        drawn: Valuation = self.scene.valuations[0]
         varying = {s for r in self.distinct_regimes() for s in r.letters}
         return drawn.without(varying.union(self.sought()))
 

@@ -12,9 +12,10 @@ from planar_cli.problem.scene import Problem
 from planar_cli.solve.course.agree import compared
 from planar_cli.solve.course.astray import missing
 from planar_cli.solve.course.blow_checks import blow_checks
-from planar_cli.solve.course.by_numbers import by_numbers
+from planar_cli.solve.course.by_numbers import ByNumbers, by_numbers
 from planar_cli.solve.course.complete import completed
 from planar_cli.solve.course.course import Course
+from planar_cli.solve.course.independence import rests_on
 from planar_cli.solve.course.masses import demand_mass
 from planar_cli.solve.course.methods import by_method, demand_reached, follows
 from planar_cli.solve.course.plot import Workshop
@@ -48,7 +49,8 @@ def _told(unfolded: Unfolded, case: str) -> PartSolution:
     targets = {s for a in found.finds.asked for p in a.parts for s in found.finds.settled(a, p).free_symbols}
     allowed = by_method(course.equations, method)
     steps = tuple(s for s in found.branch.steps if len(by_method(s.equations, method)) == len(s.equations))
-    followed = by_numbers(found.course, found.guessed, found.value)
+    lettered = rests_on(course, found.value)
+    followed = ByNumbers() if lettered else by_numbers(course, found.guessed, found.value)
     by_steps = followed if follows(method) else None
     router = Router(allowed, unknowns, found.value, course.symbolic, steps, by_steps)
     wanted = _in_order(course, targets & unknowns)
@@ -61,7 +63,7 @@ def _told(unfolded: Unfolded, case: str) -> PartSolution:
     found.finds.throughout = Throughout(course, found.followed, found.value, start)
     found.presumed = presumed(found, (found.route, begun))
     found.checks = (*found.checks, *blow_checks(found), *compared(found))
-    answers = tuple(found.finds.answer(a, found.route, found.value) for a in found.finds.asked)
+    answers = tuple(found.finds.answer(a, found.route, found.value, found.spans) for a in found.finds.asked)
     instants = _instants(found.course)
     tale = Tale(tuple(found.finds.curves), whole=False) if found.finds.curves else None
     return PartSolution(case, instants, answers, found, tale)
