@@ -148,3 +148,20 @@ def test_the_top_level_holds_nothing_else() -> None:
     allowed = {"pyproject.toml", "README.md", "LICENSE", "problems", "tests", "planar_cli", "build"}
     found = {p.name for p in ROOT.iterdir() if not p.name.startswith(".") and p.suffix != ".egg-info"}
     assert found <= allowed
+
+
+def calls(path: Path) -> Iterator[ast.Call]:
+    """Every call of a plain name."""
+    nodes = ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+    return (n for n in nodes if isinstance(n, ast.Call) and isinstance(n.func, ast.Name))
+
+
+@pytest.mark.parametrize("path", MODULES, ids=id_of)
+def test_drawn_numbers_and_values_are_kept_apart(path: Path) -> None:
+    """A `Settled` number is made by valuations alone, and no other module makes a valuation with definitions anew, which
+    would forget what was drawn.
+    """
+    if parts_of(path) in (("equation", "exact"), ("equation", "ledger")):
+        return
+    made = [(n.func.id, len(n.args)) for n in calls(path) if isinstance(n.func, ast.Name)]
+    assert not [n for n, count in made if n in ("Settled", "Sample") or (n == "Valuation" and count > 1)]

@@ -116,14 +116,13 @@ class FindReader:
             parts = [self.put_in(p, passing) for p in parts]
         closed = tuple(self.closed(p, route) for p in parts)
         by = settled_by(self.course, find, closed, value, spans)
+        told = tuple(parts) if by is value else closed
         if isinstance(what, Relation):
-            truth = holds(
-                find, what.operator, parts if by is value else closed, closed, by, self.course.scene.everywhere()
-            )
+            truth = holds(find, what.operator, told, closed, by, self.course.scene.everywhere())
             return Found(find.name, "truth", pure, None, None, "true" if truth else "false", find)
         letters = self.course.parameters() | self._varying()
         symbolic = any(letters & c.free_symbols for c in closed)
-        values = None if symbolic else tuple(self._number(p, c, value, by) for p, c in zip(parts, closed, strict=True))
+        values = None if symbolic else tuple(self._number(p, c, by) for p, c in zip(told, closed, strict=True))
         short = all(not longer(c, CLOSED_OPS) and not rounded_inside(c) and not c.atoms(sp.Dummy) for c in closed)
         kind = "vector" if len(parts) == 2 else "number"
         energy = is_energy(what)
@@ -149,11 +148,11 @@ class FindReader:
         return asked.reader.closed(part)
 
     @staticmethod
-    def _number(expr: sp.Expr, closed: sp.Expr, value: Valuation, by: Valuation) -> Settled:
-        """The number of a formula. `by`: what settles it. Undecided: a denominator vanishes there, so that no number is one."""
+    def _number(expr: sp.Expr, closed: sp.Expr, value: Valuation) -> Settled:
+        """Undecided: a denominator vanishes there, so that no number is one."""
         if any(p.exp.could_extract_minus_sign() and value.is_zero(p.base) for p in expr.atoms(sp.Pow)):
             raise Undecided("what is asked becomes 0/0 in the letters of this motion: it is not told")
-        return by.settled(expr if by is value else closed, closed)
+        return value.settled(expr, closed)
 
     @staticmethod
     def put_in(expr: sp.Expr, route: Route) -> sp.Expr:
