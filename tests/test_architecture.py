@@ -158,8 +158,8 @@ def calls(path: Path) -> Iterator[ast.Call]:
 
 @pytest.mark.parametrize("path", MODULES, ids=id_of)
 def test_drawn_numbers_and_values_are_kept_apart(path: Path) -> None:
-    """A `Settled` number is made by valuations alone, and no other module makes a valuation with definitions anew, which
-    would forget what was drawn.
+    """Only valuations make a `Settled` number, and no other module makes a valuation with definitions anew: it would
+    forget what was drawn.
     """
     if parts_of(path) in (("equation", "exact"), ("equation", "ledger")):
         return
