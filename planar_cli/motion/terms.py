@@ -16,6 +16,9 @@ from planar_cli.motion.functions import FUNCTIONS, Table, Turning
 ROUNDING = 1e-11
 """A value below this part of the size of what it was made of is zero."""
 
+EXACT = 4e-16
+"""The part of two plain numbers below which their sum is nothing but the rounding of them."""
+
 Number = int | float
 
 
@@ -117,7 +120,7 @@ class Graph:
     def add(self, a: Term, b: Term) -> Term:
         """a + b."""
         if a.constant and b.constant:
-            return self.number(a.value + b.value)
+            return self.number(_summed(a.value, b.value))
         if a.constant and a.value == 0:
             return b
         if b.constant and b.value == 0:
@@ -186,7 +189,8 @@ class Graph:
         function = self.function(name)
         value = _safely(function, *(a.value for a in args))
         if all(a.constant for a in args) and not math.isnan(value):
-            return self.number(value)
+            # A right angle in degrees is not quite one in radians.
+            return self.number(0.0 if name in ("sin", "cos") and abs(value) <= EXACT * abs(args[0].value) else value)
         # sin and cos of an angle round on the scale of 1.
         size = 1.0 if name in ("sin", "cos", "sign", "step") else max(abs(value), _own_size(name, args))
         return self._made(name, args, value, size)
@@ -213,6 +217,32 @@ class Graph:
         if name in FUNCTIONS:
             return FUNCTIONS[name]
         return self.turnings[name].at if name in self.turnings else self.tables[name].at
+
+    def replaced(self, term: Term, by: Mapping[Term, Term]) -> Term:
+        """The term with other terms in the place of some of its variables."""
+        found: dict[Term, Term] = {}
+        for t in ordered([term]):
+            args = tuple(found[a] for a in t.args)
+            if t in by:
+                found[t] = by[t]
+            elif args == t.args:
+                found[t] = t
+            else:
+                found[t] = self._again(t.op, args)
+        return found[term]
+
+    def _again(self, op: str, args: tuple[Term, ...]) -> Term:
+        """The same operation on other operands."""
+        match op:
+            case "+":
+                return self.add(*args)
+            case "*":
+                return self.multiply(*args)
+            case "/":
+                return self.divide(*args)
+            case "**":
+                return self.power(*args)
+        return self.call(op, *args)
 
     # --- derivatives -------------------------------------------------------------------------------------------------
 
@@ -353,6 +383,12 @@ def _minus(term: Term) -> bool:
 def _bare(term: Term) -> Term:
     """The same without its minus sign."""
     return term.args[1] if _minus(term) else term
+
+
+def _summed(a: float, b: float) -> float:
+    """a + b; zero where they differ by rounding only."""
+    total = a + b
+    return 0.0 if abs(total) <= EXACT * max(abs(a), abs(b)) else total
 
 
 def _own_size(name: str, args: tuple[Term, ...]) -> float:

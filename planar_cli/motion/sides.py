@@ -1,0 +1,192 @@
+"""Formulas of the file as terms in SI units."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from fractions import Fraction
+
+from planar_cli.errors import Diagnostic, FileProblem, Mark
+from planar_cli.motion.terms import Graph, Term
+from planar_cli.problem.expression import (
+    Binary,
+    Function,
+    Grouped,
+    Name,
+    Negate,
+    Number,
+    Quantity,
+    Scaled,
+    Side,
+    Word,
+)
+from planar_cli.problem.scene import Problem
+from planar_cli.problem.walk import Tree, walk
+from planar_cli.units import parse_unit
+
+GRAVITY = 9.81
+"""g where the file gives none, m/s²."""
+
+
+def refuse(mark: Mark, code: str, message: str, hint: str = "") -> FileProblem:
+    """The located error of one place."""
+    return FileProblem([Diagnostic(mark, code, message, hint)])
+
+
+def no_quantity(quantity: Quantity) -> Term:
+    """Where only numbers and names may stand."""
+    raise refuse(
+        quantity.mark, "PL501", f"{quantity.word}(…) can not stand here", "write numbers and names of `given` here"
+    )
+
+
+@dataclass(slots=True)
+class Constants:
+    """The names of one problem that have a number, as terms; those without one are refused when they are used."""
+
+    graph: Graph
+    problem: Problem
+    values: Mapping[str, float]
+    """Numbers for letters and unknowns, by name, in SI units; they go before what the file gives."""
+    settled: dict[str, Side] = field(default_factory=dict)
+    """Unknowns whose value a relation of the start gives."""
+    _found: dict[str, Term] = field(default_factory=dict)
+    _waiting: list[str] = field(default_factory=list)
+
+    def __contains__(self, name: str) -> bool:
+        """Is it a name that has, or should have, a number?"""
+        symbols = (*self.problem.given, *self.problem.symbols, *self.problem.unknowns)
+        return name in self.values or name == "g" or any(s.name == name for s in symbols)
+
+    def valued(self, name: str) -> bool:
+        """Has it a number?"""
+        given = any(s.name == name and s.value is not None for s in self.problem.given)
+        return name in self.values or name == "g" or given or name in self.settled
+
+    def term(self, name: Name, sides: Sides) -> Term:
+        """The number of a name."""
+        found = self._found.get(name.name)
+        if found is None:
+            found = self._found[name.name] = self._made(name, sides)
+        return found
+
+    def gravity(self, sides: Sides) -> Term:
+        """g, m/s²."""
+        return self.term(Name("g", None, Mark(self.problem.file, 1, 1)), sides)
+
+    def _made(self, name: Name, sides: Sides) -> Term:
+        if name.name in self.values:
+            return self.graph.number(self.values[name.name])
+        symbol = next((s for s in self.problem.given if s.name == name.name and s.value is not None), None)
+        value = symbol.value if symbol is not None else self.settled.get(name.name)
+        if value is not None:
+            if name.name in self._waiting:
+                raise refuse(name.mark, "PL533", f"{name.name} is given through itself")
+            self._waiting.append(name.name)
+            found = sides.value(value)
+            self._waiting.pop()
+            return found
+        if name.name == "g":
+            return self.graph.number(GRAVITY)
+        raise self._without_number(name)
+
+    def _without_number(self, name: Name) -> FileProblem:
+        if any(s.name == name.name for s in self.problem.unknowns):
+            hint = f"say what it is at the start: `--set {name.name}=…`"
+            return refuse(name.mark, "PL704", f"the unknown {name.name} has no value from which to begin", hint)
+        hint = f"give it one: `--set {name.name}=…`"
+        return refuse(name.mark, "PL705", f"the letter {name.name} has no number", hint)
+
+
+@dataclass(frozen=True, slots=True)
+class Sides:
+    """Evaluates sides. `elsewhere`: what to do with `x @ 2`."""
+
+    graph: Graph
+    constants: Constants
+    variables: Mapping[str, Term]
+    """Time `t`, coordinates, and variables of curves; they go before constants."""
+    quantity: Callable[[Quantity], Term] = no_quantity
+    elsewhere: Callable[[str, Side], Term] | None = None
+
+    def with_variables(self, more: Mapping[str, Term]) -> Sides:
+        """The same with other or more variables."""
+        return Sides(self.graph, self.constants, {**self.variables, **more}, self.quantity, self.elsewhere)
+
+    def value(self, side: Side) -> Term:
+        """The value of a side."""
+        match side:
+            case Number():
+                return self.graph.number(side.sense * _written(side.value, side.unit))
+            case Scaled():
+                return self.value(side.operand) * (side.sense * _written(Fraction(1), side.unit))
+            case Name():
+                bare = Name(side.name, None, side.mark)
+                return self._name(side) if side.at is None else self._at(side.at, bare)
+            case Negate():
+                return -self.value(side.operand)
+            case Binary():
+                return self._binary(side)
+            case Function():
+                bare_function = Function(side.name, side.argument, None, side.mark)
+                if side.at is not None:
+                    return self._at(side.at, bare_function)
+                return self.graph.call(side.name, self.value(side.argument))
+            case Grouped():
+                return self._at(side.at, side.operand)
+            case Quantity():
+                return self.quantity(side)
+            case Word():
+                raise refuse(side.mark, "PL502", f"{side.word} is a mode, no number", "compare it: `mode(C) = stick`")
+        raise TypeError(type(side).__name__)
+
+    def _at(self, state: str, side: Side) -> Term:
+        if self.elsewhere is None:
+            raise refuse(
+                side.mark, "PL503", "`@` can not stand here", "leave it out: the relation is at its own instant"
+            )
+        return self.elsewhere(state, side)
+
+    def _name(self, name: Name) -> Term:
+        if name.name in self.variables:
+            return self.variables[name.name]
+        if name.name in ("pi", "infinity"):
+            return self.graph.number(math.pi if name.name == "pi" else math.inf)
+        if name.name not in self.constants:
+            hint = "give it in `given`, or seek it in `unknowns`"
+            raise refuse(name.mark, "PL504", f"{name.name} has no value here", hint)
+        return self.constants.term(name, self)
+
+    def _binary(self, side: Binary) -> Term:
+        left, right = self.value(side.left), self.value(side.right)
+        match side.operator:
+            case "+":
+                return left + right
+            case "-":
+                return left - right
+            case "*":
+                return left * right
+            case "/":
+                if right.constant and right.value == 0:
+                    raise refuse(side.mark, "PL505", "division by zero")
+                return left / right
+        return left**right
+
+
+def names_in(tree: Tree) -> set[str]:
+    """All bare names of a side or relation, also those inside quantities."""
+    return {node.name for node in walk(tree) if isinstance(node, Name)}
+
+
+def has_quantity(tree: Tree) -> bool:
+    """Does a quantity stand in it?"""
+    return any(isinstance(node, Quantity) for node in walk(tree))
+
+
+def _written(value: Fraction, unit: str | None) -> float:
+    """A written number in SI units."""
+    if unit is None:
+        return float(value)
+    found = parse_unit(unit)
+    return float(value * found.factor) * math.pi**found.pi_power
