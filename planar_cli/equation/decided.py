@@ -136,6 +136,10 @@ class Decided:
     def is_zero(self, expr: Any) -> bool:
         return expr == 0 or all(v.is_zero(expr) for v in self.valuations)
 
+    def vanishes(self, expr: Any) -> bool:
+        """Is it zero in all that this scene may be?"""
+        return self.is_zero(expr)
+
 
 def _negative(expr: Any, valuation: Valuation) -> bool:
     try:

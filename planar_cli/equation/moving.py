@@ -9,7 +9,6 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.equation.acting import acting_loads, kind_of
 from planar_cli.equation.evaluate import demand_time, refuse
 from planar_cli.equation.motion import Motion
 from planar_cli.equation.plain import MANY, longer, operations, simplified
@@ -18,6 +17,7 @@ from planar_cli.equation.scene import Scene
 from planar_cli.equation.struck import StruckScene
 from planar_cli.errors import Mark, Undecided
 from planar_cli.loads.base import Load
+from planar_cli.problem.acting import acting_loads, kind_of
 from planar_cli.problem.expression import Side
 from planar_cli.problem.facts import Skid, Wrench
 from planar_cli.problem.geometry import Vec
@@ -41,6 +41,10 @@ class Moving:
 
     def is_zero(self, expr: Any) -> bool:
         return expr == 0 or bool(self._numbers.is_zero(expr))
+
+    def vanishes(self, expr: Any) -> bool:
+        """Is it zero in all that this motion may be?"""
+        return self.is_zero(expr)
 
     def length(self, v: Vec) -> sp.Expr:
         """|v| of a vector that may hold velocities."""
@@ -123,7 +127,7 @@ def all_wrenches(
     if isinstance(scene, StruckScene):
         return scene.blows(setting)
     found: list[Wrench] = []
-    for load in acting_loads(scene, idle):
+    for load in acting_loads(scene.problem, idle):
         found += [w for w in load.wrenches(setting) if w.body != GROUND]
     for body in scene.bodies:
         found += _growing(scene, motion, body)

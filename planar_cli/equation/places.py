@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
 
 import sympy as sp
 
@@ -16,13 +15,8 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import (
     At,
     Midpoint,
-    Outline,
-    Particle,
     Point,
     Polar,
-    Rod,
-    Round,
-    Sector,
     Towards,
     TwoFacts,
 )
@@ -157,20 +151,3 @@ def at_relations(ledger: Ledger, evaluator: Evaluator, relations: tuple[Statemen
             )
         expr = expr.subs(ledger.symbols[relation.left.name], evaluator.value(relation.right))
     return expr
-
-
-def own_points(shape: Any) -> tuple[str, ...]:
-    """The points by which a shape is drawn and which move with it."""
-    match shape:
-        case Particle():
-            return (shape.place,) if isinstance(shape.place, str) else ()
-        case Rod():
-            return (shape.start, shape.end) if shape.end else (shape.start,)
-        case Round() | Outline():
-            return (shape.center,) if shape.center else ()
-        case Sector():
-            return (shape.apex,)
-    pieces = getattr(shape, "pieces", None)
-    if pieces is not None:
-        return tuple(p for piece in pieces for p in own_points(piece.shape))
-    return (shape.center,)

@@ -10,10 +10,10 @@ import sympy as sp
 from planar_cli.equation.evaluate import Evaluator, refuse
 from planar_cli.equation.jets import Jet, constant, magnitude, vector_jet
 from planar_cli.equation.motion import Motion
-from planar_cli.equation.reactions import Reactions
 from planar_cli.equation.scene import Scene
 from planar_cli.problem.expression import Name, Part, PointPair, Quantity, Relation
 from planar_cli.problem.geometry import Vec
+from planar_cli.problem.reactions import Reactions
 from planar_cli.problem.scene import GROUND
 
 LATER = {
@@ -310,7 +310,7 @@ class Quantities:
         return vector_jet(self._forces(q).load(q), None, None)
 
     def _q_power(self, q: Quantity) -> Jet:
-        return only(self._forces(q).power(q, self.motion))
+        return only(self._forces(q).power(q, self.motion.velocity, lambda b: self.motion.velocities[b].angular))
 
     def _q_mode(self, q: Quantity) -> Jet:
         raise refuse(q.mark, "PL502", "a mode is no number", "compare it: `mode(C) = stick`")

@@ -15,7 +15,7 @@ from planar_cli.equation.displacement import Displacement
 from planar_cli.equation.evaluate import Evaluator, refuse
 from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.outlines import edges_at, outline_of
-from planar_cli.equation.places import at_relations, own_points, place_jet
+from planar_cli.equation.places import at_relations, place_jet
 from planar_cli.equation.plain import longer, trigonometric
 from planar_cli.errors import Mark
 from planar_cli.problem.expression import Name, Side, Statement
@@ -34,6 +34,7 @@ from planar_cli.problem.scene import (
     Surface,
     TwoFacts,
 )
+from planar_cli.problem.shapes import own_points
 
 WORDY = 4
 """An expression of more operations than this gets a name of its own where it is a coordinate of a point."""

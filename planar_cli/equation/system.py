@@ -20,11 +20,11 @@ from planar_cli.equation.conditions import (
 from planar_cli.equation.motion import Motion, Tree, TreeBuilder
 from planar_cli.equation.natural import natural_pushes
 from planar_cli.equation.quantities import Quantities, quantities_of
-from planar_cli.equation.reactions import Reactions
 from planar_cli.equation.scene import Scene
 from planar_cli.equation.swaying import ROPES, sways
 from planar_cli.problem.expression import AtRest, Equilibrium, Extreme, Quantity, Relation, Statement, Word
 from planar_cli.problem.facts import Law, Mode, Push, Skid, Wrench
+from planar_cli.problem.reactions import Reactions
 
 
 @dataclass(frozen=True, slots=True)
@@ -138,7 +138,7 @@ class System:
                 pairs.append((push, self.symbols[push.name]))
             else:
                 pairs.append((push, law.factor * (self.symbols[law.of] if law.of else sp.S.One)))
-        return Reactions(tuple(pairs), self.wrenches, self.aliases)
+        return Reactions(tuple(pairs), self.wrenches, self.aliases, sp.S.Zero)
 
     def acceleration_conditions(self) -> list[Condition]:
         """Everything that accelerations must satisfy beside the principles of kinetics."""

@@ -107,7 +107,7 @@ class Guide(Joint):
                     "name it among the body's points",
                 )
         tangent, curvature = scene.track(self.along, point, self.mark)
-        turns = self.body is None or not scene.is_zero(curvature)
+        turns = self.body is None or not scene.vanishes(curvature)
         return Joining(self.name, mover, base, point, place, Path(tangent, curvature), turns), tangent.turned()
 
     def _turning(self, scene: Setting, joining: Joining) -> tuple[Row, ...]:
@@ -167,7 +167,7 @@ class Guide(Joint):
         joining, _ = self._joining(scene)
         mover, base, point = joining.mover, joining.base, joining.point
         tangent, curvature = scene.track(self.along, point, self.mark)
-        straight = scene.is_zero(curvature)
+        straight = scene.vanishes(curvature)
         track = Outline("straight" if straight else "arc", base, tangent, curvature)
         found = touching(self.name, Outline("corner", mover), track, point)
         if mode.name == "stick":

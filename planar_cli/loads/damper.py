@@ -59,7 +59,7 @@ class Damper(Load):
         along = (end - start) / scene.length(end - start)
         bodies = tuple(scene.owner(p) for p in self.between)
         rate = (scene.velocity(end, bodies[1]) - scene.velocity(start, bodies[0])).dot(along)
-        if scene.is_zero(rate):
+        if scene.vanishes(rate):
             return ()
         tension = scene.value(self.coefficient) * rate
         ends = ((bodies[0], start, along), (bodies[1], end, -along))

@@ -55,7 +55,7 @@ class Drag(Load):
     def wrenches(self, scene: MovingSetting) -> tuple[Wrench, ...]:
         center = scene.center(self.body)
         velocity = scene.velocity(center, self.body)
-        if scene.is_zero(velocity.dot(velocity)):
+        if scene.vanishes(velocity.dot(velocity)):
             return ()
         magnitude = scene.size(self.magnitude, self.mark)
         return (Wrench(self.name, "drag", self.body, center, scene.against(velocity, magnitude), 0, magnitude),)

@@ -92,7 +92,7 @@ class Spring(Load):
         start, end = (scene.point(p) for p in self.between)
         length = scene.length(end - start)
         stretch = self._stretch(scene, length)
-        if scene.sign(stretch) == 0:
+        if scene.vanishes(stretch):
             return ()
         if scene.is_zero(length):
             raise scene.refuse(self.mark, "PL541", f"the ends of {self.name} coincide: the spring has no direction")

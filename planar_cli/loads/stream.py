@@ -87,7 +87,7 @@ class Stream(Load):
         found: list[Wrench] = []
         for flow, sense in self._flows():
             magnitude = rate * scene.size(flow.speed, flow.mark)
-            if magnitude != 0:
+            if not scene.vanishes(magnitude):
                 direction = scene.heading(scene.size(flow.angle, flow.mark)) * sense
                 force = direction * magnitude
                 found.append(Wrench(self.name, "stream", self.body, scene.point(flow.at), force, 0, magnitude))
@@ -102,17 +102,17 @@ class Stream(Load):
         and its moment about the mass centre; neither depends on the way between the ends.
         """
         turn, center = scene.turn(self.body), scene.center(self.body)
-        if turn == 0:
+        if scene.vanishes(turn):
             return ()
         arms = [(scene.point(flow.at) - center, sense) for flow, sense in self._flows()]
         way = Vec(0, 0)
         for arm, sense in arms:
             way = way + arm * -sense
         found = []
-        if not scene.is_zero(way.dot(way)):
+        if not scene.vanishes(way.dot(way)):
             push = way.turned() * (-2 * rate * turn)
             found.append(Wrench(self.name, "stream", self.body, center, push, 0, 2 * rate * turn * scene.length(way)))
         couple = turn * rate * sum(sense * scene.length(arm) ** 2 for arm, sense in arms)
-        if not scene.is_zero(couple):
+        if not scene.vanishes(couple):
             found.append(Wrench(self.name, "stream", self.body, center, None, couple, couple))
         return tuple(found)

@@ -52,7 +52,7 @@ class Weight(Load):
     def wrenches(self, scene: MovingSetting) -> tuple[Wrench, ...]:
         """The weight m g of one body, downward at its mass centre; `name` is the body."""
         weight = scene.mass(self.name) * scene.gravity
-        if weight == 0:
+        if scene.vanishes(weight):
             return ()
         point, place = scene.center(self.name), scene.center_name(self.name)
         return (Wrench(self.name, "weight", self.name, point, Vec(0, -1) * weight, 0, weight, place),)

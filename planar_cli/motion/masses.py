@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from planar_cli.motion.places import Drawing, length_of, unit_vector
+from planar_cli.motion.replacing import replaced
 from planar_cli.motion.sides import refuse
 from planar_cli.motion.terms import Term, ordered
 from planar_cli.problem.expression import Side
@@ -43,7 +44,7 @@ class Drawn:
 
 @dataclass(frozen=True, slots=True)
 class _Uniform:
-    """Mass centre of a uniform shape, its moment of inertia per unit of mass about it, and the direction of its angle."""
+    """Mass centre of a uniform shape, moment of inertia about it per unit of mass, direction of its angle."""
 
     center: Vec
     name: str
@@ -138,7 +139,7 @@ def _with_mass(drawing: Drawing, body: Body, inertia: Term, mass: Term) -> Term:
     if mass.constant or not inertia.constant:
         return inertia
     graph = drawing.sides.graph
-    begun = graph.replaced(mass, {t: graph.number(0.0) for t in ordered([mass]) if t.op == "variable"})
+    begun = replaced(mass, {t: graph.number(0.0) for t in ordered([mass]) if t.op == "variable"})
     if begun.zero:
         text = f"{body.name} has no mass at t = 0, so that its moment of inertia then does not tell the later ones"
         raise refuse(body.mark, "PL520", text, "write `radius_of_gyration:`, or `inertia:` with `t`")

@@ -123,7 +123,7 @@ class Sides:
                 return self.value(side.operand) * (side.sense * _written(Fraction(1), side.unit))
             case Name():
                 bare = Name(side.name, None, side.mark)
-                return self._name(side) if side.at is None else self._at(side.at, bare)
+                return self._name(side) if side.at is None else self.at(side.at, bare)
             case Negate():
                 return -self.value(side.operand)
             case Binary():
@@ -131,17 +131,18 @@ class Sides:
             case Function():
                 bare_function = Function(side.name, side.argument, None, side.mark)
                 if side.at is not None:
-                    return self._at(side.at, bare_function)
+                    return self.at(side.at, bare_function)
                 return self.graph.call(side.name, self.value(side.argument))
             case Grouped():
-                return self._at(side.at, side.operand)
+                return self.at(side.at, side.operand)
             case Quantity():
                 return self.quantity(side)
             case Word():
                 raise refuse(side.mark, "PL502", f"{side.word} is a mode, no number", "compare it: `mode(C) = stick`")
         raise TypeError(type(side).__name__)
 
-    def _at(self, state: str, side: Side) -> Term:
+    def at(self, state: str, side: Side) -> Term:
+        """What stands before an `@`."""
         if self.elsewhere is None:
             raise refuse(
                 side.mark, "PL503", "`@` can not stand here", "leave it out: the relation is at its own instant"

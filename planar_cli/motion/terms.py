@@ -218,32 +218,6 @@ class Graph:
             return FUNCTIONS[name]
         return self.turnings[name].at if name in self.turnings else self.tables[name].at
 
-    def replaced(self, term: Term, by: Mapping[Term, Term]) -> Term:
-        """The term with other terms in the place of some of its variables."""
-        found: dict[Term, Term] = {}
-        for t in ordered([term]):
-            args = tuple(found[a] for a in t.args)
-            if t in by:
-                found[t] = by[t]
-            elif args == t.args:
-                found[t] = t
-            else:
-                found[t] = self._again(t.op, args)
-        return found[term]
-
-    def _again(self, op: str, args: tuple[Term, ...]) -> Term:
-        """The same operation on other operands."""
-        match op:
-            case "+":
-                return self.add(*args)
-            case "*":
-                return self.multiply(*args)
-            case "/":
-                return self.divide(*args)
-            case "**":
-                return self.power(*args)
-        return self.call(op, *args)
-
     # --- derivatives -------------------------------------------------------------------------------------------------
 
     def gradient(self, term: Term) -> dict[Term, Term]:

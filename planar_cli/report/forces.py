@@ -7,8 +7,8 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.equation.acting import kind_of
 from planar_cli.loads.base import Load
+from planar_cli.problem.acting import kind_of
 from planar_cli.problem.facts import Push, Wrench
 from planar_cli.report.blocks import Forces, Line, Math, Text
 from planar_cli.report.words import Phrases

@@ -13,10 +13,10 @@ from dataclasses import dataclass, replace
 import sympy as sp
 
 from planar_cli.equation.motion import Twist
-from planar_cli.equation.reactions import Reactions
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.facts import Wrench
 from planar_cli.problem.geometry import Vec
+from planar_cli.problem.reactions import Reactions
 from planar_cli.problem.scene import GROUND
 from planar_cli.solve.course.blow import Blow
 from planar_cli.solve.course.span_rates import moment_or_force, on_bodies

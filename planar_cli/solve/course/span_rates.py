@@ -7,15 +7,15 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.equation.acting import kind_of
 from planar_cli.equation.evaluate import refuse
 from planar_cli.equation.plain import simplified
 from planar_cli.equation.quantities import Quantities
-from planar_cli.equation.reactions import Reactions
 from planar_cli.loads.base import Load
+from planar_cli.problem.acting import kind_of
 from planar_cli.problem.expression import Quantity, Relation
 from planar_cli.problem.facts import Wrench
 from planar_cli.problem.geometry import Vec
+from planar_cli.problem.reactions import Reactions
 from planar_cli.problem.scene import GROUND
 from planar_cli.solve.course.regime import Regime
 from planar_cli.solve.course.timeline import Reader

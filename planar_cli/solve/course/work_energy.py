@@ -15,9 +15,9 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from planar_cli.equation.acting import acting_loads
 from planar_cli.equation.moving import Moving
 from planar_cli.equation.plain import longer, simplified
+from planar_cli.problem.acting import acting_loads
 from planar_cli.problem.facts import Wrench
 from planar_cli.problem.geometry import Vec
 from planar_cli.solve.course.equations import NO_MASS, Equation
@@ -111,7 +111,7 @@ def _sources(general: General) -> Iterator[Source]:
     named: dict[tuple[str, str], list[Wrench]] = {}
     for w in system.wrenches:
         named.setdefault((w.kind, w.name), []).append(w)
-    loads = {(x.kind, x.name): x for x in acting_loads(scene)}
+    loads = {(x.kind, x.name): x for x in acting_loads(scene.problem)}
     setting = Moving(scene, motion, general.value)
     for (kind, name), wrenches in named.items():
         power = sp.Add(*(_power(w, general) for w in wrenches))

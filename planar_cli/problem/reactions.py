@@ -2,57 +2,59 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any
 
-import sympy as sp
-
-from planar_cli.equation.acting import kind_of
-from planar_cli.equation.evaluate import refuse
-from planar_cli.equation.motion import Motion
+from planar_cli.errors import Diagnostic, FileProblem, Mark
 from planar_cli.loads.base import Load
+from planar_cli.problem.acting import kind_of
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.facts import Action, Push, Wrench
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
 
-NONE = Vec(sp.S.Zero, sp.S.Zero)
-
 
 @dataclass(frozen=True, slots=True)
 class Reactions:
-    """`pushes` with the expression of each (its symbol, or what a friction law makes of it); `wrenches` of all loads.
+    """The pushes of one choice of modes and all loads, over any kind of number."""
 
-    `joints`: our own name of each joint to the file's; several may share one name of the file.
-    """
-
-    pushes: tuple[tuple[Push, sp.Expr], ...]
+    pushes: tuple[tuple[Push, Any], ...]
+    """Each with its size: its symbol, or what a friction law makes of it."""
     wrenches: tuple[Wrench, ...]
+    """Of all loads."""
     joints: dict[str, str]
+    """Our own name of each joint to the file's; several may share one name of the file."""
+    zero: Any
+    """Nothing, in the caller's kind of number."""
 
-    def _of(self, q: Quantity) -> list[tuple[Push, sp.Expr]]:
+    def _none(self) -> Vec:
+        return Vec(self.zero, self.zero)
+
+    def _of(self, q: Quantity) -> list[tuple[Push, Any]]:
         name = q.things[0]
         if name not in self.joints.values():
-            raise refuse(
+            raise _refused(
                 q.mark, "PL557", f"{name} is no joint", "N, friction, reaction, moment and tension take a joint's name"
             )
         return [(p, e) for p, e in self.pushes if self.joints.get(p.joint) == name]
 
-    def number(self, q: Quantity, kind: str) -> sp.Expr:
+    def number(self, q: Quantity, kind: str) -> Any:
         """The normal force or tension of a joint; of a load that pulls along its line, its pull."""
         for wrench in self.wrenches:
             pulls = (kind_of(wrench) or Load).pulls
             if wrench.name == q.things[0] and kind == "tension" and pulls:
                 return wrench.magnitude
         found = [e for p, e in self._of(q) if p.kind == kind]
-        return found[0] if found else sp.S.Zero
+        return found[0] if found else self.zero
 
-    def couple(self, q: Quantity) -> sp.Expr:
+    def couple(self, q: Quantity) -> Any:
         """The couple of a joint on the named body."""
-        parts = []
+        total = self.zero
         for push, expr in self._of(q):
             if push.unit == "N*m":
-                parts.append(expr * self._action(push, self._body(q, [push])).couple)
-        return sp.Add(*parts)
+                total = total + expr * self._action(push, self._body(q, [push])).couple
+        return total
 
     def force(self, q: Quantity, kinds: tuple[str, ...] | None) -> Vec:
         """The sum of a joint's forces of these kinds (None: all) on the named body."""
@@ -62,9 +64,9 @@ class Reactions:
                 return wrench.force
         chosen = [(p, e) for p, e in self._of(q) if p.unit == "N" and (kinds is None or p.kind in kinds)]
         if not chosen:
-            return NONE
+            return self._none()
         body = self._body(q, [p for p, _ in chosen])
-        total = NONE
+        total = self._none()
         for push, expr in chosen:
             for action in push.actions:
                 if action.body == body and action.force is not None:
@@ -76,14 +78,14 @@ class Reactions:
         bodies = list(dict.fromkeys(a.body for p in pushes for a in p.actions))
         if len(q.things) == 2:
             if q.things[1] not in bodies:
-                raise refuse(
+                raise _refused(
                     q.mark, "PL558", f"{q.things[1]} is not held by {q.things[0]}", f"it acts on {', '.join(bodies)}"
                 )
             return q.things[1]
         moving = [b for b in bodies if b != GROUND]
         if len(moving) == 1:
             return moving[0]
-        raise refuse(
+        raise _refused(
             q.mark,
             "PL559",
             f"{q.word}({q.things[0]}) acts on several bodies",
@@ -99,20 +101,23 @@ class Reactions:
         found = [w for w in self.wrenches if w.name == q.things[0] and w.force is not None]
         if len(q.things) == 2:
             found = [w for w in found if w.body == q.things[1]]
-        total = NONE
+        total = self._none()
         for wrench in found:
             if wrench.body == found[0].body and wrench.force is not None:
                 total = total + wrench.force
         return total
 
-    def power(self, q: Quantity, motion: Motion) -> sp.Expr:
-        """Σ F · v + M ω of a load, of a joint (`/b`: on b alone), of all forces on a body, or of everything."""
-        parts = []
+    def power(self, q: Quantity, velocity: Callable[[Vec, str], Vec], turn: Callable[[str], Any]) -> Any:
+        """Σ F · v + M ω of a load, of a joint (`/b`: on b alone), of all forces on a body, or of everything.
+
+        `velocity`: of a body's point at a place; `turn`: the angular velocity of a body.
+        """
+        total = self.zero
         for w in self.upon(q):
             if w.force is not None:
-                parts.append(w.force.dot(motion.velocity(w.point, w.body)))
-            parts.append(w.couple * motion.velocities[w.body].angular)
-        return sp.Add(*parts)
+                total = total + w.force.dot(velocity(w.point, w.body))
+            total = total + w.couple * turn(w.body)
+        return total
 
     def upon(self, q: Quantity) -> tuple[Wrench, ...]:
         """What `q` names does: on every body, or on the one behind the stroke."""
@@ -129,3 +134,7 @@ class Reactions:
                     force = None if a.force is None else a.force * expr
                     found.append(Wrench(joint, push.kind, a.body, a.point, force, a.couple * expr))
         return tuple(found)
+
+
+def _refused(mark: Mark, code: str, message: str, hint: str) -> FileProblem:
+    return FileProblem([Diagnostic(mark, code, message, hint)])

@@ -4,17 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Container
 
-from planar_cli.equation.scene import Scene
 from planar_cli.loads.base import Load, mode_key
 from planar_cli.problem.facts import Wrench
+from planar_cli.problem.scene import Problem
 from planar_cli.registry import members
 
 
-def acting_loads(scene: Scene, idle: Container[str] = ()) -> list[Load]:
+def acting_loads(problem: Problem, idle: Container[str] = ()) -> list[Load]:
     """The weight of every body, then the loads of the file but those that are `idle`, by the keys of their modes."""
     weight = members("loads")["weight"]
-    weights: list[Load] = [weight(name=b.name, during=None, mark=b.mark) for b in scene.problem.bodies]
-    return [*weights, *(x for x in scene.problem.loads if mode_key(x.name) not in idle)]
+    weights: list[Load] = [weight(name=b.name, during=None, mark=b.mark) for b in problem.bodies]
+    return [*weights, *(x for x in problem.loads if mode_key(x.name) not in idle)]
 
 
 def kind_of(wrench: Wrench) -> type[Load] | None:

@@ -1,0 +1,293 @@
+"""Where the bodies of one problem are and what they carry, as terms of their coordinates.
+
+Every rigid body has the coordinates x, y of its mass centre and its angle theta, every particle x, y; the reference
+configuration is the one that the file draws at its first state or instant.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from planar_cli.joints.base import Joint
+from planar_cli.loads.base import Load
+from planar_cli.motion.masses import Drawn, drawn_bodies
+from planar_cli.motion.places import Drawing, points_of, unit_vector
+from planar_cli.motion.reference import Reference, reference_of
+from planar_cli.motion.sides import Constants, Sides
+from planar_cli.motion.terms import Graph, Term
+from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scene import GROUND, Problem, Surface
+from planar_cli.problem.shapes import own_points
+
+EXACT = 1e-14
+"""A part of an arm below this part of it is the rounding of a right angle."""
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """One body: its coordinates, their rates, and what it carries."""
+
+    x: Term
+    """Of the mass centre, m."""
+    y: Term
+    """Of the mass centre, m."""
+    theta: Term | None
+    """The body's angle, rad; None: a particle."""
+    vx: Term
+    """m/s."""
+    vy: Term
+    """m/s."""
+    omega: Term | None
+    """rad/s; None: a particle."""
+    mass: Term
+    """kg; it may vary with the time."""
+    inertia: Term
+    """About the mass centre, kg m²."""
+
+    @property
+    def center(self) -> Vec:
+        """The mass centre."""
+        return Vec(self.x, self.y)
+
+    @property
+    def velocity(self) -> Vec:
+        """Of the mass centre."""
+        return Vec(self.vx, self.vy)
+
+    @property
+    def variables(self) -> tuple[tuple[Term, Term], ...]:
+        """Coordinates with their rates."""
+        linear = ((self.x, self.vx), (self.y, self.vy))
+        return linear if self.theta is None or self.omega is None else (*linear, (self.theta, self.omega))
+
+
+class Carried:
+    """The bodies of one problem with what they carry; the points that stay with centres are told by `spots`."""
+
+    def __init__(self, problem: Problem, values: Mapping[str, float] | None = None) -> None:
+        """`values`: numbers for letters, unknowns and coordinates, by name, in SI units."""
+        self.problem, self.graph = problem, Graph()
+        self.surfaces: dict[str, Surface] = {s.name: s for s in problem.surfaces}
+        self.constants = Constants(self.graph, problem, values or {})
+        self.reference: Reference = reference_of(problem, self.graph, self.constants)
+        self.time = self.graph.variable("t", self.reference.time, 1.0)
+        self.sides = Sides(self.graph, self.constants, {"t": self.time})
+        self.gravity: Term = self._gravity()
+        self.free = {n: Vec(*(self.graph.number(p) for p in (v.x, v.y))) for n, v in self.reference.free.items()}
+        self._drawing = self._drawn_at(self.reference.coordinates)
+        self.drawn: dict[str, Drawn] = drawn_bodies(self._drawing)
+        self.extent = self._size()
+        self._arms: dict[Vec, tuple[str, Vec]] = {}
+        self._frames: dict[str, Vec] = {}
+        self.places: dict[str, Place] = {name: self._place(name) for name in self.drawn}
+        self.owners, self.own_points = self._owners()
+        self._points: dict[str, Vec] = {}
+        self.own_variables: dict[str, tuple[Term, Term]] = {}
+
+    # --- making ------------------------------------------------------------------------------------------------------
+
+    def _gravity(self) -> Term:
+        heavy = self.problem.plane == "vertical"
+        return self.constants.gravity(self.sides) if heavy else self.graph.number(0.0)
+
+    def _drawn_at(self, coordinates: Mapping[str, float]) -> Drawing:
+        """The drawing at certain values of the coordinates."""
+        numbers = {n: self.graph.number(v) for n, v in coordinates.items()}
+        return Drawing(self.problem, self.sides.with_variables(numbers), self.free)
+
+    def _size(self) -> float:
+        """The largest distance from the middle of the drawing, m; 1 where nothing is drawn."""
+        places = [self.place_drawn(name) for name in points_of(self.problem)]
+        places += [_numbers(d.center) for d in self.drawn.values()]
+        if not places:
+            return 1.0
+        x, y = (sum(getattr(p, a) for p in places) / len(places) for a in ("x", "y"))
+        far = max(math.hypot(p.x - x, p.y - y) for p in places)
+        radii = (getattr(d.shape, "radius", None) for d in self.drawn.values())
+        return max([far, *(self._drawing.sides.value(r).value for r in radii if r is not None)]) or 1.0
+
+    def free_name(self, stem: str) -> str:
+        """A name for a variable that no other variable has."""
+        taken = set(self.graph.names.values())
+        while stem in taken:
+            stem += "_"
+        return stem
+
+    def variable(self, stem: str, value: float, size: float) -> Term:
+        """A new variable."""
+        return self.graph.variable(self.free_name(stem), value, size)
+
+    def _place(self, name: str) -> Place:
+        body = self.drawn[name]
+        center = _numbers(body.center)
+        x, y = (self.variable(f"{a}_{name}", getattr(center, a), self.extent) for a in ("x", "y"))
+        vx, vy = (self.variable(f"v{a}_{name}", 0.0, 0.0) for a in ("x", "y"))
+        theta = self.variable(f"theta_{name}", body.theta.value, 1.0) if body.rigid else None
+        omega = self.variable(f"omega_{name}", 0.0, 0.0) if body.rigid else None
+        return Place(x, y, theta, vx, vy, omega, body.mass, body.inertia)
+
+    def _owners(self) -> tuple[dict[str, list[str]], set[str]]:
+        """The bodies that a point belongs to, the most intimate first; and the points by which bodies are drawn."""
+        owners: dict[str, list[str]] = {}
+        own = {p for b in self.problem.bodies for p in (*own_points(b.shape), *b.points)}
+
+        def belongs(point: str, body: str) -> None:
+            if body in self.places and body not in owners.setdefault(point, []):
+                owners[point].append(body)
+
+        for body in self.problem.bodies:
+            for point in (*own_points(body.shape), *body.points):
+                belongs(point, body.name)
+            if body.name in points_of(self.problem) or body.name in self.free:
+                belongs(body.name, body.name)
+        members: tuple[Joint | Load, ...] = (*self.problem.joints, *self.problem.loads)
+        for member in members:
+            for point, name in member.attachments():
+                belongs(point, self.carrier(name))
+        return owners, own | {b.name for b in self.problem.bodies}
+
+    def rates(self) -> dict[Term, Term]:
+        """Every coordinate of the state with its rate, and the time with 1."""
+        found = {q: v for place in self.places.values() for q, v in place.variables}
+        return {**found, **dict(self.own_variables.values()), self.time: self.graph.number(1.0)}
+
+    # --- who owns a point --------------------------------------------------------------------------------------------
+
+    def carrier(self, partner: str) -> str:
+        """The body that a partner of a joint stands for: a surface's body, or the ground."""
+        surface = self.surfaces.get(partner)
+        return (surface.body or GROUND) if surface is not None else partner
+
+    def owners_of(self, point: str) -> tuple[str, ...]:
+        """All bodies that a point belongs to."""
+        return tuple(self.owners.get(point, ()))
+
+    def owner(self, point: str, apart_from: str = "") -> str:
+        """The body that a point belongs to (another one than `apart_from`); the ground when it belongs to none."""
+        owners = self.owners.get(point) or ((point,) if point in self.places else ())
+        return next((b for b in owners if b != apart_from), GROUND)
+
+    # --- where things are --------------------------------------------------------------------------------------------
+
+    def place_drawn(self, name: str) -> Vec:
+        """The place of a point as drawn, in plain numbers."""
+        return _numbers(self._drawing.point(name))
+
+    def drawn_center(self, body: str) -> Vec:
+        """The mass centre as drawn, in plain numbers."""
+        return _numbers(self.drawn[body].center)
+
+    def frame(self, body: str) -> Vec:
+        """(cos, sin) of a body's angle."""
+        if body not in self._frames:
+            theta = self.places[body].theta
+            self._frames[body] = unit_vector(self.graph, theta if theta is not None else self.graph.number(0.0))
+        return self._frames[body]
+
+    def turned_with(self, body: str, drawn: Vec) -> Vec:
+        """A drawn direction that turns with a body."""
+        graph = self.graph
+        v = _numbers(Vec(graph.of(drawn.x), graph.of(drawn.y)))
+        place = self.places.get(body)
+        if place is None or place.theta is None:
+            return Vec(graph.number(v.x), graph.number(v.y))
+        cosine, sine = math.cos(place.theta.value), math.sin(place.theta.value)
+        a, b = _cleared(cosine * v.x + sine * v.y, cosine * v.y - sine * v.x)
+        frame = self.frame(body)
+        return Vec(frame.x * a - frame.y * b, frame.y * a + frame.x * b)
+
+    def configuration(self, coordinates: Mapping[str, float]) -> dict[Term, float]:
+        """Where the bodies are at certain values of the coordinates."""
+        drawing = self._drawn_at({**self.reference.coordinates, **coordinates})
+        found: dict[Term, float] = {}
+        for name, body in drawn_bodies(drawing).items():
+            place, center = self.places[name], _numbers(body.center)
+            found |= {place.x: center.x, place.y: center.y}
+            if place.theta is not None:
+                found[place.theta] = body.theta.value
+        for name, (variable, _) in self.own_variables.items():
+            found[variable] = coordinates.get(name, variable.value)
+        return found
+
+    def turned_by(self, body: str) -> Term:
+        """The angle by which a body has turned since it was drawn; 0 for the ground and for particles."""
+        place = self.places.get(body)
+        if place is None or place.theta is None:
+            return self.graph.number(0.0)
+        return place.theta - place.theta.value
+
+    def carried_from(self, body: str, drawn: Vec) -> Vec:
+        """The place of the body's material point that was drawn there."""
+        graph = self.graph
+        place = self.places.get(body)
+        at = _numbers(Vec(graph.of(drawn.x), graph.of(drawn.y)))
+        if place is None:
+            return Vec(graph.number(at.x), graph.number(at.y))
+        center = self.drawn_center(body)
+        arm = Vec(*(_difference(getattr(at, a), getattr(center, a), self.extent) for a in ("x", "y")))
+        carried = self.turned_with(body, arm)
+        found = place.center + carried
+        self._arms.setdefault(found, (body, carried))
+        return found
+
+    def carried(self, body: str, point: str) -> Vec:
+        """A drawn point that goes with a body."""
+        return self.carried_from(body, self._drawing.point(point))
+
+    def arm(self, body: str, point: Vec) -> Vec:
+        """From the body's mass centre to a place."""
+        known = self._arms.get(point)
+        if known is not None and known[0] == body:
+            return known[1]
+        found: Vec = point - self.places[body].center
+        return found
+
+    def point(self, name: str) -> Vec:
+        """The place of a point (or of a body: its mass centre)."""
+        if name not in self._points:
+            self._points[name] = self._moving(name)
+        return self._points[name]
+
+    def _moving(self, name: str) -> Vec:
+        if name in self.places and name not in points_of(self.problem):
+            return self.places[name].center
+        owner = self.owner(name)
+        if owner != GROUND:
+            return self.carried(owner, name)
+        return Drawing(self.problem, self.sides, self.free).point(name)
+
+    def center(self, body: str) -> Vec:
+        """The mass centre of a body; of the ground, the origin."""
+        return self.places[body].center if body != GROUND else Vec(self.graph.number(0.0), self.graph.number(0.0))
+
+    def center_name(self, body: str) -> str:
+        """The name of a body's mass centre in print."""
+        return self.drawn[body].center_name or body
+
+    def middle(self) -> Vec:
+        """The mean of all drawn points."""
+        names = list(points_of(self.problem))
+        total = Vec(self.graph.number(0.0), self.graph.number(0.0))
+        for name in names:
+            total = total + self.point(name)
+        mean: Vec = total / max(len(names), 1)
+        return mean
+
+
+def _numbers(v: Vec) -> Vec:
+    """A vector of terms as plain numbers, as drawn."""
+    return Vec(v.x.value, v.y.value)
+
+
+def _difference(a: float, b: float, size: float) -> float:
+    """a - b; zero where that is the rounding of places in a drawing of this size."""
+    found = a - b
+    return 0.0 if abs(found) <= EXACT * max(abs(a), abs(b), size) else found
+
+
+def _cleared(a: float, b: float) -> tuple[float, float]:
+    """Two parts of a vector; one that is the rounding of the other is zero."""
+    far = EXACT * math.hypot(a, b)
+    return (0.0 if abs(a) <= far else a), (0.0 if abs(b) <= far else b)

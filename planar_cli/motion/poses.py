@@ -1,0 +1,68 @@
+"""Poses of the bodies as terms: what the position residuals of joints are fed with, for any motion however large."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from planar_cli.motion.terms import Term
+from planar_cli.problem.geometry import Vec
+
+if TYPE_CHECKING:
+    from planar_cli.motion.scene import MovingScene
+
+
+@dataclass(frozen=True, slots=True)
+class MovingPoses:
+    """What is drawn counts as it is in the reference configuration; from there the bodies carry it along."""
+
+    scene: MovingScene
+
+    @property
+    def time(self) -> Term:
+        """Since the reference configuration, s."""
+        return self.scene.time - self.scene.time.value
+
+    def number(self, drawn: Any) -> Term:
+        """A constant."""
+        graph = self.scene.graph
+        return graph.number(graph.of(drawn).value)
+
+    def vector(self, drawn: Vec) -> Vec:
+        """A constant vector."""
+        return Vec(self.number(drawn.x), self.number(drawn.y))
+
+    def point(self, body: str, drawn: Vec) -> Vec:
+        """Where the body's material point is that was drawn there."""
+        return self.scene.carried_from(body, self.vector(drawn))
+
+    def direction(self, body: str, drawn: Vec) -> Vec:
+        """A direction that turns with the body."""
+        return self.scene.turned_with(body, self.vector(drawn))
+
+    def angle(self, body: str) -> Term:
+        """The angle by which the body has turned, counterclockwise."""
+        return self.scene.turned_by(body)
+
+    def length(self, v: Vec) -> Term:
+        """|v|."""
+        return self.root(v.dot(v))
+
+    def root(self, square: Any) -> Term:
+        """√square."""
+        graph = self.scene.graph
+        return graph.call("sqrt", graph.of(square))
+
+    def turned(self, v: Vec) -> Term:
+        """The angle by which a direction has turned since it was drawn; it goes on over many turns."""
+        graph = self.scene.graph
+        return graph.turning(graph.of(v.y), graph.of(v.x))
+
+    def positive(self, number: Any) -> bool:
+        """Is a number, as drawn, not negative?"""
+        return self.scene.sign(number) >= 0
+
+    def change(self, number: Any) -> Term:
+        """A number less its value as drawn."""
+        term = self.scene.graph.of(number)
+        return term - term.value

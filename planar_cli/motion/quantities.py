@@ -1,0 +1,315 @@
+"""What v(B), omega(b), N(C), KE(all) ... are wherever the bodies are, as terms; rates are derivatives of these."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+from planar_cli.motion.places import unit_vector
+from planar_cli.motion.sides import Sides, refuse
+from planar_cli.motion.terms import Term
+from planar_cli.problem.expression import Name, Part, PointPair, Quantity, Relation
+from planar_cli.problem.geometry import Vec
+from planar_cli.problem.reactions import Reactions
+from planar_cli.problem.scene import GROUND
+
+if TYPE_CHECKING:
+    from planar_cli.motion.scene import MovingScene
+
+OVER_TIME = frozenset("path hodograph work impulse heat path_length mean count reached period frequency stable".split())
+
+
+@dataclass(frozen=True, slots=True)
+class Quantities:
+    """Quantities of one scene."""
+
+    scene: MovingScene
+    accelerations: Mapping[Term, Term]
+    """The second derivative behind each rate of the state; empty where they are not known yet."""
+    reactions: Reactions | None = None
+    """What joints and loads do; None where it is not known yet."""
+
+    @property
+    def sides(self) -> Sides:
+        """Formulas in which these quantities may stand."""
+        sides = self.scene.sides
+        return Sides(sides.graph, sides.constants, sides.variables, self.scalar, sides.elsewhere)
+
+    def scalar(self, q: Quantity) -> Term:
+        """The quantity as a number. FileProblem when it is a vector without a part."""
+        found = self.any(q)
+        if isinstance(found, Vec):
+            hint = "ask for a part: .x .y .mag .angle .along(30 deg)"
+            raise refuse(q.mark, "PL550", f"{q.word}(…) is a vector", hint)
+        return found
+
+    def any(self, q: Quantity) -> Term | Vec:
+        """The quantity with its parts: a number or a vector."""
+        if q.word in OVER_TIME:
+            hint = "at one instant ask places, velocities, accelerations and forces"
+            raise refuse(q.mark, "PL590", f"{q.word}(…) belongs to a motion over time", hint)
+        if q.at is not None:
+            assert isinstance(q.at, str)
+            return self.sides.at(q.at, replace(q, at=None))
+        found: Term | Vec = _ASKED[q.word](self, q)
+        for part in q.parts:
+            if not isinstance(found, Vec):
+                raise refuse(part.mark, "PL551", f".{part.kind} of a number", "only a vector has parts")
+            found = self._part(found, part, q)
+        return found
+
+    # --- rates -------------------------------------------------------------------------------------------------------
+
+    def rate(self, of: Term) -> Term:
+        """The time derivative."""
+        return self.scene.graph.rate(of, {**self.scene.rates(), **self.accelerations})
+
+    def _rate(self, of: Vec) -> Vec:
+        return Vec(self.rate(of.x), self.rate(of.y))
+
+    def dotted(self, q: Quantity) -> Term | Vec:
+        """dot(…) and ddot(…)."""
+        argument = q.argument
+        assert argument is not None
+        assert not isinstance(argument, Relation)
+        found = self.any(argument) if isinstance(argument, Quantity) else self.sides.value(argument)
+        for _ in range(1 if q.word == "dot" else 2):
+            found = self._rate(found) if isinstance(found, Vec) else self.rate(found)
+        return found
+
+    # --- motion ------------------------------------------------------------------------------------------------------
+
+    def carrier(self, name: str) -> str:
+        """The body with which a point goes."""
+        scene = self.scene
+        return name if name in scene.places and name not in scene.owners else scene.owner(name)
+
+    def velocity(self, name: str) -> Vec:
+        """Of the body's material point that is now there; of a point of no body, the rate of its place."""
+        place, body = self.scene.point(name), self.carrier(name)
+        return self._rate(place) if body == GROUND else self.scene.velocity(place, body)
+
+    def acceleration(self, name: str) -> Vec:
+        """The same."""
+        place, body = self.scene.point(name), self.carrier(name)
+        return self._rate(self._rate(place)) if body == GROUND else self.of_body(place, body)
+
+    def of_body(self, point: Vec, body: str) -> Vec:
+        """The acceleration of a body's material point: a_G + α k × r - ω² r."""
+        scene = self.scene
+        if body == GROUND:
+            return scene.center(GROUND)
+        linear = self._rate(scene.places[body].velocity)
+        omega = scene.turn(body)
+        arm = scene.arm(body, point)
+        found: Vec = linear + arm.turned() * self.rate(omega) - arm * (omega * omega)
+        return found
+
+    def frame(self, q: Quantity) -> str | None:
+        """The body after the slash, None when it is a point."""
+        second = q.things[1] if len(q.things) == 2 else ""
+        return second if second in self.scene.places and second not in self.scene.owners else None
+
+    def less(self, q: Quantity, of: Callable[[str], Vec]) -> Vec:
+        """That of the first thing less that of the second, a point."""
+        if len(q.things) == 1 or q.things[1] == GROUND:
+            return of(q.things[0])
+        return of(q.things[0]) - of(q.things[1])
+
+    def place(self, q: Quantity) -> Vec:
+        """r(P), r(B/A), r(P/b)."""
+        return self.less(q, self.scene.point)
+
+    def speed(self, q: Quantity) -> Vec:
+        """v(P), v(B/A), and as seen from a body v - v'."""
+        body = self.frame(q)
+        if body is None:
+            return self.less(q, self.velocity)
+        return self.velocity(q.things[0]) - self.scene.velocity(self.scene.point(q.things[0]), body)
+
+    def coriolis(self, q: Quantity) -> Vec:
+        """2 ω k × v_rel."""
+        body = self.frame(q)
+        if body is None:
+            text = "the Coriolis acceleration is seen from a body"
+            raise refuse(q.mark, "PL554", text, "write coriolis(P/b)")
+        return self.speed(q).turned() * (self.scene.turn(body) * 2)
+
+    def gain(self, q: Quantity) -> Vec:
+        """a(P), a(B/A), and as seen from a body a - a' - 2 ω k × v_rel."""
+        body = self.frame(q)
+        if body is None:
+            return self.less(q, self.acceleration)
+        own = self.of_body(self.scene.point(q.things[0]), body)
+        return self.acceleration(q.things[0]) - own - self.coriolis(q)
+
+    def turning(self, q: Quantity, of: Callable[[str], Term]) -> Term:
+        """That of the first body less that of the second."""
+        for name in q.things:
+            if name != GROUND and (name not in self.scene.places or self.scene.places[name].theta is None):
+                raise refuse(q.mark, "PL553", f"{name} is no body that turns")
+        found = of(q.things[0])
+        return found - of(q.things[1]) if len(q.things) == 2 else found
+
+    def theta(self, body: str) -> Term:
+        """The angle of a body."""
+        place = self.scene.places.get(body)
+        return self.scene.graph.number(0.0) if place is None or place.theta is None else place.theta
+
+    def radius_of_curvature(self, q: Quantity) -> Term:
+        """ρ = |v|³ / |v × a|."""
+        v, a = self.speed(q), self.gain(q)
+        speed = self.magnitude(v)
+        return speed * speed * speed / self.scene.graph.call("abs", v.cross(a))
+
+    def centre_of_rotation(self, q: Quantity) -> Vec:
+        """r_G + k × v_G / ω."""
+        place = self.scene.places[q.things[0]]
+        found: Vec = place.center + place.velocity.turned() / self.scene.turn(q.things[0])
+        return found
+
+    # --- mass and energy ---------------------------------------------------------------------------------------------
+
+    def total(self, q: Quantity, of: Callable[[str], Term]) -> Term:
+        """The sum over the bodies that are meant."""
+        names = list(self.scene.places) if q.things[0] == "all" else [q.things[0]]
+        found = self.scene.graph.number(0.0)
+        for name in names:
+            found = found + of(name)
+        return found
+
+    def inertia(self, q: Quantity) -> Term:
+        """I(b), I(b/P)."""
+
+        def of(name: str) -> Term:
+            place = self.scene.places[name]
+            if len(q.things) == 1:
+                return place.inertia
+            arm = place.center - self.scene.point(q.things[1])
+            return place.inertia + self.scene.graph.of(place.mass * arm.dot(arm))
+
+        return self.total(q, of)
+
+    def kinetic(self, name: str) -> Term:
+        """m v_G²/2 + I_G ω²/2."""
+        place, omega = self.scene.places[name], self.scene.turn(name)
+        v = place.velocity
+        return (place.mass * self.scene.graph.of(v.dot(v)) + place.inertia * omega * omega) * 0.5
+
+    def potential(self, q: Quantity) -> Term:
+        """m g y_G, from y = 0; of the whole system all that the loads tell."""
+        if q.things[0] != "all":
+            place = self.scene.places[q.things[0]]
+            return place.mass * self.scene.gravity * place.y
+        found = self.scene.graph.number(0.0)
+        for load in self.scene.loads():
+            part = load.potential(self.scene)
+            found = found if part is None else found + part
+        return found
+
+    def momentum(self, q: Quantity) -> Vec:
+        """Σ m v_G."""
+        places = self.scene.places
+        x = self.total(q, lambda name: places[name].mass * places[name].vx)
+        return Vec(x, self.total(q, lambda name: places[name].mass * places[name].vy))
+
+    def spin(self, q: Quantity) -> Term:
+        """Σ r_G × m v_G + I_G ω about the point, by default the mass centre."""
+
+        def of(name: str) -> Term:
+            place = self.scene.places[name]
+            own = place.inertia * self.scene.turn(name)
+            if len(q.things) == 1:
+                return own
+            arm = place.center - self.scene.point(q.things[1])
+            return self.scene.graph.of(arm.cross(place.velocity)) * place.mass + own
+
+        return self.total(q, of)
+
+    # --- forces ------------------------------------------------------------------------------------------------------
+
+    def forces(self, q: Quantity) -> Reactions:
+        """What joints and loads do."""
+        if self.reactions is None:
+            text = "forces are not known before the motion is"
+            raise refuse(q.mark, "PL555", f"{q.word}(…) can not stand here", text)
+        return self.reactions
+
+    # --- parts -------------------------------------------------------------------------------------------------------
+
+    def magnitude(self, v: Vec) -> Term:
+        """|v|."""
+        return self.scene.graph.call("sqrt", v.dot(v))
+
+    def _part(self, v: Vec, part: Part, q: Quantity) -> Term:
+        graph = self.scene.graph
+        match part.kind:
+            case "x" | "y":
+                return graph.of(getattr(v, part.kind))
+            case "mag":
+                return self.magnitude(v)
+            case "angle":
+                # The direction of a place counts its turns.
+                x, y = graph.of(v.x), graph.of(v.y)
+                return graph.turning(y, x, 0.0) if q.word == "r" else graph.call("atan2", y, x)
+            case "along" | "r":
+                return graph.of(v.dot(self._direction(part, q)))
+            case "across" | "theta":
+                return graph.of(self._direction(part, q).cross(v))
+        return self._natural(v, part, q)
+
+    def _natural(self, v: Vec, part: Part, q: Quantity) -> Term:
+        """.t along the velocity, .n towards the centre of curvature."""
+        graph, velocity = self.scene.graph, self.speed(q)
+        tangent = velocity / self.magnitude(velocity)
+        if part.kind == "t":
+            return graph.of(v.dot(tangent))
+        return graph.of(tangent.cross(v)) * graph.call("sign", velocity.cross(self.gain(q)))
+
+    def _direction(self, part: Part, q: Quantity) -> Vec:
+        """The unit vector of .along(…) and .across(…); of .r and .theta that of the same bracket."""
+        named = part.direction
+        if named is None or isinstance(named, PointPair):
+            reach = self.place(q) if named is None else self.scene.point(named.to) - self.scene.point(named.origin)
+            unit: Vec = reach / self.magnitude(reach)
+            return unit
+        if isinstance(named, Name) and self.scene.names_carrier(named.name):
+            return self.scene.direction(named.name)
+        return unit_vector(self.scene.graph, self.sides.value(named))
+
+
+def _no_mode(asked: Quantities, q: Quantity) -> Term:
+    raise refuse(q.mark, "PL502", "a mode is no number", "compare it: `mode(C) = stick`")
+
+
+_ASKED: dict[str, Callable[[Quantities, Quantity], Term | Vec]] = {
+    "dot": Quantities.dotted,
+    "ddot": Quantities.dotted,
+    "r": Quantities.place,
+    "x": lambda s, q: s.place(q).x,
+    "y": lambda s, q: s.place(q).y,
+    "v": Quantities.speed,
+    "a": Quantities.gain,
+    "coriolis": Quantities.coriolis,
+    "theta": lambda s, q: s.turning(q, s.theta),
+    "omega": lambda s, q: s.turning(q, s.scene.turn),
+    "alpha": lambda s, q: s.rate(s.turning(q, s.scene.turn)),
+    "rho": Quantities.radius_of_curvature,
+    "IC": Quantities.centre_of_rotation,
+    "mass": lambda s, q: s.total(q, lambda name: s.scene.places[name].mass),
+    "I": Quantities.inertia,
+    "KE": lambda s, q: s.total(q, s.kinetic),
+    "PE": Quantities.potential,
+    "momentum": Quantities.momentum,
+    "H": Quantities.spin,
+    "N": lambda s, q: s.scene.graph.of(s.forces(q).number(q, "normal")),
+    "tension": lambda s, q: s.scene.graph.of(s.forces(q).number(q, "tension")),
+    "moment": lambda s, q: s.scene.graph.of(s.forces(q).couple(q)),
+    "friction": lambda s, q: s.forces(q).force(q, ("friction",)),
+    "reaction": lambda s, q: s.forces(q).force(q, None),
+    "force": lambda s, q: s.forces(q).load(q),
+    "power": lambda s, q: s.scene.graph.of(s.forces(q).power(q, s.scene.velocity, s.scene.turn)),
+    "mode": _no_mode,
+}
+"""How each quantity of an instant is found, by its word."""

@@ -1,0 +1,226 @@
+"""The scene of one problem wherever its bodies are: what joints and loads ask when they state facts, as terms."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Mapping
+from functools import cached_property
+from itertools import pairwise
+from typing import Any
+
+from planar_cli.errors import Mark
+from planar_cli.loads.base import Load
+from planar_cli.motion.carried import Carried
+from planar_cli.motion.coordinates import Coordinates, Tie
+from planar_cli.motion.outlines import edges_at, outline_of
+from planar_cli.motion.places import length_of, unit_vector
+from planar_cli.motion.poses import MovingPoses
+from planar_cli.motion.quantities import Quantities
+from planar_cli.motion.sides import refuse
+from planar_cli.motion.spots import spots_of
+from planar_cli.motion.terms import Term, evaluate
+from planar_cli.problem.acting import acting_loads
+from planar_cli.problem.expression import Name, Relation, Side, Statement
+from planar_cli.problem.facts import Outline, Wrench
+from planar_cli.problem.geometry import Vec
+from planar_cli.problem.keys import Table
+from planar_cli.problem.scene import GROUND, Line, Plate, Problem, Round, Surface
+
+TINIEST = sys.float_info.min
+"""Added to a square under a root, so that a speed that is just zero does not divide zero by zero."""
+
+
+class MovingScene(Carried):
+    """Geometry, bodies and constants of one problem as terms of the bodies' coordinates and rates.
+
+    It is the `Setting` and the `MovingSetting` of joints and loads (problem/setting.py): what is asked of signs and
+    zeros is decided as drawn, everything else holds wherever the bodies are.
+    """
+
+    def __init__(self, problem: Problem, values: Mapping[str, float] | None = None) -> None:
+        """`values`: numbers for letters, unknowns and coordinates, by name, in SI units."""
+        super().__init__(problem, values)
+        self._outlines: dict[tuple[str, Vec], Outline] = {}
+        self._points |= spots_of(self)
+        self._outlines.clear()
+        self.coordinates, self.ties = self._coordinates()
+
+    def _coordinates(self) -> tuple[dict[str, tuple[Term, Term]], tuple[Tie, ...]]:
+        """Each coordinate of the file with its rate, and what points keep that are written with them."""
+        stand_ins, rates = {}, self.rates()
+        for name, value in self.reference.coordinates.items():
+            stand_ins[name] = self.variable(f"q_{name}", value, 1.0)
+        found = Coordinates(self, stand_ins)
+        found.run()
+        for name, term in found.found.items():
+            if term is stand_ins[name]:
+                self.own_variables[name] = (term, self.variable(f"v_{name}", 0.0, 0.0))
+                rates[term] = self.own_variables[name][1]
+        coordinates = {n: (t, self.graph.rate(t, rates)) for n, t in found.found.items()}
+        self.sides = self.sides.with_variables({n: t for n, (t, _) in coordinates.items()})
+        return coordinates, tuple(found.ties)
+
+    # --- what joints and loads ask -----------------------------------------------------------------------------------
+
+    def value(self, side: Side) -> Term:
+        """The value of a formula of places and constants."""
+        return self.sides.value(side)
+
+    def value_of(self, side: Side) -> Term:
+        """The value of a formula that may ask for velocities too."""
+        return Quantities(self, {}).sides.value(side)
+
+    def unit(self, angle: Side) -> Vec:
+        """The unit vector in a direction given by an angle."""
+        return unit_vector(self.graph, self.value(angle))
+
+    def length(self, v: Vec) -> Term:
+        """|v|."""
+        return length_of(self.graph, v)
+
+    def root(self, square: Any) -> Term:
+        return self.graph.call("sqrt", self.graph.of(square))
+
+    def surface_direction(self, surface: Surface) -> Vec:
+        """The direction of a straight surface, which turns with the body that carries it."""
+        assert isinstance(surface.shape, Line)
+        drawn = unit_vector(self.graph, self._drawing.sides.value(surface.shape.angle))
+        return self.turned_with(surface.body or GROUND, drawn)
+
+    def direction(self, along: Side | str) -> Vec:
+        """A direction given by an angle, a surface (its line) or a body (its angle)."""
+        name = along if isinstance(along, str) else along.name if isinstance(along, Name) else ""
+        if name in self.surfaces:
+            return self.surface_direction(self.surfaces[name])
+        if name in self.places:
+            return self.frame(name)
+        assert not isinstance(along, str)
+        return self.unit(along)
+
+    def track(self, along: Side | str, point: Vec, mark: Mark) -> tuple[Vec, Any]:
+        """Tangent and signed curvature of a track at a point: an angle, a body's line, or a surface."""
+        name = along if isinstance(along, str) else along.name if isinstance(along, Name) else ""
+        if name in self.surfaces and not isinstance(self.surfaces[name].shape, Line):
+            found = self.outline(name, point, mark)
+            return found.tangent or Vec(1, 0), found.curvature
+        return self.direction(along), self.graph.number(0.0)
+
+    def sign(self, expr: Any) -> int:
+        """-1, 0 or 1 as drawn."""
+        return self.graph.of(expr).positive
+
+    def is_zero(self, expr: Any) -> bool:
+        """Is it zero as drawn?"""
+        return self.graph.of(expr).zero
+
+    def outline(self, partner: str, point: Vec, mark: Mark) -> Outline:
+        if (partner, point) not in self._outlines:
+            self._outlines[partner, point] = outline_of(self, partner, point, mark)
+        return self._outlines[partner, point]
+
+    def edges(self, body: str, point: Vec) -> list[Outline]:
+        """The edges of a plate through a point."""
+        shape = self.drawn[body].shape if body in self.drawn else None
+        return edges_at(self, body, shape, point) if isinstance(shape, Plate) else []
+
+    def rigid(self, body: str) -> bool:
+        return body == GROUND or self.drawn[body].rigid
+
+    def names_carrier(self, name: str) -> bool:
+        """Is the name a body or a surface?"""
+        return name in self.places or name in self.surfaces
+
+    def pulley(self, stop: str) -> str:
+        """The disk that a rope passes at a stop, named itself or by its centre; "" for a bare point."""
+        names = (stop, *self.owners.get(stop, ()))
+        rounds = [(n, self.drawn[n].shape) for n in names if n in self.drawn]
+        return next((n for n, s in rounds if isinstance(s, Round) and stop in (n, s.center)), "")
+
+    def radius(self, body: str) -> Term:
+        """The radius of a round body."""
+        shape = self.drawn[body].shape
+        return self.value(shape.radius) if isinstance(shape, Round) else self.graph.number(0.0)
+
+    def contacts(self, a: str, b: str) -> int:
+        """How many contacts the same two partners have."""
+        return sum(set(getattr(j, "between", ())) == {a, b} and j.unilateral for j in self.problem.joints)
+
+    def mass(self, body: str) -> Term:
+        return self.places[body].mass
+
+    def heaviness(self, body: str) -> Term:
+        """m g of a body, also in a horizontal plane, where it presses on what it lies on."""
+        return self.mass(body) * self.constants.gravity(self.sides)
+
+    def refuse(self, mark: Mark, code: str, message: str, hint: str = "") -> Exception:
+        return refuse(mark, code, message, hint)
+
+    @cached_property
+    def poses(self) -> MovingPoses:
+        """For the residuals of joints."""
+        return MovingPoses(self)
+
+    # --- what loads ask ----------------------------------------------------------------------------------------------
+
+    def vanishes(self, expr: Any) -> bool:
+        """Is it zero wherever the bodies are?"""
+        term = self.graph.of(expr)
+        return term.constant and term.zero
+
+    def velocity(self, point: Vec, body: str) -> Vec:
+        """Of the body's point at a place."""
+        if body == GROUND:
+            return self.center(GROUND)
+        place = self.places[body]
+        if place.omega is None:
+            return place.velocity
+        found: Vec = place.velocity + self.arm(body, point).turned() * place.omega
+        return found
+
+    def turn(self, body: str) -> Term:
+        """The angular velocity of a body."""
+        place = self.places.get(body)
+        return self.graph.number(0.0) if place is None or place.omega is None else place.omega
+
+    def against(self, velocity: Vec, size: Any) -> Vec:
+        """A force of a given size against a velocity; none at rest."""
+        speed = self.graph.call("sqrt", velocity.dot(velocity) + TINIEST)
+        return Vec(*(-part * (size / speed) for part in (velocity.x, velocity.y)))
+
+    def heading(self, angle: Any) -> Vec:
+        """The unit vector in a direction that may vary with the motion."""
+        return unit_vector(self.graph, angle)
+
+    def size(self, magnitude: Side | Table, mark: Mark) -> Term:
+        """A magnitude, which may use velocities, or a table over time."""
+        if not isinstance(magnitude, Table):
+            return self.value_of(magnitude)
+        rows = [(self.value(when).value, self.value(what).value) for when, what in magnitude.rows]
+        if any(after[0] <= before[0] for before, after in pairwise(rows)):
+            raise refuse(magnitude.mark, "PL592", "the instants of a table must follow each other", "sort its rows")
+        return self.graph.call(self.graph.table(rows), self.time)
+
+    def with_relations(self, relations: tuple[Statement, ...], expr: Any) -> Term:
+        """An expression of places at other values of the coordinates: `relaxed_at: [theta = 30 deg]`."""
+        there = dict(self.reference.coordinates)
+        for relation in relations:
+            if not isinstance(relation, Relation) or not isinstance(relation.left, Name):
+                text, hint = "a relaxed position is given by its coordinates", "write `relaxed_at: [theta = 30 deg]`"
+                raise refuse(relation.mark, "PL542", text, hint)
+            there[relation.left.name] = self.value(relation.right).value
+        return self.graph.number(evaluate([self.graph.of(expr)], self.configuration(there))[0])
+
+    # --- loads -------------------------------------------------------------------------------------------------------
+
+    def loads(self) -> list[Load]:
+        """The weight of every body, then the loads of the file."""
+        return acting_loads(self.problem)
+
+    def wrenches(self) -> tuple[Wrench, ...]:
+        """What all loads do to all bodies, each with the name of the load (of a weight: of the body)."""
+        found = [w for load in self.loads() for w in load.wrenches(self)]
+        return tuple(w for w in found if w.body != GROUND and not self._nothing(w))
+
+    def _nothing(self, wrench: Wrench) -> bool:
+        force = wrench.force or Vec(0, 0)
+        return all(self.vanishes(part) for part in (force.x, force.y, wrench.couple))

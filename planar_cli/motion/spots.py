@@ -1,0 +1,65 @@
+"""Points where outlines touch and where cords leave rims: they go with the centres, not with the rims."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from planar_cli.joints.base import Joint
+from planar_cli.loads.base import Load
+from planar_cli.problem.facts import Outline
+from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scene import GROUND
+
+if TYPE_CHECKING:
+    from planar_cli.motion.scene import MovingScene
+
+
+def spots_of(scene: MovingScene) -> dict[str, Vec]:
+    """The places of such points, by name."""
+    found: dict[str, Vec] = {}
+    for joint in scene.problem.joints:
+        at, between = getattr(joint, "at", None), getattr(joint, "between", ())
+        if joint.touches and at is not None and len(between) == 2:
+            spot = _touching(scene, joint, at, between)
+            if spot is not None:
+                found[at] = spot
+    members: tuple[Joint | Load, ...] = (*scene.problem.joints, *scene.problem.loads)
+    for member in members:
+        for point, body in member.rims():
+            center = scene.center(body)
+            arm = scene.place_drawn(point) - scene.drawn_center(body)
+            found[point] = center + arm
+    return found
+
+
+def _touching(scene: MovingScene, joint: Joint, at: str, between: tuple[str, ...]) -> Vec | None:
+    """Between the centres of two rims, or off the centre of one across the edge that it touches."""
+    place = scene.point(at)
+    outlines = [scene.outline(p, place, joint.mark) for p in between]
+    rounds = [o for o in outlines if o.kind == "arc" and o.center is not None]
+    drawn = scene.place_drawn(at)
+    if len(rounds) == 2:
+        a, b = (_center(o) for o in rounds)
+        start = _reference(scene, a)
+        reach = _reference(scene, b) - start
+        share = (drawn - start).dot(reach) / reach.dot(reach)
+        between_rims: Vec = a + (b - a) * share
+        return between_rims
+    straight = [o for o in outlines if o.kind == "straight"]
+    if len(rounds) == 1 and straight:
+        center = _center(rounds[0])
+        arm = drawn - _reference(scene, center)
+        spot: Vec = center + (scene.turned_with(straight[0].body, arm) if straight[0].body != GROUND else arm)
+        return spot
+    return None
+
+
+def _center(outline: Outline) -> Vec:
+    assert outline.center is not None
+    return outline.center
+
+
+def _reference(scene: MovingScene, v: Vec) -> Vec:
+    """A place as drawn."""
+    graph = scene.graph
+    return Vec(graph.number(graph.of(v.x).value), graph.number(graph.of(v.y).value))

@@ -1,0 +1,24 @@
+"""What the shape of a body tells of itself."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from planar_cli.problem.scene import Outline, Particle, Rod, Round, Sector
+
+
+def own_points(shape: Any) -> tuple[str, ...]:
+    """The points by which a shape is drawn and which move with it."""
+    match shape:
+        case Particle():
+            return (shape.place,) if isinstance(shape.place, str) else ()
+        case Rod():
+            return (shape.start, shape.end) if shape.end else (shape.start,)
+        case Round() | Outline():
+            return (shape.center,) if shape.center else ()
+        case Sector():
+            return (shape.apex,)
+    pieces = getattr(shape, "pieces", None)
+    if pieces is not None:
+        return tuple(p for piece in pieces for p in own_points(piece.shape))
+    return (shape.center,)
