@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 from conftest import ROOT
+
 from planar_cli.errors import FileProblem
 from planar_cli.motion.scene import MovingScene
 from planar_cli.motion.terms import Term, evaluate
@@ -63,4 +64,5 @@ def test_residuals_vanish_as_drawn_and_have_right_slopes(folder: Path) -> None:
             ends = [evaluate([term], {q: at[q] + s * step * way[q] for q in at})[0] for s in (-1, 1)]
             slopes = scene.graph.gradient(term)
             told = sum(evaluate([slopes[q]], at)[0] * way[q] for q in way if q in slopes)
-            assert (ends[1] - ends[0]) / (2 * step) == pytest.approx(told, rel=1e-5, abs=1e-5 * size), (path.name, title)
+            slope = (ends[1] - ends[0]) / (2 * step)
+            assert slope == pytest.approx(told, rel=1e-5, abs=1e-5 * size), (path.name, title)
