@@ -19,6 +19,12 @@ NO_NUMBER = {"PL704", "PL705"}
 """Refusals of files whose letters or unknowns have no number."""
 
 
+def only_numbers_missing(error: FileProblem) -> None:
+    """A refusal of anything else is an error of ours."""
+    if {d.code for d in error.diagnostics} - NO_NUMBER:
+        raise error
+
+
 def scene_of(path: Path) -> MovingScene | None:
     """The scene of a file; None where letters or unknowns have no numbers."""
     problem, wrong, _ = load(str(path))
@@ -26,7 +32,7 @@ def scene_of(path: Path) -> MovingScene | None:
     try:
         return MovingScene(problem)
     except FileProblem as error:
-        assert {d.code for d in error.diagnostics} <= NO_NUMBER
+        only_numbers_missing(error)
         return None
 
 
@@ -37,7 +43,7 @@ def residuals(scene: MovingScene) -> list[tuple[str, Term]]:
         try:
             modes = joint.modes(scene)
         except FileProblem as error:
-            assert {d.code for d in error.diagnostics} <= NO_NUMBER
+            only_numbers_missing(error)
             continue
         for mode in modes:
             for residual in joint.residuals(scene, mode):
