@@ -9,16 +9,18 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 from planar_cli.joints.base import Joint
 from planar_cli.loads.base import Load
 from planar_cli.motion.masses import Drawn, drawn_bodies
-from planar_cli.motion.places import Drawing, points_of, unit_vector
+from planar_cli.motion.places import Drawing, length_of, points_of, unit_vector
 from planar_cli.motion.reference import Reference, reference_of
 from planar_cli.motion.sides import Constants, Sides
 from planar_cli.motion.terms import Graph, Term
+from planar_cli.problem.expression import Name, Side
 from planar_cli.problem.geometry import Vec
-from planar_cli.problem.scene import GROUND, Problem, Surface
+from planar_cli.problem.scene import GROUND, Line, Problem, Surface
 from planar_cli.problem.shapes import own_points
 
 EXACT = 1e-14
@@ -274,6 +276,74 @@ class Carried:
             total = total + self.point(name)
         mean: Vec = total / max(len(names), 1)
         return mean
+
+    # --- numbers and directions --------------------------------------------------------------------------------------
+
+    def value(self, side: Side) -> Term:
+        """The value of a formula of places and constants."""
+        return self.sides.value(side)
+
+    def unit(self, angle: Side) -> Vec:
+        """The unit vector in a direction given by an angle."""
+        return unit_vector(self.graph, self.value(angle))
+
+    def length(self, v: Vec) -> Term:
+        """|v|."""
+        return length_of(self.graph, v)
+
+    def root(self, square: Any) -> Term:
+        return self.graph.call("sqrt", self.graph.of(square))
+
+    def surface_direction(self, surface: Surface) -> Vec:
+        """The direction of a straight surface, which turns with the body that carries it."""
+        assert isinstance(surface.shape, Line)
+        drawn = unit_vector(self.graph, self._drawing.sides.value(surface.shape.angle))
+        return self.turned_with(surface.body or GROUND, drawn)
+
+    def direction(self, along: Side | str) -> Vec:
+        """A direction given by an angle, a surface (its line) or a body (its angle)."""
+        name = along if isinstance(along, str) else along.name if isinstance(along, Name) else ""
+        if name in self.surfaces:
+            return self.surface_direction(self.surfaces[name])
+        if name in self.places:
+            return self.frame(name)
+        assert not isinstance(along, str)
+        return self.unit(along)
+
+    def sign(self, expr: Any) -> int:
+        """-1, 0 or 1 as drawn."""
+        return self.graph.of(expr).positive
+
+    def is_zero(self, expr: Any) -> bool:
+        """Is it zero as drawn?"""
+        return self.graph.of(expr).zero
+
+    def vanishes(self, expr: Any) -> bool:
+        """Is it zero wherever the bodies are?"""
+        term = self.graph.of(expr)
+        return term.constant and term.zero
+
+    def velocity(self, point: Vec, body: str) -> Vec:
+        """Of the body's point at a place."""
+        if body == GROUND:
+            return self.center(GROUND)
+        place = self.places[body]
+        if place.omega is None:
+            return place.velocity
+        found: Vec = place.velocity + self.arm(body, point).turned() * place.omega
+        return found
+
+    def turn(self, body: str) -> Term:
+        """The angular velocity of a body."""
+        place = self.places.get(body)
+        return self.graph.number(0.0) if place is None or place.omega is None else place.omega
+
+    def rigid(self, body: str) -> bool:
+        return body == GROUND or self.drawn[body].rigid
+
+    def names_carrier(self, name: str) -> bool:
+        """Is the name a body or a surface?"""
+        return name in self.places or name in self.surfaces
 
 
 def _numbers(v: Vec) -> Vec:

@@ -8,8 +8,8 @@ residual (y of A stays 0). A coordinate that nothing tells so stays a variable o
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
 
+from planar_cli.motion.carried import Carried
 from planar_cli.motion.places import Drawing, points_of
 from planar_cli.motion.replacing import replaced
 from planar_cli.motion.sides import names_in
@@ -17,9 +17,6 @@ from planar_cli.motion.terms import Term
 from planar_cli.problem.expression import Side
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND, At, Midpoint, Point, Polar, Towards, TwoFacts
-
-if TYPE_CHECKING:
-    from planar_cli.motion.scene import MovingScene
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,7 +48,7 @@ class _Handle:
 class Coordinates:
     """The coordinates of one scene."""
 
-    scene: MovingScene
+    scene: Carried
     stand_ins: dict[str, Term]
     """A variable for each coordinate, by name."""
     found: dict[str, Term] = field(default_factory=dict)

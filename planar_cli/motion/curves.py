@@ -3,16 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
+from planar_cli.motion.carried import Carried
 from planar_cli.motion.places import unit_vector
 from planar_cli.motion.replacing import replaced
 from planar_cli.motion.terms import Term
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND, Curve, Surface
-
-if TYPE_CHECKING:
-    from planar_cli.motion.scene import MovingScene
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,7 +24,7 @@ class Bend:
     """1/m, positive where the curve bends to the left of the tangent."""
 
 
-def curve_at(scene: MovingScene, surface: Surface, curve: Curve, point: Vec) -> Bend:
+def curve_at(scene: Carried, surface: Surface, curve: Curve, point: Vec) -> Bend:
     """A curve where a point of it is now: what is drawn, carried along by its body."""
     graph, body = scene.graph, surface.body or GROUND
     origin = scene.carried_from(body, Vec(graph.number(0.0), graph.number(0.0)))
@@ -51,7 +48,7 @@ def curve_at(scene: MovingScene, surface: Surface, curve: Curve, point: Vec) -> 
     return Bend(origin + radial * f, tangent, bend / (speed * speed * speed))
 
 
-def _derivatives(scene: MovingScene, curve: Curve, name: str, at: Term) -> tuple[Term, Term, Term]:
+def _derivatives(scene: Carried, curve: Curve, name: str, at: Term) -> tuple[Term, Term, Term]:
     """The formula of a curve and its first and second derivative, at a value of its variable."""
     graph = scene.graph
     one = graph.number(1.0)

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from planar_cli.errors import Mark
+from planar_cli.motion.carried import Carried
 from planar_cli.motion.curves import curve_at
 from planar_cli.motion.places import unit_vector
 from planar_cli.motion.sides import refuse
@@ -12,11 +11,8 @@ from planar_cli.problem.facts import Outline
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND, Circle, Composite, Line, Plate, Rod, Round, Sector, Surface
 
-if TYPE_CHECKING:
-    from planar_cli.motion.scene import MovingScene
 
-
-def outline_of(scene: MovingScene, partner: str, point: Vec, mark: Mark) -> Outline:
+def outline_of(scene: Carried, partner: str, point: Vec, mark: Mark) -> Outline:
     """The outline of `partner` (a body or a surface) at `point`. Refused when the point is not on it."""
     surface = scene.surfaces.get(partner)
     if surface is not None:
@@ -38,14 +34,14 @@ def outline_of(scene: MovingScene, partner: str, point: Vec, mark: Mark) -> Outl
     return Outline("corner", partner)
 
 
-def arc(scene: MovingScene, body: str, center: Vec, name: str, point: Vec) -> Outline:
+def arc(scene: Carried, body: str, center: Vec, name: str, point: Vec) -> Outline:
     """An arc about `center`; its tangent is k × (outward normal), its curvature +1/R."""
     out = point - center
     radius = scene.length(out)
     return Outline("arc", body, (out / radius).turned(), 1 / radius, center, name)
 
 
-def edges_at(scene: MovingScene, body: str, shape: Plate, point: Vec) -> list[Outline]:
+def edges_at(scene: Carried, body: str, shape: Plate, point: Vec) -> list[Outline]:
     """The edges of a plate that pass through a point (two at a corner)."""
     drawn = scene.sides.value(shape.angle) if shape.angle is not None else scene.graph.number(0.0)
     along = scene.turned_with(body, unit_vector(scene.graph, scene.graph.number(drawn.value)))
@@ -59,7 +55,7 @@ def edges_at(scene: MovingScene, body: str, shape: Plate, point: Vec) -> list[Ou
     return found
 
 
-def _surface(scene: MovingScene, surface: Surface, point: Vec, mark: Mark) -> Outline:
+def _surface(scene: Carried, surface: Surface, point: Vec, mark: Mark) -> Outline:
     body, shape = surface.body or GROUND, surface.shape
     if isinstance(shape, Line):
         tangent = scene.surface_direction(surface)
@@ -84,19 +80,19 @@ def _surface(scene: MovingScene, surface: Surface, point: Vec, mark: Mark) -> Ou
     return Outline(kind, body, bend.tangent, bend.curvature, drift=drift)
 
 
-def _on_it(scene: MovingScene, surface: Surface, mark: Mark, fits: bool, hint: str) -> None:
+def _on_it(scene: Carried, surface: Surface, mark: Mark, fits: bool, hint: str) -> None:
     if not fits:
-        raise scene.refuse(mark, "PL521", f"the point of contact is not on {surface.name}", hint)
+        raise refuse(mark, "PL521", f"the point of contact is not on {surface.name}", hint)
 
 
-def _drift(scene: MovingScene, surface: Surface, tangent: Vec) -> Vec | None:
+def _drift(scene: Carried, surface: Surface, tangent: Vec) -> Vec | None:
     if surface.speed is None:
         return None
     found: Vec = tangent * scene.value(surface.speed)
     return found
 
 
-def _round(scene: MovingScene, body: str, shape: Round, point: Vec, mark: Mark) -> Outline:
+def _round(scene: Carried, body: str, shape: Round, point: Vec, mark: Mark) -> Outline:
     center = scene.carried(body, shape.center)
     out = point - center
     for side in (shape.radius, shape.hub):
@@ -110,7 +106,7 @@ def _round(scene: MovingScene, body: str, shape: Round, point: Vec, mark: Mark) 
     raise refuse(mark, "PL522", f"the point of contact is not on the rim of {body}", hint)
 
 
-def _plate(scene: MovingScene, body: str, shape: Plate, point: Vec, mark: Mark) -> Outline:
+def _plate(scene: Carried, body: str, shape: Plate, point: Vec, mark: Mark) -> Outline:
     """An edge of the rectangle through the point; both edges at a corner are offered by `edges_at`."""
     edges = edges_at(scene, body, shape, point)
     if not edges:
@@ -119,7 +115,7 @@ def _plate(scene: MovingScene, body: str, shape: Plate, point: Vec, mark: Mark) 
     return edges[0] if len(edges) == 1 else Outline("corner", body)
 
 
-def _rod(scene: MovingScene, body: str, shape: Rod, point: Vec) -> Outline:
+def _rod(scene: Carried, body: str, shape: Rod, point: Vec) -> Outline:
     start = scene.carried(body, shape.start)
     if shape.end is None or _same(scene, start, point) or _same(scene, scene.carried(body, shape.end), point):
         return Outline("corner", body)
@@ -127,7 +123,7 @@ def _rod(scene: MovingScene, body: str, shape: Rod, point: Vec) -> Outline:
     return Outline("straight", body, along) if scene.is_zero(along.cross(point - start)) else Outline("corner", body)
 
 
-def _composite(scene: MovingScene, body: str, shape: Composite, point: Vec) -> Outline:
+def _composite(scene: Carried, body: str, shape: Composite, point: Vec) -> Outline:
     """The first part on whose rim the point is; a corner when none."""
     for piece in shape.pieces:
         part = piece.shape
@@ -143,5 +139,5 @@ def _composite(scene: MovingScene, body: str, shape: Composite, point: Vec) -> O
     return Outline("corner", body)
 
 
-def _same(scene: MovingScene, a: Vec, b: Vec) -> bool:
+def _same(scene: Carried, a: Vec, b: Vec) -> bool:
     return scene.is_zero(a.x - b.x) and scene.is_zero(a.y - b.y)

@@ -3,20 +3,18 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+from planar_cli.motion.carried import Carried
 from planar_cli.motion.terms import Term
 from planar_cli.problem.geometry import Vec
-
-if TYPE_CHECKING:
-    from planar_cli.motion.scene import MovingScene
 
 
 @dataclass(frozen=True, slots=True)
 class MovingPoses:
     """What is drawn counts as it is in the reference configuration; from there the bodies carry it along."""
 
-    scene: MovingScene
+    scene: Carried
 
     @property
     def time(self) -> Term:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
 
+from planar_cli.motion.carried import Carried
 from planar_cli.motion.places import unit_vector
 from planar_cli.motion.sides import Sides, refuse
 from planar_cli.motion.terms import Term
@@ -14,9 +14,6 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.problem.reactions import Reactions
 from planar_cli.problem.scene import GROUND
 
-if TYPE_CHECKING:
-    from planar_cli.motion.scene import MovingScene
-
 OVER_TIME = frozenset("path hodograph work impulse heat path_length mean count reached period frequency stable".split())
 
 
@@ -24,7 +21,9 @@ OVER_TIME = frozenset("path hodograph work impulse heat path_length mean count r
 class Quantities:
     """Quantities of one scene."""
 
-    scene: MovingScene
+    scene: Carried
+    stored: Callable[[], Term]
+    """The potential energy of all loads."""
     accelerations: Mapping[Term, Term]
     """The second derivative behind each rate of the state; empty where they are not known yet."""
     reactions: Reactions | None = None
@@ -202,11 +201,7 @@ class Quantities:
         if q.things[0] != "all":
             place = self.scene.places[q.things[0]]
             return place.mass * self.scene.gravity * place.y
-        found = self.scene.graph.number(0.0)
-        for load in self.scene.loads():
-            part = load.potential(self.scene)
-            found = found if part is None else found + part
-        return found
+        return self.stored()
 
     def momentum(self, q: Quantity) -> Vec:
         """Σ m v_G."""

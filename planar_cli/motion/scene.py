@@ -13,7 +13,7 @@ from planar_cli.loads.base import Load
 from planar_cli.motion.carried import Carried
 from planar_cli.motion.coordinates import Coordinates, Tie
 from planar_cli.motion.outlines import edges_at, outline_of
-from planar_cli.motion.places import length_of, unit_vector
+from planar_cli.motion.places import unit_vector
 from planar_cli.motion.poses import MovingPoses
 from planar_cli.motion.quantities import Quantities
 from planar_cli.motion.sides import refuse
@@ -24,7 +24,7 @@ from planar_cli.problem.expression import Name, Relation, Side, Statement
 from planar_cli.problem.facts import Outline, Wrench
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.keys import Table
-from planar_cli.problem.scene import GROUND, Line, Plate, Problem, Round, Surface
+from planar_cli.problem.scene import GROUND, Line, Plate, Problem, Round
 
 TINIEST = sys.float_info.min
 """Added to a square under a root, so that a speed that is just zero does not divide zero by zero."""
@@ -40,9 +40,8 @@ class MovingScene(Carried):
     def __init__(self, problem: Problem, values: Mapping[str, float] | None = None) -> None:
         """`values`: numbers for letters, unknowns and coordinates, by name, in SI units."""
         super().__init__(problem, values)
-        self._outlines: dict[tuple[str, Vec], Outline] = {}
         self._points |= spots_of(self)
-        self._outlines.clear()
+        self._outlines: dict[tuple[str, Vec], Outline] = {}
         self.coordinates, self.ties = self._coordinates()
 
     def _coordinates(self) -> tuple[dict[str, tuple[Term, Term]], tuple[Tie, ...]]:
@@ -62,40 +61,9 @@ class MovingScene(Carried):
 
     # --- what joints and loads ask -----------------------------------------------------------------------------------
 
-    def value(self, side: Side) -> Term:
-        """The value of a formula of places and constants."""
-        return self.sides.value(side)
-
     def value_of(self, side: Side) -> Term:
         """The value of a formula that may ask for velocities too."""
-        return Quantities(self, {}).sides.value(side)
-
-    def unit(self, angle: Side) -> Vec:
-        """The unit vector in a direction given by an angle."""
-        return unit_vector(self.graph, self.value(angle))
-
-    def length(self, v: Vec) -> Term:
-        """|v|."""
-        return length_of(self.graph, v)
-
-    def root(self, square: Any) -> Term:
-        return self.graph.call("sqrt", self.graph.of(square))
-
-    def surface_direction(self, surface: Surface) -> Vec:
-        """The direction of a straight surface, which turns with the body that carries it."""
-        assert isinstance(surface.shape, Line)
-        drawn = unit_vector(self.graph, self._drawing.sides.value(surface.shape.angle))
-        return self.turned_with(surface.body or GROUND, drawn)
-
-    def direction(self, along: Side | str) -> Vec:
-        """A direction given by an angle, a surface (its line) or a body (its angle)."""
-        name = along if isinstance(along, str) else along.name if isinstance(along, Name) else ""
-        if name in self.surfaces:
-            return self.surface_direction(self.surfaces[name])
-        if name in self.places:
-            return self.frame(name)
-        assert not isinstance(along, str)
-        return self.unit(along)
+        return Quantities(self, self.stored_energy, {}).sides.value(side)
 
     def track(self, along: Side | str, point: Vec, mark: Mark) -> tuple[Vec, Any]:
         """Tangent and signed curvature of a track at a point: an angle, a body's line, or a surface."""
@@ -104,14 +72,6 @@ class MovingScene(Carried):
             found = self.outline(name, point, mark)
             return found.tangent or Vec(1, 0), found.curvature
         return self.direction(along), self.graph.number(0.0)
-
-    def sign(self, expr: Any) -> int:
-        """-1, 0 or 1 as drawn."""
-        return self.graph.of(expr).positive
-
-    def is_zero(self, expr: Any) -> bool:
-        """Is it zero as drawn?"""
-        return self.graph.of(expr).zero
 
     def outline(self, partner: str, point: Vec, mark: Mark) -> Outline:
         if (partner, point) not in self._outlines:
@@ -122,13 +82,6 @@ class MovingScene(Carried):
         """The edges of a plate through a point."""
         shape = self.drawn[body].shape if body in self.drawn else None
         return edges_at(self, body, shape, point) if isinstance(shape, Plate) else []
-
-    def rigid(self, body: str) -> bool:
-        return body == GROUND or self.drawn[body].rigid
-
-    def names_carrier(self, name: str) -> bool:
-        """Is the name a body or a surface?"""
-        return name in self.places or name in self.surfaces
 
     def pulley(self, stop: str) -> str:
         """The disk that a rope passes at a stop, named itself or by its centre; "" for a bare point."""
@@ -161,26 +114,6 @@ class MovingScene(Carried):
         return MovingPoses(self)
 
     # --- what loads ask ----------------------------------------------------------------------------------------------
-
-    def vanishes(self, expr: Any) -> bool:
-        """Is it zero wherever the bodies are?"""
-        term = self.graph.of(expr)
-        return term.constant and term.zero
-
-    def velocity(self, point: Vec, body: str) -> Vec:
-        """Of the body's point at a place."""
-        if body == GROUND:
-            return self.center(GROUND)
-        place = self.places[body]
-        if place.omega is None:
-            return place.velocity
-        found: Vec = place.velocity + self.arm(body, point).turned() * place.omega
-        return found
-
-    def turn(self, body: str) -> Term:
-        """The angular velocity of a body."""
-        place = self.places.get(body)
-        return self.graph.number(0.0) if place is None or place.omega is None else place.omega
 
     def against(self, velocity: Vec, size: Any) -> Vec:
         """A force of a given size against a velocity; none at rest."""
@@ -215,6 +148,14 @@ class MovingScene(Carried):
     def loads(self) -> list[Load]:
         """The weight of every body, then the loads of the file."""
         return acting_loads(self.problem)
+
+    def stored_energy(self) -> Term:
+        """The potential energy of all loads, J."""
+        found = self.graph.number(0.0)
+        for load in self.loads():
+            part = load.potential(self)
+            found = found if part is None else found + part
+        return found
 
     def wrenches(self) -> tuple[Wrench, ...]:
         """What all loads do to all bodies, each with the name of the load (of a weight: of the body)."""

@@ -2,19 +2,16 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from planar_cli.joints.base import Joint
 from planar_cli.loads.base import Load
+from planar_cli.motion.carried import Carried
+from planar_cli.motion.outlines import outline_of
 from planar_cli.problem.facts import Outline
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
 
-if TYPE_CHECKING:
-    from planar_cli.motion.scene import MovingScene
 
-
-def spots_of(scene: MovingScene) -> dict[str, Vec]:
+def spots_of(scene: Carried) -> dict[str, Vec]:
     """The places of such points, by name."""
     found: dict[str, Vec] = {}
     for joint in scene.problem.joints:
@@ -32,10 +29,10 @@ def spots_of(scene: MovingScene) -> dict[str, Vec]:
     return found
 
 
-def _touching(scene: MovingScene, joint: Joint, at: str, between: tuple[str, ...]) -> Vec | None:
+def _touching(scene: Carried, joint: Joint, at: str, between: tuple[str, ...]) -> Vec | None:
     """Between the centres of two rims, or off the centre of one across the edge that it touches."""
     place = scene.point(at)
-    outlines = [scene.outline(p, place, joint.mark) for p in between]
+    outlines = [outline_of(scene, p, place, joint.mark) for p in between]
     rounds = [o for o in outlines if o.kind == "arc" and o.center is not None]
     drawn = scene.place_drawn(at)
     if len(rounds) == 2:
@@ -59,7 +56,7 @@ def _center(outline: Outline) -> Vec:
     return outline.center
 
 
-def _reference(scene: MovingScene, v: Vec) -> Vec:
+def _reference(scene: Carried, v: Vec) -> Vec:
     """A place as drawn."""
     graph = scene.graph
     return Vec(graph.number(graph.of(v.x).value), graph.number(graph.of(v.y).value))
