@@ -114,6 +114,7 @@ class Valuation:
         self.values: dict[sp.Symbol, Decimal] = dict(values)
         self.definitions = definitions if definitions is not None else {}
         self._known: dict[Any, Decimal] = {}
+        self._sizes: dict[Any, Decimal] = {}
 
     def extended(self, more: Mapping[sp.Symbol, Decimal]) -> Valuation:
         """A new valuation with some more (or other) values; a letter that was drawn stays one that was."""
@@ -209,6 +210,12 @@ class Valuation:
 
     def size(self, expr: Any) -> Decimal:
         """The size of the terms of an expression: what a remainder is measured against."""
+        known = self._sizes.get(expr)
+        if known is None:
+            known = self._sizes[expr] = self._size(expr)
+        return known
+
+    def _size(self, expr: Any) -> Decimal:
         if getattr(expr, "is_Add", False):
             return sum((self.size(a) for a in expr.args), ZERO)
         if getattr(expr, "is_Mul", False):

@@ -31,20 +31,22 @@ def operations(expr: sp.Expr) -> int:
 
 
 def longer(expr: sp.Expr, limit: int) -> bool:
-    """Has an expression more operations than `limit`? Very long ones are told without walking all of them."""
-    return _nodes_reach(expr, 3 * limit + 10) or operations(expr) > limit
+    """Has an expression more operations than `limit`? Long ones are told without counting all of them."""
+    return _surely_longer(expr, limit) or operations(expr) > limit
 
 
-def _nodes_reach(expr: sp.Expr, most: int) -> bool:
-    """Are there so many operands? Signs and reciprocals are operands without being operations of their own."""
+def _surely_longer(expr: sp.Expr, limit: int) -> bool:
+    """Do the sums and products alone, in which signs and numbers are no operations of their own, exceed the limit?"""
     seen, stack = 0, [expr]
     while stack:
-        args = stack.pop().args
-        if args:
-            seen += max(len(args) - 1, 1)
-            if seen > most:
-                return True
-            stack.extend(args)
+        part = stack.pop()
+        if part.is_Add:
+            seen += len(part.args) - 1
+        elif part.is_Mul:
+            seen += sum(not a.is_Number for a in part.args) - 1
+        if seen > limit:
+            return True
+        stack.extend(part.args)
     return False
 
 

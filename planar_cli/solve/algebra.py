@@ -22,6 +22,8 @@ NAMED = 24
 """A longer coefficient gets a name where several letters are carried."""
 FEW_LETTERS = 5
 """With so few letters the exact coefficients of a block stay short enough to be written out."""
+MOST_FORMULAS = 3
+"""So many numeric equations at most are solved together in formulas; more of them in numbers."""
 SHORT = 6
 """A coefficient of at most so many operations stays a formula while a block is solved."""
 
@@ -270,6 +272,9 @@ class Algebra:
         forms = [linear_form(r, inside) for r in residuals]
         rows = [[f.terms.get(s, sp.S.Zero) for s in letters] + [f.constant] for f in forms]
         size = len(letters)
+        if size > MOST_FORMULAS and not self.symbolic:
+            numbers = in_numbers([[self.value(e) for e in row] for row in rows])
+            return {s: sp.Rational(str(x)) for s, x in zip(letters, numbers, strict=True)}
         for k in range(size):
             best = max(range(k, size), key=lambda i: abs(self.value(rows[i][k])))
             rows[k], rows[best] = rows[best], rows[k]
@@ -281,3 +286,20 @@ class Algebra:
                         for j, (a, b) in enumerate(zip(rows[i], rows[k], strict=True))
                     ]
         return {s: tidy(-rows[k][size] / rows[k][k]) for k, s in enumerate(letters)}
+
+
+def in_numbers(rows: list[list[Decimal]]) -> list[Decimal]:
+    """The solution of Σ row[j] x_j + row[-1] = 0 by elimination with the largest pivot."""
+    size = len(rows)
+    for k in range(size):
+        best = max(range(k, size), key=lambda i: abs(rows[i][k]))
+        rows[k], rows[best] = rows[best], rows[k]
+        for row in rows[k + 1 :]:
+            if row[k]:
+                factor = row[k] / rows[k][k]
+                row[k:] = [a - factor * b if b else a for a, b in zip(row[k:], rows[k][k:], strict=True)]
+    found: list[Decimal] = []
+    for k in reversed(range(size)):
+        known = sum((a * x for a, x in zip(rows[k][k + 1 : size], reversed(found), strict=True)), rows[k][size])
+        found.append(-known / rows[k][k])
+    return found[::-1]

@@ -50,7 +50,7 @@ def eliminate(rows: list[Row], width: int) -> tuple[list[tuple[int, Row]], list[
         for column, pivot in pivots:
             factor = work[column]
             if factor:
-                work = [clean(a - factor * b, a) for a, b in zip(work, pivot, strict=True)]
+                work = [clean(a - factor * b, a) if b else a for a, b in zip(work, pivot, strict=True)]
                 work[column] = ZERO
         best = max(range(width), key=lambda j: abs(work[j]), default=-1)
         if best < 0 or not work[best]:
@@ -68,7 +68,7 @@ def _without(row: Row, column: int, pivot: Row) -> Row:
     factor = row[column]
     if not factor:
         return row
-    found = [clean(a - factor * b, a) for a, b in zip(row, pivot, strict=True)]
+    found = [clean(a - factor * b, a) if b else a for a, b in zip(row, pivot, strict=True)]
     found[column] = ZERO
     return found
 
