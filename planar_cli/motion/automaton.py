@@ -1,0 +1,96 @@
+"""What the following of a motion asks of a scene: a hybrid automaton.
+
+A regime is one choice of modes with its ordinary differential equations; its guards say how long it holds. The state
+`y` = (q, v) is the same vector in all regimes, so that a change of mode maps it by identity and an impact changes only v.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Protocol
+
+from planar_cli.motion.impact import Struck
+from planar_cli.problem.facts import Mode
+
+Choice = tuple[int, ...]
+"""For every joint of `Automaton.choices`, in its order, the index of its mode."""
+
+
+class Guard(Protocol):
+    """A condition that must hold as long as its regime does: its value >= 0, or > 0 where it is strict."""
+
+    @property
+    def joint(self) -> str:
+        """The joint, or the key of the load, whose mode it belongs to."""
+
+    @property
+    def kind(self) -> str:
+        """presses, limit, slips, gap, taut, stretch, tips, mass."""
+
+    @property
+    def words(self) -> str:
+        """The condition in words, as it holds."""
+
+    @property
+    def strict(self) -> bool:
+        """May it not stay zero?"""
+
+    @property
+    def scale(self) -> float:
+        """The size of a usual value."""
+
+
+class Regime(Protocol):
+    """One choice of modes."""
+
+    @property
+    def guards(self) -> Sequence[Guard]:
+        """In the order of what `watch` returns."""
+
+    def rates(self, t: float, y: Sequence[float]) -> list[float]:
+        """y'."""
+
+    def watch(self, t: float, y: Sequence[float]) -> list[float]:
+        """The values of the guards."""
+
+    def project(self, t: float, y: Sequence[float]) -> list[float]:
+        """The nearest state that the joints of this regime allow, in places and velocities."""
+
+    def energy(self, t: float, y: Sequence[float]) -> float:
+        """Kinetic energy and potentials [J]."""
+
+    def power(self, t: float, y: Sequence[float]) -> float:
+        """What feeds or drains it [W]."""
+
+    def momentum(self, t: float, y: Sequence[float]) -> Sequence[float]:
+        """Linear momentum x, y [N s] and angular momentum about the origin [N m s]."""
+
+
+class Automaton(Protocol):
+    """A scene that may be in one of many regimes."""
+
+    @property
+    def choices(self) -> Mapping[str, Sequence[Mode]]:
+        """The modes of every joint that has several; the natural one first."""
+
+    @property
+    def scale(self) -> Sequence[float]:
+        """The size of a usual value of each number of the state."""
+
+    @property
+    def time_scale(self) -> float:
+        """The time in which things change [s]."""
+
+    @property
+    def energy_scale(self) -> float:
+        """The size of a usual energy [J]."""
+
+    @property
+    def autonomous(self) -> bool:
+        """Does nothing in it depend on the time?"""
+
+    def regime(self, choice: Choice) -> Regime:
+        """The regime of a choice."""
+
+    def struck(self, choice: Choice, t: float, y: Sequence[float]) -> Struck:
+        """What an impact at this moment has to do with: all that holds in this choice and all that touches."""

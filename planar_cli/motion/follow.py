@@ -1,0 +1,370 @@
+"""A motion followed from its start: regimes integrated until a guard falls, and what happens then.
+
+Nothing here loops without bound: impacts are counted, sequences of them that end in a finite time are summed up, changes
+of mode at one instant that come back are told, and an integrator that can not go on says where.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Protocol
+
+from planar_cli.integrators.base import Setting, Step, StepTooSmall
+from planar_cli.motion.automaton import Automaton, Choice, Regime
+from planar_cli.motion.balance import ALLOWED, balance_of
+from planar_cli.motion.crossings import BAND, Watch
+from planar_cli.motion.drive import AUTOMATIC, Run, drive
+from planar_cli.motion.failures import Singular
+from planar_cli.motion.schedule import Event, Schedule
+from planar_cli.motion.segment import Segment
+from planar_cli.motion.trajectory import Outcome, Reached, Trajectory, Transition, Work
+from planar_cli.motion.transition import Moment, Settled, settle
+from planar_cli.motion.unstable import growth_note
+from planar_cli.motion.waiting import Waiting, fits
+from planar_cli.motion.zeno import Bounces
+
+RESTING = 1e-12
+"""Rates below this part of their scale are zero."""
+MOST_IMPACTS = 100_000
+"""More impacts or changes of mode than that are refused."""
+MOST_AT_ONCE = 20
+"""So many changes of mode may follow each other at one instant."""
+WIDEST_BAND = 1e-8
+"""A guard below this part of its scale may be zero, at any tolerance."""
+LEAST_ALLOWED = 1e-7
+"""Balances of energy are asked for to this part of their scale at most."""
+UNSTEADY_STEPS = 256
+"""At rest under loads that vary in time, the time is cut at least into so many steps."""
+
+
+class Stages(Protocol):
+    """The scene with what acts in it at each stage of the schedule."""
+
+    def automaton(self, reached: Sequence[str]) -> Automaton:
+        """The scene once these states have been reached."""
+
+    def applied(self, after: str, t: float, y: Sequence[float]) -> tuple[float, ...] | None:
+        """The impulses of loads in the blow that ends in the state `after`; None where there are none."""
+
+
+@dataclass(frozen=True, slots=True)
+class Always:
+    """A scene in which everything acts all the time."""
+
+    scene: Automaton
+
+    def automaton(self, reached: Sequence[str]) -> Automaton:
+        """The same always."""
+        return self.scene
+
+    def applied(self, after: str, t: float, y: Sequence[float]) -> tuple[float, ...] | None:
+        """None."""
+        return None
+
+
+@dataclass(frozen=True, slots=True)
+class Start:
+    """Where a motion begins."""
+
+    t: float
+    """When [s]."""
+    y: tuple[float, ...]
+    """The state."""
+    choice: Choice | None = None
+    """The modes to begin the search with; None: the natural ones."""
+
+
+Progress = Callable[[float], None]
+"""Called with the time that has been reached [s]."""
+
+
+@dataclass(slots=True)
+class Follower:
+    """One run; `trajectory` is what it finds."""
+
+    stages: Stages
+    start: Start
+    schedule: Schedule
+    until: float
+    setting: Setting
+    """Tolerance and steps; its scale is that of the scene."""
+    kind: str = AUTOMATIC
+    """The integrator, by the name of its member, or the choice by the scene."""
+    progress: Progress | None = None
+    rest_ends: bool = True
+    """May the run end early where nothing will ever move again?"""
+    check: bool = True
+    """Is a balance of energy that does not add up a failure?"""
+
+    t: float = 0.0
+    y: tuple[float, ...] = ()
+    choice: Choice = ()
+    automaton: Automaton = field(init=False)
+    segments: list[Segment] = field(default_factory=list)
+    transitions: list[Transition] = field(default_factory=list)
+    waiting: Waiting = field(init=False)
+    bounces: Bounces = field(default_factory=Bounces)
+    resting_at: float | None = None
+    """When the sequence of impacts ends that is being summed up."""
+    at_once: int = 0
+    work: Work = field(default_factory=Work)
+    notes: list[str] = field(default_factory=list)
+    outcome: Outcome | None = None
+
+    def trajectory(self) -> Trajectory:
+        """Follow the motion to its end."""
+        self._begin()
+        while self.outcome is None:
+            self._advance()
+        missed = tuple(e.name for e in self.waiting.left())
+        return Trajectory(
+            tuple(self.segments),
+            tuple(self.transitions),
+            tuple(self.waiting.reached),
+            missed,
+            self.outcome,
+            self.work,
+            tuple(dict.fromkeys(self.notes)),
+        )
+
+    # --- beginning -----------------------------------------------------------------------------------------------------
+
+    def _begin(self) -> None:
+        self.automaton = self.stages.automaton((self.schedule.start,))
+        self.t, self.y = self.start.t, self.start.y
+        self.choice = self.start.choice or (0,) * len(self.automaton.choices)
+        self.waiting = Waiting(self.schedule, self.t)
+        if not self._blow(self.schedule.start) and self.outcome is None:
+            self._settle("the motion begins")
+
+    def _blow(self, state: str) -> bool:
+        """What strikes, takes hold or lets go when a state has been reached; False where nothing does."""
+        follower = self.waiting.just_after(state)
+        names = [*self.waiting.names, *((follower.name,) if follower is not None else ())]
+        automaton = self.stages.automaton(tuple(names))
+        changed = automaton is not self.automaton
+        if changed:
+            old = dict(zip(self.automaton.choices, self.choice, strict=True))
+            self.choice = tuple(old.get(joint, 0) for joint in automaton.choices)
+            self.automaton = automaton
+        if follower is None and not changed:
+            return False
+        applied = self.stages.applied(follower.name, self.t, self.y) if follower is not None else None
+        words = f"the state {follower.name} follows" if follower is not None else f"after the state {state}"
+        self._settle(words, applied=applied, striking=True)
+        if follower is not None and self.outcome is None:
+            self.waiting.arrive(follower, self.t, self.y, self.choice, len(self.segments))
+            self._blow(follower.name)
+        return True
+
+    # --- one segment ---------------------------------------------------------------------------------------------------
+
+    def _advance(self) -> None:
+        """One regime until it ends, and what happens then."""
+        if self.t >= self.until:
+            self.outcome = Outcome("until", f"the time is over at t = {self.t:.9g} s", self.t)
+            return
+        regime = self.automaton.regime(self.choice)
+        reached = self.waiting.already(regime, self.choice, self.t, self.y)
+        if reached is not None:
+            self._reach(reached)
+            return
+        taken: list[Step] = []
+        end = self._end()
+        try:
+            if self._rests(regime) and self.automaton.autonomous:
+                self._stay(regime, end)
+                return
+            run = self._run(regime, end, taken)
+        except StepTooSmall as stuck:
+            self._close(regime, stuck.t, tuple(stuck.y), taken)
+            words = f"from t = {stuck.t:.9g} s the motion can not be followed: {stuck}"
+            self.outcome = Outcome("small", words, stuck.t, "", "PL703")
+            return
+        except Singular as singular:
+            if taken:
+                self._close(regime, taken[-1].t1, tuple(taken[-1].y1), taken)
+            words = f"at t = {self.t:.9g} s the accelerations are not determined"
+            self.outcome = Outcome("singular", words, self.t, singular.joint, "PL702")
+            return
+        self._close(regime, run.t1, tuple(run.y1), run.steps)
+        if self.outcome is None:
+            self._ended(regime, run)
+
+    def _run(self, regime: Regime, end: float, taken: list[Step]) -> Run:
+        """The regime followed to `end`, or to the first guard that falls or relation of a state that is reached."""
+        setting = replace(self.setting, scale=self.automaton.scale, project=regime.project)
+        if not self.automaton.autonomous and self._rests(regime):
+            setting = replace(setting, longest=min(setting.longest, (end - self.t) / UNSTEADY_STEPS))
+
+        def seen(step: Step) -> None:
+            taken.append(step)
+            if self.progress is not None:
+                self.progress(step.t1)
+
+        run = drive(
+            regime.rates,
+            self.t,
+            self.y,
+            end,
+            setting,
+            kind=self.kind,
+            watch=self._watch(regime),
+            breakpoints=self.schedule.breakpoints,
+            band=max(BAND, min(self.setting.tolerance, WIDEST_BAND)),
+            on_step=seen,
+        )
+        done, work = run.counts, self.work
+        self.work = Work(
+            work.steps + done.steps, work.rejected + done.rejected, work.evaluations + done.evaluations, work.choices
+        )
+        return run
+
+    def _watch(self, regime: Regime) -> Watch:
+        """The guards, and behind them what tells that the next state is reached."""
+        scales, falling = [g.scale for g in regime.guards], [True] * len(regime.guards)
+        event = self.waiting.next()
+        if event is None or event.crossing is None:
+            return Watch(regime.watch, scales, falling)
+        value, choice = event.crossing.value, self.choice
+
+        def values(t: float, y: list[float]) -> list[float]:
+            return [*regime.watch(t, y), value(regime, choice, t, y)]
+
+        return Watch(values, [*scales, event.crossing.scale], [*falling, False])
+
+    def _end(self) -> float:
+        """The latest time of this segment: the end, or the next time that is known beforehand."""
+        known = [self.until, *self.schedule.breakpoints, *self.waiting.times()]
+        if self.resting_at is not None:
+            known.append(self.resting_at)
+        return min(t for t in known if t > self.t or t == self.until)
+
+    def _rests(self, regime: Regime) -> bool:
+        """Do neither places nor velocities change now?"""
+        span = self.automaton.time_scale
+        rates = regime.rates(self.t, self.y)
+        return all(abs(r) * span <= RESTING * s for r, s in zip(rates, self.automaton.scale, strict=True))
+
+    def _stay(self, regime: Regime, end: float) -> None:
+        """At rest with nothing that varies in time: the state stays as it is, exactly."""
+        note = growth_note(self.automaton, regime, self.t, self.y)
+        if note:
+            self.notes.append(note)
+        if self.rest_ends and end == self.until:
+            words = f"nothing moves any more from t = {self.t:.9g} s"
+            rest = Outcome("rest", words, self.t)
+            self._close(regime, self.until, self.y, ())
+            self.outcome = rest
+            return
+        self._close(regime, end, self.y, ())
+        self._timed()
+
+    def _close(self, regime: Regime, end: float, y: tuple[float, ...], steps: Sequence[Step]) -> None:
+        """The segment that ends here."""
+        if end > self.t:
+            balance = balance_of(regime, self.t, self.y, end, y, steps, self.automaton.energy_scale)
+            segment = Segment(self.choice, regime, self.t, end, self.y, y, tuple(steps), balance)
+            self.segments.append(segment)
+            self.at_once = 0
+            if balance.off > max(ALLOWED * self.setting.tolerance, LEAST_ALLOWED) and self.check:
+                words = (
+                    f"between t = {self.t:.9g} s and t = {end:.9g} s energy does not add up: "
+                    f"{balance.energy:.3g} J of {balance.energy_scale:.3g} J"
+                )
+                self.outcome = Outcome("unbalanced", words, end, "", "PL710")
+        self.t, self.y = end, y
+
+    # --- what ends a segment -------------------------------------------------------------------------------------------
+
+    def _ended(self, regime: Regime, run: Run) -> None:
+        """What ended the run: guards, the next state, or the time."""
+        number = len(regime.guards)
+        fallen = [c.index for c in run.crossings if c.index < number and c.way == "falls"]
+        event = self.waiting.next()
+        for crossing in run.crossings:
+            if crossing.index == number and event is not None and _meant(event, crossing.way):
+                if fits(event, regime, self.choice, self.t, self.y):
+                    self._reach(event)
+                break
+        if self.outcome is None and fallen:
+            guards = [regime.guards[i] for i in fallen]
+            self._settle(", ".join(dict.fromkeys(f"no longer: {g.words}" for g in guards)), guards[0].joint)
+        elif self.outcome is None and not run.crossings:
+            self._timed()
+
+    def _reach(self, event: Event) -> None:
+        """A state has been reached."""
+        self.waiting.arrive(event, self.t, self.y, self.choice, len(self.segments))
+        self._blow(event.name)
+        if self.outcome is None and self.waiting.done:
+            self.outcome = Outcome("reached", f"the last state is reached at t = {self.t:.9g} s", self.t)
+
+    def _timed(self) -> None:
+        """A time that was known beforehand has come."""
+        if self.resting_at is not None and self.t >= self.resting_at:
+            self._at_rest()
+        for event in self.waiting.due(self.t):
+            self._reach(event)
+        if self.outcome is None and self.t < self.until:
+            self._settle("what acts has changed")
+
+    def _at_rest(self) -> None:
+        """The limit of a sequence of impacts."""
+        self.resting_at = None
+        last = next(x for x in reversed(self.transitions) if x.kind == "impact")
+        words = f"impacts without number end at t = {self.t:.9g} s"
+        rest = Transition(self.t, "rest", words, last.joints, self.y, self.y, self.choice, self.choice, count=float("inf"))
+        self.transitions.append(rest)
+
+    def _settle(
+        self, words: str, joint: str = "", applied: tuple[float, ...] | None = None, striking: bool = False
+    ) -> None:
+        """Impacts and the choice of modes at this instant."""
+        self.at_once += 1
+        if self.at_once > MOST_AT_ONCE or len(self.transitions) > MOST_IMPACTS:
+            told = f"at t = {self.t:.9g} s the modes change without end: {words}"
+            self.outcome = Outcome("endless", told, self.t, joint, "PL709")
+            return
+        moment = Moment(
+            self.automaton, self.t, self.y, self.choice, words, self.setting.tolerance, applied=applied, striking=striking
+        )
+        found = settle(moment)
+        if isinstance(found, Settled):
+            found = self._limit(moment, found)
+        if isinstance(found, Outcome):
+            self.outcome = found
+            return
+        self.choice, self.y = found.choice, found.state
+        self.transitions += found.transitions
+        self.notes += found.notes
+        self.work = replace(self.work, choices=self.work.choices + found.tried)
+        event = self.waiting.by_modes(self.automaton, self.choice, self.t, self.y)
+        if event is not None:
+            self._reach(event)
+
+    def _limit(self, moment: Moment, found: Settled) -> Settled | Outcome:
+        """Sum up a sequence of impacts that ends in a finite time."""
+        impacts = [x for x in found.transitions if x.kind == "impact"]
+        if not impacts:
+            return found
+        half = len(moment.y) // 2
+        scale = self.automaton.scale[half:]
+        changes = zip(impacts[-1].after[half:], moment.y[half:], scale, strict=True)
+        self.bounces.add(self.t, max(abs(a - b) / s for a, b, s in changes))
+        limit = self.bounces.limit(self.automaton.time_scale, self.setting.tolerance)
+        if limit is None:
+            return found
+        closed = settle(replace(moment, inelastic=True))
+        if isinstance(closed, Settled):
+            self.resting_at = limit[0]
+            self.bounces.forget()
+            return closed
+        return closed
+
+
+def _meant(event: Event, way: str) -> bool:
+    """Does the number pass zero in the way that the state means?"""
+    assert event.crossing is not None
+    return event.crossing.sense == 0 or way == ("falls" if event.crossing.sense < 0 else "rises")

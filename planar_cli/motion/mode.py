@@ -1,0 +1,240 @@
+"""Which modes hold at an instant: complementarity over the joints' modes, from the present choice outward.
+
+A choice is consistent when its joints allow the places and velocities, and every guard is positive, or zero and about
+not to become negative. What is about to happen is read off a short trial step: a guard that is zero is judged by whether
+it grows, of whatever order its first derivative is that does not vanish.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import product
+
+from planar_cli.motion.automaton import Automaton, Choice, Guard, Regime
+from planar_cli.motion.failures import Singular
+
+NEAR = 1e-9
+"""A guard or a speed below this part of its scale may be zero."""
+STILL = 1e-13
+"""What changes in a trial step by less than this part of its scale does not change."""
+TRIAL = 1e-4
+"""The length of a trial step in parts of the time in which the state changes."""
+SAME = 1e-7
+"""Rates that agree to this part of their scale are the same motion."""
+MOST_TRIED = 2000
+"""So many choices are tried at most."""
+MOST_COMPARED = 64
+"""So many choices are tried to see whether another motion is consistent too."""
+
+
+@dataclass(frozen=True, slots=True)
+class Violation:
+    """Why a choice does not hold."""
+
+    joint: str
+    """The joint; "" where the places or velocities as a whole do not fit."""
+    words: str
+    """The condition that fails."""
+    moving: bool
+    """Does it fail by places and velocities as they are, whatever the forces?"""
+
+
+@dataclass(frozen=True, slots=True)
+class Verdict:
+    """One choice looked at."""
+
+    choice: Choice
+    state: tuple[float, ...]
+    """The state, moved onto what this choice demands of places and velocities."""
+    moved: float
+    """By how much that moved it, in parts of the scale."""
+    rates: tuple[float, ...]
+    violations: tuple[Violation, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Chosen:
+    """The choice that holds."""
+
+    choice: Choice
+    state: tuple[float, ...]
+    tried: int
+    """How many choices were looked at."""
+
+
+@dataclass(frozen=True, slots=True)
+class NoMode:
+    """No choice of modes is consistent: each that was tried, with what fails in it."""
+
+    verdicts: tuple[Verdict, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class SeveralModes:
+    """More than one motion is consistent."""
+
+    verdicts: tuple[Verdict, ...]
+
+
+class Chooser:
+    """Looks for the choice that holds at one instant; `tolerance` is that of the motion so far."""
+
+    def __init__(self, automaton: Automaton, t: float, y: Sequence[float], tolerance: float = NEAR) -> None:
+        self.automaton, self.t, self.y = automaton, t, tuple(y)
+        self.near = max(NEAR, 10 * tolerance)
+        self.joints = list(automaton.choices)
+        self.counts = [len(modes) for modes in automaton.choices.values()]
+        self.seen: dict[Choice, Verdict] = {}
+
+    def choose(self, current: Choice) -> Chosen | NoMode | SeveralModes:
+        """From the present choice: first what differs in few joints, then everything."""
+        found = self._first(current)
+        if found is None:
+            return NoMode(tuple(self.seen.values()))
+        rivals = self._rivals(found)
+        if len(rivals) > 1:
+            return SeveralModes(tuple(rivals))
+        best = rivals[0]
+        return Chosen(best.choice, best.state, len(self.seen))
+
+    def verdict(self, choice: Choice) -> Verdict:
+        """One choice looked at."""
+        if choice not in self.seen:
+            self.seen[choice] = self._judged(choice)
+        return self.seen[choice]
+
+    # --- one choice --------------------------------------------------------------------------------------------------
+
+    def _judged(self, choice: Choice) -> Verdict:
+        regime, t = self.automaton.regime(choice), self.t
+        scale = self.automaton.scale
+        state = regime.project(t, self.y)
+        moved = max((abs(a - b) / s for a, b, s in zip(state, self.y, scale, strict=True)), default=0.0)
+        if moved > self.near:
+            misfit = Violation("", "the places and velocities do not allow it", True)
+            return Verdict(choice, tuple(state), moved, (), (misfit,))
+        try:
+            rates = regime.rates(t, state)
+            values = regime.watch(t, state)
+            later = self._later(regime, state, rates)
+        except Singular as singular:
+            failed = Violation(singular.joint, "its forces are not determined", False)
+            return Verdict(choice, tuple(state), moved, (), (failed,))
+        found = [
+            Violation(guard.joint, guard.words, guard.kind in ("gap", "stretch", "tips", "mass", "slips"))
+            for guard, now, then in zip(regime.guards, values, later, strict=True)
+            if not self._holds(guard, now, then)
+        ]
+        return Verdict(choice, tuple(state), moved, tuple(rates), tuple(found))
+
+    def _holds(self, guard: Guard, now: float, then: float) -> bool:
+        size = guard.scale
+        if now > self.near * size:
+            return True
+        if now < -self.near * size:
+            return False
+        change = then - now
+        if abs(change) <= STILL * size:
+            return not guard.strict
+        return change > 0
+
+    def _later(self, regime: Regime, y: Sequence[float], rates: Sequence[float]) -> list[float]:
+        """The guards after one short step of Runge and Kutta."""
+        t, h = self.t, trial_step(regime, self.automaton, self.t, y, rates)
+        k1 = rates
+        k2 = regime.rates(t + h / 2, [a + h / 2 * k for a, k in zip(y, k1, strict=True)])
+        k3 = regime.rates(t + h / 2, [a + h / 2 * k for a, k in zip(y, k2, strict=True)])
+        k4 = regime.rates(t + h, [a + h * k for a, k in zip(y, k3, strict=True)])
+        after = [a + h / 6 * (p + 2 * q + 2 * r + s) for a, p, q, r, s in zip(y, k1, k2, k3, k4, strict=True)]
+        return regime.watch(t + h, after)
+
+    # --- the search --------------------------------------------------------------------------------------------------
+
+    def _first(self, current: Choice) -> Verdict | None:
+        """The first consistent choice, changing what fails; then any."""
+        waiting, known = deque([current]), {current}
+        while waiting and len(self.seen) < MOST_TRIED:
+            verdict = self.verdict(waiting.popleft())
+            if not verdict.violations:
+                return verdict
+            for choice in self._changed(verdict):
+                if choice not in known:
+                    known.add(choice)
+                    waiting.append(choice)
+        for choice in self._all():
+            if len(self.seen) >= MOST_TRIED:
+                return None
+            verdict = self.verdict(choice)
+            if not verdict.violations:
+                return verdict
+        return None
+
+    def _changed(self, verdict: Verdict) -> Iterator[Choice]:
+        """The choices with another mode of a joint whose condition fails."""
+        failing = {v.joint for v in verdict.violations}
+        for i, joint in enumerate(self.joints):
+            if joint in failing or "" in failing:
+                yield from self._others(verdict.choice, i)
+
+    def _others(self, choice: Choice, i: int) -> Iterator[Choice]:
+        for mode in range(self.counts[i]):
+            if mode != choice[i]:
+                yield (*choice[:i], mode, *choice[i + 1 :])
+
+    def _all(self) -> Iterator[Choice]:
+        return product(*(range(n) for n in self.counts))
+
+    def _rivals(self, found: Verdict) -> list[Verdict]:
+        """What else is consistent and moves otherwise; rest persists where it can, and sticking goes before slipping.
+
+        From rest a slip begins only where no sticking distribution of the forces exists.
+        """
+        if not any(g.kind in ("slips", "limit") for g in self.automaton.regime(found.choice).guards):
+            return [found]
+        open_modes = [
+            [found.choice[i], *(c[i] for c in self._others(found.choice, i) if self._may(c))]
+            for i in range(len(self.counts))
+        ]
+        consistent = [found]
+        for tried, choice in enumerate(product(*open_modes)):
+            if tried >= MOST_COMPARED:
+                break
+            verdict = self.verdict(choice)
+            if verdict is not found and not verdict.violations and verdict.moved <= max(NEAR, found.moved):
+                consistent.append(verdict)
+        kept = [v for v in consistent if not any(self._sticking(v) < self._sticking(w) for w in consistent)]
+        distinct: list[Verdict] = []
+        for verdict in kept:
+            if not any(self._alike(verdict, other) for other in distinct):
+                distinct.append(verdict)
+        return distinct
+
+    def _may(self, choice: Choice) -> bool:
+        """Do places and velocities allow it, whatever the forces?"""
+        return not any(v.moving for v in self.verdict(choice).violations)
+
+    def _sticking(self, verdict: Verdict) -> frozenset[str]:
+        modes = zip(self.joints, verdict.choice, strict=True)
+        return frozenset(j for j, mode in modes if self.automaton.choices[j][mode].name == "stick")
+
+    def _alike(self, a: Verdict, b: Verdict) -> bool:
+        """Do they begin with the same accelerations?"""
+        span = self.automaton.time_scale
+        pairs = zip(a.rates, b.rates, self.automaton.scale, strict=True)
+        return all(abs(p - q) <= SAME * (s / span + abs(p)) for p, q, s in pairs)
+
+
+def trial_step(
+    regime: Regime, automaton: Automaton, t: float, y: Sequence[float], rates: Sequence[float]
+) -> float:
+    """A step in which the state changes by about 1e-4 of what it is made of."""
+    scale, span = automaton.scale, automaton.time_scale
+    h = TRIAL * span
+    first = max((abs(r) / s for r, s in zip(rates, scale, strict=True)), default=0.0)
+    if first * h > TRIAL:
+        h = TRIAL / first
+    ahead = regime.rates(t + h, [a + h * r for a, r in zip(y, rates, strict=True)])
+    second = max((abs(p - r) / s for p, r, s in zip(ahead, rates, scale, strict=True)), default=0.0) / h
+    return min(h, TRIAL / second**0.5) if second > 0 else h

@@ -1,0 +1,75 @@
+"""What a file says of time, in numbers: states in their order, each with what tells that it has been reached.
+
+The first state is the start. Every later one is the first instant after the one before it at which its relations hold;
+one that has a time may stand anywhere. Reading the relations of a file into these is for whoever knows the scene.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+from planar_cli.motion.automaton import Choice, Regime
+
+Measure = Callable[[Regime, Choice, float, Sequence[float]], float]
+"""A number at an instant of the motion: in this regime, at this time, in this state."""
+Condition = Callable[[Regime, Choice, float, Sequence[float]], bool]
+
+
+@dataclass(frozen=True, slots=True)
+class Crossing:
+    """A number whose zero tells that a state is reached."""
+
+    value: Measure
+    scale: float
+    """The size of a usual value."""
+    sense: int = 0
+    """-1: it must fall through zero (a largest value, by its rate); 1: rise (a smallest one); 0: either."""
+
+
+@dataclass(frozen=True, slots=True)
+class Event:
+    """A state of the file after the first one."""
+
+    name: str
+    time: float | None = None
+    """The time at which it is, where the file says so [s]."""
+    crossing: Crossing | None = None
+    """What reaches zero there."""
+    modes: tuple[tuple[str, str], ...] = ()
+    """Joints with the mode that they have there: it is reached when they all have it."""
+    conditions: tuple[Condition, ...] = ()
+    """What else must hold there: it is not reached where one of them fails."""
+    after: str = ""
+    """`just after` this state: when that one is reached and what strikes there has struck."""
+    rest: bool = False
+    """Reached when nothing moves."""
+
+
+@dataclass(frozen=True, slots=True)
+class Span:
+    """Something that acts only between two states."""
+
+    member: str
+    """The joint's name or the load's key."""
+    start: str
+    """The state from which it acts."""
+    end: str
+    """The state until which it acts."""
+
+
+@dataclass(frozen=True, slots=True)
+class Schedule:
+    """All that a file says of time."""
+
+    start: str = ""
+    """The first state's name."""
+    events: tuple[Event, ...] = ()
+    spans: tuple[Span, ...] = ()
+    breakpoints: tuple[float, ...] = ()
+    """Times at which loads jump or have a kink [s]."""
+
+    def acting(self, member: str, reached: Sequence[str]) -> bool:
+        """Does a joint or load act once these states have been reached?"""
+        spans = [s for s in self.spans if s.member == member]
+        return not spans or any(s.start in reached and s.end not in reached for s in spans)

@@ -1,0 +1,131 @@
+"""What a motion was: segments, transitions between them, when each state of the schedule was reached, and how it ended."""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from planar_cli.motion.automaton import Choice
+from planar_cli.motion.segment import Segment
+
+
+@dataclass(frozen=True, slots=True)
+class Transition:
+    """What happens at one moment between two segments."""
+
+    t: float
+    """When [s]."""
+    kind: str
+    """mode (another choice of modes), impact, rest (the limit of impacts without number), span (joints or loads begin or
+    cease to act)."""
+    words: str
+    """The cause: the condition that ceased to hold, or who strikes."""
+    joints: tuple[str, ...]
+    """Whose modes changed, or who took part in the impact."""
+    before: tuple[float, ...]
+    """The state just before."""
+    after: tuple[float, ...]
+    """The state just after: other velocities after an impact."""
+    old: Choice
+    new: Choice
+    impulses: Mapping[str, tuple[float, float]] = field(default_factory=dict)
+    """In an impact: normal and friction impulse of every contact [N s]; of a rope its tension's."""
+    bonds: tuple[tuple[str, float], ...] = ()
+    """In an impact: the impulses of all other joints, in the units of their relations."""
+    lost: float = 0.0
+    """The kinetic energy that was lost [J]."""
+    law: str = ""
+    """In an impact: what was assumed, where more than one contact takes part."""
+    count: float = 1
+    """How many impacts it stands for; infinite for the limit of a sequence."""
+
+
+@dataclass(frozen=True, slots=True)
+class Reached:
+    """A state of the schedule that was reached."""
+
+    name: str
+    t: float
+    """When [s]."""
+    y: tuple[float, ...]
+    """The state as it arrives."""
+    choice: Choice
+    """The modes as it arrives."""
+    segment: int
+    """In which segment, counted from 0."""
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """How the motion ended."""
+
+    kind: str
+    """until (the time is over), reached (the last state), rest (nothing moves any more), none (no consistent modes),
+    several (more than one consistent motion), singular, small (steps too small), endless (impacts or changes of mode
+    without end), contradiction (joints that cannot all hold), unbalanced (momentum or energy does not add up)."""
+    words: str
+    """As a sentence, with the place and time."""
+    t: float
+    """When [s]."""
+    joint: str = ""
+    """Where, if it has a place."""
+    code: str = ""
+    """The diagnostic code of a refusal; "" where the motion ended as it should."""
+
+    @property
+    def refused(self) -> bool:
+        """Could the motion not be followed to its end?"""
+        return bool(self.code)
+
+
+@dataclass(frozen=True, slots=True)
+class Work:
+    """What it cost."""
+
+    steps: int = 0
+    rejected: int = 0
+    evaluations: int = 0
+    choices: int = 0
+    """Choices of modes that were looked at."""
+
+
+@dataclass(frozen=True, slots=True)
+class Trajectory:
+    """A motion from its start to its end."""
+
+    segments: tuple[Segment, ...]
+    transitions: tuple[Transition, ...]
+    """In order of time; several may happen at one moment."""
+    events: tuple[Reached, ...]
+    missed: tuple[str, ...]
+    """States of the schedule that were not reached."""
+    outcome: Outcome
+    work: Work
+    notes: tuple[str, ...] = ()
+    """What else must be said: an unstable equilibrium that is kept, energy that an impact wins."""
+
+    @property
+    def t0(self) -> float:
+        """Its beginning [s]."""
+        return self.segments[0].t0 if self.segments else self.outcome.t
+
+    @property
+    def t1(self) -> float:
+        """Its end [s]."""
+        return self.segments[-1].t1 if self.segments else self.outcome.t
+
+    def segment_at(self, t: float) -> Segment:
+        """The segment in which a time lies; at a transition the one before it."""
+        k = bisect_right(self.segments, t, key=lambda s: s.t1)
+        if k and self.segments[k - 1].t1 == t:
+            k -= 1
+        return self.segments[min(k, len(self.segments) - 1)]
+
+    def at(self, t: float) -> list[float]:
+        """The state at a time."""
+        return self.segment_at(t).at(t)
+
+    def event(self, name: str) -> Reached | None:
+        """A state of the schedule; None where it was not reached."""
+        return next((e for e in self.events if e.name == name), None)

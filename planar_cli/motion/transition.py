@@ -1,0 +1,213 @@
+"""What happens at one instant between two regimes: impacts of what closes, then the choice of modes that holds afterwards.
+
+Every impact loses relative speed or sends the partners apart, so few of them follow each other at one instant; more than
+that, or a choice of modes that comes back with the same state, is told as such.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from planar_cli.motion.automaton import Automaton, Choice
+from planar_cli.motion.impact import (
+    Contradiction,
+    NoImpulse,
+    Outgoing,
+    Struck,
+    StruckContact,
+    closing,
+    kinetic_energy,
+    strike,
+)
+from planar_cli.motion.mode import Chooser, Chosen, NoMode, SeveralModes, Verdict
+from planar_cli.motion.trajectory import Outcome, Transition
+
+MOST_IMPACTS = 30
+"""So many impacts may follow each other at one instant."""
+SIMULTANEOUS = "all contacts at once, Newton's law of restitution at every one of them"
+
+
+@dataclass(frozen=True, slots=True)
+class Settled:
+    """After everything that happens at one instant."""
+
+    choice: Choice
+    state: tuple[float, ...]
+    transitions: tuple[Transition, ...]
+    tried: int
+    """Choices of modes that were looked at."""
+    notes: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Moment:
+    """An instant at which a regime ended, or begins."""
+
+    automaton: Automaton
+    t: float
+    y: tuple[float, ...]
+    choice: Choice
+    words: str
+    """What ended the regime."""
+    tolerance: float
+    """That of the motion so far."""
+    inelastic: bool = False
+    """Do the partners stay together, whatever their restitution: the limit of a sequence of impacts."""
+    applied: tuple[float, ...] | None = None
+    """Impulses of loads at this instant."""
+    striking: bool = False
+    """Must an impact be worked out even where nothing closes: a load strikes, a joint takes hold?"""
+
+
+def settle(moment: Moment) -> Settled | Outcome:
+    """Let everything happen that happens at this instant."""
+    done: list[Transition] = []
+    notes: list[str] = []
+    y, choice = moment.y, moment.choice
+    for count in range(MOST_IMPACTS):
+        struck = moment.automaton.struck(choice, moment.t, y)
+        first = count == 0
+        if first and moment.applied is not None:
+            struck = replace(struck, applied=moment.applied)
+        if not (first and moment.striking) and not _closes(struck, moment.tolerance):
+            return _chosen(moment, y, choice, done, notes)
+        hit = _impact(moment, struck, y, choice)
+        if isinstance(hit, Outcome):
+            return hit
+        transition, note = hit
+        done.append(transition)
+        notes += [note] if note else []
+        y = transition.after
+    words = f"more than {MOST_IMPACTS} impacts follow each other at t = {moment.t:.9g} s"
+    return Outcome("endless", words, moment.t, done[-1].joints[0] if done[-1].joints else "", "PL709")
+
+
+def _closes(struck: Struck, tolerance: float) -> bool:
+    """Does anything approach what it touches, or do joints demand other velocities?"""
+    return any(closing(struck, c) < -_slow(struck, c, tolerance) for c in struck.contacts)
+
+
+def _slow(struck: Struck, contact: StruckContact, tolerance: float) -> float:
+    """A closing speed below this is none: rounding, and the error of what was followed so far."""
+    reach = max((abs(x) * s for x, s in zip(contact.normal, struck.speeds, strict=True)), default=0.0)
+    return max(1e-10, min(tolerance, 1e-6)) * reach
+
+
+def _impact(
+    moment: Moment, struck: Struck, y: tuple[float, ...], choice: Choice
+) -> tuple[Transition, str] | Outcome:
+    if moment.inelastic:
+        struck = replace(struck, contacts=tuple(replace(c, restitution=0.0) for c in struck.contacts))
+    try:
+        found = strike(struck)
+    except Contradiction as clash:
+        words = f"at t = {moment.t:.9g} s the joints demand velocities that contradict each other at {clash.joint}"
+        return Outcome("contradiction", words, moment.t, clash.joint, "PL708")
+    except NoImpulse:
+        joints = [c.joint for c in struck.contacts]
+        words = f"no impulses fulfil the laws of impact and friction at t = {moment.t:.9g} s"
+        return Outcome("none", words, moment.t, joints[0] if joints else "", "PL700")
+    if found.unique is False:
+        return _ambiguous(moment, struck, found)
+    before = kinetic_energy(struck.masses, struck.velocities)
+    lost = before - kinetic_energy(struck.masses, found.velocities)
+    note = ""
+    driven = moment.applied is not None or any(b.rate for b in struck.bonds) or _moved(struck)
+    if not driven and lost < -1e-9 * max(before, 1e-300):
+        note = f"the impact at t = {moment.t:.9g} s wins energy: Newton's restitution does not suit this friction"
+    pressed = [k for k, n in enumerate(found.normals) if n > 0]
+    closed = [k for k, c in enumerate(struck.contacts) if closing(struck, c) < -_slow(struck, c, moment.tolerance)]
+    taking = sorted({*pressed, *closed})
+    joints = tuple(dict.fromkeys(struck.contacts[k].joint for k in taking))
+    after = (*y[: len(y) - len(found.velocities)], *found.velocities)
+    transition = Transition(
+        t=moment.t,
+        kind="impact",
+        words=moment.words if not closed else "impact at " + ", ".join(struck.contacts[k].joint for k in closed),
+        joints=joints,
+        before=tuple(y),
+        after=tuple(after),
+        old=choice,
+        new=choice,
+        impulses=_impulses(struck, found, taking),
+        bonds=tuple((b.joint, x) for b, x in zip(struck.bonds, found.bonds, strict=True)),
+        lost=lost,
+        law=SIMULTANEOUS if len(joints) > 1 else "",
+    )
+    return transition, note
+
+
+def _moved(struck: Struck) -> bool:
+    """Do surfaces move by themselves?"""
+    return any(c.normal_rate or c.tangent_rate for c in struck.contacts)
+
+
+def _impulses(struck: Struck, found: Outgoing, taking: list[int]) -> dict[str, tuple[float, float]]:
+    """Normal and friction impulse by joint; those of a face's corners added up."""
+    totals: dict[str, tuple[float, float]] = {}
+    for k in taking:
+        joint = struck.contacts[k].joint
+        n, f = totals.get(joint, (0.0, 0.0))
+        totals[joint] = (n + found.normals[k], f + found.frictions[k])
+    return totals
+
+
+def _ambiguous(moment: Moment, struck: Struck, found: Outgoing) -> Outcome:
+    number = 1 + len(found.others)
+    joints = ", ".join(dict.fromkeys(c.joint for c in struck.contacts))
+    words = f"the impact at t = {moment.t:.9g} s has {number} outcomes by the laws of impact and friction, at {joints}"
+    return Outcome("several", words, moment.t, struck.contacts[0].joint, "PL701")
+
+
+def _chosen(
+    moment: Moment, y: tuple[float, ...], choice: Choice, done: list[Transition], notes: list[str]
+) -> Settled | Outcome:
+    """The modes that hold now."""
+    chooser = Chooser(moment.automaton, moment.t, y, moment.tolerance)
+    found = chooser.choose(choice)
+    if isinstance(found, Chosen):
+        if found.choice != choice or not done:
+            changed = _changed(moment.automaton, choice, found.choice)
+            if changed or not done:
+                done.append(_mode_change(moment, y, choice, found, changed))
+        return Settled(found.choice, found.state, tuple(done), found.tried, tuple(notes))
+    return unanswered(moment.automaton, moment.t, found)
+
+
+def _mode_change(
+    moment: Moment, y: tuple[float, ...], choice: Choice, found: Chosen, changed: tuple[str, ...]
+) -> Transition:
+    return Transition(moment.t, "mode", moment.words, changed, tuple(y), found.state, choice, found.choice)
+
+
+def _changed(automaton: Automaton, old: Choice, new: Choice) -> tuple[str, ...]:
+    return tuple(j for j, a, b in zip(automaton.choices, old, new, strict=True) if a != b)
+
+
+def unanswered(automaton: Automaton, t: float, found: NoMode | SeveralModes) -> Outcome:
+    """No consistent modes, or several, told with the reasons."""
+    if isinstance(found, SeveralModes):
+        told = "; or ".join(_named(automaton, v) for v in found.verdicts)
+        joint = _differing(automaton, found.verdicts)
+        words = f"at t = {t:.9g} s more than one motion is consistent for rigid bodies with dry friction: {told}"
+        return Outcome("several", words, t, joint, "PL701")
+    nearest = [v for v in found.verdicts if not any(w.moving for w in v.violations)] or list(found.verdicts)
+    reasons = [
+        f"{_named(automaton, v)}: fails because not \"{v.violations[0].words}\"" for v in nearest[:4] if v.violations
+    ]
+    joint = next((w.joint for v in nearest for w in v.violations if w.joint), "")
+    told = "; ".join(reasons) or f"{len(found.verdicts)} choices were tried"
+    words = f"at t = {t:.9g} s no choice of modes is consistent for rigid bodies with dry friction: {told}"
+    return Outcome("none", words, t, joint, "PL700")
+
+
+def _named(automaton: Automaton, verdict: Verdict) -> str:
+    """The modes of a choice in words."""
+    modes = (automaton.choices[j][i] for j, i in zip(automaton.choices, verdict.choice, strict=True))
+    return ", ".join(m.words or m.name for m in modes)
+
+
+def _differing(automaton: Automaton, verdicts: Sequence[Verdict]) -> str:
+    first, second = verdicts[0].choice, verdicts[1].choice
+    return next((j for j, a, b in zip(automaton.choices, first, second, strict=True) if a != b), "")

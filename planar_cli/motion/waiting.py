@@ -1,0 +1,89 @@
+"""The states of a schedule that are still to come, looked for while the motion is followed."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from planar_cli.motion.automaton import Automaton, Choice, Regime
+from planar_cli.motion.schedule import Event, Schedule
+from planar_cli.motion.trajectory import Reached
+
+NEAR = 1e-9
+"""A number below this part of its scale is zero."""
+
+
+class Waiting:
+    """Which states have been reached, and which one comes next."""
+
+    def __init__(self, schedule: Schedule, t: float) -> None:
+        self.schedule = schedule
+        self.ordered = [e for e in schedule.events if e.time is None]
+        self.timed = sorted((e for e in schedule.events if e.time is not None), key=_time)
+        self.reached: list[Reached] = []
+        self.last = t
+        """When the latest state was reached."""
+
+    @property
+    def done(self) -> bool:
+        """Has every state been reached?"""
+        return bool(self.schedule.events) and not self.ordered and not self.timed
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The states that have been reached, the first one of the file among them."""
+        return (self.schedule.start, *(r.name for r in self.reached))
+
+    def left(self) -> list[Event]:
+        """The states that have not been reached."""
+        waiting = {e.name for e in (*self.ordered, *self.timed)}
+        return [e for e in self.schedule.events if e.name in waiting]
+
+    def times(self) -> list[float]:
+        """The times that the file names and that are still to come."""
+        return [_time(e) for e in self.timed]
+
+    def just_after(self, state: str) -> Event | None:
+        """The state that is `just after` this one."""
+        return next((e for e in self.ordered if e.after == state), None)
+
+    def next(self) -> Event | None:
+        """The state that is looked for now: the first in the order of the file; one `just after` another is not."""
+        return self.ordered[0] if self.ordered and not self.ordered[0].after else None
+
+    def arrive(self, event: Event, t: float, y: Sequence[float], choice: Choice, segment: int) -> None:
+        """A state has been reached."""
+        self.reached.append(Reached(event.name, t, tuple(y), choice, segment))
+        self.last = t
+        (self.timed if event.time is not None else self.ordered).remove(event)
+
+    def already(self, regime: Regime, choice: Choice, t: float, y: tuple[float, ...]) -> Event | None:
+        """The next state, if what has just happened reaches it."""
+        event = self.next()
+        if event is None or event.crossing is None or event.crossing.sense or t <= self.last:
+            return None
+        value = event.crossing.value(regime, choice, t, y)
+        near = abs(value) <= NEAR * event.crossing.scale
+        return event if near and fits(event, regime, choice, t, y) else None
+
+    def due(self, t: float) -> list[Event]:
+        """The states whose time has come."""
+        return [e for e in self.timed if _time(e) <= t]
+
+    def by_modes(self, automaton: Automaton, choice: Choice, t: float, y: tuple[float, ...]) -> Event | None:
+        """The next state, if it says nothing but modes and these are the modes now."""
+        event = self.next()
+        if event is None or event.crossing is not None or not event.modes:
+            return None
+        present = {j: automaton.choices[j][k].name for j, k in zip(automaton.choices, choice, strict=True)}
+        has = all(present.get(joint) == mode for joint, mode in event.modes)
+        return event if has and fits(event, automaton.regime(choice), choice, t, y) else None
+
+
+def fits(event: Event, regime: Regime, choice: Choice, t: float, y: Sequence[float]) -> bool:
+    """Do the other relations of a state hold, where its crossing is?"""
+    return all(condition(regime, choice, t, y) for condition in event.conditions)
+
+
+def _time(event: Event) -> float:
+    assert event.time is not None
+    return event.time

@@ -1,0 +1,50 @@
+"""Impacts without number in a finite time: a ball that bounces lower and lower comes to rest on the floor.
+
+The times between impacts then shrink by a constant ratio r (the coefficient of restitution, on a level floor), and what is
+left of them is Δ r / (1 - r). The sum is taken when r is settled and what the body would still move does not count.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+NEEDED = 4
+"""So many impacts with shrinking intervals are needed before a limit is spoken of."""
+SLOWEST = 1.0 - 1e-6
+"""A ratio above this does not shrink."""
+
+
+@dataclass(slots=True)
+class Bounces:
+    """The latest impacts."""
+
+    times: list[float] = field(default_factory=list)
+    """When [s]."""
+    speeds: list[float] = field(default_factory=list)
+    """By how much the velocities changed, in parts of their scales."""
+
+    def add(self, t: float, speed: float) -> None:
+        """One impact more."""
+        self.times = [*self.times[-NEEDED:], t]
+        self.speeds = [*self.speeds[-NEEDED:], speed]
+
+    def forget(self) -> None:
+        """Something else happened."""
+        self.times, self.speeds = [], []
+
+    def limit(self, time_scale: float, tolerance: float) -> tuple[float, float] | None:
+        """When the impacts end, if they are about to, and the uncertainty of that time [s]."""
+        if len(self.times) < NEEDED:
+            return None
+        a, b, c = (self.times[i + 1] - self.times[i] for i in range(len(self.times) - 4, len(self.times) - 1))
+        if min(a, b, c) <= 0:
+            return None
+        first, second = b / a, c / b
+        if not 0 < second < SLOWEST or not 0 < first < SLOWEST:
+            return None
+        left = c * second / (1 - second)
+        doubt = left * abs(second - first) / (1 - second)
+        # What still moves meanwhile: the last speed for the time that is left.
+        if left / time_scale * self.speeds[-1] > tolerance or doubt > 1e3 * tolerance * time_scale:
+            return None
+        return self.times[-1] + left, doubt
