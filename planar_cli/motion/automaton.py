@@ -1,7 +1,7 @@
 """What the following of a motion asks of a scene: a hybrid automaton.
 
 A regime is one choice of modes with its ordinary differential equations; its guards say how long it holds. The state
-`y` = (q, v) is the same vector in all regimes, so that a change of mode maps it by identity and an impact changes only v.
+`y` = (q, v) is the same vector in all regimes: a change of mode maps it by identity, an impact changes only v.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Energy and momentum over a segment and across an impact: what is there at the end, less what was there and what came in.
+"""Energy and momentum over a segment: what is there at the end, less what was there before and what came in.
 
 The engine follows accelerations; that energy and momentum add up is a check by laws that it does not use.
 """
@@ -20,7 +20,7 @@ NODES = (
 )
 """Gauss and Legendre with five points: exact for polynomials of degree nine."""
 ALLOWED = 1e4
-"""A balance may be off by so many times the tolerance: errors of many steps add up, and grow where a motion is unstable."""
+"""A balance may be off by so many times the tolerance: errors of many steps add up, and grow in unstable motions."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,7 +1,7 @@
 """Linear complementarity: w = q + M z with w >= 0, z >= 0 and w z = 0, by Lemke's method; all solutions of small ones.
 
-Contacts that may press or part, stick or slip are of this form (C. Glocker, Set-Valued Force Laws, 2001). The numbers are
-plain floats; the caller scales them so that 1 is a usual size.
+Contacts that may press or part, stick or slip are of this form (C. Glocker, Set-Valued Force Laws, 2001). The numbers
+are plain floats; the caller scales them so that 1 is a usual size.
 """
 
 from __future__ import annotations

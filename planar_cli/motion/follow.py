@@ -1,7 +1,7 @@
 """A motion followed from its start: regimes integrated until a guard falls, and what happens then.
 
-Nothing here loops without bound: impacts are counted, sequences of them that end in a finite time are summed up, changes
-of mode at one instant that come back are told, and an integrator that can not go on says where.
+Nothing here loops without bound: impacts are counted, sequences of them that end in a finite time are summed up, what
+changes at one instant without end is told, and an integrator that can not go on says where.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from planar_cli.motion.drive import AUTOMATIC, Run, drive
 from planar_cli.motion.failures import Singular
 from planar_cli.motion.schedule import Event, Schedule
 from planar_cli.motion.segment import Segment
-from planar_cli.motion.trajectory import Outcome, Reached, Trajectory, Transition, Work
+from planar_cli.motion.trajectory import Outcome, Trajectory, Transition, Work
 from planar_cli.motion.transition import Moment, Settled, settle
 from planar_cli.motion.unstable import growth_note
 from planar_cli.motion.waiting import Waiting, fits
@@ -30,8 +30,8 @@ MOST_IMPACTS = 100_000
 """More impacts or changes of mode than that are refused."""
 MOST_AT_ONCE = 20
 """So many changes of mode may follow each other at one instant."""
-WIDEST_BAND = 1e-8
-"""A guard below this part of its scale may be zero, at any tolerance."""
+WIDEST_BAND = 1e-4
+"""A guard beyond this part of its scale below zero has fallen, at any tolerance."""
 LEAST_ALLOWED = 1e-7
 """Balances of energy are asked for to this part of their scale at most."""
 UNSTEADY_STEPS = 256
@@ -128,7 +128,7 @@ class Follower:
             tuple(dict.fromkeys(self.notes)),
         )
 
-    # --- beginning -----------------------------------------------------------------------------------------------------
+    # --- beginning ---------------------------------------------------------------------------------------------------
 
     def _begin(self) -> None:
         self.automaton = self.stages.automaton((self.schedule.start,))
@@ -158,7 +158,7 @@ class Follower:
             self._blow(follower.name)
         return True
 
-    # --- one segment ---------------------------------------------------------------------------------------------------
+    # --- one segment -------------------------------------------------------------------------------------------------
 
     def _advance(self) -> None:
         """One regime until it ends, and what happens then."""
@@ -212,7 +212,7 @@ class Follower:
             kind=self.kind,
             watch=self._watch(regime),
             breakpoints=self.schedule.breakpoints,
-            band=max(BAND, min(self.setting.tolerance, WIDEST_BAND)),
+            band=self._band(regime),
             on_step=seen,
         )
         done, work = run.counts, self.work
@@ -220,6 +220,12 @@ class Follower:
             work.steps + done.steps, work.rejected + done.rejected, work.evaluations + done.evaluations, work.choices
         )
         return run
+
+    def _band(self, regime: Regime) -> float:
+        """What counts as zero: more than rounding where a guard that is about to grow begins a little below zero."""
+        values = regime.watch(self.t, self.y)
+        below = max((-v / g.scale for v, g in zip(values, regime.guards, strict=True)), default=0.0)
+        return max(BAND, min(1.5 * below, WIDEST_BAND))
 
     def _watch(self, regime: Regime) -> Watch:
         """The guards, and behind them what tells that the next state is reached."""
@@ -276,7 +282,7 @@ class Follower:
                 self.outcome = Outcome("unbalanced", words, end, "", "PL710")
         self.t, self.y = end, y
 
-    # --- what ends a segment -------------------------------------------------------------------------------------------
+    # --- what ends a segment -----------------------------------------------------------------------------------------
 
     def _ended(self, regime: Regime, run: Run) -> None:
         """What ended the run: guards, the next state, or the time."""
@@ -290,7 +296,9 @@ class Follower:
                 break
         if self.outcome is None and fallen:
             guards = [regime.guards[i] for i in fallen]
-            self._settle(", ".join(dict.fromkeys(f"no longer: {g.words}" for g in guards)), guards[0].joint)
+            words = ", ".join(dict.fromkeys(f"no longer: {g.words}" for g in guards))
+            # What parts and falls back within rounding does not part.
+            self._settle(words, guards[0].joint, inelastic=run.t1 == run.t0)
         elif self.outcome is None and not run.crossings:
             self._timed()
 
@@ -315,11 +323,18 @@ class Follower:
         self.resting_at = None
         last = next(x for x in reversed(self.transitions) if x.kind == "impact")
         words = f"impacts without number end at t = {self.t:.9g} s"
-        rest = Transition(self.t, "rest", words, last.joints, self.y, self.y, self.choice, self.choice, count=float("inf"))
+        rest = Transition(
+            self.t, "rest", words, last.joints, self.y, self.y, self.choice, self.choice, count=float("inf")
+        )
         self.transitions.append(rest)
 
     def _settle(
-        self, words: str, joint: str = "", applied: tuple[float, ...] | None = None, striking: bool = False
+        self,
+        words: str,
+        joint: str = "",
+        applied: tuple[float, ...] | None = None,
+        striking: bool = False,
+        inelastic: bool = False,
     ) -> None:
         """Impacts and the choice of modes at this instant."""
         self.at_once += 1
@@ -328,7 +343,15 @@ class Follower:
             self.outcome = Outcome("endless", told, self.t, joint, "PL709")
             return
         moment = Moment(
-            self.automaton, self.t, self.y, self.choice, words, self.setting.tolerance, applied=applied, striking=striking
+            self.automaton,
+            self.t,
+            self.y,
+            self.choice,
+            words,
+            self.setting.tolerance,
+            inelastic=inelastic,
+            applied=applied,
+            striking=striking or inelastic,
         )
         found = settle(moment)
         if isinstance(found, Settled):

@@ -211,7 +211,7 @@ def _rate(struck: Struck, direction: Direction) -> float:
     return contact.tangent_rate if direction[1] else contact.normal_rate
 
 
-# --- what an impulse does to the joined bodies -------------------------------------------------------------------------
+# --- what an impulse does to the joined bodies ---------------------------------------------------------------------
 
 
 def _responses(struck: Struck, directions: list[Direction]) -> tuple[Response, list[Response]]:

@@ -1,8 +1,8 @@
 """Which modes hold at an instant: complementarity over the joints' modes, from the present choice outward.
 
 A choice is consistent when its joints allow the places and velocities, and every guard is positive, or zero and about
-not to become negative. What is about to happen is read off a short trial step: a guard that is zero is judged by whether
-it grows, of whatever order its first derivative is that does not vanish.
+not to become negative. What is about to happen is read off a short trial step: a guard that is zero is judged by
+whether it grows, of whatever order its first derivative is that does not vanish.
 """
 
 from __future__ import annotations
@@ -21,6 +21,8 @@ STILL = 1e-13
 """What changes in a trial step by less than this part of its scale does not change."""
 TRIAL = 1e-4
 """The length of a trial step in parts of the time in which the state changes."""
+PARTS = (1e-3, 0.03, 1.0)
+"""Trial steps of these parts of the longest one are taken: what is short may be over before that has ended."""
 SAME = 1e-7
 """Rates that agree to this part of their scale are the same motion."""
 MOST_TRIED = 2000
@@ -118,32 +120,40 @@ class Chooser:
         try:
             rates = regime.rates(t, state)
             values = regime.watch(t, state)
-            later = self._later(regime, state, rates)
+            later = self._later(regime, state, rates, values)
         except Singular as singular:
             failed = Violation(singular.joint, "its forces are not determined", False)
             return Verdict(choice, tuple(state), moved, (), (failed,))
         found = [
             Violation(guard.joint, guard.words, guard.kind in ("gap", "stretch", "tips", "mass", "slips"))
-            for guard, now, then in zip(regime.guards, values, later, strict=True)
-            if not self._holds(guard, now, then)
+            for guard, now, changes in zip(regime.guards, values, later, strict=True)
+            if not self._holds(guard, now, changes)
         ]
         return Verdict(choice, tuple(state), moved, tuple(rates), tuple(found))
 
-    def _holds(self, guard: Guard, now: float, then: float) -> bool:
+    def _holds(self, guard: Guard, now: float, changes: Sequence[float]) -> bool:
         size = guard.scale
         if now > self.near * size:
             return True
         if now < -self.near * size:
             return False
-        change = then - now
-        if abs(change) <= STILL * size:
-            return not guard.strict
-        return change > 0
+        # The shortest step in which something changes tells what happens first.
+        change = next((c for c in changes if abs(c) > STILL * size), 0.0)
+        return change > 0 or (change == 0 and not guard.strict)
 
-    def _later(self, regime: Regime, y: Sequence[float], rates: Sequence[float]) -> list[float]:
-        """The guards after one short step of Runge and Kutta."""
-        t, h = self.t, trial_step(regime, self.automaton, self.t, y, rates)
-        k1 = rates
+    def _later(
+        self, regime: Regime, y: Sequence[float], rates: Sequence[float], values: Sequence[float]
+    ) -> list[list[float]]:
+        """How every guard changes in short steps, the shortest first; nothing where all are far from zero."""
+        if all(abs(v) > self.near * g.scale for v, g in zip(values, regime.guards, strict=True)):
+            return [[] for _ in values]
+        h = trial_step(regime, self.automaton, self.t, y, rates)
+        after = [self._after(regime, y, rates, h * part) for part in PARTS]
+        return [[row[i] - value for row in after] for i, value in enumerate(values)]
+
+    def _after(self, regime: Regime, y: Sequence[float], rates: Sequence[float], h: float) -> list[float]:
+        """The guards after one step of Runge and Kutta."""
+        t, k1 = self.t, rates
         k2 = regime.rates(t + h / 2, [a + h / 2 * k for a, k in zip(y, k1, strict=True)])
         k3 = regime.rates(t + h / 2, [a + h / 2 * k for a, k in zip(y, k2, strict=True)])
         k4 = regime.rates(t + h, [a + h * k for a, k in zip(y, k3, strict=True)])
@@ -226,9 +236,7 @@ class Chooser:
         return all(abs(p - q) <= SAME * (s / span + abs(p)) for p, q, s in pairs)
 
 
-def trial_step(
-    regime: Regime, automaton: Automaton, t: float, y: Sequence[float], rates: Sequence[float]
-) -> float:
+def trial_step(regime: Regime, automaton: Automaton, t: float, y: Sequence[float], rates: Sequence[float]) -> float:
     """A step in which the state changes by about 1e-4 of what it is made of."""
     scale, span = automaton.scale, automaton.time_scale
     h = TRIAL * span

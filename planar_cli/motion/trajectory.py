@@ -1,4 +1,4 @@
-"""What a motion was: segments, transitions between them, when each state of the schedule was reached, and how it ended."""
+"""What a motion was: segments, transitions, when each state of the schedule was reached, and how it ended."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ class Transition:
     t: float
     """When [s]."""
     kind: str
-    """mode (another choice of modes), impact, rest (the limit of impacts without number), span (joints or loads begin or
-    cease to act)."""
+    """mode (another choice of modes), impact, graze (a contact that is only just touched), rest (the limit of impacts
+    without number)."""
     words: str
     """The cause: the condition that ceased to hold, or who strikes."""
     joints: tuple[str, ...]

@@ -1,7 +1,7 @@
-"""What happens at one instant between two regimes: impacts of what closes, then the choice of modes that holds afterwards.
+"""What happens at one instant between two regimes: impacts of what closes, then the choice of modes that holds.
 
-Every impact loses relative speed or sends the partners apart, so few of them follow each other at one instant; more than
-that, or a choice of modes that comes back with the same state, is told as such.
+Every impact loses relative speed or sends the partners apart, so few of them follow each other at one instant; more
+than that is told as such.
 """
 
 from __future__ import annotations
@@ -94,9 +94,7 @@ def _slow(struck: Struck, contact: StruckContact, tolerance: float) -> float:
     return max(1e-10, min(tolerance, 1e-6)) * reach
 
 
-def _impact(
-    moment: Moment, struck: Struck, y: tuple[float, ...], choice: Choice
-) -> tuple[Transition, str] | Outcome:
+def _impact(moment: Moment, struck: Struck, y: tuple[float, ...], choice: Choice) -> tuple[Transition, str] | Outcome:
     if moment.inelastic:
         struck = replace(struck, contacts=tuple(replace(c, restitution=0.0) for c in struck.contacts))
     try:
@@ -105,9 +103,8 @@ def _impact(
         words = f"at t = {moment.t:.9g} s the joints demand velocities that contradict each other at {clash.joint}"
         return Outcome("contradiction", words, moment.t, clash.joint, "PL708")
     except NoImpulse:
-        joints = [c.joint for c in struck.contacts]
         words = f"no impulses fulfil the laws of impact and friction at t = {moment.t:.9g} s"
-        return Outcome("none", words, moment.t, joints[0] if joints else "", "PL700")
+        return Outcome("none", words, moment.t, struck.contacts[0].joint, "PL700")
     if found.unique is False:
         return _ambiguous(moment, struck, found)
     before = kinetic_energy(struck.masses, struck.velocities)
@@ -167,18 +164,11 @@ def _chosen(
     chooser = Chooser(moment.automaton, moment.t, y, moment.tolerance)
     found = chooser.choose(choice)
     if isinstance(found, Chosen):
-        if found.choice != choice or not done:
-            changed = _changed(moment.automaton, choice, found.choice)
-            if changed or not done:
-                done.append(_mode_change(moment, y, choice, found, changed))
+        changed = _changed(moment.automaton, choice, found.choice)
+        if changed:
+            done.append(Transition(moment.t, "mode", moment.words, changed, y, found.state, choice, found.choice))
         return Settled(found.choice, found.state, tuple(done), found.tried, tuple(notes))
     return unanswered(moment.automaton, moment.t, found)
-
-
-def _mode_change(
-    moment: Moment, y: tuple[float, ...], choice: Choice, found: Chosen, changed: tuple[str, ...]
-) -> Transition:
-    return Transition(moment.t, "mode", moment.words, changed, tuple(y), found.state, choice, found.choice)
 
 
 def _changed(automaton: Automaton, old: Choice, new: Choice) -> tuple[str, ...]:
@@ -194,7 +184,7 @@ def unanswered(automaton: Automaton, t: float, found: NoMode | SeveralModes) -> 
         return Outcome("several", words, t, joint, "PL701")
     nearest = [v for v in found.verdicts if not any(w.moving for w in v.violations)] or list(found.verdicts)
     reasons = [
-        f"{_named(automaton, v)}: fails because not \"{v.violations[0].words}\"" for v in nearest[:4] if v.violations
+        f'{_named(automaton, v)}: fails because not "{v.violations[0].words}"' for v in nearest[:4] if v.violations
     ]
     joint = next((w.joint for v in nearest for w in v.violations if w.joint), "")
     told = "; ".join(reasons) or f"{len(found.verdicts)} choices were tried"

@@ -1,6 +1,6 @@
 """A state at rest in an equilibrium stays there; whether a small push would drive it away is said with how fast.
 
-    δ' = A δ,   δ ~ exp(λ t):   unstable where λ > 0, with the e-folding time 1/λ
+Small deviations follow δ' = A δ, hence δ ~ exp(λ t): unstable where λ > 0, with the e-folding time 1/λ.
 """
 
 from __future__ import annotations

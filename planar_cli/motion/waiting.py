@@ -44,7 +44,7 @@ class Waiting:
 
     def just_after(self, state: str) -> Event | None:
         """The state that is `just after` this one."""
-        return next((e for e in self.ordered if e.after == state), None)
+        return next((e for e in self.ordered if e.after and e.after == state), None)
 
     def next(self) -> Event | None:
         """The state that is looked for now: the first in the order of the file; one `just after` another is not."""

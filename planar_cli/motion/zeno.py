@@ -1,7 +1,7 @@
 """Impacts without number in a finite time: a ball that bounces lower and lower comes to rest on the floor.
 
-The times between impacts then shrink by a constant ratio r (the coefficient of restitution, on a level floor), and what is
-left of them is Δ r / (1 - r). The sum is taken when r is settled and what the body would still move does not count.
+The times between impacts then shrink by a constant ratio r (the coefficient of restitution, on a level floor), and what
+is left of them is Δ r / (1 - r). The sum is taken when r is settled and what the body would still move does not count.
 """
 
 from __future__ import annotations
@@ -12,6 +12,8 @@ NEEDED = 4
 """So many impacts with shrinking intervals are needed before a limit is spoken of."""
 SLOWEST = 1.0 - 1e-6
 """A ratio above this does not shrink."""
+FINEST = 1e-11
+"""Lower bounces than this part of the scene's size can hardly be told from rest."""
 
 
 @dataclass(slots=True)
@@ -45,6 +47,7 @@ class Bounces:
         left = c * second / (1 - second)
         doubt = left * abs(second - first) / (1 - second)
         # What still moves meanwhile: the last speed for the time that is left.
+        tolerance = max(tolerance, FINEST)
         if left / time_scale * self.speeds[-1] > tolerance or doubt > 1e3 * tolerance * time_scale:
             return None
         return self.times[-1] + left, doubt

@@ -1,0 +1,92 @@
+"""Scenes of one or two bodies with their regimes written by hand: doubles for tests of what happens between regimes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+
+from planar_cli.motion.automaton import Choice
+from planar_cli.motion.impact import Struck, StruckContact
+from planar_cli.problem.facts import Facts, Mode
+
+GRAVITY = 9.81
+Function = Callable[[float, Sequence[float]], float]
+Vector = Callable[[float, Sequence[float]], list[float]]
+
+
+@dataclass(frozen=True)
+class Condition:
+    """A guard."""
+
+    joint: str
+    kind: str
+    words: str
+    value: Function
+    strict: bool = False
+    scale: float = 1.0
+
+
+@dataclass(frozen=True)
+class Law:
+    """A regime: the accelerations, and what it demands of the state by giving it back mended."""
+
+    accelerations: Vector
+    conditions: tuple[Condition, ...] = ()
+    mend: Vector = lambda t, y: list(y)
+    stored: Function = lambda t, y: 0.0
+    fed: Function = lambda t, y: 0.0
+
+    @property
+    def guards(self) -> tuple[Condition, ...]:
+        return self.conditions
+
+    def rates(self, t: float, y: Sequence[float]) -> list[float]:
+        return [*y[len(y) // 2 :], *self.accelerations(t, y)]
+
+    def watch(self, t: float, y: Sequence[float]) -> list[float]:
+        return [c.value(t, y) for c in self.conditions]
+
+    def project(self, t: float, y: Sequence[float]) -> list[float]:
+        return self.mend(t, y)
+
+    def energy(self, t: float, y: Sequence[float]) -> float:
+        return self.stored(t, y)
+
+    def power(self, t: float, y: Sequence[float]) -> float:
+        return self.fed(t, y)
+
+    def momentum(self, t: float, y: Sequence[float]) -> tuple[float, float, float]:
+        return (0.0, 0.0, 0.0)
+
+
+def modes(*names: str) -> tuple[Mode, ...]:
+    return tuple(Mode(name, name, Facts()) for name in names)
+
+
+@dataclass(frozen=True)
+class Scene:
+    """An automaton of such regimes. `contacts`: what touches at a time in a state, in a choice."""
+
+    choices: Mapping[str, Sequence[Mode]]
+    laws: Callable[[Choice], Law]
+    masses: tuple[float, ...]
+    scale: tuple[float, ...]
+    contacts: Callable[[Choice, float, Sequence[float]], list[StruckContact]] = lambda choice, t, y: []
+    time_scale: float = 1.0
+    energy_scale: float = 1.0
+    autonomous: bool = True
+    made: dict[Choice, Law] = field(default_factory=dict)
+
+    def regime(self, choice: Choice) -> Law:
+        if choice not in self.made:
+            self.made[choice] = self.laws(choice)
+        return self.made[choice]
+
+    def struck(self, choice: Choice, t: float, y: Sequence[float]) -> Struck:
+        n = len(self.masses)
+        speeds = tuple(self.scale[n:])
+        return Struck(tuple(y[n:]), self.masses, speeds, (), tuple(self.contacts(choice, t, y)))
+
+
+def touching(gap: float) -> bool:
+    return abs(gap) <= 1e-8
