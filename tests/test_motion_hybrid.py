@@ -217,7 +217,7 @@ def test_a_rope_slackens_at_the_top_of_a_slow_loop() -> None:
 
 
 def buffer() -> Scene:
-    """A cart at rest, y = (x of a ball, x of the cart, rates), that a ball pushes over a spring of length 1 between them."""
+    """A cart at rest, y = (x of a ball, x of the cart, rates), that a ball pushes over a spring of 1 m."""
     k = 50.0
 
     def laws(choice: Choice) -> Law:
@@ -275,7 +275,7 @@ def test_a_block_leaves_a_dome() -> None:
 
 
 def rod(mu: float, theta: float, omega: float) -> Scene:
-    """Painlevé's rod, m = 1, length 2, its lower end on the floor: y = (x, y, θ, rates) of the middle; it slides to +x."""
+    """Painlevé's rod, m = 1, length 2, its lower end sliding on the floor: y = (x, y, θ, rates) of the middle."""
 
     def end(y: Sequence[float]) -> tuple[float, float, float]:
         return y[1] - math.sin(y[2]), y[3] + y[5] * math.sin(y[2]), y[4] - y[5] * math.cos(y[2])
