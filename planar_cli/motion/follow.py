@@ -19,7 +19,7 @@ from planar_cli.motion.failures import Singular
 from planar_cli.motion.schedule import Event, Schedule
 from planar_cli.motion.segment import Segment
 from planar_cli.motion.trajectory import Outcome, Trajectory, Transition, Work
-from planar_cli.motion.transition import Moment, Settled, settle
+from planar_cli.motion.transition import Moment, Resolved, resolve
 from planar_cli.motion.unstable import growth_note
 from planar_cli.motion.waiting import Waiting, fits
 from planar_cli.motion.zeno import Bounces
@@ -353,8 +353,8 @@ class Follower:
             applied=applied,
             striking=striking or inelastic,
         )
-        found = settle(moment)
-        if isinstance(found, Settled):
+        found = resolve(moment)
+        if isinstance(found, Resolved):
             found = self._limit(moment, found)
         if isinstance(found, Outcome):
             self.outcome = found
@@ -367,7 +367,7 @@ class Follower:
         if event is not None:
             self._reach(event)
 
-    def _limit(self, moment: Moment, found: Settled) -> Settled | Outcome:
+    def _limit(self, moment: Moment, found: Resolved) -> Resolved | Outcome:
         """Sum up a sequence of impacts that ends in a finite time."""
         impacts = [x for x in found.transitions if x.kind == "impact"]
         if not impacts:
@@ -379,8 +379,8 @@ class Follower:
         limit = self.bounces.limit(self.automaton.time_scale, self.setting.tolerance)
         if limit is None:
             return found
-        closed = settle(replace(moment, inelastic=True))
-        if isinstance(closed, Settled):
+        closed = resolve(replace(moment, inelastic=True))
+        if isinstance(closed, Resolved):
             self.resting_at = limit[0]
             self.bounces.forget()
             return closed

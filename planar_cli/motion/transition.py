@@ -29,7 +29,7 @@ SIMULTANEOUS = "all contacts at once, Newton's law of restitution at every one o
 
 
 @dataclass(frozen=True, slots=True)
-class Settled:
+class Resolved:
     """After everything that happens at one instant."""
 
     choice: Choice
@@ -60,7 +60,7 @@ class Moment:
     """Must an impact be worked out even where nothing closes: a load strikes, a joint takes hold?"""
 
 
-def settle(moment: Moment) -> Settled | Outcome:
+def resolve(moment: Moment) -> Resolved | Outcome:
     """Let everything happen that happens at this instant."""
     done: list[Transition] = []
     notes: list[str] = []
@@ -159,7 +159,7 @@ def _ambiguous(moment: Moment, struck: Struck, found: Outgoing) -> Outcome:
 
 def _chosen(
     moment: Moment, y: tuple[float, ...], choice: Choice, done: list[Transition], notes: list[str]
-) -> Settled | Outcome:
+) -> Resolved | Outcome:
     """The modes that hold now."""
     chooser = Chooser(moment.automaton, moment.t, y, moment.tolerance)
     found = chooser.choose(choice)
@@ -167,7 +167,7 @@ def _chosen(
         changed = _changed(moment.automaton, choice, found.choice)
         if changed:
             done.append(Transition(moment.t, "mode", moment.words, changed, y, found.state, choice, found.choice))
-        return Settled(found.choice, found.state, tuple(done), found.tried, tuple(notes))
+        return Resolved(found.choice, found.state, tuple(done), found.tried, tuple(notes))
     return unanswered(moment.automaton, moment.t, found)
 
 
