@@ -14,7 +14,7 @@ from planar_cli.problem.structure import load_text
 from planar_cli.registry import extended, members
 from planar_cli.report.effects import effects
 from planar_cli.solve.run import solve_problem
-from planar_cli.solve.solution import Solution
+from planar_cli.solve.solved_problem import Solution
 
 MAGNET = '''
     """A magnet."""
@@ -123,4 +123,4 @@ def test_the_potential_of_an_added_load_relates_states(put: Put) -> None:
     (part,) = solution_of(PULLED + states).parts
     # m v²/2 = k (1/0.5 - 1/1)
     assert_close(part.found[0], 2.0**0.5)
-    assert "energy" in {e.kind for e in part.motion.course.equations}
+    assert "energy" in {e.kind for step in part.motion.route.steps for e in step.relations}

@@ -21,7 +21,7 @@ from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.structure import load_text
 from planar_cli.report.narrate import narrate
 from planar_cli.solve.run import solve_problem
-from planar_cli.solve.solution import PartSolution
+from planar_cli.solve.solved_problem import PartSolution
 
 G = 9.81
 
@@ -49,7 +49,7 @@ def answers(text: str, method: str | None = None) -> Answers:
 
 def laws_used(part: PartSolution) -> set[str]:
     """The kinds of law on the way that is told, data and geometry left out."""
-    kinds = {e.kind for leg in part.motion.route.legs for e in leg.derivation.equations}
+    kinds = {e.kind for step in part.motion.route.steps for e in step.relations}
     return kinds & {"energy", "momentum", "blow", "v(t)", "v(q)", "q(t)", "t(v)", "q(v)", "t(q)"}
 
 

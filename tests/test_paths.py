@@ -13,7 +13,7 @@ from planar_cli.formats.terminal import Terminal
 from planar_cli.homework.checking import read, solve_and_compare
 from planar_cli.report.json_document import solution_data
 from planar_cli.report.narrate import narrate
-from planar_cli.solve.solution import Solution
+from planar_cli.solve.solved_problem import Solution
 
 WHEEL = """
 title: Wheel drawn at its start

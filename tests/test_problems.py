@@ -18,7 +18,7 @@ from planar_cli.formats.json import dumps
 from planar_cli.formats.terminal import Terminal
 from planar_cli.report.json_document import solution_data
 from planar_cli.report.narrate import narrate
-from planar_cli.solve.solution import PartSolution, Solution
+from planar_cli.solve.solved_problem import PartSolution, Solution
 
 
 def equations_text(solution: Solution) -> str:
@@ -45,7 +45,7 @@ def between_text(part: PartSolution) -> list[str]:
     """The equations between states on which the answers of a motion rest."""
     if part.motion is None or part.motion.route is None:
         return []
-    equations = [e for leg in part.motion.route.legs if not leg.datum for e in leg.derivation.equations]
+    equations = [e for step in part.motion.route.steps if not step.is_datum for e in step.relations]
     return [f"  {e.kind} {e.since or ''}->{e.stop}: {e.words}: {e.residual} = 0" for e in equations]
 
 

@@ -26,7 +26,7 @@ from planar_cli.errors import FileProblem
 from planar_cli.problem.structure import load_text
 from planar_cli.registry import members
 from planar_cli.solve.run import solve_problem
-from planar_cli.solve.solution import PartSolution
+from planar_cli.solve.solved_problem import PartSolution
 
 FEW = settings(max_examples=3, deadline=None, derandomize=True, phases=[Phase.generate])
 SEEDS = st.integers(0, 10**9)
@@ -224,11 +224,11 @@ def by_newton(residuals: list[sp.Expr], unknowns: tuple[sp.Symbol, ...], known: 
 def walked(part: PartSolution) -> dict[str, Decimal]:
     """The finds from the equations of the way that is told, one leg after the other."""
     motion = part.motion
-    route, letters = motion.route, motion.course.chain().unknowns
+    route, letters = motion.route, motion.unknowns
     base = Valuation({s: v for s, v in motion.value.values.items() if s not in letters}, motion.value.definitions)
     done: dict[sp.Symbol, Decimal] = {s: base(e) for s, e in route.plain.items() if not e.free_symbols & letters}
-    for leg in route.legs:
-        equations, unknowns = leg.derivation.equations, leg.derivation.unknowns
+    for step in route.steps:
+        equations, unknowns = step.relations, step.unknowns
         beside = {x: motion.value(x) for x in unknowns}
         residuals = [e.residual.xreplace(route.plain) for e in equations]
         done |= by_newton(residuals, unknowns, base.extended(done | beside))
@@ -263,7 +263,7 @@ def followed(part: PartSolution) -> dict[str, Decimal]:
     """The finds with what came of following the equations of motion step by step."""
     motion = part.motion
     assert motion.followed is not None
-    own = motion.value.extended({s: Decimal(repr(v)) for s, v in motion.followed.values.items()})
+    own = motion.value.extended({s: Decimal(repr(v)) for s, v in motion.followed.items()})
     return {f.name: own(f.asked[0]) for f in part.found if f.name not in ("gain", "work")}
 
 
@@ -282,7 +282,7 @@ def test_methods_agree(question: Question, seed: int) -> None:
     assert plain is not None
     want = numbers(plain)
     for method, part in ways.items():
-        kinds = {e.kind for leg in part.motion.route.legs for e in leg.derivation.equations}
+        kinds = {e.kind for step in part.motion.route.steps for e in step.relations}
         assert kinds & LAWS
         assert kinds & LAWS <= members("principles")[method].laws
         assert_near(numbers(part), want, TWELVE)
@@ -324,7 +324,7 @@ def test_both_laws_together(question: Question, truth: Callable[[Valuation], dic
     part = solved(text, None)
     assert part is not None
     want = numbers(part)
-    assert_near(truth(part.motion.course.base()), want, TWELVE)
+    assert_near(truth(part.motion.value), want, TWELVE)
     assert_near(walked(part), want, TWELVE)
     assert_near(followed(part), want, FOLLOWED)
     assert_near({"work": want["work"]}, {"work": want["gain"]}, TWELVE)

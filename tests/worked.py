@@ -12,7 +12,7 @@ from conftest import ROOT
 from planar_cli.commands._limit import time_limit
 from planar_cli.homework.answers import Verdict
 from planar_cli.homework.checking import read, solve_and_compare
-from planar_cli.solve.solution import Solution
+from planar_cli.solve.solved_problem import Solution
 
 TIMEOUT = 60
 GOLDEN = ROOT / "tests" / "golden"

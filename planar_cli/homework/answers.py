@@ -21,7 +21,8 @@ from planar_cli.homework.curves import same_curve
 from planar_cli.problem.expression import Number, Quantity, Side, Word
 from planar_cli.problem.scene import Answer, Problem
 from planar_cli.problem.walk import walk
-from planar_cli.solve.solution import Found, PartSolution, Solution
+from planar_cli.solve.solution import Found
+from planar_cli.solve.solved_problem import PartSolution, Solution
 
 TOLERANCE = Decimal("0.01")
 EXACT = Decimal("1e-20")

@@ -11,7 +11,7 @@ from planar_cli.homework.supervisor import Ended, Supervisor
 from planar_cli.problem.scene import Problem
 from planar_cli.problem.structure import load
 from planar_cli.solve.run import solve_problem
-from planar_cli.solve.solution import Solution
+from planar_cli.solve.solved_problem import Solution
 
 AGREES, DISAGREES, NO_SOLUTION, BAD, UNDECIDED, FAULT = (
     "agrees",

@@ -19,7 +19,8 @@ from planar_cli.report.narrate import phrases_of
 from planar_cli.report.words import answer_text, rounded, si_text, told_unit
 from planar_cli.solve.algebra import Line
 from planar_cli.solve.instant import Trial
-from planar_cli.solve.solution import Found, InstantSolution, PartSolution, Solution
+from planar_cli.solve.solution import Found, InstantSolution
+from planar_cli.solve.solved_problem import PartSolution, Solution
 from planar_cli.solve.stages import Stage
 from planar_cli.solve.write import Explicit, Written
 

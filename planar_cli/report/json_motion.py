@@ -6,25 +6,23 @@ from decimal import Decimal
 from typing import Any
 
 from planar_cli.report.words import rounded, si_text
-from planar_cli.solve.course.derivation import Result
-from planar_cli.solve.course.equations import Equation
-from planar_cli.solve.course.unfolded import Unfolded
+from planar_cli.solve.course.trace import MotionTrace, Relation, Result
 
 STEP_DIGITS = 12
 
 
-def motion_steps(case: str, found: Unfolded) -> list[dict[str, Any]]:
+def motion_steps(case: str, found: MotionTrace) -> list[dict[str, Any]]:
     """Every relation between states that the solution uses, and every letter that it gives."""
     if found.route is None:
         return []
     steps: list[dict[str, Any]] = []
-    for leg in found.route.legs:
-        steps += [{"case": case, "stage": "motion", **_relation(e)} for e in leg.derivation.equations]
-        steps += [{"case": case, "stage": "motion", **_result(r, found)} for r in leg.results]
+    for step in found.route.steps:
+        steps += [{"case": case, "stage": "motion", **_relation(e)} for e in step.relations]
+        steps += [{"case": case, "stage": "motion", **_result(r, found)} for r in step.results]
     return steps
 
 
-def _relation(e: Equation) -> dict[str, Any]:
+def _relation(e: Relation) -> dict[str, Any]:
     return {
         "kind": "relation",
         "law": e.kind,
@@ -36,10 +34,10 @@ def _relation(e: Equation) -> dict[str, Any]:
     }
 
 
-def _result(r: Result, found: Unfolded) -> dict[str, Any]:
-    ledger = found.course.ledger
+def _result(r: Result, found: MotionTrace) -> dict[str, Any]:
+    ledger = found.ledger
     unit = ledger.units.get(r.unknown)
-    numeric = not found.course.symbolic and isinstance(r.value, Decimal) and r.value.is_finite()
+    numeric = not found.symbolic and isinstance(r.value, Decimal) and r.value.is_finite()
     return {
         "kind": "solved",
         "symbol": r.unknown.name,

@@ -8,7 +8,7 @@ from planar_cli.homework.answers import Verdict
 from planar_cli.report.blocks import Answer, Block, Document, Heading, Note, line
 from planar_cli.report.narrate import phrases_of
 from planar_cli.report.words import answer_line
-from planar_cli.solve.solution import Solution
+from planar_cli.solve.solved_problem import Solution
 
 
 def key_document(solution: Solution, verdicts: Sequence[Verdict], figures: int) -> Document:

@@ -11,7 +11,6 @@ import sympy as sp
 from planar_cli.equation.ledger import display
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.problem.check_dimensions import Kinds
-from planar_cli.problem.expression import Relation as FoundRelation
 from planar_cli.problem.scope import Scope
 from planar_cli.report.between import BetweenTelling
 from planar_cli.report.blocks import Block, Equation, Heading, Line, Math, Name, Paragraph, Value, line
@@ -20,10 +19,7 @@ from planar_cli.report.oscillation import oscillation_blocks
 from planar_cli.report.span_integrals import span_blocks
 from planar_cli.report.words import Phrases, told_unit
 from planar_cli.solve.asked import is_energy
-from planar_cli.solve.course.derivation import Leg, Result, Route
-from planar_cli.solve.course.equations import DATA
-from planar_cli.solve.course.equations import Equation as Relation
-from planar_cli.solve.course.unfolded import Unfolded
+from planar_cli.solve.course.trace import ImpactEquation, MotionTrace, Relation, Result, RouteStep, RouteTrace
 
 MOST_ROOTS = 4
 SHORT = 40
@@ -31,9 +27,9 @@ LONGEST = 90
 """A longer formula is told by its value alone."""
 
 
-def motion_phrases(found: Unfolded, figures: int) -> Phrases:
+def motion_phrases(found: MotionTrace, figures: int) -> Phrases:
     """The phrases in which a motion speaks: with numbers unless letters of the file remain."""
-    return Phrases(found.course.ledger, found.value, figures, found.course.symbolic)
+    return Phrases(found.ledger, found.value, figures, found.symbolic)
 
 
 class MotionTelling:
@@ -41,14 +37,12 @@ class MotionTelling:
     derivation is told (None: all).
     """
 
-    def __init__(self, found: Unfolded, phrases: Phrases, first: int, wanted: frozenset[str] | None = None) -> None:
+    def __init__(self, found: MotionTrace, phrases: Phrases, first: int, wanted: frozenset[str] | None = None) -> None:
         self.found, self.phrases, self.next, self.wanted = found, phrases, first, wanted
-        self.course = found.course
-        self.general = {own: general for stop in self.course.stops.values() for general, own in stop.letters.items()}
-        self.varying = {s for regime in self.course.distinct_regimes() for s in regime.letters}
+        self.general, self.varying = found.general, found.varying
         self._told_laws: set[sp.Symbol] = set()
-        self.between = BetweenTelling(found, phrases, {})
-        self._kinds = Kinds(Scope(self.course.problem, ()))
+        self.between = BetweenTelling(phrases, {})
+        self._kinds = Kinds(Scope(found.problem, ()))
 
     def blocks(self, step: int) -> list[Block]:
         """Step `step` of the solution; empty when the motion needs no step of its own."""
@@ -56,12 +50,12 @@ class MotionTelling:
         if not body:
             return []
         route = self.found.route
-        timed = route is None or any(e.law is not None for leg in route.legs for e in leg.derivation.equations)
-        title = "Motion over time" if timed or self.found.spans or self.found.finds.passing else "From state to state"
+        timed = route is None or any(e.law is not None for leg in route.steps for e in leg.relations)
+        title = "Motion over time" if timed or self.found.spans or self.found.passing else "From state to state"
         return [Heading(f"STEP {step}", title, self._states()), *body]
 
     def _states(self) -> str:
-        names = [s.name for s in self.course.states if s.name]
+        names = [name for name in self.found.states if name]
         return "states " + ", ".join(names) if len(names) > 1 else ""
 
     def _body(self) -> Iterator[Block]:
@@ -69,8 +63,8 @@ class MotionTelling:
         if self.found.route is not None:
             yield from self._route(self.found.route)
         yield from self._asked()
-        for name, route in self.found.finds.passing.items():
-            if any(not leg.datum for leg in route.legs):
+        for name, route in self.found.passing.items():
+            if any(not leg.is_datum for leg in route.steps):
                 yield Paragraph(line(f"{name} throughout the motion:"))
                 yield from self._route(route)
         for span in self.found.spans:
@@ -80,15 +74,14 @@ class MotionTelling:
 
     def _asked(self) -> Iterator[Block]:
         """What is asked in the letters of its states, where it is more than a letter."""
-        finds = self.found.finds
         zeros = {} if self.found.route is None else {s: f for s, f in self.found.route.formulas.items() if f == 0}
         told = False
-        for asked in finds.asked:
+        for asked in self.found.requests:
             name = asked.find.name
-            if name in finds.passing or (self.wanted is not None and not self.wanted):
+            if name in self.found.passing or (self.wanted is not None and not self.wanted):
                 continue
-            parts = [self._signed(_without(finds.settled(asked, p), zeros)) for p in asked.parts]
-            if isinstance(asked.find.found.what, FoundRelation) or not parts:
+            parts = [self._signed(_without(p, zeros)) for p in asked.parts]
+            if asked.unit is None:
                 continue
             if any(p.is_Symbol or p.is_number or longer(p, LONGEST) or p.free_symbols & self.varying for p in parts):
                 continue
@@ -98,7 +91,7 @@ class MotionTelling:
             for axis, part in zip(("x", "y") if len(parts) > 1 else ("",), parts, strict=True):
                 sides: list[Any] = [line(Name(name), f", {axis}" if axis else ""), self.phrases.math(part)]
                 if not self.phrases.symbolic:
-                    unit, energy = finds.unit_of(asked.find), is_energy(asked.find.found.what)
+                    unit, energy = asked.unit, is_energy(asked.find.found.what)
                     value = Decimal(0) if self.found.value.is_zero(part) else self.found.value(part)
                     shown = Value(display(value, unit), told_unit(unit, energy), self.phrases.figures)
                     sides += [*self.phrases.substituted(part, shown), shown]
@@ -134,42 +127,41 @@ class MotionTelling:
 
     def _turnings(self) -> Iterator[Block]:
         """States that were put in: until when an assumption holds, or what happens there."""
-        for name, (expr, words) in self.course.plot.turnings.items():
-            t = self.course.stops[name].t
-            # After a slight touch the time depends on the touch alone.
-            timed = not self.phrases.symbolic and t in self.found.value.values and self.course.touch is None
-            state = f"(state {name})" if timed else f"state {name}"
-            when = line(Math(t), " = ", self.phrases.shown(t), f" {state}") if timed else line(state)
+        for turning_point in self.found.turnings:
+            t, words, expr = turning_point.time, turning_point.words, turning_point.expr
+            when = line(f"state {turning_point.state}")
+            if t is not None:
+                when = line(Math(t), " = ", self.phrases.shown(t), f" (state {turning_point.state})")
             if words in HAPPENS:
                 said = line(f"{words[:1].upper()}{words[1:]} at ", *when, ": ")
             else:
-                said = line("Up to ", *when, " ", *named(words, self.course.ledger.symbols), "; there ")
+                said = line("Up to ", *when, " ", *named(words, self.found.ledger.symbols), "; there ")
             yield Paragraph(line(*said, Math(expr), " = 0."))
 
     # --- the route ---------------------------------------------------------------------------------------------------
 
-    def _route(self, route: Route) -> Iterator[Block]:
+    def _route(self, route: RouteTrace) -> Iterator[Block]:
         legs = self._needed(route)
-        given = [leg for leg in legs if leg.datum]
+        given = [leg for leg in legs if leg.is_datum]
         for leg in given:
             yield from self._datum(leg)
         for leg in legs:
-            if not leg.datum:
+            if not leg.is_datum:
                 yield from self._leg(leg, route)
 
-    def _needed(self, route: Route) -> list[Leg]:
+    def _needed(self, route: RouteTrace) -> list[RouteStep]:
         """The legs that the wanted letters rest on."""
         if self.wanted is None:
-            return list(route.legs)
+            return list(route.steps)
         names, kept = set(self.wanted), []
-        for leg in reversed(route.legs):
-            if any(x.name in names for x in leg.derivation.unknowns):
+        for leg in reversed(route.steps):
+            if any(x.name in names for x in leg.unknowns):
                 kept.append(leg)
-                names |= {s.name for s in leg.derivation.needs}
+                names |= {s.name for s in leg.needs}
         return kept[::-1]
 
-    def _datum(self, leg: Leg) -> Iterator[Block]:
-        e = leg.derivation.equations[0]
+    def _datum(self, leg: RouteStep) -> Iterator[Block]:
+        e = leg.relations[0]
         words = {"drawn": "as drawn", "start": e.words, "turn": turning(e.words), "followed": e.words}.get(
             e.kind, "given"
         )
@@ -177,8 +169,8 @@ class MotionTelling:
         for r in leg.results:
             yield Equation(self._chain(r), None, line(f"{place}{words}:"))
 
-    def _leg(self, leg: Leg, route: Route) -> Iterator[Block]:
-        equations = leg.derivation.equations
+    def _leg(self, leg: RouteStep, route: RouteTrace) -> Iterator[Block]:
+        equations = leg.relations
         numbers = []
         single = len(equations) == 1
         for e in equations:
@@ -206,9 +198,9 @@ class MotionTelling:
             if i == 0:
                 yield from self._others(r)
 
-    def _zero(self, e: Relation, result: Equation, route: Route) -> Iterator[Block]:
+    def _zero(self, e: Relation, result: Equation, route: RouteTrace) -> Iterator[Block]:
         """A relation that says at once that its letter is zero."""
-        if e.kind == "blow" and e.source is not None:
+        if isinstance(e.source, ImpactEquation):
             zeros = {s: sp.S.Zero for s, f in route.formulas.items() if f == 0}
             self.between.plain = {**zeros, **route.plain}
             yield from self.between.kept(e.source, result)
@@ -221,10 +213,10 @@ class MotionTelling:
         return self.next - 1
 
     @staticmethod
-    def _explicit(e: Relation, leg: Leg) -> bool:
+    def _explicit(e: Relation, leg: RouteStep) -> bool:
         """Does the relation itself give its unknown?"""
         result = leg.results[0]
-        if e.kind in ("link", *DATA) and result.formula is not None:
+        if (e.kind == "link" or e.is_datum) and result.formula is not None:
             return bool(sp.expand(e.residual - (result.unknown - result.formula)) == 0) or e.kind == "link"
         return e.span is not None and e.span.explicit is not None and _letter(e) == leg.results[0].unknown
 
@@ -241,9 +233,9 @@ class MotionTelling:
         yield Equation((self.phrases.math(rate), self.phrases.math(law.f.xreplace({law.v: v}))))
 
     def _head(self, e: Relation) -> Line:
-        return head(e, self.course.ledger.symbols)
+        return head(e, self.found.ledger.symbols)
 
-    def _relation(self, e: Relation, route: Route) -> Iterator[Block]:
+    def _relation(self, e: Relation, route: RouteTrace) -> Iterator[Block]:
         if e.source is not None:
             self.between.plain = route.plain
             yield from self.between.blocks(e.source, self._number())
@@ -253,7 +245,7 @@ class MotionTelling:
         yield from self._integral(e, route)
         yield Equation(self._sides(e, route), self._number())
 
-    def _integral(self, e: Relation, route: Route) -> Iterator[Block]:
+    def _integral(self, e: Relation, route: RouteTrace) -> Iterator[Block]:
         """The definite integrals with matching limits."""
         span = e.span
         if span is None or span.left is None or span.right is None or (span.unevaluated and e.kind != "t(q)"):
@@ -263,7 +255,7 @@ class MotionTelling:
         sides = tuple(self._plain_integral(side, e, route) for side in (span.left, span.right))
         yield Equation(tuple(self.phrases.math(s) for s in sides))
 
-    def _plain_integral(self, side: sp.Expr, e: Relation, route: Route) -> sp.Expr:
+    def _plain_integral(self, side: sp.Expr, e: Relation, route: RouteTrace) -> sp.Expr:
         """Limits of this motion, the variable without the name of a state; a speed of turning is called ω."""
         names = {own.name: general.name for own, general in self.general.items()}
         if e.law is not None and e.law.coordinate.unit == "rad":
@@ -277,7 +269,7 @@ class MotionTelling:
 
         return side.replace(lambda x: isinstance(x, sp.Integral), renamed)
 
-    def _sides(self, e: Relation, route: Route) -> tuple[Any, ...]:
+    def _sides(self, e: Relation, route: RouteTrace) -> tuple[Any, ...]:
         """A relation as left = right, its own letter on the left."""
         residual = e.residual.xreplace(route.plain)
         if longer(residual, LONGEST) and e.kind == "extreme":
@@ -326,8 +318,8 @@ class MotionTelling:
     def _longest(self, r: Result) -> int:
         """A formula out of a balance that was just printed is told only where it is short."""
         assert self.found.route is not None
-        legs = (leg for leg in self.found.route.legs if r in leg.results)
-        balance = any(e.source is not None for leg in legs for e in leg.derivation.equations)
+        legs = (leg for leg in self.found.route.steps if r in leg.results)
+        balance = any(e.source is not None for leg in legs for e in leg.relations)
         return SHORT if balance and not self.phrases.symbolic else LONGEST
 
     def _shown(self, r: Result) -> Any:
@@ -359,7 +351,7 @@ class MotionTelling:
             if all(v > r.value for v in values):
                 return "a later instant; the first one counts"
             return "the first instant after the state before counts"
-        if general in self.course.regimes[0].free and all(v * r.value < 0 for v in values):
+        if general in self.found.free and all(v * r.value < 0 for v in values):
             return "it moves the other way there"
         return "this motion does not come there at that state"
 

@@ -12,7 +12,8 @@ from planar_cli.report.passages import tale_blocks
 from planar_cli.report.presumed import presumed_notes
 from planar_cli.report.telling import Telling
 from planar_cli.report.words import Phrases, answer_line
-from planar_cli.solve.solution import InstantSolution, PartSolution, Solution
+from planar_cli.solve.solution import InstantSolution
+from planar_cli.solve.solved_problem import PartSolution, Solution
 
 
 def narrate(solution: Solution, figures: int = 4, audience: str = "exam", why: str | None = None) -> Document:
@@ -96,9 +97,7 @@ def _needed(part: PartSolution, instant: InstantSolution, audience: str, why: st
     """The unknowns of an instant that are told: of a motion only those on which it rests, but in a lesson."""
     if part.motion is None or audience == "lesson" or why is not None:
         return _wanted(part, why)
-    from planar_cli.solve.course.needed import wanted_of
-
-    return wanted_of(part.motion, instant)
+    return part.motion.regime(instant).wanted
 
 
 def _wanted(part: PartSolution, why: str | None) -> frozenset[str] | None:
@@ -111,21 +110,17 @@ def _wanted(part: PartSolution, why: str | None) -> frozenset[str] | None:
 
 def _stretches(part: PartSolution, instant: InstantSolution) -> str:
     """From which state to which a regime acts."""
-    course = part.motion.course
-    found = []
-    for i, regime in enumerate(course.regimes):
-        if regime.general.solution is instant and i + 1 < len(course.states):
-            found.append(f"from {course.states[i].name} to {course.states[i + 1].name}")
-    return ", ".join(found)
+    assert part.motion is not None
+    return ", ".join(f"from {since} to {stop}" for since, stop in part.motion.regime(instant).stretches)
 
 
 def _letters(part: PartSolution, why: str | None) -> frozenset[str] | None:
     """The names of the letters of states that the wanted find rests on; None: everything."""
     if why is None:
         return None
-    finds = part.motion.finds
-    asked = next(a for a in finds.asked if a.find.name == why)
-    return frozenset(s.name for p in asked.parts for s in finds.settled(asked, p).free_symbols)
+    assert part.motion is not None
+    asked = next(a for a in part.motion.requests if a.find.name == why)
+    return frozenset(s.name for p in asked.parts for s in p.free_symbols)
 
 
 def phrases_of(instant: InstantSolution, figures: int) -> Phrases:

@@ -7,8 +7,7 @@ from collections.abc import Collection, Iterable, Iterator
 
 from planar_cli.report.blocks import Block, Equation, Line, Name, Paragraph, Result, line
 from planar_cli.report.names import plain_name
-from planar_cli.solve.course.equations import DATA
-from planar_cli.solve.course.equations import Equation as Relation
+from planar_cli.solve.course.trace import Relation
 
 HAPPENS = ("it comes to rest", "it turns round", "it comes to the other side")
 """What happens at an instant; all other words say what holds up to it."""
@@ -30,7 +29,7 @@ def head(e: Relation, names: Collection[str]) -> Line:
         reach = f"From {e.since} to {e.stop}" if e.stop else f"From {e.since} on"
         words = calculus(e)
         return line(f"{reach}, {words}:" if e.since else f"{words}:")
-    if e.kind in DATA:
+    if e.is_datum:
         return named(f"At {e.stop}: {e.words}:" if e.stop else f"{e.words}:", names)
     place = f"From {e.since} to {e.stop}, " if e.since else f"At {e.stop}, " if e.stop else ""
     words = kept(e.words) if e.kind == "loop" else e.words

@@ -10,36 +10,32 @@ import sympy as sp
 from planar_cli.equation.exact import Valuation
 from planar_cli.report.blocks import Block, Equation, Inline, Line, Paragraph, Result, Value, line
 from planar_cli.report.words import Phrases
-from planar_cli.solve.course.oscillation import Oscillation, Verdict, roots_of, stability
+from planar_cli.solve.course.trace import OscillationTrace, Verdict
 
 DEVIATION = sp.Symbol("delta", real=True)
 RATES = tuple(sp.Symbol(f"delta_{dots}", real=True) for dots in ("dot", "ddot"))
 
 
-def oscillation_blocks(found: Oscillation, value: Valuation, phrases: Phrases, symbolic: bool) -> Iterator[Block]:
+def oscillation_blocks(found: OscillationTrace, value: Valuation, phrases: Phrases, symbolic: bool) -> Iterator[Block]:
     """How one equilibrium was examined. `symbolic`: letters remain, so that no numbers are printed."""
-    state = found.stop.name
+    state = found.state
     yield Paragraph(line(f"Small oscillations about the equilibrium {state}. The equation of motion:"))
-    for u, law in zip(found.speeds, found.laws, strict=True):
-        rate = found.regime.general.rate_of(u)
+    for rate, law in found.motion:
         yield Equation((phrases.math(rate), phrases.math(law)))
-    verdict = stability(found, value)
-    if found.single:
-        yield from _single(found, verdict, value, phrases, symbolic)
+    if len(found.motion) == 1:
+        yield from _single(found, value, phrases, symbolic)
     else:
-        yield from _several(found, value)
-    yield Result(line(f"The equilibrium {state} is {verdict.kind}{_because(found, verdict)}."))
+        yield from _several(found)
+    yield Result(line(f"The equilibrium {state} is {found.verdict.kind}{_because(found.verdict)}."))
 
 
-def _single(
-    found: Oscillation, verdict: Verdict, value: Valuation, phrases: Phrases, symbolic: bool
-) -> Iterator[Block]:
-    w2, c = found.stiffness[0][0], found.damping[0][0]
+def _single(found: OscillationTrace, value: Valuation, phrases: Phrases, symbolic: bool) -> Iterator[Block]:
+    w2, c = found.stiffness, found.damping
     speed, rate = RATES
     yield Paragraph(line("For a small deviation ", phrases.math(DEVIATION), " from there its linear part is:"))
     terms = [e for e in (rate, c * speed, w2 * DEVIATION) if e != 0]
     yield Equation((phrases.math(sp.Add(*terms, evaluate=False)), phrases.math(sp.S.Zero)))
-    if not verdict.stable or verdict.power > 1:
+    if not found.verdict.stable or found.verdict.power > 1:
         return
     square = found.square
     yield _line("omega_0", sp.sqrt(w2), value, "rad/s", phrases, symbolic)
@@ -58,16 +54,16 @@ def _line(name: str, expr: sp.Expr, value: Valuation, unit: str, phrases: Phrase
     return Equation(tuple(sides))
 
 
-def _several(found: Oscillation, value: Valuation) -> Iterator[Block]:
+def _several(found: OscillationTrace) -> Iterator[Block]:
     """The roots of the characteristic equation."""
-    yield Paragraph(line(f"{len(found.speeds)} freedoms, linearised, move as e^(λ t); the roots λ are, in 1/s:"))
-    for root in roots_of(found, value):
+    yield Paragraph(line(f"{len(found.motion)} freedoms, linearised, move as e^(λ t); the roots λ are, in 1/s:"))
+    for root in found.roots:
         if root.imag >= 0:
             parts = (Value(Decimal(str(root.real)), ""), " ± i ", Value(Decimal(str(root.imag)), ""))
             yield Result(line(*parts))
 
 
-def _because(found: Oscillation, verdict: Verdict) -> str:
+def _because(verdict: Verdict) -> str:
     if verdict.kind == "indifferent":
         return ": no term of the equation of motion draws it back or drives it away"
     if verdict.power > 1:

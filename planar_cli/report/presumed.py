@@ -10,7 +10,7 @@ import sympy as sp
 from planar_cli.equation.plain import longer
 from planar_cli.report.blocks import Note, line
 from planar_cli.report.words import Phrases
-from planar_cli.solve.solution import PartSolution
+from planar_cli.solve.solved_problem import PartSolution
 
 LONGEST = 30
 

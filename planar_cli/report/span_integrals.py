@@ -11,7 +11,7 @@ from planar_cli.problem.dimensions import Lookup, dimension_of
 from planar_cli.problem.expression import Quantity
 from planar_cli.report.blocks import Block, Equation, Inline, Line, Paragraph, Result, Value, line
 from planar_cli.report.words import Phrases
-from planar_cli.solve.course.over_spans import Piece, SpanIntegral
+from planar_cli.solve.course.trace import Piece, SpanIntegral
 from planar_cli.units import ANGULAR_MOMENTUM, TIME, Dimension, default_unit
 
 NAMES = {"work": "W", "heat": "Q", "impulse": "J", "path_length": "s", "mean": "mean value", "count": "number"}
@@ -69,10 +69,10 @@ def _piece(piece: Piece, phrases: Phrases, symbolic: bool, unit: str, axis: str)
         if not symbolic:
             blow.append(Value(piece.number, unit))
         along = f", {axis}" if axis else ""
-        yield Equation(tuple(blow), None, line(f"in the blow from {piece.since.name} to {piece.until.name}{along}:"))
+        yield Equation(tuple(blow), None, line(f"in the blow from {piece.since} to {piece.until}{along}:"))
         return
     integrand = piece.over_time if piece.how in ("integral", "quadrature") else piece.integrand
-    shown = sp.Integral(integrand, (time, piece.since.t, piece.until.t))
+    shown = sp.Integral(integrand, (time, *piece.limits))
     sides: list[Inline | Line] = [phrases.math(shown)]
     if piece.formula is not None and not piece.turns:
         sides.append(phrases.math(piece.formula))

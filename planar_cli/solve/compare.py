@@ -8,7 +8,7 @@ from planar_cli.errors import FileProblem
 from planar_cli.problem.scene import Problem
 from planar_cli.registry import members
 from planar_cli.solve.run import solve_problem
-from planar_cli.solve.solution import PartSolution
+from planar_cli.solve.solved_problem import PartSolution
 from planar_cli.solve.used import used_blocks
 
 NOT_REACHED = "PL570"
@@ -68,11 +68,9 @@ def _effort(part: PartSolution) -> tuple[int, int]:
     if part.motion is None:
         stages = [s for i in part.instants for s in i.stages]
         return sum(s.plan.equations for s in stages), max((s.plan.largest for s in stages), default=0)
-    from planar_cli.solve.course.needed import wanted_of
-
     heard = [i for i in part.instants if not i.quiet]
-    blocks = [b for i in heard for s in used_blocks(i.stages, wanted_of(part.motion, i)) for b in s.blocks]
+    blocks = [b for i in heard for s in used_blocks(i.stages, part.motion.regime(i).wanted) for b in s.blocks]
     sizes = [len(b.equations) for b in blocks]
     route = part.motion.route
-    sizes += [len(leg.derivation.equations) for leg in route.legs if not leg.datum] if route is not None else []
+    sizes += [len(step.relations) for step in route.steps if not step.is_datum] if route is not None else []
     return sum(sizes), max(sizes, default=0)

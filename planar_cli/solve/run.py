@@ -24,7 +24,8 @@ from planar_cli.solve.instant import Instant, Trial, make_instant, search_modes
 from planar_cli.solve.passages import Tale
 from planar_cli.solve.roads import in_general, is_curve, is_kinematic, runs_in_time, without
 from planar_cli.solve.seek import seek
-from planar_cli.solve.solution import Found, InstantSolution, PartSolution, Solution
+from planar_cli.solve.solution import Found, InstantSolution
+from planar_cli.solve.solved_problem import PartSolution, Solution
 from planar_cli.solve.states import solve_states
 from planar_cli.solve.verify import Disagreement
 
@@ -139,10 +140,9 @@ def _formulas(problem: Problem, case: str, units: dict[str, str], earlier: dict[
 
 def _in_time(problem: Problem, case: str, units: dict[str, str], earlier: dict[str, Earlier]) -> PartSolution:
     """A motion from state to state; imported when needed."""
-    from planar_cli.solve.course.formulas import at_given_time
     from planar_cli.solve.course.run import solve_course
 
-    return at_given_time(problem, solve_course(problem, case, units, earlier))
+    return solve_course(problem, case, units, earlier)
 
 
 def _with_curves(

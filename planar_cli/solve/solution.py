@@ -1,6 +1,4 @@
-"""A problem solved: every find of the file and of its cases, with the stages that show how, and the checks that were
-made.
-"""
+"""One instant worked out, and finds with their answers."""
 
 from __future__ import annotations
 
@@ -13,7 +11,6 @@ from planar_cli.calculus.curve_words import Curve
 from planar_cli.equation.exact import Settled, Valuation
 from planar_cli.problem.scene import Find
 from planar_cli.solve.instant import Instant, Trial
-from planar_cli.solve.passages import Tale
 from planar_cli.solve.stages import Stage
 from planar_cli.solve.write import Explicit
 from planar_cli.units import Unit
@@ -61,25 +58,3 @@ class InstantSolution:
     left_out: tuple[Any, ...] = ()
     method: str = "newton"
     quiet: bool = False
-
-
-@dataclass(slots=True)
-class PartSolution:
-    """The file's own finds, or those of one case. `motion`: how its states follow each other in time, where they do;
-    then `instants` are the general positions of its regimes. `tale`: what is told beside the instants.
-    """
-
-    case: str
-    instants: tuple[InstantSolution, ...]
-    found: tuple[Found, ...]
-    motion: Any = None
-    tale: Tale | None = None
-
-
-@dataclass(slots=True)
-class Solution:
-    """A whole file solved."""
-
-    problem: Any
-    parts: tuple[PartSolution, ...]
-    seconds: dict[str, float]

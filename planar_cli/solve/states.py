@@ -26,7 +26,8 @@ from planar_cli.problem.expression import (
 )
 from planar_cli.problem.scene import Find, Problem
 from planar_cli.solve.solution import Found as Answered
-from planar_cli.solve.solution import InstantSolution, PartSolution
+from planar_cli.solve.solution import InstantSolution
+from planar_cli.solve.solved_problem import PartSolution
 from planar_cli.units import Unit
 
 Solver = Callable[..., tuple[InstantSolution, list[Answered]]]

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from decimal import Decimal
 
 import sympy as sp
 
 from planar_cli.solve.course.equations import Equation
-from planar_cli.solve.roots import Root
+from planar_cli.solve.course.trace import Result
 
 Edge = tuple[tuple[Equation, ...], tuple[sp.Symbol, ...], frozenset[sp.Symbol], float]
 """Equations, the unknowns that they fix, what must be known for that, and what it costs."""
@@ -22,16 +21,6 @@ class Derivation:
     unknowns: tuple[sp.Symbol, ...]
     needs: frozenset[sp.Symbol]
     cost: float
-
-
-@dataclass(frozen=True, slots=True)
-class Result:
-    """One line: unknown = formula = value; `roots`: all roots of its equation, with those that do not happen."""
-
-    unknown: sp.Symbol
-    formula: sp.Expr | None
-    value: Decimal
-    roots: tuple[Root, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

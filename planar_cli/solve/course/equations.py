@@ -22,6 +22,7 @@ from planar_cli.solve.course.constraints import fixed_by, start_of
 from planar_cli.solve.course.plot import fixed_time
 from planar_cli.solve.course.regime import Regime
 from planar_cli.solve.course.timeline import Demand, Stop
+from planar_cli.solve.course.trace import Law
 
 COSTS = {"given": 0.1, "turn": 0.2, "drawn": 0.1, "start": 0.1, "motion": 0.5, "link": 0.6, "loop": 1.2, "extreme": 0.8}
 COSTS |= {"followed": 5.0, "blow": 1.0, "handed": 0.3, "energy": 0.9, "momentum": 1.25}
@@ -63,21 +64,6 @@ class Equation:
         extra = 1.0 if self.span is not None and self.span.unevaluated else 0.0
         extra += self.law.effort if self.law is not None else 0.0
         return COSTS[self.kind] + extra + self.surcharge
-
-
-@dataclass(frozen=True, slots=True)
-class Law:
-    """How one coordinate moves: q̇ = f (order 1) or q̈ = f (order 2), f in t, q and its own speed v = factor · speed.
-    `effort`: what it takes to find it.
-    """
-
-    coordinate: Coordinate
-    order: int
-    f: sp.Expr
-    v: sp.Symbol
-    speed: sp.Symbol | None = None
-    factor: sp.Expr = sp.S.One
-    effort: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)

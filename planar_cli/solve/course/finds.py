@@ -24,11 +24,11 @@ from planar_cli.solve.asked import is_energy
 from planar_cli.solve.course.course import Course
 from planar_cli.solve.course.derivation import Route
 from planar_cli.solve.course.oscillation import stability
-from planar_cli.solve.course.over_spans import SpanIntegral
 from planar_cli.solve.course.paths import CurveReader
 from planar_cli.solve.course.starts import started
 from planar_cli.solve.course.throughout import Throughout
 from planar_cli.solve.course.timeline import Reader, Stop
+from planar_cli.solve.course.trace import SpanIntegral
 from planar_cli.solve.course.unsettled import settled_by
 from planar_cli.solve.passages import Passage
 from planar_cli.solve.roads import is_curve

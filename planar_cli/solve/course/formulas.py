@@ -6,7 +6,7 @@ Forces come from the equations of the general position.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from decimal import Decimal
 from typing import Any
@@ -35,7 +35,8 @@ from planar_cli.solve.course.regime import Regime
 from planar_cli.solve.course.stories import Story
 from planar_cli.solve.passages import Passage, Tale, sides_of
 from planar_cli.solve.roads import asks_forces, is_curve
-from planar_cli.solve.solution import Found, PartSolution
+from planar_cli.solve.solution import Found
+from planar_cli.solve.solved_problem import PartSolution
 from planar_cli.solve.verify import Disagreement
 from planar_cli.solve.worked import unknowns_of
 from planar_cli.units import parse_unit
@@ -294,18 +295,17 @@ def _square_rooted(e: sp.Expr) -> sp.Expr:
     return root ** (2 * e.exp) if not any(_is_root(p) for p in root.atoms(sp.Pow)) else e
 
 
-def at_given_time(problem: Problem, part: PartSolution) -> PartSolution:
-    """One instant of a motion that `motion` gives as short places over time: differentiated, then the time put in."""
-    regimes = [] if part.motion is None or problem.states else part.motion.course.distinct_regimes()
-    if len(regimes) != 1 or any(asks_forces(f) for f in problem.find):
-        return part
+def at_given_time(problem: Problem, regimes: Sequence[Regime], passages: tuple[Passage, ...]) -> Tale | None:
+    """One instant of a motion that `motion` gives as short places over time: differentiated, then the time put in.
+    `passages`: what is told of curves. None: it is no such motion.
+    """
+    if problem.states or len(regimes) != 1 or any(asks_forces(f) for f in problem.find):
+        return None
     reader = FormulaReader(problem, {}, regimes[0])
     if set(Functions(regimes[0], {}).find()) != set(regimes[0].rates) or reader.kinetic:
-        return part
+        return None
     when = " and ".join(s.text for s in problem.instant or () if isinstance(s, Relation))
     told = reader.passages()
     if any(longer(side, LONG_ROW) for p in told for row in p.rows for side in sides_of(row)):
-        return part
-    curves = part.tale.passages if part.tale is not None else ()
-    part.tale = Tale((*told, Passage(f"All this is taken at {when}.", ()), *curves))
-    return part
+        return None
+    return Tale((*told, Passage(f"All this is taken at {when}.", ()), *passages))

@@ -23,6 +23,7 @@ from planar_cli.problem.expression import Quantity
 from planar_cli.solve.course.regime import Regime
 from planar_cli.solve.course.regime_sequence import RegimeSequence
 from planar_cli.solve.course.timeline import Stop
+from planar_cli.solve.course.trace import Verdict
 
 HIGHEST = 5
 """Where the linear term vanishes, terms up to this power of the deviation are looked at."""
@@ -62,18 +63,6 @@ class Oscillation:
     def frequency(self) -> sp.Expr:
         """In Hz."""
         return sp.sqrt(self.square) / (2 * sp.pi)
-
-
-@dataclass(frozen=True, slots=True)
-class Verdict:
-    """`kind`: stable, unstable or indifferent. `power`: of the deviation, in the term that decides (1: linear)."""
-
-    kind: str
-    power: int = 1
-
-    @property
-    def stable(self) -> bool:
-        return self.kind == "stable"
 
 
 def linearised(regime: Regime, stop: Stop) -> Oscillation:

@@ -13,7 +13,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from contextlib import suppress
-from dataclasses import dataclass
 from decimal import Decimal
 from functools import cached_property, partial
 from itertools import pairwise
@@ -35,41 +34,11 @@ from planar_cli.solve.course.legs import ENOUGH, FEW_DIGITS, MANY_DIGITS, Leg, l
 from planar_cli.solve.course.potential import potential, signed_speed
 from planar_cli.solve.course.span_quantities import SpanQuantity
 from planar_cli.solve.course.timeline import Stop
+from planar_cli.solve.course.trace import Piece, SpanIntegral
 
 CERTAIN = Decimal("1e-9")
 """What an integral in a state's own relations may differ from the same by numbers, relative to its size."""
 SAME_TIME = Decimal("1e-20")
-
-
-@dataclass(frozen=True, slots=True)
-class Piece:
-    """Part of a span in one regime, between two states: the integrand, a function G of which it is the rate (None:
-    there is none), the integrand over time where q(t) is known, the instants at which it changes its sign (of a path
-    length), the result in letters of states, and its number. `how`: difference, integral, quadrature, flow or blow.
-    """
-
-    since: Stop
-    until: Stop
-    integrand: sp.Expr
-    how: str
-    number: Decimal
-    formula: sp.Expr | None = None
-    antiderivative: sp.Expr | None = None
-    over_time: sp.Expr | None = None
-    turns: tuple[Decimal, ...] = ()
-
-
-@dataclass(frozen=True, slots=True)
-class SpanIntegral:
-    """A quantity over a span worked out. `duration`: what a mean is divided by, else 1. `events`: times of a count."""
-
-    symbol: sp.Symbol
-    quantity: Quantity
-    pieces: tuple[Piece, ...]
-    number: Decimal
-    formula: sp.Expr | None
-    duration: sp.Expr = sp.S.One
-    events: tuple[Decimal, ...] = ()
 
 
 class SpanSolver:
@@ -114,7 +83,7 @@ class SpanSolver:
         if loose:
             text = f"not unique: {', '.join(sorted(s.name for s in loose))}; the scene has more supports than equations"
             raise NoSolution([Diagnostic(q.mark, "PL603", text, "ask for what is unique, or leave a support out")])
-        return Piece(blow.since, blow.stop, formula, "blow", self.value(formula), formula)
+        return Piece(*_ends(blow.since, blow.stop), formula, "blow", self.value(formula), formula)
 
     def _parts(self, asked: SpanQuantity) -> list[tuple[Stop, Stop, Leg]]:
         """The span cut where a blow falls, and where the regime changes."""
@@ -160,10 +129,12 @@ class SpanSolver:
         if not turns:
             sense = -1 if whole.number < 0 else 1
             formula = None if whole.formula is None else sense * whole.formula
-            return Piece(p, r, speed, whole.how, abs(whole.number), formula, whole.antiderivative, whole.over_time)
+            return Piece(
+                *_ends(p, r), speed, whole.how, abs(whole.number), formula, whole.antiderivative, whole.over_time
+            )
         ends = [ta, *turns, tb]
         total = sum((abs(self._number(speed, leg, s, t)[0]) for s, t in pairwise(ends)), Decimal(0))
-        return Piece(p, r, speed, whole.how, total, None, whole.antiderivative, whole.over_time, turns)
+        return Piece(*_ends(p, r), speed, whole.how, total, None, whole.antiderivative, whole.over_time, turns)
 
     def _integral(self, p: Stop, r: Stop, rate: sp.Expr, leg: Leg) -> Piece:
         """∫ rate dt between two states of a leg."""
@@ -171,12 +142,12 @@ class SpanSolver:
         number, how = self._number(rate, leg, ta, tb)
         g = potential(rate, leg.regime)
         if g is not None:
-            return Piece(p, r, rate, "difference", number, r.at(g) - p.at(g), g)
+            return Piece(*_ends(p, r), rate, "difference", number, r.at(g) - p.at(g), g)
         over = leg.over_time(rate)
         formula = None
         if over is not None:
             formula = definite(simplified(over), leg.regime.time, p.t, r.t, leg.value)
-        return Piece(p, r, rate, how, number, formula, None, over)
+        return Piece(*_ends(p, r), rate, how, number, formula, None, over)
 
     def _number(self, rate: sp.Expr, leg: Leg, ta: Decimal, tb: Decimal) -> tuple[Decimal, str]:
         """∫ rate dt between two times, and how it was done."""
@@ -240,6 +211,11 @@ class SpanSolver:
 def _size(g: Callable[[float], float], leg: Leg) -> float:
     span = float(leg.t1 - leg.t0)
     return max(1e-9, *(abs(g(float(leg.t0) + span * k / 7)) for k in range(8)))
+
+
+def _ends(since: Stop, until: Stop) -> tuple[str, str, tuple[sp.Symbol, sp.Symbol]]:
+    """Between which states a part of a span is, and their times."""
+    return since.name, until.name, (since.t, until.t)
 
 
 def solve_spans(course: Course, value: Valuation) -> tuple[SpanIntegral, ...]:

@@ -21,8 +21,9 @@ from planar_cli.errors import Undecided
 from planar_cli.solve.course.by_numbers import ByNumbers
 from planar_cli.solve.course.chain import Step
 from planar_cli.solve.course.closed import closed_roots
-from planar_cli.solve.course.derivation import Derivation, Edge, Leg, Result, Route
+from planar_cli.solve.course.derivation import Derivation, Edge, Leg, Route
 from planar_cli.solve.course.equations import DATA, Equation
+from planar_cli.solve.course.trace import Result
 from planar_cli.solve.linear import solve
 
 LONG_POOL = 30

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any
 
 import sympy as sp
@@ -15,9 +16,11 @@ from planar_cli.solve.course.blow_checks import blow_checks
 from planar_cli.solve.course.by_numbers import ByNumbers, by_numbers
 from planar_cli.solve.course.complete import completed
 from planar_cli.solve.course.course import Course
+from planar_cli.solve.course.formulas import at_given_time
 from planar_cli.solve.course.independence import rests_on
 from planar_cli.solve.course.masses import demand_mass
 from planar_cli.solve.course.methods import by_method, demand_reached, follows
+from planar_cli.solve.course.motion_trace import motion_trace
 from planar_cli.solve.course.plot import Workshop
 from planar_cli.solve.course.presumed import presumed
 from planar_cli.solve.course.reached import reaching
@@ -26,7 +29,8 @@ from planar_cli.solve.course.throughout import Throughout
 from planar_cli.solve.course.unfold import Unfolder
 from planar_cli.solve.course.unfolded import Unfolded
 from planar_cli.solve.passages import Tale
-from planar_cli.solve.solution import InstantSolution, PartSolution
+from planar_cli.solve.solution import InstantSolution
+from planar_cli.solve.solved_problem import PartSolution
 
 
 def solve_course(problem: Problem, case: str, units: dict[str, str], earlier: Mapping[str, Any]) -> PartSolution:
@@ -34,9 +38,12 @@ def solve_course(problem: Problem, case: str, units: dict[str, str], earlier: Ma
     workshop = Workshop(earlier)
     unfolded = reaching(problem, lambda p: Unfolder(p, workshop, units=units).run())
     try:
-        return _told(unfolded, case)
+        part = _told(unfolded, case)
     except Unvalued as error:
         raise missing(unfolded.course) or error from error
+    curves = part.tale.passages if part.tale is not None else ()
+    tale = at_given_time(problem, unfolded.course.distinct_regimes(), curves)
+    return part if tale is None else replace(part, tale=tale)
 
 
 def _told(unfolded: Unfolded, case: str) -> PartSolution:
@@ -66,7 +73,7 @@ def _told(unfolded: Unfolded, case: str) -> PartSolution:
     answers = tuple(found.finds.answer(a, found.route, found.value, found.spans) for a in found.finds.asked)
     instants = _instants(found.course)
     tale = Tale(tuple(found.finds.curves), whole=False) if found.finds.curves else None
-    return PartSolution(case, instants, answers, found, tale)
+    return PartSolution(case, instants, answers, motion_trace(found, instants), tale)
 
 
 def _instants(course: Course) -> tuple[InstantSolution, ...]:

@@ -12,8 +12,8 @@ from planar_cli.solve.course.course import Course
 from planar_cli.solve.course.derivation import Route
 from planar_cli.solve.course.finds import FindReader
 from planar_cli.solve.course.oscillation import Oscillation
-from planar_cli.solve.course.over_spans import SpanIntegral
 from planar_cli.solve.course.simulate import Followed
+from planar_cli.solve.course.trace import SpanIntegral
 
 
 @dataclass(slots=True)

@@ -12,8 +12,8 @@ from planar_cli.errors import Undecided
 from planar_cli.problem.scene import Find
 from planar_cli.solve.course.course import Course
 from planar_cli.solve.course.independence import rests_on
-from planar_cli.solve.course.over_spans import SpanIntegral
 from planar_cli.solve.course.regime import Regime
+from planar_cli.solve.course.trace import SpanIntegral
 
 READABLE = 40
 """An equation of motion with more operations is not written into a message."""

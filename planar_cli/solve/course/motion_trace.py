@@ -1,0 +1,171 @@
+"""From a solved motion to its trace: what is said of it, apart from what solved it."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.equation.exact import Valuation
+from planar_cli.problem.expression import Relation as FoundRelation
+from planar_cli.solve.course.blow import Blow
+from planar_cli.solve.course.derivation import Leg, Route
+from planar_cli.solve.course.equations import DATA, Equation
+from planar_cli.solve.course.finds import Asked
+from planar_cli.solve.course.impulse_momentum import Momentum
+from planar_cli.solve.course.needed import wanted_of
+from planar_cli.solve.course.oscillation import Oscillation, roots_of, stability
+from planar_cli.solve.course.trace import (
+    Centre,
+    EnergyBalance,
+    Impact,
+    ImpactEquation,
+    MomentumBalance,
+    MotionTrace,
+    OscillationTrace,
+    RegimeTrace,
+    Relation,
+    Request,
+    RouteStep,
+    RouteTrace,
+    Turning,
+)
+from planar_cli.solve.course.unfolded import Unfolded
+from planar_cli.solve.course.work_energy import Balance
+from planar_cli.solve.solution import InstantSolution
+from planar_cli.solve.stages import Stage
+from planar_cli.solve.write import Written
+
+
+def motion_trace(found: Unfolded, instants: tuple[InstantSolution, ...]) -> MotionTrace:
+    """All that is said of a motion. `instants`: the general positions of its regimes that are told."""
+    course, finds = found.course, found.finds
+    tracer = _Tracer(found.value)
+    return MotionTrace(
+        problem=course.problem,
+        states=tuple(s.name for s in course.states),
+        ledger=course.ledger,
+        value=found.value,
+        symbolic=course.symbolic,
+        unknowns=course.chain().unknowns,
+        general={own: general for stop in course.stops.values() for general, own in stop.letters.items()},
+        varying=frozenset(s for regime in course.distinct_regimes() for s in regime.letters),
+        free=frozenset(course.regimes[0].free if course.regimes else ()),
+        guessed=found.guessed,
+        followed=None if found.followed is None else found.followed.values,
+        turnings=_turnings(found),
+        route=None if found.route is None else tracer.route(found.route),
+        requests=tuple(_request(found, a) for a in finds.asked),
+        passing={name: tracer.route(route) for name, route in finds.passing.items()},
+        spans=found.spans,
+        oscillations=tuple(_oscillation(o, found.value) for o in found.oscillations),
+        regimes=tuple(_regime(found, instant) for instant in instants),
+        checks=found.checks,
+        presumed=found.presumed,
+    )
+
+
+def _turnings(found: Unfolded) -> tuple[Turning, ...]:
+    course = found.course
+    turnings = []
+    for name, (expr, words) in course.plot.turnings.items():
+        t = course.stops[name].t
+        # After a slight touch the time depends on the touch alone.
+        timed = not course.symbolic and t in found.value.values and course.touch is None
+        turnings.append(Turning(name, t if timed else None, expr, words))
+    return tuple(turnings)
+
+
+def _request(found: Unfolded, asked: Asked) -> Request:
+    parts = tuple(found.finds.settled(asked, p) for p in asked.parts)
+    counts = parts and not isinstance(asked.find.found.what, FoundRelation)
+    return Request(asked.find, parts, found.finds.unit_of(asked.find) if counts else None)
+
+
+def _oscillation(found: Oscillation, value: Valuation) -> OscillationTrace:
+    rates = (found.regime.general.rate_of(u) for u in found.speeds)
+    return OscillationTrace(
+        state=found.stop.name,
+        motion=tuple(zip(rates, found.laws, strict=True)),
+        stiffness=found.stiffness[0][0],
+        damping=found.damping[0][0],
+        square=found.square,
+        period=found.period,
+        roots=() if found.single else tuple(roots_of(found, value)),
+        verdict=stability(found, value),
+    )
+
+
+def _regime(found: Unfolded, instant: InstantSolution) -> RegimeTrace:
+    course = found.course
+    names = [s.name for s in course.states]
+    acts = [i for i, r in enumerate(course.regimes) if r.general.solution is instant and i + 1 < len(names)]
+    return RegimeTrace(instant, tuple((names[i], names[i + 1]) for i in acts), wanted_of(found, instant))
+
+
+class _Tracer:
+    """Turns equations and routes into what is said of them. `value`: numbers of everything."""
+
+    def __init__(self, value: Valuation) -> None:
+        self.value = value
+        self._impacts: dict[str, Impact] = {}
+
+    def route(self, route: Route) -> RouteTrace:
+        return RouteTrace(tuple(self._step(leg) for leg in route.legs), route.formulas, route.plain)
+
+    def _step(self, leg: Leg) -> RouteStep:
+        d = leg.derivation
+        return RouteStep(tuple(self._relation(e) for e in d.equations), d.unknowns, d.needs, leg.results, leg.datum)
+
+    def _relation(self, e: Equation) -> Relation:
+        source = self._source(e.source)
+        return Relation(e.residual, e.kind, e.words, e.stop, e.since, e.kind in DATA, e.span, e.law, source)
+
+    def _source(self, source: Any) -> EnergyBalance | MomentumBalance | ImpactEquation | None:
+        if source is None:
+            return None
+        if isinstance(source, Balance):
+            b = source
+            works = tuple((w.words, w.value) for w in b.works)
+            return EnergyBalance(b.since.name, b.stop.name, b.before, b.after, works, b.kinetic, b.idle)
+        if isinstance(source, Momentum):
+            m = source
+            states = (m.since.name, m.stop.name)
+            return MomentumBalance(*states, m.bodies, m.about, m.arrow, m.before, m.after, m.impulse)
+        blow, written = source
+        return self._impact_equation(blow, written)
+
+    # --- impacts -----------------------------------------------------------------------------------------------------
+
+    def _impact_equation(self, blow: Blow, w: Written) -> ImpactEquation:
+        impact = self._impacts.setdefault(blow.since.name, self._impact(blow))
+        sides = (blow.here(w.left), blow.here(w.right))
+        return ImpactEquation(impact, *sides, w.law, w.lead, w.words, w.bodies, _centre(blow, w))
+
+    def _impact(self, blow: Blow) -> Impact:
+        hits = [j for j in blow.struck.joints if j.strikes and blow.system.modes[j.name].facts.pushes]
+        if blow.stage is None:
+            return Impact(blow.since.name, len(hits), None)
+        known = self.value.values
+        places = {s: known[own] for s, own in blow.stop.letters.items() if own in known}
+        value = blow.scene.valuations[0].extended({**known, **places})
+        stages = (_in_velocities(blow.stage),)
+        solution = InstantSolution("", blow.struck, blow.trial, (), stages, blow.stage.lines, value)
+        return Impact(blow.since.name, len(hits), solution)
+
+
+def _centre(blow: Blow, w: Written) -> Centre | None:
+    """The moment centre of an equation, where it has no name of its own."""
+    found = None if blow.stage is None or w.law != "moment" else blow.stage.centres.get(w.lead)
+    if found is None:
+        return None
+    place, through = found
+    return Centre(blow.here(sp.sympify(place.x)), blow.here(sp.sympify(place.y)), tuple(through))
+
+
+def _in_velocities(stage: Stage) -> Stage:
+    """A plan of a blow with the velocities just after it by its unknowns, where an instant names accelerations."""
+    explicit = {x.symbol: x.expression for x in stage.lines}
+    put = {b: [(d, c.xreplace(explicit)) for d, c in parts] for b, parts in stage.accelerations.items()}
+    return replace(stage, accelerations=put)

@@ -1,0 +1,34 @@
+"""A problem solved: every find of the file and of its cases, with the stages that show how, and the checks that were
+made.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from planar_cli.problem.scene import Problem
+from planar_cli.solve.course.trace import MotionTrace
+from planar_cli.solve.passages import Tale
+from planar_cli.solve.solution import Found, InstantSolution
+
+
+@dataclass(slots=True)
+class PartSolution:
+    """The file's own finds, or those of one case. `motion`: how its states follow each other in time, where they do;
+    then `instants` are the general positions of its regimes. `tale`: what is told beside the instants.
+    """
+
+    case: str
+    instants: tuple[InstantSolution, ...]
+    found: tuple[Found, ...]
+    motion: MotionTrace | None = None
+    tale: Tale | None = None
+
+
+@dataclass(slots=True)
+class Solution:
+    """A whole file solved."""
+
+    problem: Problem
+    parts: tuple[PartSolution, ...]
+    seconds: dict[str, float]
