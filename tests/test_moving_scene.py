@@ -8,11 +8,13 @@ from pathlib import Path
 import pytest
 from conftest import ROOT
 
-from planar_cli.errors import FileProblem
+from planar_cli.errors import NOWHERE, FileProblem
+from planar_cli.motion.quantities import Quantities
 from planar_cli.motion.scene import MovingScene
 from planar_cli.motion.terms import Term, evaluate
 from planar_cli.problem.geometry import Vec
-from planar_cli.problem.structure import load
+from planar_cli.problem.parser import parse_side
+from planar_cli.problem.structure import load, load_text
 
 FILES = sorted((ROOT / "problems").rglob("*.yaml"))
 NO_NUMBER = {"PL704", "PL705"}
@@ -72,3 +74,82 @@ def test_residuals_vanish_as_drawn_and_have_right_slopes(folder: Path) -> None:
             told = sum(evaluate([slopes[q]], at)[0] * way[q] for q in way if q in slopes)
             slope = (ends[1] - ends[0]) / (2 * step)
             assert slope == pytest.approx(told, rel=1e-5, abs=1e-5 * size), (path.name, title)
+
+
+SCENE = """
+title: two rods and a disk
+plane: vertical
+points: {O: [0, 0], A: [0.4 m, 0.3 m], B: [1.1 m, 0.2 m], C: [1.3 m, -0.5 m], E: [1.4 m, -0.35 m], S: [0.2 m, 0.9 m]}
+bodies:
+  OA: {rod: [O, A], mass: 2 kg}
+  AB: {rod: [A, B], mass: 3 kg}
+  wheel: {disk: C, radius: 0.2 m, mass: 1.5 kg, points: [E]}
+loads:
+  - spring: {between: [S, B], stiffness: 300 N/m, natural_length: 0.3 m}
+instant: [at rest]
+find: {v: v(B).x}
+"""
+WORDS = (
+    "r(B).x", "r(E/B).y", "r(E).angle", "v(B).x", "v(E).y", "v(E/A).x", "v(B).mag", "theta(AB)", "theta(AB/OA)",
+    "omega(wheel)", "r(E).across(B/A)", "v(E).along(AB)", "KE(all)", "PE(all)", "momentum(AB).x", "H(AB/C)", "H(wheel)",
+    "v(E/AB).x", "r(E/C).along(wheel)",
+)  # fmt: skip
+
+
+def of(scene: MovingScene, text: str, accelerations: dict[Term, Term]) -> Term:
+    """A quantity of the scene."""
+    return Quantities(scene, scene.stored_energy, accelerations).sides.value(parse_side(text, NOWHERE))
+
+
+def moved(scene: MovingScene, time: float) -> dict[Term, float]:
+    """A motion of all bodies: places at a time, with their rates and accelerations."""
+    found: dict[Term, float] = {}
+    for n, (q, v) in enumerate(p for place in scene.places.values() for p in place.variables):
+        a, b = 0.7 + 0.3 * n, 0.9 - 0.17 * n
+        found |= {q: q.value + a * time + b * time**2, v: a + 2 * b * time}
+    return found
+
+
+@pytest.mark.parametrize("text", WORDS)
+def test_rates_of_quantities_are_those_of_the_motion(text: str) -> None:
+    problem, wrong = load_text(SCENE)
+    assert problem is not None, wrong
+    scene = MovingScene(problem)
+    pairs = [p for place in scene.places.values() for p in place.variables]
+    graph = scene.graph
+    second = {v: graph.number(2 * (0.9 - 0.17 * n)) for n, (_, v) in enumerate(pairs)}
+    value, rate = of(scene, text, second), of(scene, f"dot({text})", second)
+    step = 1e-5
+    ends = [evaluate([value], moved(scene, 0.1 + s * step))[0] for s in (-1, 1)]
+    assert evaluate([rate], moved(scene, 0.1))[0] == pytest.approx((ends[1] - ends[0]) / (2 * step), rel=1e-6, abs=1e-7)
+
+
+@pytest.mark.parametrize(
+    ("word", "of_it"), [("v(B).x", "r(B).x"), ("omega(AB)", "theta(AB)"), ("alpha(AB)", "omega(AB)")]
+)
+def test_words_of_motion_are_rates_of_each_other(word: str, of_it: str) -> None:
+    problem, _ = load_text(SCENE)
+    assert problem is not None
+    scene = MovingScene(problem)
+    step = 1e-5
+    pairs = [p for place in scene.places.values() for p in place.variables]
+    second = {v: scene.graph.number(2 * (0.9 - 0.17 * n)) for n, (_, v) in enumerate(pairs)}
+    value, rate = of(scene, of_it, second), of(scene, word, second)
+    ends = [evaluate([value], moved(scene, 0.1 + s * step))[0] for s in (-1, 1)]
+    assert evaluate([rate], moved(scene, 0.1))[0] == pytest.approx((ends[1] - ends[0]) / (2 * step), rel=1e-6)
+
+
+def test_motion_seen_from_a_body_is_that_of_its_own_axes() -> None:
+    problem, _ = load_text(SCENE)
+    assert problem is not None
+    scene = MovingScene(problem)
+    pairs = [p for place in scene.places.values() for p in place.variables]
+    second = {v: scene.graph.number(2 * (0.9 - 0.17 * n)) for n, (_, v) in enumerate(pairs)}
+    reach = ["r(E/OA).along(OA)", "r(E/OA).across(OA)"]
+    step = 1e-4
+    for part, axis in zip(reach, ("along", "across"), strict=True):
+        place = of(scene, part, second)
+        before, now, after = (evaluate([place], moved(scene, 0.1 + s * step))[0] for s in (-1, 0, 1))
+        v, a = (evaluate([of(scene, f"{w}(E/OA).{axis}(OA)", second)], moved(scene, 0.1))[0] for w in "va")
+        assert v == pytest.approx((after - before) / (2 * step), rel=1e-6)
+        assert a == pytest.approx((after - 2 * now + before) / step**2, rel=1e-4)

@@ -16,7 +16,7 @@ from planar_cli.equation.evaluate import Evaluator
 from planar_cli.equation.jets import Jet, constant
 from planar_cli.equation.motion import Motion, Tree
 from planar_cli.equation.plain import simplified
-from planar_cli.equation.polar import TOGETHER, VectorStatement, dotted, grouped
+from planar_cli.equation.polar import dotted, vector_equations
 from planar_cli.equation.quantities import Quantities
 from planar_cli.equation.scene import Scene
 from planar_cli.errors import NOWHERE, Mark
@@ -33,6 +33,7 @@ from planar_cli.problem.expression import (
 )
 from planar_cli.problem.facts import Row
 from planar_cli.problem.geometry import Vec
+from planar_cli.problem.polar import TOGETHER, VectorStatement, grouped
 from planar_cli.problem.scene import At, Particle, Polar
 
 POSITION, VELOCITY, ACCELERATION = 0, 1, 2
@@ -133,7 +134,7 @@ def stated(
         return vector_or_jet(side, quantities, evaluator)
 
     found: list[Condition] = []
-    for item in grouped(counted, read):
+    for item in grouped(counted):
         parts = item.relations if isinstance(item, VectorStatement) else (item,)
         own = max(levels[id(r)] for r in parts)
         try:
@@ -152,7 +153,7 @@ def _residual(
     """What vanishes, differentiated so many times; what must not be negative is asked of the relation itself."""
     sense: sp.Expr | None = None
     if isinstance(item, VectorStatement):
-        vanishing, sense = item.equations(read)
+        vanishing, sense = vector_equations(item, read)
         if not isinstance(vanishing, Vec) and item.angle is None:
             rooted = _rooted(item, read, scene) if not times else None
             # Half the rate of v² is v · a.

@@ -10,12 +10,12 @@ import sympy as sp
 from planar_cli.equation.conditions import POSITION, gap, order, vector_or_jet
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.equation.jets import Jet
-from planar_cli.equation.polar import TOGETHER
 from planar_cli.equation.quantities import Quantities
 from planar_cli.equation.setup import Setup
 from planar_cli.errors import NOWHERE, Diagnostic, Mark, NoSolution, PlanarError
 from planar_cli.problem.expression import Relation
 from planar_cli.problem.geometry import Vec
+from planar_cli.problem.polar import TOGETHER
 from planar_cli.solve.asked import names_anywhere
 from planar_cli.solve.diagnose_words import in_unit, left_of, listed, short, unit_of
 from planar_cli.solve.instant import Instant, Trial

@@ -14,7 +14,6 @@ from planar_cli.equation.driving import driving_pushes
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.motion import Motion, TreeBuilder
-from planar_cli.equation.polar import TOGETHER
 from planar_cli.equation.setup import Setup, names_in
 from planar_cli.equation.system import Statements, System, make_system
 from planar_cli.errors import Undecided
@@ -22,6 +21,7 @@ from planar_cli.joints.base import Joint
 from planar_cli.loads.base import Load, mode_key
 from planar_cli.problem.facts import Mode, Push, Test
 from planar_cli.problem.keys import Flow, keys_of
+from planar_cli.problem.polar import TOGETHER
 from planar_cli.problem.scene import Problem
 from planar_cli.solve.asked import names_anywhere, quantities_in
 from planar_cli.solve.study import Outcome, Velocities, accelerate, solve_velocities

@@ -13,7 +13,7 @@ from planar_cli.equation.evaluate import Evaluator, refuse
 from planar_cli.equation.jets import Jet, constant
 from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.plain import simplified
-from planar_cli.equation.polar import VectorStatement, grouped
+from planar_cli.equation.polar import vector_equations
 from planar_cli.equation.quantities import Quantities
 from planar_cli.equation.system import mode_of
 from planar_cli.errors import NOWHERE, Mark
@@ -30,6 +30,7 @@ from planar_cli.problem.expression import (
     Statement,
 )
 from planar_cli.problem.geometry import Vec
+from planar_cli.problem.polar import VectorStatement, grouped
 from planar_cli.problem.scene import Problem
 from planar_cli.problem.scope import Scope
 from planar_cli.solve.course.after import changes_at_once
@@ -205,7 +206,7 @@ class Reader:
         found: list[tuple[Statement, tuple[Any, ...]]] = []
         statements = list(statements)
         relations = [s for s in statements if isinstance(s, Relation) and mode_of(s) is None]
-        found += [(s, e) for item in grouped(relations, self.any) for s, e in self._relation(item)]
+        found += [(s, e) for item in grouped(relations) for s, e in self._relation(item)]
         for s in statements:
             if isinstance(s, Extreme):
                 found.append((s, (self._number(s.side),)))
@@ -227,14 +228,14 @@ class Reader:
 
     def relation(self, s: Relation) -> list[tuple[Any, ...]]:
         """One relation: operators, what vanishes or is compared with zero, and what must be positive besides."""
-        return [parts for item in grouped([s], self.any) for _, parts in self._relation(item)]
+        return [parts for item in grouped([s]) for _, parts in self._relation(item)]
 
     def _relation(self, item: Relation | VectorStatement) -> list[tuple[Relation, tuple[Any, ...]]]:
         """A relation, or one or two about a vector, with what vanishes and what must be positive."""
         difference: Any
         trend: sp.Expr | None = None
         if isinstance(item, VectorStatement):
-            s, (difference, trend) = item.relations[0], item.equations(self.any)
+            s, (difference, trend) = item.relations[0], vector_equations(item, self.any)
             s = replace(s, text=", ".join(r.text for r in item.relations))
         else:
             s = item
