@@ -43,35 +43,47 @@ def chosen(rows: Rows, values: Mapping[Term, float] | None = None) -> Order:
 
 def eliminate(graph: Graph, rows: Rows, right: Sequence[Term], by: Order | None = None) -> Eliminated:
     """Solve rows · unknowns = right, in the order given, else in that of the reference configuration."""
+    (solved,) = eliminate_all(graph, rows, [right], by)
+    return solved
+
+
+def eliminate_all(
+    graph: Graph, rows: Rows, rights: Sequence[Sequence[Term]], by: Order | None = None
+) -> tuple[Eliminated, ...]:
+    """The same for several right sides."""
     by = by or chosen(rows)
     open_rows, open_columns = set(by.rows), set(by.columns)
     left = [
         {j: t for j, t in row.items() if j not in open_columns} if i not in open_rows else {}
         for i, row in enumerate(rows)
     ]
-    system = _System(graph, left, list(right))
+    system = _System(left, [list(right) for right in rights])
     for pivot in by.pivots:
         system.eliminate(pivot.row, pivot.column)
-    zero = graph.number(0.0)
-    unknowns = [zero] * len(rows)
-    for i, j, p, row in reversed(system.solved):
-        total = system.right[i]
-        for other, factor in row.items():
-            total = total - factor * unknowns[other]
-        unknowns[j] = total / p
     checks = tuple(
         Check(p, pivot.size * SMALL_PIVOT)
         for pivot, (_, _, p, _) in zip(by.pivots, system.solved, strict=True)
         if not p.constant
     )
-    return Eliminated(tuple(unknowns), checks, by)
+    return tuple(Eliminated(_unknowns(graph, system, right), checks, by) for right in system.rights)
+
+
+def _unknowns(graph: Graph, system: _System, right: list[Term]) -> tuple[Term, ...]:
+    """From the last equation back to the first."""
+    unknowns = [graph.number(0.0)] * len(right)
+    for i, j, p, row in reversed(system.solved):
+        total = right[i]
+        for other, factor in row.items():
+            total = total - factor * unknowns[other]
+        unknowns[j] = total / p
+    return tuple(unknowns)
 
 
 class _System:
     """The equations as they are eliminated."""
 
-    def __init__(self, graph: Graph, rows: list[dict[int, Term]], right: list[Term]) -> None:
-        self.graph, self.rows, self.right = graph, rows, right
+    def __init__(self, rows: list[dict[int, Term]], rights: list[list[Term]]) -> None:
+        self.rows, self.rights = rows, rights
         self.columns: list[set[int]] = [set() for _ in rows]
         for i, row in enumerate(rows):
             for j in row:
@@ -104,5 +116,6 @@ class _System:
                     self.columns[other].add(k)
                 else:
                     target[other] = old - product
-            self.right[k] = self.right[k] - quotients[k] * self.right[i]
+            for right in self.rights:
+                right[k] = right[k] - quotients[k] * right[i]
         self.columns[j] = set()

@@ -1,0 +1,64 @@
+"""What keeps coordinates, rates or accelerations: one scalar relation of places, velocities or accelerations."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from planar_cli.motion.layout import Column, Layout
+from planar_cli.motion.terms import Term
+
+
+@dataclass(frozen=True, slots=True)
+class Constraint:
+    """φ(q, t) = 0, or only its rate φ̇ = row · v + drift = 0, and always row · a + rest = 0."""
+
+    joint: str
+    """The joint that keeps it; "" for what the file prescribes."""
+    title: str
+    """What it keeps, in words."""
+    place: Term | None
+    """φ, where the relation is one of places."""
+    rate: Term | None
+    """φ̇ as a term of the state, where it is one of places or velocities."""
+    row: Column
+    """The coefficients of velocities in φ̇ and of accelerations in φ̈."""
+    rest: Term
+    """φ̈ where all accelerations are zero."""
+    moving: Term
+    """-φ̇ where all velocities are zero: what a drive demands of row · v."""
+
+
+def of_places(layout: Layout, joint: str, title: str, place: Term) -> Constraint:
+    """A relation of places and time: it is zero."""
+    graph = layout.graph
+    row = coefficients(place, layout.numbers, layout)
+    drift = graph.rate(place, {layout.time: graph.number(1.0)})
+    rate = graph.rate(place, layout.rates())
+    return Constraint(joint, title, place, rate, row, graph.rate(rate, layout.rates()), -drift)
+
+
+def of_velocities(layout: Layout, title: str, rate: Term) -> Constraint:
+    """A relation that is linear in the velocities: it is zero."""
+    graph = layout.graph
+    numbers = {s.rate: i for i, s in enumerate(layout.slots)}
+    row = coefficients(rate, numbers, layout)
+    total = rate
+    for i, t in row.items():
+        total = total - t * layout.slots[i].rate
+    return Constraint("", title, None, rate, row, graph.rate(rate, layout.rates()), -total)
+
+
+def of_accelerations(layout: Layout, title: str, second: Term, accelerations: Sequence[Term]) -> Constraint:
+    """A relation that is linear in the accelerations, in which these are variables: it is zero."""
+    row = coefficients(second, {a: i for i, a in enumerate(accelerations)}, layout)
+    rest = second
+    for i, t in row.items():
+        rest = rest - t * accelerations[i]
+    return Constraint("", title, None, None, row, rest, layout.graph.number(0.0))
+
+
+def coefficients(term: Term, numbers: Mapping[Term, int], layout: Layout) -> dict[int, Term]:
+    """∂term/∂variable, by the number of the variable."""
+    slopes = layout.graph.gradient(term)
+    return {numbers[v]: t for v, t in slopes.items() if v in numbers and not (t.constant and t.value == 0)}

@@ -1,0 +1,107 @@
+"""The state of a scene as one list of numbers: all coordinates, then their rates, in the same order for every regime."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+
+from planar_cli.motion.terms import Graph, Term
+from planar_cli.problem.facts import Action, Wrench
+from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scene import GROUND
+
+Column = Mapping[int, Term]
+"""A generalized force, or the coefficients of a relation between rates: by the number of the coordinate."""
+
+
+@dataclass(frozen=True, slots=True)
+class Slot:
+    """One coordinate."""
+
+    coordinate: Term
+    rate: Term
+    mass: Term
+    """What belongs to it in the kinetic energy, mass · rate²/2: a mass, a moment of inertia, or 0."""
+    body: str
+    """Whose it is; "" of a coordinate of the file."""
+    kind: str
+    """x, y, theta, or coordinate."""
+
+
+@dataclass(frozen=True, slots=True)
+class Frame:
+    """Where a body's coordinates stand in the state."""
+
+    x: int
+    y: int
+    theta: int | None
+    center: Vec
+
+
+@dataclass(frozen=True, slots=True)
+class Layout:
+    """What stands where in the state."""
+
+    graph: Graph
+    time: Term
+    slots: tuple[Slot, ...]
+    frames: Mapping[str, Frame]
+    """By body."""
+    numbers: Mapping[Term, int] = field(init=False)
+    """The number of a coordinate."""
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "numbers", {s.coordinate: i for i, s in enumerate(self.slots)})
+
+    @property
+    def count(self) -> int:
+        """How many coordinates there are."""
+        return len(self.slots)
+
+    @property
+    def coordinates(self) -> tuple[Term, ...]:
+        """The first half of the state."""
+        return tuple(s.coordinate for s in self.slots)
+
+    @property
+    def speeds(self) -> tuple[Term, ...]:
+        """The second half of the state."""
+        return tuple(s.rate for s in self.slots)
+
+    @property
+    def state(self) -> tuple[Term, ...]:
+        """All variables in the order of the state."""
+        return (*self.coordinates, *self.speeds)
+
+    def rates(self, accelerations: Mapping[Term, Term] | None = None) -> dict[Term, Term]:
+        """The rate of every variable; that of the rates, if it is not given, 0."""
+        found = {s.coordinate: s.rate for s in self.slots}
+        found[self.time] = self.graph.number(1.0)
+        return found | dict(accelerations or {})
+
+    def values(self, t: float, y: Iterable[float]) -> dict[Term, float]:
+        """The variables at a state."""
+        return {self.time: t, **dict(zip(self.state, y, strict=True))}
+
+    def wrench(self, body: str, point: Vec, force: Vec | None, couple: Term) -> dict[int, Term]:
+        """The generalized force of a force at a point and a couple."""
+        if body == GROUND:
+            return {}
+        frame, graph = self.frames[body], self.graph
+        found: dict[int, Term] = {}
+        if force is not None:
+            found = {frame.x: graph.of(force.x), frame.y: graph.of(force.y)}
+            if frame.theta is not None:
+                arm = point - frame.center
+                couple = couple + graph.of(arm.cross(force))
+        if frame.theta is not None:
+            found[frame.theta] = couple
+        return {i: t for i, t in found.items() if not (t.constant and t.value == 0)}
+
+    def of_actions(self, actions: Iterable[Action | Wrench]) -> dict[int, Term]:
+        """The generalized force of all that a unit of a push, or a load, does."""
+        total: dict[int, Term] = {}
+        for a in actions:
+            for i, t in self.wrench(a.body, a.point, a.force, self.graph.of(a.couple)).items():
+                total[i] = total[i] + t if i in total else t
+        return total
