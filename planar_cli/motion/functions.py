@@ -43,6 +43,38 @@ class Turning:
         return found + math.tau * round((self.last - found) / math.tau)
 
 
+@dataclass(slots=True)
+class Sliding:
+    """The direction of a sliding that may come to rest: it stays the one last noted until it is noted anew.
+
+    So a motion goes smoothly through the instant at which the speed vanishes, where it becomes negative.
+    """
+
+    x: float = 0.0
+    y: float = 0.0
+    """The unit vector last noted; zero: there was none."""
+
+    def along_x(self, vx: float, vy: float) -> float:
+        """The x part of the direction."""
+        speed = self.speed(vx, vy)
+        return vx / speed if speed else self.x
+
+    def along_y(self, vx: float, vy: float) -> float:
+        """The y part of the direction."""
+        speed = self.speed(vx, vy)
+        return vy / speed if speed else self.y
+
+    def speed(self, vx: float, vy: float) -> float:
+        """The speed in that direction [m/s]."""
+        return math.copysign(math.hypot(vx, vy), vx * self.x + vy * self.y)
+
+    def note(self, vx: float, vy: float) -> None:
+        """From now on the direction of this vector counts, unless it is zero."""
+        size = math.hypot(vx, vy)
+        if size:
+            self.x, self.y = vx / size, vy / size
+
+
 @dataclass(frozen=True, slots=True)
 class Table:
     """Values over an argument, in ascending order: straight in between (or steps), constant before and after."""

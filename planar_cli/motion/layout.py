@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 
 from planar_cli.motion.terms import Graph, Term
@@ -35,7 +35,6 @@ class Frame:
     x: int
     y: int
     theta: int | None
-    center: Vec
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,6 +46,8 @@ class Layout:
     slots: tuple[Slot, ...]
     frames: Mapping[str, Frame]
     """By body."""
+    arm: Callable[[str, Vec], Vec]
+    """From a body's mass centre to a place."""
     numbers: Mapping[Term, int] = field(init=False)
     """The number of a coordinate."""
 
@@ -92,8 +93,7 @@ class Layout:
         if force is not None:
             found = {frame.x: graph.of(force.x), frame.y: graph.of(force.y)}
             if frame.theta is not None:
-                arm = point - frame.center
-                couple = couple + graph.of(arm.cross(force))
+                couple = couple + graph.of(self.arm(body, point).cross(force))
         if frame.theta is not None:
             found[frame.theta] = couple
         return {i: t for i, t in found.items() if not (t.constant and t.value == 0)}

@@ -100,6 +100,8 @@ class Graph:
     """Functions given by a table, by the name that they have in the code."""
     turnings: dict[str, Turning] = field(default_factory=dict)
     """Angles that go on over many turns, by the name that they have in the code."""
+    others: dict[str, Callable[..., float]] = field(default_factory=dict)
+    """Functions of one scene without a derivative, by the name that they have in the code."""
     _known: dict[tuple[object, ...], Term] = field(default_factory=dict)
     _count: int = 0
 
@@ -216,7 +218,9 @@ class Graph:
         """What a call of this name computes."""
         if name in FUNCTIONS:
             return FUNCTIONS[name]
-        return self.turnings[name].at if name in self.turnings else self.tables[name].at
+        if name in self.turnings:
+            return self.turnings[name].at
+        return self.others[name] if name in self.others else self.tables[name].at
 
     # --- derivatives -------------------------------------------------------------------------------------------------
 
@@ -265,8 +269,7 @@ class Graph:
             case "**", (a, b):
                 slope = self.power(a, b - one) * b
                 return slope, self.number(0.0) if b.constant else t * self.call("log", a)
-            case _, (y, x):
-                # atan2, and angles that go on.
+            case name, (y, x) if name == "atan2" or name in self.turnings:
                 square = x * x + y * y
                 return x / square, -y / square
             case name, (a,):

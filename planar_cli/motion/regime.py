@@ -1,0 +1,236 @@
+"""One regime of a scene: one choice of modes with its equations of motion, as functions of time and state.
+
+    M a = Q + Jᵀ μ + friction,        J a + γ = 0
+
+J and γ come from the position residuals of the joints by differentiation, Q from the loads. Multipliers of joints with
+kinetic friction act through their pushes: the friction F = μ_k N goes with its normal force, into one column.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+from planar_cli.motion.constraints import Constraint
+from planar_cli.motion.guards import Guard, Measured
+from planar_cli.motion.held import Held, add
+from planar_cli.motion.layout import Column, Layout
+from planar_cli.motion.project import Projector
+from planar_cli.motion.routine import Routine, System, Unknowns
+from planar_cli.motion.scales import Scales
+from planar_cli.motion.source import Code, compiled
+from planar_cli.motion.terms import Term
+from planar_cli.problem.facts import Push
+
+
+@dataclass(frozen=True, slots=True)
+class Parts:
+    """What a regime is made of."""
+
+    layout: Layout
+    scales: Scales
+    held: tuple[Held, ...]
+    drives: tuple[Constraint, ...]
+    """What the file prescribes of places, velocities and accelerations."""
+    loads: Column
+    """The generalized force of all loads that act."""
+    wasting: Column
+    """That of the loads without a potential."""
+    potential: Term
+    """Of all loads that have one, J."""
+    measured: tuple[Measured, ...]
+    """The conditions under which the regime holds."""
+    kept: frozenset[int]
+    """The constraints that say something new, by their number in `constraints`."""
+    values: dict[Term, float] | None
+    """A configuration that is not singular; None: the reference configuration is none."""
+
+    @property
+    def constraints(self) -> tuple[Constraint, ...]:
+        """All of them: of the joints, then of the drives."""
+        return (*(c for h in self.held for c in h.constraints), *self.drives)
+
+
+class Regime:
+    """One choice of modes."""
+
+    def __init__(self, parts: Parts) -> None:
+        self.parts = parts
+        self.layout = parts.layout
+        self.constraints = parts.constraints
+        self.reactions: tuple[Push, ...] = tuple(p for h in parts.held for p in h.pushes)
+        self.guards: tuple[Guard, ...] = tuple(m.guard for m in parts.measured)
+        self._numbers = sorted(parts.kept)
+        self._system = self._equations()
+        count = self.layout.count
+        speeds = self.layout.speeds
+        self._rates = Routine(self._system, lambda u: [*speeds, *u[0][:count]])
+        self._forces = Routine(self._system, self._pushes)
+        self._watch = Routine(self._system, self._watched)
+        self._power = Routine(self._system, self._powers)
+        self._still: Code | None = None
+        self._kinetics: Code | None = None
+        self.projector = Projector(self.layout, self.constraints, self._numbers, parts.scales, parts.values)
+
+    # --- what a motion asks ------------------------------------------------------------------------------------------
+
+    def rates(self, t: float, y: Sequence[float]) -> list[float]:
+        """y': the rates of the coordinates, then the accelerations."""
+        return self._rates(t, y)
+
+    def forces(self, t: float, y: Sequence[float]) -> list[float]:
+        """The pushes, in the order of `reactions` [N or N m]."""
+        return self._forces(t, y)
+
+    def watch(self, t: float, y: Sequence[float]) -> list[float]:
+        """The values of the guards: >= 0, or > 0, as long as the regime holds."""
+        if any(m.needs_forces for m in self.parts.measured):
+            return self._watch(t, y)
+        if self._still is None:
+            self._still = compiled(self._watched([]), self.layout.state, self.layout.time)
+        return self._still.function(t, y)
+
+    def project(self, t: float, y: Sequence[float]) -> list[float]:
+        """The nearest state, weighed by masses, that fulfils all constraints of places and velocities."""
+        return self.projector.project(t, y)
+
+    def residuals(self, t: float, y: Sequence[float]) -> list[float]:
+        """What is left of the constraints: of places, then of velocities, in parts of their scales."""
+        return self.projector.residuals(t, y)
+
+    def energy(self, t: float, y: Sequence[float]) -> float:
+        """Kinetic energy and potentials [J]."""
+        return self._measures(t, y)[0]
+
+    def momentum(self, t: float, y: Sequence[float]) -> list[float]:
+        """Linear momentum x, y [N s] and angular momentum about the origin [N m s]."""
+        return self._measures(t, y)[1:]
+
+    def power(self, t: float, y: Sequence[float]) -> float:
+        """Of loads without potential, of drives and of friction [W]."""
+        return self._power(t, y)[0]
+
+    @property
+    def operations(self) -> int:
+        """Of one evaluation of `rates`."""
+        return self._rates.operations
+
+    @property
+    def source(self) -> str:
+        """The generated code of `rates`."""
+        return self._rates.code(0).text
+
+    # --- equations ---------------------------------------------------------------------------------------------------
+
+    def _equations(self) -> System:
+        """[M W; J 0] (a, -μ) = (Q, -γ), symmetric where no friction is."""
+        layout, graph, count = self.layout, self.layout.graph, self.layout.count
+        rows: list[dict[int, Term]] = [{} for _ in range(count + len(self._numbers))]
+        zero = graph.number(0.0)
+        total: dict[int, Term] = dict(self.parts.loads)
+        for held in self.parts.held:
+            add(total, held.known(graph), graph.number(1.0), graph)
+        for i, slot in enumerate(layout.slots):
+            if not (slot.mass.constant and slot.mass.value == 0):
+                rows[i][i] = slot.mass
+        right = [total.get(i, zero) for i in range(count)]
+        columns = self._driving()
+        for k, number in enumerate(self._numbers):
+            for i, t in columns[number].items():
+                rows[i][count + k] = t
+            rows[count + k] = dict(self.constraints[number].row)
+            right.append(-self.constraints[number].rest)
+        return System(layout, rows, [right], self.parts.values)
+
+    def _driving(self) -> list[Column]:
+        """For every constraint the generalized force of a unit of its multiplier."""
+        found: list[Column] = []
+        for held in self.parts.held:
+            found += held.driving(self.layout.graph)
+        return [*found, *(c.row for c in self.parts.drives)]
+
+    def multipliers(self, unknowns: Unknowns) -> list[Term]:
+        """Of all constraints; 0 of those that say nothing new."""
+        zero = self.layout.graph.number(0.0)
+        found = [zero] * len(self.constraints)
+        for k, number in enumerate(self._numbers):
+            found[number] = -unknowns[0][self.layout.count + k]
+        return found
+
+    def exerted(self, unknowns: Unknowns) -> dict[str, Term]:
+        """Every push by its name."""
+        multipliers = iter(self.multipliers(unknowns))
+        found: dict[str, Term] = {}
+        for held in self.parts.held:
+            own = [next(multipliers) for _ in held.constraints]
+            found |= held.exerted(self.layout, own, self.parts.scales.length)
+        return found
+
+    def routine(self, outputs: Iterable[Term], unknowns: Sequence[Term]) -> Routine:
+        """Terms of the state and of `unknowns` (accelerations, then pushes) as one function."""
+        from planar_cli.motion.replacing import replaced
+
+        wanted, variables = list(outputs), list(unknowns)
+
+        def computed(found: Unknowns) -> list[Term]:
+            pushes = self.exerted(found)
+            values = [*found[0][: self.layout.count], *(pushes[p.name] for p in self.reactions)]
+            by = dict(zip(variables, values, strict=True))
+            return [replaced(t, by) for t in wanted]
+
+        return Routine(self._system, computed)
+
+    def _pushes(self, unknowns: Unknowns) -> list[Term]:
+        found = self.exerted(unknowns)
+        return [found[p.name] for p in self.reactions]
+
+    def _watched(self, unknowns: Unknowns) -> list[Term]:
+        needed = any(m.needs_forces for m in self.parts.measured)
+        pushes = self.exerted(unknowns) if needed else {}
+        return [m.value(pushes) for m in self.parts.measured]
+
+    def _powers(self, unknowns: Unknowns) -> list[Term]:
+        """Wasting loads, friction, and what constraints do that move by themselves."""
+        layout, graph = self.layout, self.layout.graph
+        total = graph.number(0.0)
+        force: dict[int, Term] = dict(self.parts.wasting)
+        pushes = self.exerted(unknowns)
+        for held in self.parts.held:
+            add(force, held.loads, graph.number(1.0), graph)
+            for name in held.followers:
+                add(force, held.columns[name], pushes[name], graph)
+            if not held.ideal:
+                for push in held.free:
+                    add(force, held.columns[push.name], pushes[push.name], graph)
+        for i, t in force.items():
+            total = total + t * layout.slots[i].rate
+        multipliers = self.multipliers(unknowns)
+        ideal = [h.ideal for h in self.parts.held for _ in h.constraints] + [True] * len(self.parts.drives)
+        for constraint, multiplier, without in zip(self.constraints, multipliers, ideal, strict=True):
+            if without and (constraint.place is not None or constraint.rate is not None):
+                total = total + multiplier * constraint.moving
+            elif without:
+                for i, t in constraint.row.items():
+                    total = total + multiplier * (t * layout.slots[i].rate)
+        return [total]
+
+    def _measures(self, t: float, y: Sequence[float]) -> list[float]:
+        """Energy, momentum x, y, angular momentum."""
+        if self._kinetics is None:
+            self._kinetics = compiled(self._measured(), self.layout.state, self.layout.time)
+        return self._kinetics.function(t, y)
+
+    def _measured(self) -> list[Term]:
+        layout, graph = self.layout, self.layout.graph
+        energy = self.parts.potential
+        for slot in layout.slots:
+            energy = energy + slot.mass * slot.rate * slot.rate * 0.5
+        px, py, angular = (graph.number(0.0) for _ in range(3))
+        for frame in layout.frames.values():
+            x, y = layout.slots[frame.x], layout.slots[frame.y]
+            px, py = px + x.mass * x.rate, py + y.mass * y.rate
+            angular = angular + x.mass * (x.coordinate * y.rate - y.coordinate * x.rate)
+            if frame.theta is not None:
+                turn = layout.slots[frame.theta]
+                angular = angular + turn.mass * turn.rate
+        return [energy, px, py, angular]

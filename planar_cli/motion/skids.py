@@ -1,0 +1,67 @@
+"""Friction of a fixed size against the sliding of one body on another, seen from above."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from planar_cli.motion.functions import Sliding
+from planar_cli.motion.layout import Layout
+from planar_cli.motion.source import Code, compiled
+from planar_cli.motion.terms import Term
+from planar_cli.problem.facts import Skid
+from planar_cli.problem.geometry import Vec
+from planar_cli.problem.setting import MovingSetting
+
+
+@dataclass(slots=True)
+class Skids:
+    """The slidings of one scene, by joint; their directions are noted from time to time."""
+
+    layout: Layout
+    scene: MovingSetting
+    slidings: dict[str, Sliding] = field(default_factory=dict)
+    _terms: dict[str, tuple[Term, Term, Term]] = field(default_factory=dict)
+    """Direction x, y, and the speed in it."""
+    _velocities: dict[str, Vec] = field(default_factory=dict)
+    _code: Code | None = None
+
+    def loads(self, skid: Skid) -> dict[int, Term]:
+        """The generalized force of the friction."""
+        x, y, _ = self._of(skid)
+        graph = self.layout.graph
+        total: dict[int, Term] = {}
+        for body, sign in ((skid.body, -1.0), (skid.base, 1.0)):
+            force = Vec(x, y) * (graph.of(skid.size) * sign)
+            for i, t in self.layout.wrench(body, skid.point, force, graph.number(0.0)).items():
+                total[i] = total[i] + t if i in total else t
+        return total
+
+    def speed(self, skid: Skid) -> Term:
+        """The speed of the sliding in the direction last noted [m/s]."""
+        return self._of(skid)[2]
+
+    def note(self, t: float, y: Sequence[float]) -> None:
+        """From now on the directions of this state count."""
+        if not self.slidings:
+            return
+        if self._code is None:
+            parts = [p for v in self._velocities.values() for p in (v.x, v.y)]
+            self._code = compiled(parts, self.layout.state, self.layout.time)
+        numbers = iter(self._code.function(t, y))
+        for sliding in self.slidings.values():
+            sliding.note(next(numbers), next(numbers))
+
+    def _of(self, skid: Skid) -> tuple[Term, Term, Term]:
+        if skid.joint not in self._terms:
+            graph = self.layout.graph
+            apart = self.scene.velocity(skid.point, skid.body) - self.scene.velocity(skid.point, skid.base)
+            velocity = Vec(graph.of(apart.x), graph.of(apart.y))
+            sliding = self.slidings[skid.joint] = Sliding()
+            self._velocities[skid.joint], self._code = velocity, None
+            number = len(self.slidings)
+            for part, function in (("x", sliding.along_x), ("y", sliding.along_y), ("speed", sliding.speed)):
+                graph.others[f"skid{number}_{part}"] = function
+            x, y, speed = (graph.call(f"skid{number}_{p}", velocity.x, velocity.y) for p in ("x", "y", "speed"))
+            self._terms[skid.joint] = (x, y, speed)
+        return self._terms[skid.joint]
