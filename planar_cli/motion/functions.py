@@ -6,6 +6,10 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import pairwise
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from planar_cli.motion.terms import Term
 
 FUNCTIONS: dict[str, Callable[..., float]] = {
     "sqrt": math.sqrt,
@@ -32,6 +36,8 @@ class Turning:
     Whoever follows a motion notes the angle at the end of every step, which turns it by less than half a turn.
     """
 
+    y: Term
+    x: Term
     start: float
     """In the reference configuration [rad]."""
     last: float

@@ -60,7 +60,7 @@ class Held:
         return total
 
     def exerted(self, layout: Layout, multipliers: Sequence[Term], reach: float) -> dict[str, Term]:
-        """Every push, from the multipliers of the constraints. `reach`: a length, m, that compares couples with forces."""
+        """Every push, from the multipliers of the constraints. `reach`: a length, m, comparing couples with forces."""
         graph = layout.graph
         if self.ideal:
             found = self._resolved(layout, multipliers, reach)

@@ -1,4 +1,4 @@
-"""The state of a scene as one list of numbers: all coordinates, then their rates, in the same order for every regime."""
+"""The state of a scene as one list of numbers: all coordinates, then their rates, the same for every regime."""
 
 from __future__ import annotations
 

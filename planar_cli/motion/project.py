@@ -49,7 +49,9 @@ class Projector:
         if not self.constraints:
             return []
         if self._left is None:
-            places = [c.place * (1 / s) for c, s in zip(self.constraints, self.sizes, strict=True) if c.place is not None]
+            places = [
+                c.place * (1 / s) for c, s in zip(self.constraints, self.sizes, strict=True) if c.place is not None
+            ]
             rates = [
                 c.rate * (self.scales.time / s)
                 for c, s in zip(self.constraints, self.sizes, strict=True)

@@ -16,6 +16,8 @@ from planar_cli.motion.guards import Guard, Measured
 from planar_cli.motion.held import Held, add
 from planar_cli.motion.layout import Column, Layout
 from planar_cli.motion.project import Projector
+from planar_cli.motion.rank import Independent
+from planar_cli.motion.replacing import replaced
 from planar_cli.motion.routine import Routine, System, Unknowns
 from planar_cli.motion.scales import Scales
 from planar_cli.motion.source import Code, compiled
@@ -40,10 +42,8 @@ class Parts:
     """Of all loads that have one, J."""
     measured: tuple[Measured, ...]
     """The conditions under which the regime holds."""
-    kept: frozenset[int]
-    """The constraints that say something new, by their number in `constraints`."""
-    values: dict[Term, float] | None
-    """A configuration that is not singular; None: the reference configuration is none."""
+    independent: Independent
+    """Which of the constraints say something new."""
 
     @property
     def constraints(self) -> tuple[Constraint, ...]:
@@ -60,7 +60,7 @@ class Regime:
         self.constraints = parts.constraints
         self.reactions: tuple[Push, ...] = tuple(p for h in parts.held for p in h.pushes)
         self.guards: tuple[Guard, ...] = tuple(m.guard for m in parts.measured)
-        self._numbers = sorted(parts.kept)
+        self._numbers = parts.independent.kept
         self._system = self._equations()
         count = self.layout.count
         speeds = self.layout.speeds
@@ -70,7 +70,7 @@ class Regime:
         self._power = Routine(self._system, self._powers)
         self._still: Code | None = None
         self._kinetics: Code | None = None
-        self.projector = Projector(self.layout, self.constraints, self._numbers, parts.scales, parts.values)
+        self.projector = Projector(self.layout, self.constraints, self._numbers, parts.scales, parts.independent.values)
 
     # --- what a motion asks ------------------------------------------------------------------------------------------
 
@@ -140,7 +140,7 @@ class Regime:
                 rows[i][count + k] = t
             rows[count + k] = dict(self.constraints[number].row)
             right.append(-self.constraints[number].rest)
-        return System(layout, rows, [right], self.parts.values)
+        return System(layout, rows, [right], self.parts.independent.values)
 
     def _driving(self) -> list[Column]:
         """For every constraint the generalized force of a unit of its multiplier."""
@@ -168,8 +168,6 @@ class Regime:
 
     def routine(self, outputs: Iterable[Term], unknowns: Sequence[Term]) -> Routine:
         """Terms of the state and of `unknowns` (accelerations, then pushes) as one function."""
-        from planar_cli.motion.replacing import replaced
-
         wanted, variables = list(outputs), list(unknowns)
 
         def computed(found: Unknowns) -> list[Term]:

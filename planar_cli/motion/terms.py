@@ -127,6 +127,9 @@ class Graph:
             return b
         if b.constant and b.value == 0:
             return a
+        left = _cancelled(a, b) or _cancelled(b, a)
+        if left is not None:
+            return left
         if b.index < a.index:
             a, b = b, a
         return self._made("+", (a, b), a.value + b.value, max(a.size, b.size))
@@ -211,7 +214,7 @@ class Graph:
         """
         name = f"turn{len(self.turnings)}"
         start = math.atan2(y.value, x.value)
-        self.turnings[name] = Turning(start, start)
+        self.turnings[name] = Turning(y, x, start, start)
         return self.call(name, y, x) - (start if drawn is None else drawn)
 
     def function(self, name: str) -> Callable[..., float]:
@@ -360,6 +363,24 @@ def _minus(term: Term) -> bool:
 def _bare(term: Term) -> Term:
     """The same without its minus sign."""
     return term.args[1] if _minus(term) else term
+
+
+def _cancelled(a: Term, b: Term) -> Term | None:
+    """a + b where b takes away a, or one of the two parts of a; None: it does not."""
+    if _opposite(a, b):
+        return a.graph.number(0.0)
+    if a.op == "+":
+        one, other = a.args
+        if _opposite(one, b):
+            return other
+        if _opposite(other, b):
+            return one
+    return None
+
+
+def _opposite(a: Term, b: Term) -> bool:
+    """Is one the other with a minus sign before it?"""
+    return (_minus(b) and b.args[1] is a) or (_minus(a) and a.args[1] is b)
 
 
 def _summed(a: float, b: float) -> float:

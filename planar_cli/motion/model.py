@@ -1,0 +1,258 @@
+"""The fast model of one scene: its state, its choices of modes, and for every choice a regime, made when asked for."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+
+from planar_cli.joints.base import Joint
+from planar_cli.loads.base import Load, mode_key
+from planar_cli.motion.constraints import Constraint, coefficients, of_places
+from planar_cli.motion.drives import drives_of
+from planar_cli.motion.guards import Guard, Measured, Watch, speed_of
+from planar_cli.motion.held import Held
+from planar_cli.motion.layout import Frame, Layout, Slot
+from planar_cli.motion.rank import Independent, independent
+from planar_cli.motion.regime import Parts, Regime
+from planar_cli.motion.scales import Scales, scales_of
+from planar_cli.motion.scene import MovingScene
+from planar_cli.motion.skids import Skids
+from planar_cli.motion.source import Code, compiled
+from planar_cli.motion.terms import Term
+from planar_cli.problem.facts import Facts, Mode, Wrench
+from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scene import GROUND
+
+Choice = tuple[int, ...]
+"""For every joint (and load) of `Model.choices`, in its order, the index of its mode."""
+Member = Joint | Load
+
+
+def always(member: Member) -> bool:
+    """Does a joint or load act at all times?"""
+    return member.during is None
+
+
+class Model:
+    """One scene."""
+
+    def __init__(self, scene: MovingScene, acts: Callable[[Member], bool] = always) -> None:
+        """`acts`: which joints and loads there are; others act between other states."""
+        self.scene = scene
+        self.graph = scene.graph
+        self.layout = layout_of(scene)
+        self.skids = Skids(self.layout, scene)
+        self.joints = [j for j in distinct(scene.problem.joints) if acts(j)]
+        self.loads = [x for x in scene.loads() if acts(x) and not x.strikes]
+        self.modes: dict[str, tuple[Mode, ...]] = {j.name: j.modes(scene) for j in self.joints}
+        self.modes |= {mode_key(x.name): found for x in self.loads if (found := x.modes(scene))}
+        self.choices: dict[str, tuple[Mode, ...]] = {n: m for n, m in self.modes.items() if len(m) > 1}
+        """The modes of every joint and load that has several, the natural one first."""
+        self.wrenches: dict[Load, tuple[Wrench, ...]] = {x: x.wrenches(scene) for x in self.loads}
+        self.scales = self._scales()
+        self.drives = self._drives()
+        self._regimes: dict[Choice, Regime] = {}
+        self._held: dict[tuple[str, int], Held] = {}
+        self._independent: dict[tuple[str, ...], Independent] = {}
+        self._turnings: Code | None = None
+
+    # --- what a motion asks ------------------------------------------------------------------------------------------
+
+    @property
+    def natural(self) -> Choice:
+        """Every joint in its natural mode."""
+        return (0,) * len(self.choices)
+
+    @property
+    def reference(self) -> tuple[float, list[float]]:
+        """Time and state as drawn, at rest."""
+        return self.layout.time.value, [v.value for v in self.layout.state]
+
+    @property
+    def scale(self) -> list[float]:
+        """The size of a usual value of each number of the state."""
+        lengths = [1.0 if s.kind == "theta" else self.scales.length for s in self.layout.slots]
+        return [*lengths, *(size / self.scales.time for size in lengths)]
+
+    @property
+    def time_scale(self) -> float:
+        """The time in which things change [s]."""
+        return self.scales.time
+
+    def regime(self, choice: Choice | None = None) -> Regime:
+        """The regime of a choice; None: the natural one."""
+        choice = self.natural if choice is None else choice
+        if choice not in self._regimes:
+            self._regimes[choice] = self._made(choice)
+        return self._regimes[choice]
+
+    def note(self, t: float, y: Sequence[float]) -> None:
+        """Angles that go on over many turns and directions of sliding count from this state."""
+        turnings = list(self.graph.turnings.items())
+        if turnings:
+            if self._turnings is None or len(self._turnings.function(t, y)) < len(turnings):
+                angles = [self.graph.call(name, turning.y, turning.x) for name, turning in turnings]
+                self._turnings = compiled(angles, self.layout.state, self.layout.time)
+            for (_, turning), angle in zip(turnings, self._turnings.function(t, y), strict=True):
+                turning.last = angle
+        self.skids.note(t, y)
+
+    def begin(self) -> None:
+        """Forget what was noted: a motion begins anew."""
+        for turning in self.graph.turnings.values():
+            turning.last = turning.start
+        for sliding in self.skids.slidings.values():
+            sliding.x = sliding.y = 0.0
+
+    # --- making a regime ---------------------------------------------------------------------------------------------
+
+    def chosen(self, choice: Choice) -> dict[str, int]:
+        """The index of the mode of every joint and load that has modes."""
+        return dict.fromkeys(self.modes, 0) | dict(zip(self.choices, choice, strict=True))
+
+    def _made(self, choice: Choice) -> Regime:
+        indices = self.chosen(choice)
+        held = tuple(self.held(j, indices[j.name]) for j in self.joints)
+        idle = {key for name, i in indices.items() for key in self.modes[name][i].facts.idle}
+        acting = [x for x in self.loads if mode_key(x.name) not in idle]
+        potential, stored = self.graph.number(0.0), []
+        for load in acting:
+            part = load.potential(self.scene)
+            if part is not None:
+                potential = potential + part
+                stored.append(load)
+        wasting = [w for x in acting if x not in stored for w in self.wrenches[x]]
+        return Regime(
+            Parts(
+                layout=self.layout,
+                scales=self.scales,
+                held=held,
+                drives=self.drives,
+                loads=self.layout.of_actions(w for x in acting for w in self.wrenches[x]),
+                wasting=self.layout.of_actions(wasting),
+                potential=potential,
+                measured=self._measured(indices),
+                independent=self._rank(held),
+            )
+        )
+
+    def held(self, joint: Joint, index: int) -> Held:
+        """A joint in one of its modes."""
+        key = (joint.name, index)
+        if key not in self._held:
+            self._held[key] = self._hold(joint, self.modes[joint.name][index])
+        return self._held[key]
+
+    def _hold(self, joint: Joint, mode: Mode) -> Held:
+        layout, graph = self.layout, self.graph
+        constraints = tuple(of_places(layout, joint.name, title, place) for title, place in self.places(joint, mode))
+        loads: dict[int, Term] = {}
+        for skid in mode.facts.skids:
+            for i, t in self.skids.loads(skid).items():
+                loads[i] = loads[i] + t if i in loads else t
+        columns = {p.name: layout.of_actions(p.actions) for p in mode.facts.pushes}
+        followers = {law.push: (graph.of(law.factor), law.of) for law in mode.facts.laws}
+        return Held(joint.name, mode, constraints, mode.facts.pushes, columns, followers, loads)
+
+    def places(self, joint: Joint, mode: Mode) -> list[tuple[str, Term]]:
+        """The position residuals of a joint in one of its modes, scalar by scalar."""
+        found = []
+        for residual in joint.residuals(self.scene, mode):
+            value = residual.of(self.scene.poses)
+            parts = (value.x, value.y) if isinstance(value, Vec) else (value,)
+            found += [(residual.title, self.graph.of(p)) for p in parts]
+        return [(title, p) for title, p in found if not p.constant]
+
+    def _rank(self, held: Sequence[Held]) -> Independent:
+        """Which constraints say something new, in any position but singular ones."""
+        key = tuple(f"{h.joint} {self.modes[h.joint].index(h.mode)}" for h in held)
+        if key not in self._independent:
+            constraints: list[Constraint] = [c for h in held for c in h.constraints]
+            self._independent[key] = independent(self.layout, [*constraints, *self.drives], self.scales)
+        return self._independent[key]
+
+    # --- conditions --------------------------------------------------------------------------------------------------
+
+    def _measured(self, indices: Mapping[str, int]) -> tuple[Measured, ...]:
+        found: list[Measured] = []
+        joints = {j.name: j for j in self.joints}
+        for name, index in indices.items():
+            mode, joint = self.modes[name][index], joints.get(name)
+            if len(self.modes[name]) == 1 and mode.facts == Facts():
+                continue
+            gap = self.gap(joint, mode) if joint is not None and mode.parted else None
+            speeds = tuple(self.skids.speed(s) for s in mode.facts.skids)
+            found += Watch(self.layout, self.scales, self.scene, name, mode, speeds, gap).measured()
+        found += self._masses()
+        return tuple(replace(m, guard=replace(m.guard, index=i)) for i, m in enumerate(found))
+
+    def _masses(self) -> list[Measured]:
+        """Masses that vary stay positive."""
+        found = []
+        for name, place in self.scene.places.items():
+            if not place.mass.constant:
+                guard = Guard(name, "mass", f"{name} has mass", True, self.scales.mass, 0)
+                found.append(Measured(guard, place.mass))
+        return found
+
+    def gap(self, joint: Joint, mode: Mode) -> Term:
+        """How far apart the partners of a contact are, how slack a rope is [m]; > 0 where the mode is as it says."""
+        test = mode.tests[0]
+        if test.row is None:
+            pressing = next(m for m in self.modes[joint.name] if m.name != "stick" and not m.parted)
+            normal = next(p for p in pressing.facts.pushes if p.kind == "normal")
+            measured = self.layout.of_actions(normal.actions)
+        else:
+            pressing = self.modes[joint.name][0]
+            speed = speed_of(self.graph, self.scene, test.row) * test.sense
+            measured = coefficients(speed, {s.rate: i for i, s in enumerate(self.layout.slots)}, self.layout)
+        _, place = self.places(joint, pressing)[0]
+        # The residual grows with the gap, or shrinks.
+        slopes = of_places(self.layout, joint.name, "", place).row
+        same = sum(t.value * measured[i].value for i, t in slopes.items() if i in measured)
+        return place if same > 0 else -place
+
+    # --- the whole ---------------------------------------------------------------------------------------------------
+
+    def _drives(self) -> tuple[Constraint, ...]:
+        """What the file prescribes, and what keeps points where they are written."""
+        ties = [of_places(self.layout, "", tie.title, tie.residual) for tie in self.scene.ties]
+        return (*drives_of(self.scene, self.layout), *ties)
+
+    def _scales(self) -> Scales:
+        masses = [p.mass.value for p in self.scene.places.values()]
+        heaviest = max(masses, default=0.0)
+        accelerations = [abs(self.scene.gravity.value)]
+        for wrenches in self.wrenches.values():
+            for wrench in wrenches:
+                if wrench.force is not None and wrench.body != GROUND and heaviest > 0:
+                    x, y = self.graph.of(wrench.force.x).value, self.graph.of(wrench.force.y).value
+                    accelerations += [abs(v) / heaviest for v in (x, y) if abs(v) > 0]
+        speeds = [abs(s.rate.value) for s in self.layout.slots]
+        return scales_of(self.scene.extent, masses, accelerations, speeds)
+
+
+def layout_of(scene: MovingScene) -> Layout:
+    """All bodies in the order of the file, then the coordinates of the file that are variables of their own."""
+    slots: list[Slot] = []
+    frames: dict[str, Frame] = {}
+    for name, place in scene.places.items():
+        first = len(slots)
+        slots.append(Slot(place.x, place.vx, place.mass, name, "x"))
+        slots.append(Slot(place.y, place.vy, place.mass, name, "y"))
+        if place.theta is not None and place.omega is not None:
+            slots.append(Slot(place.theta, place.omega, place.inertia, name, "theta"))
+        frames[name] = Frame(first, first + 1, first + 2 if place.theta is not None else None)
+    zero = scene.graph.number(0.0)
+    slots += [Slot(q, v, zero, "", "coordinate") for q, v in scene.own_variables.values()]
+    return Layout(scene.graph, scene.time, tuple(slots), frames, scene.arm)
+
+
+def distinct(joints: Sequence[Joint]) -> tuple[Joint, ...]:
+    """Joints that share a name (both called by their point) are told apart by a number."""
+    seen: dict[str, int] = {}
+    found = []
+    for joint in joints:
+        seen[joint.name] = seen.get(joint.name, 0) + 1
+        found.append(joint if seen[joint.name] == 1 else replace(joint, name=f"{joint.name}_{seen[joint.name]}"))
+    return tuple(found)

@@ -1,0 +1,141 @@
+"""Which constraints of a regime say something new, and where that can be seen: redundancy, not singular positions.
+
+A redundant constraint follows from the others in all positions that these allow (the third crank of a parallelogram);
+in a singular position constraints depend on each other in this position alone. So the rank is taken at the reference
+configuration and, where it is not full there, at one a little further along a motion that the constraints allow.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from planar_cli.motion.constraints import Constraint
+from planar_cli.motion.dense import least_squares, null_space
+from planar_cli.motion.layout import Layout
+from planar_cli.motion.scales import Scales
+from planar_cli.motion.source import compiled
+from planar_cli.motion.terms import Term
+
+DEPENDENT = 1e-9
+"""What is left of a row below this part of its size says nothing new."""
+NEARBY = 0.05
+"""How far the other configuration is, in parts of the scales."""
+
+
+@dataclass(frozen=True, slots=True)
+class Independent:
+    """What the rank tells."""
+
+    kept: tuple[int, ...]
+    """Constraints that say something new, by number."""
+    values: dict[Term, float] | None
+    """A configuration in which the kept ones are independent; None: the reference configuration is one."""
+    open: frozenset[int]
+    """Constraints whose multipliers are not determined."""
+    singular: bool
+    """Is the reference configuration a singular position?"""
+
+
+def independent(layout: Layout, constraints: Sequence[Constraint], scales: Scales) -> Independent:
+    """The rank of a set of constraints; those before count more than those after."""
+    everything = tuple(range(len(constraints)))
+    here = _Position(layout, constraints, scales)
+    if not constraints or len(here.kept()) == len(constraints):
+        return Independent(everything, None, frozenset(), False)
+    there = here.moved_on()
+    kept = there.kept()
+    singular = len(here.kept()) < len(kept)
+    return Independent(tuple(kept), there.values if singular else None, there.open(), singular)
+
+
+class _Position:
+    """The rows of all constraints at one configuration, in the scales."""
+
+    def __init__(
+        self, layout: Layout, constraints: Sequence[Constraint], scales: Scales, state: Sequence[float] | None = None
+    ) -> None:
+        self.layout, self.constraints, self.scales = layout, constraints, scales
+        self.state = list(state) if state is not None else [v.value for v in layout.state]
+        self.sizes = [1.0 if s.kind == "theta" else scales.length for s in layout.slots]
+        entries = [t for c in constraints for t in c.row.values()]
+        numbers = iter(compiled(entries, layout.state, layout.time).function(layout.time.value, self.state))
+        self.rows: list[dict[int, float]] = [{i: next(numbers) * self.sizes[i] for i in c.row} for c in constraints]
+
+    @property
+    def values(self) -> dict[Term, float]:
+        """The variables here."""
+        return self.layout.values(self.layout.time.value, self.state)
+
+    def kept(self) -> list[int]:
+        """Rows that do not follow from those before."""
+        pivots: list[tuple[int, dict[int, float]]] = []
+        kept = []
+        for number, row in enumerate(self.rows):
+            size = max((abs(v) for v in row.values()), default=0.0)
+            left = dict(row)
+            for column, pivot in pivots:
+                factor = left.pop(column, 0.0)
+                if factor:
+                    for i, v in pivot.items():
+                        left[i] = left.get(i, 0.0) - factor * v
+                        size = max(size, abs(factor * v))
+            best = max(left, key=lambda i: abs(left[i]), default=None)
+            if best is None or abs(left[best]) <= DEPENDENT * size:
+                continue
+            lead = left.pop(best)
+            scaled = {i: v / lead for i, v in left.items() if v}
+            for k, (column, pivot) in enumerate(pivots):
+                factor = pivot.pop(best, 0.0)
+                if factor:
+                    for i, v in scaled.items():
+                        pivot[i] = pivot.get(i, 0.0) - factor * v
+                    pivots[k] = (column, pivot)
+            pivots.append((best, scaled))
+            kept.append(number)
+        return kept
+
+    def moved_on(self) -> _Position:
+        """A little further along a motion that the constraints allow, in every free direction by another amount."""
+        count = self.layout.count
+        matrix = [[row.get(i, 0.0) for i in range(count)] for row in self.rows]
+        free = null_space(matrix, count)
+        if not free:
+            return self
+        step = [0.0] * count
+        for k, vector in enumerate(free):
+            top = max(abs(v) for v in vector)
+            share = NEARBY * math.cos(1.0 + 2.4 * k) / top
+            step = [s + share * v for s, v in zip(step, vector, strict=True)]
+        state = [q + s * size for q, s, size in zip(self.state, step, self.sizes, strict=False)]
+        return _Position(self.layout, self.constraints, self.scales, self._closed(state))
+
+    def _closed(self, places: list[float]) -> list[float]:
+        """The nearest places that fulfil the constraints, by Newton's method."""
+        layout, speeds = self.layout, self.state[self.layout.count :]
+        residuals = [c.place for c in self.constraints if c.place is not None]
+        code = compiled(residuals, layout.state, layout.time)
+        for _ in range(30):
+            left = code.function(layout.time.value, [*places, *speeds])
+            if max((abs(r) for r in left), default=0.0) <= 1e-14 * self.scales.length:
+                break
+            here = _Position(layout, self.constraints, self.scales, [*places, *speeds])
+            matrix = [
+                [row.get(i, 0.0) for i in range(layout.count)]
+                for row, c in zip(here.rows, self.constraints, strict=True)
+                if c.place is not None
+            ]
+            change = least_squares(matrix, [-r for r in left]).unknowns
+            places = [q + d * size for q, d, size in zip(places, change, self.sizes, strict=True)]
+        return [*places, *speeds]
+
+    def open(self) -> frozenset[int]:
+        """Constraints with a share in a combination that is zero."""
+        count = self.layout.count
+        turned = [[row.get(i, 0.0) for row in self.rows] for i in range(count)]
+        found: set[int] = set()
+        for vector in null_space(turned, len(self.rows)):
+            top = max(abs(v) for v in vector)
+            found |= {k for k, v in enumerate(vector) if abs(v) > 1e-7 * top}
+        return frozenset(found)
