@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from planar_cli.motion.layout import Column, Layout
+from planar_cli.motion.replacing import replaced
 from planar_cli.motion.terms import Term
 
 
@@ -39,23 +40,22 @@ def of_places(layout: Layout, joint: str, title: str, place: Term) -> Constraint
 
 
 def of_velocities(layout: Layout, title: str, rate: Term) -> Constraint:
-    """A relation that is linear in the velocities: it is zero."""
+    """A relation of velocities: it is zero. Where it is not linear in them, the row is that of the present ones."""
     graph = layout.graph
     numbers = {s.rate: i for i, s in enumerate(layout.slots)}
     row = coefficients(rate, numbers, layout)
-    total = rate
+    moving = graph.number(0.0)
     for i, t in row.items():
-        total = total - t * layout.slots[i].rate
-    return Constraint("", title, None, rate, row, graph.rate(rate, layout.rates()), -total)
+        moving = moving + t * layout.slots[i].rate
+    return Constraint("", title, None, rate, row, graph.rate(rate, layout.rates()), moving - rate)
 
 
 def of_accelerations(layout: Layout, title: str, second: Term, accelerations: Sequence[Term]) -> Constraint:
     """A relation that is linear in the accelerations, in which these are variables: it is zero."""
+    zero = layout.graph.number(0.0)
     row = coefficients(second, {a: i for i, a in enumerate(accelerations)}, layout)
-    rest = second
-    for i, t in row.items():
-        rest = rest - t * accelerations[i]
-    return Constraint("", title, None, None, row, rest, layout.graph.number(0.0))
+    rest = replaced(second, dict.fromkeys(accelerations, zero))
+    return Constraint("", title, None, None, row, rest, zero)
 
 
 def coefficients(term: Term, numbers: Mapping[Term, int], layout: Layout) -> dict[int, Term]:

@@ -11,6 +11,8 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from planar_cli.motion.terms import Term
 
+EXACT = 4e-16
+"""The part of two plain numbers below which their sum is nothing but the rounding of them."""
 FUNCTIONS: dict[str, Callable[..., float]] = {
     "sqrt": math.sqrt,
     "sin": math.sin,
@@ -105,3 +107,18 @@ class Table:
         """Its derivative."""
         rises = [(a, (z - y) / (b - a)) for (a, y), (b, z) in pairwise(self.points)]
         return Table((*rises, (self.points[-1][0], 0.0)), steps=True)
+
+
+def summed(a: float, b: float) -> float:
+    """a + b; zero where they differ by rounding only."""
+    total = a + b
+    return 0.0 if abs(total) <= EXACT * max(abs(a), abs(b)) else total
+
+
+def safely(function: Callable[..., float], *values: float) -> float:
+    """The value, or nan outside the domain: only what is evaluated there must have one."""
+    try:
+        found = function(*values)
+    except (ValueError, ZeroDivisionError, OverflowError):
+        return math.nan
+    return found if isinstance(found, int | float) else math.nan

@@ -48,6 +48,8 @@ class Layout:
     """By body."""
     arm: Callable[[str, Vec], Vec]
     """From a body's mass centre to a place."""
+    drawn: tuple[float, ...]
+    """Coordinates from which a configuration is sought: as drawn, and anywhere for what the drawing leaves open."""
     numbers: Mapping[Term, int] = field(init=False)
     """The number of a coordinate."""
 

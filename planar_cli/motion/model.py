@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 
@@ -26,6 +27,8 @@ from planar_cli.problem.scene import GROUND
 Choice = tuple[int, ...]
 """For every joint (and load) of `Model.choices`, in its order, the index of its mode."""
 Member = Joint | Load
+ANYWHERE = (0.6, 0.8)
+"""From where a particle is sought whose place is open, in parts of the scene's extent: no special place."""
 
 
 def always(member: Member) -> bool:
@@ -49,8 +52,8 @@ class Model:
         self.choices: dict[str, tuple[Mode, ...]] = {n: m for n, m in self.modes.items() if len(m) > 1}
         """The modes of every joint and load that has several, the natural one first."""
         self.wrenches: dict[Load, tuple[Wrench, ...]] = {x: x.wrenches(scene) for x in self.loads}
-        self.scales = self._scales()
         self.drives = self._drives()
+        self.scales = self._scales()
         self._regimes: dict[Choice, Regime] = {}
         self._held: dict[tuple[str, int], Held] = {}
         self._independent: dict[tuple[str, ...], Independent] = {}
@@ -66,7 +69,7 @@ class Model:
     @property
     def reference(self) -> tuple[float, list[float]]:
         """Time and state as drawn, at rest."""
-        return self.layout.time.value, [v.value for v in self.layout.state]
+        return self.layout.time.value, [*self.layout.drawn, *(v.value for v in self.layout.speeds)]
 
     @property
     def scale(self) -> list[float]:
@@ -219,6 +222,15 @@ class Model:
         ties = [of_places(self.layout, "", tie.title, tie.residual) for tie in self.scene.ties]
         return (*drives_of(self.scene, self.layout), *ties)
 
+    def _demanded(self, drive: Constraint) -> float:
+        """The speed that a drive demands as drawn [m/s]."""
+        slopes = [
+            abs(t.value) * (1.0 if self.layout.slots[i].kind != "theta" else 1.0 / self.scene.extent)
+            for i, t in drive.row.items()
+        ]
+        largest, moving = max(slopes, default=0.0), abs(drive.moving.value)
+        return moving / largest if largest > 0 and math.isfinite(moving) else 0.0
+
     def _scales(self) -> Scales:
         masses = [p.mass.value for p in self.scene.places.values()]
         heaviest = max(masses, default=0.0)
@@ -228,7 +240,7 @@ class Model:
                 if wrench.force is not None and wrench.body != GROUND and heaviest > 0:
                     x, y = self.graph.of(wrench.force.x).value, self.graph.of(wrench.force.y).value
                     accelerations += [abs(v) / heaviest for v in (x, y) if abs(v) > 0]
-        speeds = [abs(s.rate.value) for s in self.layout.slots]
+        speeds = [self._demanded(drive) for drive in self.drives]
         return scales_of(self.scene.extent, masses, accelerations, speeds)
 
 
@@ -245,7 +257,11 @@ def layout_of(scene: MovingScene) -> Layout:
         frames[name] = Frame(first, first + 1, first + 2 if place.theta is not None else None)
     zero = scene.graph.number(0.0)
     slots += [Slot(q, v, zero, "", "coordinate") for q, v in scene.own_variables.values()]
-    return Layout(scene.graph, scene.time, tuple(slots), frames, scene.arm)
+    drawn = [s.coordinate.value for s in slots]
+    for name in scene.reference.open & frames.keys():
+        drawn[frames[name].x] += ANYWHERE[0] * scene.extent
+        drawn[frames[name].y] += ANYWHERE[1] * scene.extent
+    return Layout(scene.graph, scene.time, tuple(slots), frames, scene.arm, tuple(drawn))
 
 
 def distinct(joints: Sequence[Joint]) -> tuple[Joint, ...]:

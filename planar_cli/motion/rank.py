@@ -39,15 +39,20 @@ class Independent:
 
 
 def independent(layout: Layout, constraints: Sequence[Constraint], scales: Scales) -> Independent:
-    """The rank of a set of constraints; those before count more than those after."""
+    """The rank of a set of constraints: those of joints count more than others, those before more than those after."""
     everything = tuple(range(len(constraints)))
     here = _Position(layout, constraints, scales)
-    if not constraints or len(here.kept()) == len(constraints):
-        return Independent(everything, None, frozenset(), False)
+    # Relations that are not linear in the velocities have no coefficients at rest.
+    drawn = tuple(v.value for v in layout.coordinates)
+    values = here.values if any(c.place is None for c in constraints) or drawn != layout.drawn else None
+    if not constraints or len(here.kept(everything)) == len(constraints):
+        return Independent(everything, values, frozenset(), False)
     there = here.moved_on()
-    kept = there.kept()
-    singular = len(here.kept()) < len(kept)
-    return Independent(tuple(kept), there.values if singular else None, there.open(), singular)
+    first = set(here.kept(everything))
+    ranked = sorted(everything, key=lambda k: (not constraints[k].joint, k not in first, k))
+    kept = there.kept(ranked)
+    singular = len(here.kept(kept)) < len(kept)
+    return Independent(tuple(sorted(kept)), there.values if singular else values, there.open(), singular)
 
 
 class _Position:
@@ -57,8 +62,9 @@ class _Position:
         self, layout: Layout, constraints: Sequence[Constraint], scales: Scales, state: Sequence[float] | None = None
     ) -> None:
         self.layout, self.constraints, self.scales = layout, constraints, scales
-        self.state = list(state) if state is not None else [v.value for v in layout.state]
         self.sizes = [1.0 if s.kind == "theta" else scales.length for s in layout.slots]
+        speeds = [math.cos(2.4 * i) * size / scales.time for i, size in enumerate(self.sizes)]
+        self.state = list(state) if state is not None else [*layout.drawn, *speeds]
         entries = [t for c in constraints for t in c.row.values()]
         numbers = iter(compiled(entries, layout.state, layout.time).function(layout.time.value, self.state))
         self.rows: list[dict[int, float]] = [{i: next(numbers) * self.sizes[i] for i in c.row} for c in constraints]
@@ -68,11 +74,12 @@ class _Position:
         """The variables here."""
         return self.layout.values(self.layout.time.value, self.state)
 
-    def kept(self) -> list[int]:
-        """Rows that do not follow from those before."""
+    def kept(self, order: Sequence[int]) -> list[int]:
+        """Rows that do not follow from those before, in an order of all or some of them."""
         pivots: list[tuple[int, dict[int, float]]] = []
         kept = []
-        for number, row in enumerate(self.rows):
+        for number in order:
+            row = self.rows[number]
             size = max((abs(v) for v in row.values()), default=0.0)
             left = dict(row)
             for column, pivot in pivots:

@@ -188,9 +188,9 @@ class Regime:
         return [m.value(pushes) for m in self.parts.measured]
 
     def _powers(self, unknowns: Unknowns) -> list[Term]:
-        """Wasting loads, friction, and what constraints do that move by themselves."""
+        """Wasting loads, friction, what drives do, and what energy changes with time alone."""
         layout, graph = self.layout, self.layout.graph
-        total = graph.number(0.0)
+        total = graph.rate(self._measured()[0], {layout.time: graph.number(1.0)})
         force: dict[int, Term] = dict(self.parts.wasting)
         pushes = self.exerted(unknowns)
         for held in self.parts.held:

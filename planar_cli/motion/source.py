@@ -130,6 +130,8 @@ class _Writer:
 
     def _write(self, term: Term) -> None:
         op, args = term.op, term.args
+        if op == "variable":
+            raise KeyError(term.graph.names[term])
         self.operations += 1
         self.depth[term] = 1 + max(self.depth[a] for a in args)
         if op == "+":

@@ -11,13 +11,10 @@ import math
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 
-from planar_cli.motion.functions import FUNCTIONS, Table, Turning
+from planar_cli.motion.functions import EXACT, FUNCTIONS, Table, Turning, safely, summed
 
 ROUNDING = 1e-11
 """A value below this part of the size of what it was made of is zero."""
-
-EXACT = 4e-16
-"""The part of two plain numbers below which their sum is nothing but the rounding of them."""
 
 Number = int | float
 
@@ -122,7 +119,7 @@ class Graph:
     def add(self, a: Term, b: Term) -> Term:
         """a + b."""
         if a.constant and b.constant:
-            return self.number(_summed(a.value, b.value))
+            return self.number(summed(a.value, b.value))
         if a.constant and a.value == 0:
             return b
         if b.constant and b.value == 0:
@@ -171,7 +168,7 @@ class Graph:
     def power(self, a: Term, b: Term) -> Term:
         """a to the power b; small whole powers are products."""
         if a.constant and b.constant:
-            return self.number(_safely(pow, a.value, b.value))
+            return self.number(safely(pow, a.value, b.value))
         if b.constant and b.value in (0.0, 0.5, 1.0, 2.0, 3.0, -1.0):
             match b.value:
                 case 0.0:
@@ -186,13 +183,13 @@ class Graph:
                     return self.multiply(a, self.multiply(a, a))
                 case _:
                     return self.divide(self.number(1.0), a)
-        value = _safely(pow, a.value, b.value)
+        value = safely(pow, a.value, b.value)
         return self._made("**", (a, b), value, abs(value))
 
     def call(self, name: str, *args: Term) -> Term:
         """A function of FUNCTIONS, of a table, or a turning."""
         function = self.function(name)
-        value = _safely(function, *(a.value for a in args))
+        value = safely(function, *(a.value for a in args))
         if all(a.constant for a in args) and not math.isnan(value):
             # A right angle in degrees is not quite one in radians.
             return self.number(0.0 if name in ("sin", "cos") and abs(value) <= EXACT * abs(args[0].value) else value)
@@ -383,23 +380,8 @@ def _opposite(a: Term, b: Term) -> bool:
     return (_minus(b) and b.args[1] is a) or (_minus(a) and a.args[1] is b)
 
 
-def _summed(a: float, b: float) -> float:
-    """a + b; zero where they differ by rounding only."""
-    total = a + b
-    return 0.0 if abs(total) <= EXACT * max(abs(a), abs(b)) else total
-
-
 def _own_size(name: str, args: tuple[Term, ...]) -> float:
     """How large the rounding scale of a function's value is at least."""
     if name == "sqrt":
         return math.sqrt(args[0].size) if args[0].size < math.inf else math.inf
     return args[0].size if name == "abs" else 0.0
-
-
-def _safely(function: Callable[..., float], *values: float) -> float:
-    """The value, or nan outside the domain: only what is evaluated there must have one."""
-    try:
-        found = function(*values)
-    except (ValueError, ZeroDivisionError, OverflowError):
-        return math.nan
-    return found if isinstance(found, int | float) else math.nan

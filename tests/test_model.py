@@ -1,0 +1,55 @@
+"""The generated equations of motion of all problem files: constraints keep, energy is accounted for, forces fit."""
+
+from __future__ import annotations
+
+import random
+from pathlib import Path
+
+import pytest
+from conftest import ROOT
+
+from planar_cli.errors import FileProblem
+from planar_cli.motion.model import Model
+from planar_cli.motion.regime import Regime
+from planar_cli.motion.scene import MovingScene
+from planar_cli.problem.structure import load
+
+FILES = sorted((ROOT / "problems").rglob("*.yaml"))
+
+
+def model_of(path: Path) -> Model | None:
+    """The model of a file; None where letters or unknowns have no numbers."""
+    problem, wrong, _ = load(str(path))
+    assert problem is not None, wrong
+    try:
+        return Model(MovingScene(problem))
+    except FileProblem as error:
+        if {d.code for d in error.diagnostics} - {"PL704", "PL705"}:
+            raise
+        return None
+
+
+def moving(model: Model, regime: Regime, seed: str) -> tuple[float, list[float]]:
+    """A state in which everything moves that can."""
+    draw = random.Random(seed)
+    t, y = model.reference
+    half = len(y) // 2
+    speeds = [draw.uniform(-1, 1) * s for s in model.scale[half:]]
+    return t, regime.project(t, [*y[:half], *speeds])
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda p: p.stem)
+def test_power_is_the_rate_of_energy_and_constraints_keep(path: Path) -> None:
+    model = model_of(path)
+    if model is None:
+        return
+    regime = model.regime()
+    t, y = moving(model, regime, path.stem)
+    rates = regime.rates(t, y)
+    h = 1e-5 * min([model.time_scale, *(s / abs(r) for s, r in zip(model.scale, rates, strict=True) if r)])
+    ahead, behind = ([a + s * h * b for a, b in zip(y, rates, strict=True)] for s in (1, -1))
+    energy = (regime.energy(t + h, ahead) - regime.energy(t - h, behind)) / (2 * h)
+    size = model.scales.energy / model.scales.time
+    assert energy == pytest.approx(regime.power(t, y), abs=1e-5 * size, rel=1e-5)
+    for now, then in zip(regime.residuals(t + h, ahead), regime.residuals(t - h, behind), strict=True):
+        assert (now - then) / (2 * h) * model.time_scale == pytest.approx(0.0, abs=1e-4)
