@@ -6,10 +6,6 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import TYPE_CHECKING
-
-if TYPE_CHECKING:
-    from planar_cli.motion.terms import Term
 
 EXACT = 4e-16
 """The part of two plain numbers below which their sum is nothing but the rounding of them."""
@@ -38,8 +34,6 @@ class Turning:
     Whoever follows a motion notes the angle at the end of every step, which turns it by less than half a turn.
     """
 
-    y: Term
-    x: Term
     start: float
     """In the reference configuration [rad]."""
     last: float

@@ -58,6 +58,7 @@ class Model:
         self._held: dict[tuple[str, int], Held] = {}
         self._independent: dict[tuple[str, ...], Independent] = {}
         self._turnings: Code | None = None
+        self._turned = 0
 
     # --- what a motion asks ------------------------------------------------------------------------------------------
 
@@ -91,13 +92,13 @@ class Model:
 
     def note(self, t: float, y: Sequence[float]) -> None:
         """Angles that go on over many turns and directions of sliding count from this state."""
-        turnings = list(self.graph.turnings.items())
-        if turnings:
-            if self._turnings is None or len(self._turnings.function(t, y)) < len(turnings):
-                angles = [self.graph.call(name, turning.y, turning.x) for name, turning in turnings]
-                self._turnings = compiled(angles, self.layout.state, self.layout.time)
-            for (_, turning), angle in zip(turnings, self._turnings.function(t, y), strict=True):
-                turning.last = angle
+        turned = self.graph.turned
+        if turned:
+            if self._turnings is None or self._turned < len(turned):
+                self._turnings = compiled(list(turned.values()), self.layout.state, self.layout.time)
+                self._turned = len(turned)
+            for name, angle in zip(turned, self._turnings.function(t, y), strict=True):
+                self.graph.turnings[name].last = angle
         self.skids.note(t, y)
 
     def begin(self) -> None:

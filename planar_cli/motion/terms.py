@@ -97,6 +97,8 @@ class Graph:
     """Functions given by a table, by the name that they have in the code."""
     turnings: dict[str, Turning] = field(default_factory=dict)
     """Angles that go on over many turns, by the name that they have in the code."""
+    turned: dict[str, Term] = field(default_factory=dict)
+    """The same as terms."""
     others: dict[str, Callable[..., float]] = field(default_factory=dict)
     """Functions of one scene without a derivative, by the name that they have in the code."""
     _known: dict[tuple[object, ...], Term] = field(default_factory=dict)
@@ -211,8 +213,9 @@ class Graph:
         """
         name = f"turn{len(self.turnings)}"
         start = math.atan2(y.value, x.value)
-        self.turnings[name] = Turning(y, x, start, start)
-        return self.call(name, y, x) - (start if drawn is None else drawn)
+        self.turnings[name] = Turning(start, start)
+        self.turned[name] = self.call(name, y, x)
+        return self.turned[name] - (start if drawn is None else drawn)
 
     def function(self, name: str) -> Callable[..., float]:
         """What a call of this name computes."""
