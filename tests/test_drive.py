@@ -140,3 +140,73 @@ def test_the_state_at_any_time_of_a_run() -> None:
 def test_a_root_is_found_to_the_last_digit() -> None:
     assert root(lambda x: x * x * x - 2.0, 0.0, 2.0) == pytest.approx(2 ** (1 / 3), rel=3e-16)
     assert root(lambda x: math.tanh(1e4 * (x - 0.7)), 0.0, 1.0) == pytest.approx(0.7, rel=1e-14)
+
+
+def hung(stiffness: float, end: float) -> motions.Motion:
+    """A mass of 1 kg dropped onto a spring at its natural length."""
+    return motions.Motion(lambda t, y: [y[1], -stiffness * y[0] - G], [0.0, 0.0], end, [1.0, 3.0], {})
+
+
+def test_what_is_too_small_to_see_is_seen_with_a_tighter_tolerance() -> None:
+    """A spring of 1e10 N/m under 1 kg: an amplitude of 1e-9 m, 16 000 times a second."""
+    motion = hung(1e10, 0.01)
+    fine = drive(motion.rates, 0.0, motion.start, motion.end, Setting(motion.scale, tolerance=1e-13))
+    assert fine.changed is None
+    assert fine.y1[0] == pytest.approx(-4.293061261588e-10, abs=1e-13)
+    coarse = drive(motion.rates, 0.0, motion.start, 10.0, Setting(motion.scale, tolerance=1e-6))
+    assert coarse.changed is not None
+    assert coarse.changed.unresolved
+    assert coarse.changed.fastest == pytest.approx(1e5, rel=0.1)
+    assert coarse.y1[0] == pytest.approx(-9.81e-10, rel=1e-3)
+
+
+@pytest.mark.parametrize("tolerance", [1e-6, 1e-9])
+def test_a_stiff_spring_costs_no_more_the_stiffer_it_is(tolerance: float) -> None:
+    """Two masses, a soft spring and a stiff one: the slow motion is right to the tolerance, the work is bounded."""
+    work = []
+    for stiffness in (1e6, 1e8, 1e10):
+        motion = motions.two_springs(stiffness, 10.0)
+        run = drive(motion.rates, 0.0, motion.start, motion.end, Setting(motion.scale, tolerance=tolerance))
+        assert run.changed is not None
+        # Both masses on the soft spring; the stiff one adds g/k to the way of the lower, and as much to its softness.
+        slow = math.sqrt(10.0 / 2.0 * (1.0 - 10.0 / stiffness / 4.0))
+        assert run.y1[0] == pytest.approx(
+            -2 * G / 10 * (1 - math.cos(slow * 10.0)), abs=10 * tolerance + 10 / stiffness
+        )
+        work.append(run.counts.evaluations)
+    assert max(work) <= 2 * min(work)
+
+
+def test_a_strong_damper_is_given_to_the_implicit_method() -> None:
+    """A damper that stops a mass within 1e-6 s, and a slow spring: stability alone holds the explicit method down."""
+    run = drive(
+        lambda t, y: [y[1], -1e6 * (y[1] + y[0])], 0.0, [1.0, -1.000001000002], 2.0, Setting([1.0, 1.0], tolerance=1e-7)
+    )
+    assert run.changed is not None
+    assert not run.changed.unresolved
+    assert run.y1[0] == pytest.approx(math.exp(-2.0), rel=1e-5)
+    assert run.counts.evaluations < 5000
+
+
+def test_smooth_motions_are_not_taken_for_stiff() -> None:
+    for motion in (motions.double_pendulum(), motions.chain_of_five(), motions.kepler(0.99)):
+        for tolerance in (1e-4, 1e-8):
+            setting = Setting(motion.scale, tolerance=tolerance)
+            assert drive(motion.rates, 0.0, motion.start, motion.end, setting).changed is None
+
+
+def test_a_named_method_is_kept_to() -> None:
+    motion = motions.pendulum(1.0, 2.0)
+    setting = Setting(motion.scale, tolerance=1e-9)
+    ends = [drive(motion.rates, 0.0, motion.start, 2.0, setting, kind=k).y1 for k in ("dop853", "radau", "auto")]
+    assert ends[0] == pytest.approx(ends[1], abs=1e-7)
+    assert ends[0] == ends[2]
+
+
+def test_an_unstable_equilibrium_is_left_as_fast_as_it_should_be() -> None:
+    """A pendulum 1e-9 rad beside its upper position, where the motion is invisible for long: it is not damped away."""
+    motion = motions.pendulum(math.pi - 1e-9, 2000.0)
+    setting = Setting(motion.scale, tolerance=1e-6)
+    watch = Watch(lambda t, y: [math.pi - 0.1 - y[0]], [1.0], [False])
+    run = drive(motion.rates, 0.0, motion.start, motion.end, setting, watch=watch)
+    assert run.t1 == pytest.approx(math.acosh(0.1 / 1e-9) / math.sqrt(G), rel=0.02)

@@ -19,10 +19,10 @@ KEPT = (0, 5, 6, 7, 8, 9, 10, 11)
 EXTRA = (13, 14, 15)
 """The stages that are evaluated for dense output alone."""
 
-Trial = Callable[[Rates, float, Vector, Vector, float, Vector], tuple[Vector, float, float, Vector, tuple[Vector, ...]]]
+Kept = tuple[Vector, ...]
+Trial = Callable[[Rates, float, Vector, Vector, float, Vector], tuple[Vector, float, float, Vector, Kept]]
 """(f, t, y, rates there, h, weights) to: the new state; the sums of squares of both errors, in parts of what is
 allowed; the state of the last stage; the rates of KEPT."""
-Kept = tuple[Vector, ...]
 
 
 @cache

@@ -3,41 +3,29 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from typing import ClassVar, final
 
+from planar_cli.integrators._adaptive import RENEWED, Adaptive, Method
 from planar_cli.integrators._dop853_kernel import (
     KEPT,
+    Kept,
     Trial,
     dense_coefficients,
     dense_rates,
     with_loops,
     written_out,
 )
-from planar_cli.integrators.base import (
-    OUTSIDE,
-    Integrator,
-    Rates,
-    Setting,
-    Step,
-    StepTooSmall,
-    Vector,
-    first_step,
-    shortest_step,
-)
+from planar_cli.integrators.base import OUTSIDE, Counts, Rates, Setting, StepTooSmall, Vector, shortest_step
 
-SAFETY, SMALLEST, LARGEST = 0.9, 1 / 3, 6.0
-"""How the next step follows from the error: Hairer's values."""
 FEW = 16
 """So few components are written out at once."""
 WORTH = 400
 """After so many steps any number of components is."""
-MEASURED = 8
-"""Every so many steps the fastest motion is measured, and the rounding of grown components taken up."""
 
 
 @final
-class DormandPrince853(Integrator):
+class DormandPrince853(Adaptive):
     """Dormand and Prince's explicit Runge-Kutta method of order 8 with step control (DOP853).
 
     Meaning
@@ -57,66 +45,61 @@ class DormandPrince853(Integrator):
 
     kind: ClassVar[str] = "dop853"
     order: ClassVar[int] = 8
-    adaptive: ClassVar[bool] = True
 
-    def steps(self, f: Rates, t0: float, y0: Sequence[float], t1: float, setting: Setting) -> Iterator[Step]:
-        """Steps whose estimated error is below the tolerance, or equal ones if the setting fixes their length."""
-        if t1 == t0:
-            return
-        counts, y, t = self.counts, list(y0), t0
-        rates = f(t, list(y))
-        counts.evaluations += 1
-        direction = math.copysign(1.0, t1 - t0)
-        h = setting.step or setting.first
-        if not h:
-            h = first_step(f, t0, y, rates, t1, self.order, setting)
-            counts.evaluations += 1
-        trial = written_out(len(y)) if len(y) <= FEW else with_loops()
-        weights, shortest = setting.weights(y), shortest_step(t0, t0, t1)
-        done, growth, fixed = 0, LARGEST, setting.step is not None
-        while t != t1:
-            span = direction * _fitting(h, setting.longest, abs(t1 - t), fixed)
-            new, error, last, kept = self._tried(trial, f, t, y, rates, span, weights)
-            if not (error <= 1.0 or fixed):
-                counts.rejected += 1
-                h = abs(span) * max(SMALLEST, SAFETY * error**-0.125) if error < math.inf else 0.1 * abs(span)
-                if h < shortest or counts.rejected > setting.most_steps:
-                    raise StepTooSmall(f"the steps became too short at t = {t:.9g} s ({h:.1g} s)", t, y)
-                growth = 1.0
-                continue
-            end = t1 if abs(span) == abs(t1 - t) else t + span
-            if setting.project is not None:
-                new = setting.project(end, new)
-            after = f(end, new)
-            done += 1
-            counts.steps += 1
-            counts.evaluations += 1
-            fastest = _fastest(kept[-1], last, after, new, weights) if done % MEASURED == 0 else 0.0
-            yield Step(t, y, rates, end, new, after, Inside(f, t, y, span, new, kept, after), error, fastest)
-            if not fixed:
-                h = abs(span) * min(growth, max(SMALLEST, SAFETY * max(error, 1e-9) ** -0.125))
-            t, y, rates, growth = end, new, after, LARGEST
-            if done % MEASURED == 0:
-                weights, shortest = setting.weights(y), shortest_step(t, t0, t1)
-                if done == WORTH:
-                    trial = written_out(len(y))
-                if counts.steps > setting.most_steps:
-                    raise StepTooSmall(f"more than {setting.most_steps} steps until t = {t:.9g} s", t, y)
+    def method(self, f: Rates, setting: Setting, counts: Counts, y: Vector) -> Method:
+        return _Steps(f, setting, counts, y)
 
-    def _tried(
-        self, trial: Trial, f: Rates, t: float, y: Vector, rates: Vector, h: float, weights: Vector
-    ) -> tuple[Vector, float, Vector, tuple[Vector, ...]]:
-        """A trial step and its error in parts of what is allowed; infinite outside of where the rates are defined."""
+
+@final
+class _Steps(Method):
+    """The steps of one run."""
+
+    safety: ClassVar[float] = 0.85
+    least: ClassVar[float] = 1 / 3
+    most: ClassVar[float] = 6.0
+    power: ClassVar[float] = 1 / 8
+
+    def __init__(self, f: Rates, setting: Setting, counts: Counts, y: Vector) -> None:
+        self.f, self.setting, self.counts = f, setting, counts
+        self.formula: Trial = written_out(len(y)) if len(y) <= FEW else with_loops()
+        self.weights = setting.weights(y)
+        self.done = 0
+        self.measured = (0.0, 0.0)
+        """The step at which the fastest motion was measured last, and what it was."""
+        self.h, self.last, self.kept = 0.0, y, Kept()
+
+    def begin(self, t: float, y: Vector, rates: Vector) -> None:
+        self.t, self.y, self.rates = t, y, rates
+        self.done += 1
+
+    def trial(self, h: float, again: bool) -> tuple[Vector, float]:
         self.counts.evaluations += 11
+        self.h = h
         try:
-            new, five, three, last, kept = trial(f, t, y, rates, h, weights)
+            new, five, three, self.last, self.kept = self.formula(self.f, self.t, self.y, self.rates, h, self.weights)
         except OUTSIDE as outside:
-            if abs(h) < 2.0 * shortest_step(t, t, t):
-                raise StepTooSmall(f"there are no rates beyond t = {t:.9g} s ({outside})", t, y) from outside
-            return y, math.inf, y, ()
+            if abs(h) < 2.0 * shortest_step(self.t, self.t, self.t):
+                message = f"there are no rates beyond t = {self.t:.9g} s ({outside})"
+                raise StepTooSmall(message, self.t, self.y) from outside
+            return self.y, math.inf
         together = five + 0.01 * three
-        error = abs(h) * five / math.sqrt(len(y) * together) if together else 0.0
-        return new, math.inf if math.isnan(error) else error, last, kept
+        error = abs(h) * five / math.sqrt(len(new) * together) if together else 0.0
+        return new, math.inf if math.isnan(error) else error
+
+    def inside(self, new: Vector, after: Vector) -> Inside:
+        return Inside(self.f, self.t, self.y, self.h, new, self.kept, after)
+
+    def fastest(self, new: Vector, after: Vector) -> float:
+        h, (then, known) = abs(self.h), self.measured
+        if self.done % RENEWED and h <= 1.5 * then and h * known <= 1.0:
+            return 0.0
+        self.measured = h, _fastest(self.kept[-1], self.last, after, new, self.setting.scale)
+        return self.measured[1]
+
+    def renew(self, y: Vector) -> None:
+        self.weights = self.setting.weights(y)
+        if self.done > WORTH:
+            self.formula = written_out(len(y))
 
 
 class Inside:
@@ -124,9 +107,7 @@ class Inside:
 
     __slots__ = ("_coefficients", "_made_of")
 
-    def __init__(
-        self, f: Rates, t: float, y: Vector, h: float, new: Vector, kept: tuple[Vector, ...], end: Vector
-    ) -> None:
+    def __init__(self, f: Rates, t: float, y: Vector, h: float, new: Vector, kept: Kept, end: Vector) -> None:
         self._made_of = (f, t, y, h, new, kept, end)
         self._coefficients: list[Vector] = []
 
@@ -143,16 +124,23 @@ class Inside:
         ]
 
 
-def _fitting(h: float, longest: float, left: float, fixed: bool) -> float:
-    """The step to try: what is left at the end is divided evenly, and never a crumb remains."""
-    h = min(h, longest)
-    if h >= left * (1.0 - 1e-9):
-        return left
-    return left / 2 if h > left / 2 and not fixed else h
+def _fastest(last_rates: Vector, last: Vector, rates: Vector, new: Vector, scale: Sequence[float]) -> float:
+    """How fast the fastest motion goes [1/s]: from two states at the end of the step, and how their rates differ.
 
-
-def _fastest(last_rates: Vector, last: Vector, rates: Vector, new: Vector, weights: Vector) -> float:
-    """How fast the fastest motion goes [1/s]: two states at the end of the step, and how their rates differ."""
-    change = sum([((a - b) * w) ** 2 for a, b, w in zip(last_rates, rates, weights, strict=True)])
-    apart = sum([((a - b) * w) ** 2 for a, b, w in zip(last, new, weights, strict=True)])
-    return math.sqrt(change / apart) if apart > 0.0 else 0.0
+    The first half of the state holds positions, the second their rates. In a vibration accelerations differ by -ω²
+    times what positions differ by; in a damped motion by a negative rate times what velocities differ by. What drives
+    apart, near an unstable equilibrium, is not fast in this sense: 0.
+    """
+    half = len(new) // 2
+    change = moved = sped = back = braked = 0.0
+    for i, s in enumerate(scale[: len(new) - half]):
+        x, v, a = last[i] - new[i], last[half + i] - new[half + i], last_rates[half + i] - rates[half + i]
+        square = s * s
+        change += a * a / square
+        moved += x * x / square
+        sped += v * v / square
+        back -= a * x / square
+        braked -= a * v / square
+    if half and back > 0.0:
+        return (change / moved) ** 0.25
+    return math.sqrt(change / sped) if braked > 0.0 else 0.0

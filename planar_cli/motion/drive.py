@@ -6,7 +6,7 @@ beyond it. No run is without an end: steps below the rounding of the time, or to
 Where the fastest motion of a scene goes much faster than what the tolerance can see, the rest of the run is given to
 the implicit method, and the run says so (`Changed`). That is the case
 
-- where an explicit method is held down by its stability: step · fastest > 6 time and again; or
+- where an explicit method is held down by its stability, not by its errors, step after step; or
 - where it would resolve a vibration for very long (more than LONG steps to go, each shorter than a few radians of it)
   whose displacement is below the tolerance. Then its velocity, though perhaps above the tolerance, dies out in the
   implicit method; whoever wants to see it names an explicit one.
@@ -27,12 +27,15 @@ from planar_cli.registry import member
 
 AUTOMATIC, EXPLICIT, STIFF = "auto", "dop853", "radau"
 """The choice by the scene, and what it chooses from."""
-UNSTABLE, TIMES = 6.1, 4
-"""Beyond the first, step · fastest shows that stability holds the steps down (Hairer); so many times in a row."""
+UNSTABLE, IDLE, TIMES = 2.0, 0.02, 20
+"""Stability holds the steps down where step · fastest is above the first and the error below the second part of what is
+allowed, so many times in a row."""
 LONG = 500
 """A vibration that nobody sees is followed if so many steps do it."""
 RESOLVED = 0.3
 """Above this, step · fastest says that the steps are short for the fastest motion's sake."""
+FEW = 4
+"""So many times in a row."""
 INVISIBLE = 0.1
 """A displacement below this part of the tolerance is not seen."""
 FEWEST = 16
@@ -46,8 +49,8 @@ class Changed:
     t: float
     fastest: float
     """How fast the fastest motion goes [1/s]."""
-    seen: bool
-    """False: a vibration whose displacement is below the tolerance is no longer resolved."""
+    unresolved: bool
+    """Has that motion velocities above the tolerance, though its displacement is below? They are no longer followed."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -129,7 +132,7 @@ class _Followed:
         self.kind = EXPLICIT if self.choosing else kind
         self.setting, self.counts = setting, counts
         self.changed: Changed | None = None
-        self._unstable = 0
+        self._unstable = self._short = 0
 
     def steps(self, f: Rates, t0: float, y0: Vector, t1: float) -> Iterator[Step]:
         """The steps of one leg, on which the rates are smooth."""
@@ -153,29 +156,32 @@ class _Followed:
         """Is the rest of the leg better left to the implicit method?"""
         h = abs(step.t1 - step.t0)
         angle, left = h * step.fastest, abs(t1 - step.t1)
-        self._unstable = self._unstable + 1 if angle > UNSTABLE else 0
+        self._unstable = self._unstable + 1 if angle > UNSTABLE and step.error < IDLE else 0
         held_down = self._unstable >= TIMES
-        hidden = angle > RESOLVED and left > LONG * h and self._displacement(step) < INVISIBLE
-        if held_down or hidden:
-            self.changed = Changed(step.t1, step.fastest, held_down)
+        self._short = self._short + 1 if angle > RESOLVED and left > LONG * h else 0
+        if not held_down and self._short < FEW:
+            return False
+        displacement, velocity = self._fast_motion(step)
+        if held_down or displacement < INVISIBLE:
+            self.changed = Changed(step.t1, step.fastest, velocity > 1.0)
         return self.changed is not None
 
-    def _displacement(self, step: Step) -> float:
-        """How far the fastest motion moves anything, in parts of what the tolerance allows.
+    def _fast_motion(self, step: Step) -> tuple[float, float]:
+        """How far the fastest motion moves anything, and how fast, in parts of what the tolerance allows.
 
-        The positions are the first half of the state; what the accelerations change within a step of that motion, over
-        its rate squared, is the displacement.
+        The positions are the first half of the state; what accelerations change by within a step of that motion is its
+        velocity times its rate, and its displacement times the square of that.
         """
-        half = len(step.y1) // 2
+        half, fast = len(step.y1) // 2, step.fastest
         middle = step.at(0.5 * (step.t0 + step.t1))
-        chord = [0.5 * (a + b) for a, b in zip(step.y0, step.y1, strict=True)]
-        # The velocity's bend over a step: h² a'/8.
-        bend = [abs(m - c) for m, c in zip(middle[half:], chord[half:], strict=True)]
-        change = [abs(a - b) for a, b in zip(step.r0[half:], step.r1[half:], strict=True)]
+        # How far the velocities bend within the step; and how far they change.
+        bend = [abs(m - 0.5 * (a + b)) for m, a, b in zip(middle, step.y0, step.y1, strict=True)][half:]
+        change = [abs(a - b) / fast for a, b in zip(step.r0[half:], step.r1[half:], strict=True)]
+        speeds = [max(b, c) / self.setting.tolerance for b, c in zip(bend, change, strict=True)]
         scale = self.setting.scale
-        return max(
-            (max(c / step.fastest**2, b / step.fastest) / (self.setting.tolerance * s))
-            for c, b, s in zip(change, bend, scale[:half], strict=True)
+        return (
+            max([v / fast / s for v, s in zip(speeds, scale[:half], strict=False)], default=0.0),
+            max([v / s for v, s in zip(speeds, scale[half:], strict=True)], default=0.0),
         )
 
 
