@@ -142,5 +142,5 @@ def _fastest(last_rates: Vector, last: Vector, rates: Vector, new: Vector, scale
         back -= a * x / square
         braked -= a * v / square
     if half and back > 0.0:
-        return (change / moved) ** 0.25
+        return math.sqrt(math.sqrt(change / moved))
     return math.sqrt(change / sped) if braked > 0.0 else 0.0
