@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import random
 from pathlib import Path
 
@@ -153,3 +154,64 @@ def test_motion_seen_from_a_body_is_that_of_its_own_axes() -> None:
         v, a = (evaluate([of(scene, f"{w}(E/OA).{axis}(OA)", second)], moved(scene, 0.1))[0] for w in "va")
         assert v == pytest.approx((after - before) / (2 * step), rel=1e-6)
         assert a == pytest.approx((after - 2 * now + before) / step**2, rel=1e-4)
+
+
+def test_contacts_touch_as_drawn() -> None:
+    counted = 0
+    for path in FILES:
+        scene = scene_of(path)
+        for joint in scene.problem.joints if scene is not None else ():
+            if scene is None or not joint.unilateral:
+                continue
+            gaps = [g for g in scene.gaps(joint) if all(w.value >= -1e-9 * scene.extent for w in g.within)]
+            assert gaps, path.name
+            assert min(g.distance.value for g in gaps) == pytest.approx(0, abs=1e-9 * scene.extent), path.name
+            counted += 1
+    assert counted > 30
+
+
+BOX = """
+title: a turned box over a floor and beside a wheel
+plane: vertical
+points: {F: [0, 0], G: [0, 2 m], W: [1.5 m, 1.2 m]}
+surfaces: {floor: {through: F, angle: 10 deg}}
+bodies:
+  box: {plate: G, width: 0.8 m, height: 0.4 m, angle: 25 deg, mass: 2 kg}
+  wheel: {disk: W, radius: 0.3 m, mass: 1 kg}
+joints:
+  - impact: {between: [box, floor], restitution: 0.5, name: b}
+  - impact: {between: [wheel, floor], restitution: 0.5, name: w}
+  - impact: {between: [box, wheel], restitution: 0.5, name: bw}
+states:
+  1: [at rest]
+  2: [just after 1]
+find: {v: v(G).x @ 2}
+"""
+
+
+def test_gaps_are_distances_wherever_the_bodies_are() -> None:
+    problem, wrong = load_text(BOX)
+    assert problem is not None, wrong
+    scene = MovingScene(problem)
+    at = moved(scene, 0.3)
+    x, y, theta = (at[q] for q, _ in scene.places["box"].variables)
+    corners = [
+        (x + i * math.cos(theta) - j * math.sin(theta), y + i * math.sin(theta) + j * math.cos(theta))
+        for i in (-0.4, 0.4)
+        for j in (-0.2, 0.2)
+    ]
+    tilt = math.radians(10)
+    floor = sorted(q * math.cos(tilt) - p * math.sin(tilt) for p, q in corners)
+    box, wheel, both = problem.joints
+    assert sorted(evaluate([g.distance for g in scene.gaps(box)], at)) == pytest.approx(floor)
+    wx, wy, _ = (at[q] for q, _ in scene.places["wheel"].variables)
+    assert evaluate([g.distance for g in scene.gaps(wheel)], at) == pytest.approx(
+        [wy * math.cos(tilt) - wx * math.sin(tilt) - 0.3]
+    )
+    near = [g for g in scene.gaps(both) if all(w >= 0 for w in evaluate(g.within, at))]
+    local = (
+        (wx - x) * math.cos(theta) + (wy - y) * math.sin(theta),
+        (wy - y) * math.cos(theta) - (wx - x) * math.sin(theta),
+    )
+    outside = math.hypot(max(abs(local[0]) - 0.4, 0), max(abs(local[1]) - 0.2, 0)) - 0.3
+    assert any(d == pytest.approx(outside) for d in evaluate([g.distance for g in near], at))

@@ -9,9 +9,11 @@ from itertools import pairwise
 from typing import Any
 
 from planar_cli.errors import Mark
+from planar_cli.joints.base import Joint
 from planar_cli.loads.base import Load
 from planar_cli.motion.carried import Carried
 from planar_cli.motion.coordinates import Coordinates, Tie
+from planar_cli.motion.gaps import Gap, gaps_of
 from planar_cli.motion.outlines import edges_at, outline_of
 from planar_cli.motion.places import unit_vector
 from planar_cli.motion.poses import MovingPoses
@@ -21,7 +23,7 @@ from planar_cli.motion.spots import spots_of
 from planar_cli.motion.terms import Term, evaluate
 from planar_cli.problem.acting import acting_loads
 from planar_cli.problem.expression import Name, Relation, Side, Statement
-from planar_cli.problem.facts import Outline, Wrench
+from planar_cli.problem.facts import Meeting, Outline, Wrench
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.keys import Table
 from planar_cli.problem.scene import GROUND, Line, Plate, Problem, Round
@@ -165,3 +167,29 @@ class MovingScene(Carried):
     def _nothing(self, wrench: Wrench) -> bool:
         force = wrench.force or Vec(0, 0)
         return all(self.vanishes(part) for part in (force.x, force.y, wrench.couple))
+
+    # --- what impacts ask --------------------------------------------------------------------------------------------
+
+    def gaps(self, joint: Joint) -> tuple[Gap, ...]:
+        """Every way in which the partners of a contact or an impact may touch, with its signed distance."""
+        between, normal = getattr(joint, "between", ()), getattr(joint, "normal", None)
+        return gaps_of(self, between, None if normal is None else self.unit(normal)) if len(between) == 2 else ()
+
+    def arriving(self, point: Vec, body: str) -> Vec:
+        """The velocity of a body's point just before a blow."""
+        return self.velocity(point, body)
+
+    def meeting(self, between: tuple[str, ...], normal: Side | None, mark: Mark) -> Meeting:
+        """Where two bodies strike each other as drawn: where they are nearest."""
+        found = gaps_of(self, between, None if normal is None else self.unit(normal))
+        inside = [g for g in found if all(self.sign(w) >= 0 for w in g.within)]
+        if not inside:
+            text = f"where {between[0]} and {between[1]} touch is open"
+            raise refuse(mark, "PL528", text, "let a particle, a round rim or the end of a rod touch the other")
+        nearest = min(inside, key=lambda g: abs(g.distance.value))
+        return Meeting(nearest.point, nearest.normal, told=self.sign(nearest.distance) > 0)
+
+    def unknown(self, name: str, unit: str) -> Term:
+        """A constant of the blow that the file leaves open: the motion cannot go on without it."""
+        mark = Mark(self.problem.file, 1, 1)
+        raise refuse(mark, "PL706", f"{name} is open, so that what follows the impact is", "write `restitution:`")

@@ -1,0 +1,134 @@
+"""How far apart the partners of a contact or an impact are, and where and along which line they would touch.
+
+Bodies meet with a corner on an edge or a rim, with two rims, or with a corner on a curve; every such pair has a signed
+distance that is positive while they are apart. An edge, a circle or a curve is met from the side on which the other
+partner is drawn; the edges of a plate from outside.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from planar_cli.motion.boundaries import Boundary, Bow, Corner, Edge, Rim, boundaries, boundary_center
+from planar_cli.motion.carried import Carried
+from planar_cli.motion.curves import curve_at
+from planar_cli.motion.terms import Term
+from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scene import GROUND
+
+
+@dataclass(frozen=True, slots=True)
+class Gap:
+    """One way in which two partners may touch."""
+
+    first: str
+    """The body of the first partner, or the ground."""
+    second: str
+    """That of the second."""
+    distance: Term
+    """Positive while they are apart, m."""
+    point: Vec
+    """Where they touch when the distance is zero."""
+    normal: Vec
+    """The unit vector from the first to the second."""
+    within: tuple[Term, ...] = ()
+    """Not negative where this pair is the one that touches: the foot is inside the edge, m."""
+
+    def reversed(self) -> Gap:
+        """The same with the partners exchanged."""
+        return Gap(self.second, self.first, self.distance, self.point, -self.normal, self.within)
+
+
+def gaps_of(scene: Carried, between: tuple[str, ...], normal: Vec | None = None) -> tuple[Gap, ...]:
+    """All pairs of the outlines of two partners that may touch. `normal`: the direction that the file gives."""
+    ours, theirs = (boundaries(scene, partner) for partner in between)
+    found = [gap for a in ours for b in theirs for gap in _pair(scene, a, b)]
+    if found:
+        return tuple(found)
+    corners = [(a, b) for a in ours for b in theirs if isinstance(a, Corner) and isinstance(b, Corner)]
+    return tuple(gap for a, b in corners for gap in _corners(scene, a, b, normal))
+
+
+def _pair(scene: Carried, a: Boundary, b: Boundary) -> list[Gap]:
+    """One pair; nothing where these cannot touch, or another pair tells."""
+    match a, b:
+        case (Corner() | Rim(), Edge()):
+            return [_on_edge(scene, a, b)]
+        case (Rim() | Corner(), Rim()):
+            return _on_rim(scene, a, b)
+        case (Corner(), Bow()):
+            return [_on_curve(scene, a, b)]
+        case (Edge(), Corner() | Rim()) | (Rim(), Corner()) | (Bow(), Corner()):
+            return [gap.reversed() for gap in _pair(scene, b, a)]
+    return []
+
+
+def _side(scene: Carried, off: Term) -> int:
+    """On which side something is drawn; where it is drawn on the line itself, on the left."""
+    return scene.sign(off) or 1
+
+
+def _on_edge(scene: Carried, one: Corner | Rim, edge: Edge) -> Gap:
+    """From the edge to a corner or a rim; `first` is the corner's body."""
+    graph = scene.graph
+    center = one.place if isinstance(one, Corner) else one.center
+    reach = center - edge.start
+    left = edge.along.turned()
+    side = 1 if edge.solid else _edge_side(scene, one, edge)
+    out = left * side
+    distance, foot = graph.of(reach.dot(out)), graph.of(reach.dot(edge.along))
+    if isinstance(one, Rim):
+        distance, point = distance - one.radius, center - out * one.radius
+    else:
+        point = center
+    within = () if edge.length is None else (foot, edge.length - foot)
+    return Gap(one.body, edge.body, distance, point, -out, within)
+
+
+def _edge_side(scene: Carried, one: Corner | Rim, edge: Edge) -> int:
+    """The side of a line on which the partner is drawn, by its place, then by its body; up where nothing tells."""
+    left = edge.along.turned()
+    places = [boundary_center(scene, one)]
+    places += [scene.center(one.body)] if one.body != GROUND else []
+    for place in reversed(places):
+        side = scene.sign((place - edge.start).cross(edge.along)) * -1
+        if side:
+            return side
+    return _side(scene, scene.graph.of(left.y))
+
+
+def _on_rim(scene: Carried, one: Rim | Corner, rim: Rim) -> list[Gap]:
+    """From one rim or corner to a rim; one inside the other where it is drawn so and either is hollow."""
+    graph = scene.graph
+    place = one.place if isinstance(one, Corner) else one.center
+    own = one.radius if isinstance(one, Rim) else graph.number(0.0)
+    reach = place - rim.center
+    far = graph.call("sqrt", graph.of(reach.dot(reach)))
+    out = reach / far
+    inside = scene.sign(rim.radius - own - far) >= 0 and scene.sign(rim.radius + own - far) > 0
+    if inside and rim.hollow:
+        return [Gap(one.body, rim.body, rim.radius - own - far, place + out * own, out)]
+    if isinstance(one, Rim) and one.hollow and scene.sign(own - rim.radius - far) >= 0:
+        return [Gap(one.body, rim.body, own - rim.radius - far, rim.center - out * rim.radius, -out)]
+    return [Gap(one.body, rim.body, far - own - rim.radius, place - out * own, -out)]
+
+
+def _on_curve(scene: Carried, corner: Corner, bow: Bow) -> Gap:
+    """From a curve, to the first order of the distance: exact where it is zero."""
+    bend = curve_at(scene, bow.surface, bow.curve, corner.place)
+    left = bend.tangent.turned()
+    off = scene.graph.of((corner.place - bend.place).dot(left))
+    side = scene.sign(off) or _side(scene, scene.graph.of(left.y))
+    return Gap(corner.body, bow.body, off * side, corner.place, left * -side)
+
+
+def _corners(scene: Carried, a: Corner, b: Corner, normal: Vec | None) -> list[Gap]:
+    """Two points meet along the direction that the file gives, else along the line on which they are drawn."""
+    reach = b.place - a.place
+    if normal is None:
+        drawn = Vec(*(scene.graph.number(scene.graph.of(p).value) for p in (reach.x, reach.y)))
+        if scene.is_zero(reach.dot(reach)):
+            return []
+        normal = drawn / scene.length(drawn)
+    out = normal * _side(scene, scene.graph.of(reach.dot(normal)))
+    return [Gap(a.body, b.body, scene.graph.of(reach.dot(out)), a.place, out)]
