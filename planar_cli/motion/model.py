@@ -9,7 +9,7 @@ from dataclasses import replace
 from planar_cli.joints.base import Joint
 from planar_cli.loads.base import Load, mode_key
 from planar_cli.motion.constraints import Constraint, coefficients, of_places
-from planar_cli.motion.drives import drives_of
+from planar_cli.motion.drives import asked_of, drives_of
 from planar_cli.motion.guards import Guard, Measured, Watch, speed_of
 from planar_cli.motion.held import Held
 from planar_cli.motion.layout import Frame, Layout, Slot
@@ -52,6 +52,7 @@ class Model:
         self.choices: dict[str, tuple[Mode, ...]] = {n: m for n, m in self.modes.items() if len(m) > 1}
         """The modes of every joint and load that has several, the natural one first."""
         self.wrenches: dict[Load, tuple[Wrench, ...]] = {x: x.wrenches(scene) for x in self.loads}
+        self.asked = asked_of(scene, self.layout)
         self.drives = self._drives()
         self.scales = self._scales()
         self._regimes: dict[Choice, Regime] = {}
@@ -221,7 +222,7 @@ class Model:
     def _drives(self) -> tuple[Constraint, ...]:
         """What the file prescribes, and what keeps points where they are written."""
         ties = [of_places(self.layout, "", tie.title, tie.residual) for tie in self.scene.ties]
-        return (*drives_of(self.scene, self.layout), *ties)
+        return (*drives_of(self.scene, self.asked), *ties)
 
     def _demanded(self, drive: Constraint) -> float:
         """The speed that a drive demands as drawn [m/s]."""

@@ -1,0 +1,337 @@
+"""The state from which a motion begins: places and velocities from the first state (or the instant) of the file.
+
+Places are those of the drawing, changed as little as the joints and the relations of the state demand. Velocities are
+sought in layers, each within what those before leave open: what joints that always hold, drives and the relations
+demand; contacts that stay closed and ropes that stay taut; contacts that do not slip; and rest, where the file says so.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+
+from planar_cli.errors import NOWHERE, Diagnostic, FileProblem, Mark, NoSolution
+from planar_cli.motion.constraints import Constraint, coefficients
+from planar_cli.motion.dense import least_squares, null_space
+from planar_cli.motion.drives import PLACES, VELOCITIES, of_forces
+from planar_cli.motion.model import Model
+from planar_cli.motion.source import Code, compiled
+from planar_cli.motion.terms import Term
+from planar_cli.problem.expression import AtRest, Relation, Statement
+from planar_cli.problem.facts import Mode
+
+CLOSED = 1e-12
+"""Residuals below this part of their scale are zero."""
+Choose = Callable[[tuple[Mode, ...]], int]
+AGREES = 1e-9
+"""Relations that are met to this part of their scale agree with each other."""
+MOST_ROUNDS, MOST_IDLE = 60, 12
+"""So many steps of Newton's method are made, and so many that do not halve what is left."""
+
+
+@dataclass(frozen=True, slots=True)
+class Start:
+    """Where a motion begins."""
+
+    time: float
+    """s."""
+    state: tuple[float, ...]
+    """Coordinates, then rates."""
+    assumed: tuple[str, ...] = ()
+    """What the file does not say, in words."""
+
+
+@dataclass(frozen=True, slots=True)
+class Equation:
+    """Something that is zero at the start."""
+
+    term: Term
+    size: float
+    """Its scale."""
+    text: str
+    """In words."""
+    mark: Mark
+
+
+def start_of(model: Model, statements: Sequence[Statement] | None = None) -> Start:
+    """The start of a model; `statements`: others than those of the first state or the instant."""
+    problem = model.scene.problem
+    if statements is None:
+        given = (
+            problem.instant if problem.instant is not None else problem.states[0].relations if problem.states else ()
+        )
+        statements = tuple(given)
+    return _Search(model, statements).start()
+
+
+class _Search:
+    """Looking for places, then for velocities."""
+
+    def __init__(self, model: Model, statements: Sequence[Statement]) -> None:
+        self.model, self.layout = model, model.layout
+        self.statements = statements
+        self.said = model.asked.said(statements)
+        self.time, self.state = model.reference
+        self.half = model.layout.count
+        self.sizes = model.scale
+        self.codes: dict[tuple[Term, ...], Code] = {}
+
+    def start(self) -> Start:
+        """Places, then velocities, then the inequalities."""
+        self.model.begin()
+        self._places()
+        self.model.note(self.time, self.state)
+        assumed = self._velocities()
+        self._fulfilled()
+        return Start(self.time, tuple(self.state), assumed)
+
+    # --- places ------------------------------------------------------------------------------------------------------
+
+    def _places(self) -> None:
+        """Newton's method from the drawing, each step the shortest."""
+        equations = [self._of_place(c) for c in self._everything() if c.place is not None]
+        equations += self._relations(PLACES)
+        self._newton(equations, range(self.half))
+        lost = self.model.scene.reference.open & self.layout.frames.keys()
+        if not lost:
+            return
+        free = null_space(self._matrix(equations, range(self.half)), self.half)
+        for name in sorted(lost):
+            frame = self.layout.frames[name]
+            if any(abs(v[i]) > AGREES * max(map(abs, v)) for v in free for i in (frame.x, frame.y)):
+                raise self._unknown(f"where {name} is at the start is not told", "give its place in the first state")
+
+    def _everything(self) -> list[Constraint]:
+        """The constraints of all joints in their natural modes, and of drives."""
+        model = self.model
+        return [*(c for j in model.joints for c in model.held(j, 0).constraints), *model.drives]
+
+    def _of_place(self, constraint: Constraint) -> Equation:
+        assert constraint.place is not None
+        turns = all(self.layout.slots[i].kind == "theta" for i in constraint.row)
+        return Equation(constraint.place, 1.0 if turns else self.model.scales.length, constraint.title, NOWHERE)
+
+    def _relations(self, level: int) -> list[Equation]:
+        """The relations of this level, on the scale of what is in them."""
+        found = []
+        for relation in self.said:
+            found += [
+                Equation(residual, self._size(residual, level), relation.text, relation.mark)
+                for residual in relation.residuals
+                if self.model.asked.level(residual) == level
+            ]
+        return found
+
+    def _size(self, term: Term, level: int) -> float:
+        """How much a term changes when the state changes by its scales."""
+        first = level * self.half
+        variables = self.layout.state[first : first + self.half]
+        slopes = coefficients(term, {v: first + i for i, v in enumerate(variables)}, self.layout)
+        parts = [abs(t.value) * self.sizes[i] for i, t in slopes.items() if math.isfinite(t.value)]
+        return max(parts, default=0.0) or 1.0
+
+    # --- velocities --------------------------------------------------------------------------------------------------
+
+    def _velocities(self) -> tuple[str, ...]:
+        """Layer by layer."""
+        numbers = range(self.half, 2 * self.half)
+        firm = [self._of_velocity(c) for c in self._bilateral()]
+        firm += self._relations(VELOCITIES)
+        firm += [e for s in self.statements if isinstance(s, AtRest) and s.body is not None for e in self._resting(s)]
+        self._newton(firm, numbers, guesses=True)
+        for softer in (self._touching(), self._sticking()):
+            for group in softer:
+                self._add(firm, group, numbers)
+        if any(isinstance(s, AtRest) and s.body is None for s in self.statements):
+            return ()
+        free = null_space(self._matrix(firm, numbers), self.half)
+        moving = self._moved(free)
+        if not moving:
+            return ()
+        if self._hanging(moving):
+            return (f"{', '.join(sorted(moving))}: no swaying at the start",)
+        names = ", ".join(sorted(moving))
+        raise self._unknown(
+            f"the velocity of {names} at the start is not told",
+            "write `at rest`, or what is known of it: `omega(b) = …`, `v(b).x = …`",
+        )
+
+    def _bilateral(self) -> list[Constraint]:
+        """What always holds: of joints that may part or slide, nothing."""
+        model = self.model
+        found = [c for j in model.joints if j.name not in model.choices for c in model.held(j, 0).constraints]
+        found += [c for j in model.joints if j.name in model.choices for c in self._least(j.name)]
+        return [c for c in (*found, *model.drives) if c.rate is not None]
+
+    def _least(self, name: str) -> tuple[Constraint, ...]:
+        """Of a joint that has several modes and can not part, what all of them keep."""
+        model = self.model
+        joint = next(j for j in model.joints if j.name == name)
+        if any(m.parted for m in model.modes[name]):
+            return ()
+        held = [model.held(joint, i).constraints for i in range(len(model.modes[name]))]
+        return min(held, key=len)
+
+    def _touching(self) -> list[list[Equation]]:
+        """Contacts and ropes that may part stay closed."""
+        return self._of_modes(lambda modes: next((i for i, m in enumerate(modes) if m.name in ("slip", "taut")), 0))
+
+    def _sticking(self) -> list[list[Equation]]:
+        """Natural modes."""
+        return self._of_modes(lambda modes: 0)
+
+    def _of_modes(self, choose: Choose) -> list[list[Equation]]:
+        model = self.model
+        found = []
+        for joint in model.joints:
+            modes = model.modes[joint.name]
+            if len(modes) > 1:
+                held = model.held(joint, choose(modes))
+                found.append([self._of_velocity(c) for c in held.constraints if c.rate is not None])
+        return found
+
+    def _add(self, firm: list[Equation], group: list[Equation], numbers: range) -> None:
+        """Take a joint's relations in where they agree with what is there already."""
+        before = self.state[:]
+        if self._solved([*firm, *group], numbers):
+            firm += group
+        else:
+            self.state = before
+
+    def _of_velocity(self, constraint: Constraint) -> Equation:
+        assert constraint.rate is not None
+        turns = all(self.layout.slots[i].kind == "theta" for i in constraint.row)
+        size = (1.0 if turns else self.model.scales.length) / self.model.scales.time
+        return Equation(constraint.rate, size, constraint.title, NOWHERE)
+
+    def _resting(self, rest: AtRest) -> list[Equation]:
+        """A body that is at rest by itself."""
+        slots = [s for s in self.layout.slots if s.body == rest.body]
+        return [
+            Equation(s.rate, self.sizes[self.half + self.layout.slots.index(s)], rest.text, rest.mark) for s in slots
+        ]
+
+    def _moved(self, free: Iterable[Sequence[float]]) -> set[str]:
+        """The bodies that move in some of these motions."""
+        found = set()
+        for vector in free:
+            top = max(abs(v) / s for v, s in zip(vector, self.sizes[: self.half], strict=True))
+            for slot, v, s in zip(self.layout.slots, vector, self.sizes, strict=False):
+                if slot.body and abs(v) / s > AGREES * top:
+                    found.add(slot.body)
+        return found
+
+    def _hanging(self, bodies: set[str]) -> bool:
+        """Do they all hang on ropes, and does the file tell something of velocities?"""
+        model = self.model
+        tied: set[str] = set()
+        for joint in model.joints:
+            if any(m.name == "taut" for m in model.modes[joint.name]):
+                pushes = model.modes[joint.name][0].facts.pushes
+                tied |= {a.body for p in pushes for a in p.actions}
+        return bodies <= tied and bool(self._relations(VELOCITIES) or model.drives)
+
+    # --- solving -----------------------------------------------------------------------------------------------------
+
+    def _matrix(self, equations: Sequence[Equation], numbers: range) -> list[list[float]]:
+        """∂(equation/size)/∂(variable/scale) at the state at hand; columns in the unit of each variable."""
+        layout = self.layout
+        variables = {layout.state[n]: i for i, n in enumerate(numbers)}
+        rows = [coefficients(e.term, variables, layout) for e in equations]
+        values = iter(self._numbers(tuple(t for row in rows for t in row.values())))
+        found = []
+        for row, equation in zip(rows, equations, strict=True):
+            line = [0.0] * len(numbers)
+            for i in row:
+                line[i] = next(values) / equation.size
+            found.append(line)
+        return found
+
+    def _newton(self, equations: Sequence[Equation], numbers: range, guesses: bool = False) -> None:
+        """Make all equations zero; NoSolution where they contradict each other."""
+        tries = self._guesses(numbers) if guesses else [self.state]
+        for state in tries:
+            self.state = list(state)
+            if self._solved(equations, numbers) and (not guesses or self._true()):
+                return
+        self.state = list(tries[0])
+        self._solved(equations, numbers)
+        off = max(equations, key=lambda e: abs(self._values([e])[0]) / e.size)
+        mark = next((e.mark for e in (off, *equations) if e.mark != NOWHERE), NOWHERE)
+        text = f"no start fulfils everything that the file says: “{off.text}” remains off"
+        raise NoSolution([Diagnostic(mark, "PL704", text, "one of the relations of the first state must go")])
+
+    def _guesses(self, numbers: range) -> list[list[float]]:
+        """Velocities from which a solution is sought: rest first, then either way of relations that are not linear."""
+        found = [self.state]
+        for sign in (1.0, -1.0):
+            guess = list(self.state)
+            for k, n in enumerate(numbers):
+                guess[n] = sign * self.sizes[n] * (1.0 + 0.1 * math.cos(2.4 * k))
+            found.append(guess)
+        return found
+
+    def _solved(self, equations: Sequence[Equation], numbers: range) -> bool:
+        """Newton's method; does it end with all of them zero?"""
+        if not equations:
+            return True
+        best, idle = math.inf, 0
+        for _ in range(MOST_ROUNDS):
+            values = self._values(equations)
+            if not all(map(math.isfinite, values)):
+                return False
+            off = max(abs(v) / e.size for v, e in zip(values, equations, strict=True))
+            if off <= CLOSED or (off <= AGREES and off >= best / 2):
+                return True
+            idle = 0 if off < best / 2 else idle + 1
+            if idle > MOST_IDLE:
+                return False
+            best = min(best, off)
+            right = [-v / e.size for v, e in zip(values, equations, strict=True)]
+            fit = least_squares(self._matrix(equations, numbers), right)
+            for n, change in zip(numbers, fit.unknowns, strict=True):
+                self.state[n] += change
+        return False
+
+    def _values(self, equations: Sequence[Equation]) -> list[float]:
+        terms = tuple(e.term for e in equations)
+        try:
+            return self._numbers(terms)
+        except (ZeroDivisionError, ValueError):
+            # A guess at which something has no value: another one is tried.
+            return [math.nan] * len(terms)
+
+    def _numbers(self, terms: tuple[Term, ...]) -> list[float]:
+        """Terms at the state at hand."""
+        if terms not in self.codes:
+            self.codes[terms] = compiled(terms, self.layout.state, self.layout.time)
+        return self.codes[terms].function(self.time, self.state)
+
+    # --- what must hold besides --------------------------------------------------------------------------------------
+
+    def _fulfilled(self) -> None:
+        """The inequalities and senses of the first state."""
+        for text, mark, value in self._conditions():
+            if value < -AGREES * self.model.scales.length:
+                raise NoSolution([Diagnostic(mark, "PL704", f"the start that was found contradicts “{text}”")])
+
+    def _true(self) -> bool:
+        return all(value >= -AGREES for _, _, value in self._conditions())
+
+    def _conditions(self) -> list[tuple[str, Mark, float]]:
+        """What may not be negative, with its value."""
+        found = [(s.text, s.mark, s.sense) for s in self.said if s.sense is not None]
+        asked = self.model.asked
+        for s in self.statements:
+            if isinstance(s, Relation) and s.operator != "=" and not of_forces(s):
+                left, right = asked.quantities.sides.value(s.left), asked.quantities.sides.value(s.right)
+                term = left - right if s.operator in (">", ">=") else right - left
+                if asked.level(term) in (PLACES, VELOCITIES):
+                    found.append((s.text, s.mark, term))
+        values = self._numbers(tuple(t for _, _, t in found))
+        return [(text, mark, value) for (text, mark, _), value in zip(found, values, strict=True)]
+
+    def _unknown(self, text: str, hint: str) -> FileProblem:
+        mark = next((s.mark for s in self.said), Mark(self.model.scene.problem.file, 1, 1))
+        return FileProblem([Diagnostic(mark, "PL704", text, hint)])
