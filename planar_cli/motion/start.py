@@ -18,7 +18,7 @@ from planar_cli.motion.drives import PLACES, VELOCITIES, of_forces
 from planar_cli.motion.model import Model
 from planar_cli.motion.source import Code, compiled
 from planar_cli.motion.terms import Term
-from planar_cli.problem.expression import AtRest, Relation, Statement
+from planar_cli.problem.expression import AtRest, Equilibrium, Relation, Statement
 from planar_cli.problem.facts import Mode
 
 CLOSED = 1e-12
@@ -143,7 +143,7 @@ class _Search:
         for softer in (self._touching(), self._sticking()):
             for group in softer:
                 self._add(firm, group, numbers)
-        if any(isinstance(s, AtRest) and s.body is None for s in self.statements):
+        if any(isinstance(s, AtRest | Equilibrium) and s.body is None for s in self.statements):
             return ()
         free = null_space(self._matrix(firm, numbers), self.half)
         moving = self._moved(free)

@@ -1,0 +1,111 @@
+"""Where a motion begins: places and velocities from the first state, over- and underdetermined ones told by name."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import pytest
+
+from planar_cli.errors import PlanarError
+from planar_cli.motion.model import Model
+from planar_cli.motion.scene import MovingScene
+from planar_cli.motion.start import Start, start_of
+from planar_cli.problem.structure import load
+
+FOUR_BAR = """
+title: Four-bar
+plane: vertical
+points: {A: [0, 0], B: [0, 1 m], C: [2 m, 1.5 m], D: [2 m, 0]}
+bodies:
+  AB: {rod: [A, B], mass: 1 kg}
+  BC: {rod: [B, C], mass: 2 kg}
+  CD: {rod: [C, D], mass: 1 kg}
+joints:
+  - pin: {at: A, between: [ground, AB]}
+  - pin: {at: B, between: [AB, BC]}
+  - pin: {at: C, between: [BC, CD]}
+  - pin: {at: D, between: [CD, ground]}
+"""
+BALL = """
+title: Ball
+plane: vertical
+bodies: {P: {particle: free, mass: 1 kg}}
+"""
+BLOCK = """
+title: Block
+plane: vertical
+points: {C: [0, 0]}
+surfaces: {slope: {through: C, angle: 30 deg}}
+bodies: {b: {particle: C, mass: 2 kg}}
+joints:
+  - contact: {between: [b, slope], at: C, mu: 0.3}
+"""
+
+
+def model_of(folder: Path, text: str) -> Model:
+    path = folder / "p.yaml"
+    path.write_text(text, encoding="utf-8")
+    problem, wrong, _ = load(str(path))
+    assert problem is not None, wrong
+    return Model(MovingScene(problem))
+
+
+def begun(folder: Path, text: str) -> tuple[Model, Start, dict[str, float]]:
+    """The start with the state by names."""
+    model = model_of(folder, text)
+    start = start_of(model)
+    names = [model.graph.names[v] for v in model.layout.state]
+    return model, start, dict(zip(names, start.state, strict=True))
+
+
+def test_velocities_of_a_mechanism_from_one_of_them(tmp_path: Path) -> None:
+    model, start, at = begun(tmp_path, FOUR_BAR + "instant: [omega(AB) = -2 rad/s]\n")
+    # v_B = (2, 0); C turns about D, and B and C keep their distance: v_C = ω_CD (-1.5, 0), along BC (2, 0.5).
+    omega = -2.0 * 2 / (1.5 * 2)
+    assert at["omega_CD"] == pytest.approx(omega)
+    assert at["omega_BC"] == pytest.approx(0.0)
+    assert max(map(abs, model.regime().residuals(start.time, start.state))) < 1e-15
+
+
+def test_rest_is_rest(tmp_path: Path) -> None:
+    _, start, _ = begun(tmp_path, FOUR_BAR + "instant: [at rest]\n")
+    assert not any(start.state[len(start.state) // 2 :])
+
+
+def test_size_and_direction_of_a_velocity(tmp_path: Path) -> None:
+    said = "instant: [x(P) = 2 m, y(P) = 1 m, v(P).mag = 10 m/s, v(P).angle = 120 deg]\n"
+    _, _, at = begun(tmp_path, BALL + said)
+    expected = [2.0, 1.0, -5.0, 10 * math.sqrt(0.75)]
+    assert list(at.values()) == pytest.approx(expected)
+
+
+def test_a_speed_along_a_slope_either_way(tmp_path: Path) -> None:
+    for sign, operator in ((1, ">"), (-1, "<")):
+        _, _, at = begun(tmp_path, BLOCK + f"instant: [v(b).mag = 3 m/s, v(b).x {operator} 0]\n")
+        assert at["vx_b"] == pytest.approx(sign * 3 * math.sqrt(0.75))
+        assert at["vy_b"] == pytest.approx(sign * 1.5)
+
+
+def test_places_follow_from_relations(tmp_path: Path) -> None:
+    _, _, at = begun(tmp_path, FOUR_BAR + "instant: [omega(AB) = 0, theta(AB) = 80 deg]\n")
+    assert at["theta_AB"] == pytest.approx(math.radians(80))
+    b = math.cos(math.radians(80)), math.sin(math.radians(80))
+    end = [at["x_BC"] * 2 - b[0], at["y_BC"] * 2 - b[1]]
+    assert math.dist(end, (2, 0)) == pytest.approx(1.5)
+    assert math.dist(end, b) == pytest.approx(math.hypot(2, 0.5))
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        (FOUR_BAR + "instant: [omega(AB) = 1 rad/s, omega(CD) = 1 rad/s]\n", "no start fulfils"),
+        (FOUR_BAR, "velocity of AB, BC, CD"),
+        (BALL + "instant: [x(P) = 2 m, at rest]\n", "where P is"),
+        (BLOCK + "instant: [v(b).x = 1 m/s, v(b).y > 0.7 m/s]\n", "contradicts"),
+    ],
+)
+def test_what_is_wrong_is_told(tmp_path: Path, text: str, words: str) -> None:
+    with pytest.raises(PlanarError, match=words) as caught:
+        begun(tmp_path, text)
+    assert {d.code for d in caught.value.diagnostics} == {"PL704"}
