@@ -1,0 +1,188 @@
+"""A scene at the moment of an impact: what holds, what touches, and which impulses they may give, from its model.
+
+Every contact and rope gives the directions along which it presses, pulls and rubs; a face that may tip gives those of its
+two ends. Joints without such freedom, and what the file prescribes, hold. Friction of a fixed size, weights and springs
+have no impulse.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field, replace
+
+from planar_cli.joints.base import Joint
+from planar_cli.motion.automaton import Choice
+from planar_cli.motion.constraints import Constraint
+from planar_cli.motion.impact import Bond, Struck, StruckContact
+from planar_cli.motion.layout import Column
+from planar_cli.motion.model import Model
+from planar_cli.motion.source import Code, compiled
+from planar_cli.motion.terms import Term
+from planar_cli.problem.facts import Action, Mode
+from planar_cli.problem.geometry import Vec
+
+NEAR = 1e-9
+"""Partners closer than this part of the scene's length touch."""
+
+
+@dataclass(frozen=True, slots=True)
+class Direction:
+    """One place at which a joint presses or pulls in an impact."""
+
+    joint: str
+    normal: Column
+    """The generalized force of a unit of its impulse; times the velocities the speed of separation."""
+    tangent: Column | None
+    """The same across it; None where it is smooth."""
+    belt: Term
+    """The part of the sliding that does not come from the state's velocities [m/s]."""
+    mu: Term
+    """The coefficient of friction of the impact."""
+    restitution: Term
+    """e."""
+    gap: Term | None
+    """How far the partners are apart [m]; None: they always touch."""
+    holding: frozenset[int]
+    """The modes of the joint, by index, in which they touch."""
+
+
+@dataclass(slots=True)
+class Strikes:
+    """Impacts of one model."""
+
+    model: Model
+    directions: tuple[Direction, ...]
+    _codes: dict[Choice, Code] = field(default_factory=dict)
+
+    def at(self, choice: Choice, t: float, y: Sequence[float], near: float) -> Struck:
+        """The scene at this moment. `near`: partners closer than this part of its length touch."""
+        layout = self.model.layout
+        bonds = self._bonds(choice)
+        if choice not in self._codes:
+            self._codes[choice] = compiled(self._terms(bonds), layout.state, layout.time)
+        numbers = iter(self._codes[choice].function(t, y))
+        masses = tuple(next(numbers) for _ in layout.slots)
+        velocities = tuple(y[layout.count :])
+        made = []
+        for constraint in bonds:
+            row = self._row(numbers, constraint.row)
+            rate = next(numbers)
+            if constraint.rate is None:
+                rate = sum(a * v for a, v in zip(row, velocities, strict=True))
+            made.append(Bond(constraint.joint, row, rate))
+        indices = self.model.chosen(choice)
+        contacts = []
+        for d in self.directions:
+            normal = self._row(numbers, d.normal)
+            tangent = None if d.tangent is None else self._row(numbers, d.tangent)
+            belt, mu, restitution = next(numbers), next(numbers), next(numbers)
+            gap = None if d.gap is None else next(numbers)
+            touches = gap is None or abs(gap) <= max(NEAR, near) * self.model.scales.length
+            if indices.get(d.joint, 0) in d.holding or touches:
+                contacts.append(StruckContact(d.joint, normal, 0.0, tangent, belt, restitution, mu))
+        speeds = tuple(self.model.scale[layout.count :])
+        return Struck(velocities, masses, speeds, tuple(made), tuple(contacts))
+
+    def _row(self, numbers: Iterable[float], column: Column) -> tuple[float, ...]:
+        row = [0.0] * self.model.layout.count
+        for i, x in zip(column, numbers, strict=False):
+            row[i] = x
+        return tuple(row)
+
+    def _bonds(self, choice: Choice) -> list[Constraint]:
+        """What holds on both sides."""
+        model, indices = self.model, self.model.chosen(choice)
+        pressing = {d.joint for d in self.directions}
+        found: list[Constraint] = []
+        for joint in model.joints:
+            if joint.name in pressing:
+                continue
+            modes = model.modes[joint.name]
+            # Finite friction gives way in an impact.
+            index = next((i for i, m in enumerate(modes) if m.name == "slip"), indices[joint.name])
+            found += model.held(joint, index).constraints
+        return [*found, *model.drives]
+
+    def _terms(self, bonds: Iterable[Constraint]) -> list[Term]:
+        found = [s.mass for s in self.model.layout.slots]
+        for constraint in bonds:
+            found += [*constraint.row.values(), constraint.moving]
+        for d in self.directions:
+            found += d.normal.values()
+            found += [] if d.tangent is None else d.tangent.values()
+            found += [d.belt, d.mu, d.restitution, *(() if d.gap is None else (d.gap,))]
+        return found
+
+
+def strikes_of(model: Model) -> Strikes:
+    """What presses, pulls and rubs in the impacts of a model."""
+    found: list[Direction] = []
+    for joint in model.joints:
+        modes = model.modes[joint.name]
+        if any(m.parted for m in modes):
+            found += _pressing(model, joint, modes)
+    return Strikes(model, tuple(found))
+
+
+def _pressing(model: Model, joint: Joint, modes: Sequence[Mode]) -> list[Direction]:
+    """The directions of a contact or a rope."""
+    graph = model.graph
+    zero = graph.number(0.0)
+    parted = next(m for m in modes if m.parted)
+    whole = _direction(model, joint, modes, [m for m in modes if not m.parted and m.name != "tip"], None)
+    whole = replace(whole, gap=model.gap(joint, parted), restitution=zero)
+    tips = [m for m in modes if m.name == "tip"]
+    if not tips:
+        return [whole]
+    flush = {i for i, m in enumerate(modes) if not m.parted and m.name != "tip"}
+    ends: dict[tuple[float, float], list[Mode]] = {}
+    for mode in tips:
+        point = mode.facts.pushes[0].actions[0].point
+        ends.setdefault((round(point.x.value, 12), round(point.y.value, 12)), []).append(mode)
+    corners = [_corner(model, ms[0]) for ms in ends.values()]
+    found = []
+    for k, (corner, group) in enumerate(zip(corners, ends.values(), strict=True)):
+        own = _direction(model, joint, modes, group, corner)
+        other = corners[1 - k] if len(corners) == 2 else corner
+        normal = group[0].facts.pushes[0].actions[0].force
+        assert normal is not None
+        gap = graph.of((corner - other).dot(normal))
+        found.append(replace(own, gap=gap, restitution=zero, holding=own.holding | flush))
+    return found
+
+
+def _direction(
+    model: Model, joint: Joint, modes: Sequence[Mode], pressing: Sequence[Mode], corner: Vec | None
+) -> Direction:
+    """Along the pushes of these modes; `corner`: where the mover's end is wherever it has turned."""
+    graph, layout = model.graph, model.layout
+    mode = pressing[0]
+
+    def column(kinds: tuple[str, ...]) -> Column | None:
+        push = next((p for p in mode.facts.pushes if p.kind in kinds), None)
+        if push is None:
+            return None
+        actions = push.actions if corner is None else tuple(_moved(a, corner) for a in push.actions)
+        return layout.of_actions(actions)
+
+    normal = column(("normal", "tension"))
+    assert normal is not None, joint.name
+    factors = [law.factor for m in modes for law in m.facts.laws if law.of is not None]
+    mu = graph.of(factors[0]) if factors else graph.number(0.0)
+    sliding = next((m.sliding for m in pressing if m.sliding is not None), None)
+    belt = -graph.of(sliding.rate) if sliding is not None else graph.number(0.0)
+    holding = frozenset(i for i, m in enumerate(modes) if m in pressing)
+    tangent = column(("friction",)) if factors else None
+    return Direction(joint.name, normal, tangent, belt, graph.call("abs", mu), graph.number(0.0), None, holding)
+
+
+def _corner(model: Model, mode: Mode) -> Vec:
+    """The end of a face, carried by its body."""
+    action = mode.facts.pushes[0].actions[0]
+    graph = model.graph
+    drawn = Vec(*(graph.number(graph.of(c).value) for c in (action.point.x, action.point.y)))
+    return model.scene.carried_from(action.body, drawn)
+
+
+def _moved(action: Action, point: Vec) -> Action:
+    return replace(action, point=point)
