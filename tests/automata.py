@@ -82,7 +82,14 @@ class Scene:
             self.made[choice] = self.laws(choice)
         return self.made[choice]
 
-    def struck(self, choice: Choice, t: float, y: Sequence[float]) -> Struck:
+    def misfits(self, choice: Choice, t: float, y: Sequence[float]) -> Mapping[str, float]:
+        mended = self.regime(choice).project(t, y)
+        return {"": max(abs(a - b) / s for a, b, s in zip(mended, y, self.scale, strict=True))}
+
+    def note(self, t: float, y: Sequence[float]) -> None:
+        pass
+
+    def struck(self, choice: Choice, t: float, y: Sequence[float], near: float) -> Struck:
         n = len(self.masses)
         speeds = tuple(self.scale[n:])
         return Struck(tuple(y[n:]), self.masses, speeds, (), tuple(self.contacts(choice, t, y)))

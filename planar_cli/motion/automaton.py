@@ -92,5 +92,15 @@ class Automaton(Protocol):
     def regime(self, choice: Choice) -> Regime:
         """The regime of a choice."""
 
-    def struck(self, choice: Choice, t: float, y: Sequence[float]) -> Struck:
-        """What an impact at this moment has to do with: all that holds in this choice and all that touches."""
+    def misfits(self, choice: Choice, t: float, y: Sequence[float]) -> Mapping[str, float]:
+        """By how much a state misses what each joint of a choice demands of places and velocities, in parts of the
+        scales; "" where it can not be told which.
+        """
+
+    def note(self, t: float, y: Sequence[float]) -> None:
+        """A state has been reached: angles that go on over many turns count from it."""
+
+    def struck(self, choice: Choice, t: float, y: Sequence[float], near: float) -> Struck:
+        """What an impact at this moment has to do with: all that holds in this choice, and all that is closer than
+        the part `near` of the scene's length.
+        """

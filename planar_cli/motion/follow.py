@@ -200,6 +200,7 @@ class Follower:
 
         def seen(step: Step) -> None:
             taken.append(step)
+            self.automaton.note(step.t1, step.y1)
             if self.progress is not None:
                 self.progress(step.t1)
 

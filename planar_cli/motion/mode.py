@@ -110,13 +110,14 @@ class Chooser:
     # --- one choice --------------------------------------------------------------------------------------------------
 
     def _judged(self, choice: Choice) -> Verdict:
+        misfits = {j: x for j, x in self.automaton.misfits(choice, self.t, self.y).items() if x > self.near}
+        if misfits:
+            found = tuple(Violation(j, "places and velocities allow it", True) for j in misfits)
+            return Verdict(choice, self.y, max(misfits.values()), (), found)
         regime, t = self.automaton.regime(choice), self.t
         scale = self.automaton.scale
         state = regime.project(t, self.y)
         moved = max((abs(a - b) / s for a, b, s in zip(state, self.y, scale, strict=True)), default=0.0)
-        if moved > self.near:
-            misfit = Violation("", "the places and velocities do not allow it", True)
-            return Verdict(choice, tuple(state), moved, (), (misfit,))
         try:
             rates = regime.rates(t, state)
             values = regime.watch(t, state)
@@ -124,12 +125,12 @@ class Chooser:
         except Singular as singular:
             failed = Violation(singular.joint, "its forces are not determined", False)
             return Verdict(choice, tuple(state), moved, (), (failed,))
-        found = [
+        broken = [
             Violation(guard.joint, guard.words, guard.kind in ("gap", "stretch", "tips", "mass", "slips"))
             for guard, now, changes in zip(regime.guards, values, later, strict=True)
             if not self._holds(guard, now, changes)
         ]
-        return Verdict(choice, tuple(state), moved, tuple(rates), tuple(found))
+        return Verdict(choice, tuple(state), moved, tuple(rates), tuple(broken))
 
     def _holds(self, guard: Guard, now: float, changes: Sequence[float]) -> bool:
         size = guard.scale

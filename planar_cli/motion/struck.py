@@ -1,8 +1,8 @@
 """A scene at the moment of an impact: what holds, what touches, and which impulses they may give, from its model.
 
-Every contact and rope gives the directions along which it presses, pulls and rubs; a face that may tip gives those of its
-two ends. Joints without such freedom, and what the file prescribes, hold. Friction of a fixed size, weights and springs
-have no impulse.
+Every contact and rope gives the directions along which it presses, pulls and rubs; a face that may tip gives those of
+its two ends. Joints without such freedom, and what the file prescribes, hold. Friction of a fixed size, weights and
+springs have no impulse.
 """
 
 from __future__ import annotations

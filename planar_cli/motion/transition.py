@@ -66,7 +66,7 @@ def resolve(moment: Moment) -> Resolved | Outcome:
     notes: list[str] = []
     y, choice = moment.y, moment.choice
     for count in range(MOST_IMPACTS):
-        struck = moment.automaton.struck(choice, moment.t, y)
+        struck = moment.automaton.struck(choice, moment.t, y, max(1e-9, 10 * moment.tolerance))
         first = count == 0
         if first and moment.applied is not None:
             struck = replace(struck, applied=moment.applied)

@@ -1,0 +1,145 @@
+"""The scene of a problem file as a hybrid automaton, with what acts in it between which of its states."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from functools import cached_property
+from typing import cast
+
+from planar_cli.motion.automaton import Choice
+from planar_cli.motion.constraints import Constraint
+from planar_cli.motion.impact import Struck
+from planar_cli.motion.model import Member, Model
+from planar_cli.motion.regime import Regime
+from planar_cli.motion.scene import MovingScene
+from planar_cli.motion.source import Code, compiled
+from planar_cli.motion.struck import Strikes, strikes_of
+from planar_cli.motion.terms import Term, ordered
+from planar_cli.problem.facts import Mode
+from planar_cli.problem.setting import StruckSetting
+
+
+class SceneAutomaton:
+    """A model, asked as an automaton."""
+
+    def __init__(self, model: Model) -> None:
+        self.model = model
+        self.scale = model.scale
+        self.time_scale = model.time_scale
+        self.energy_scale = model.scales.energy
+        self._missed: dict[Choice, tuple[list[str], list[float], Code]] = {}
+
+    @property
+    def choices(self) -> Mapping[str, Sequence[Mode]]:
+        """The modes of every joint and load that has several."""
+        return self.model.choices
+
+    @cached_property
+    def strikes(self) -> Strikes:
+        """What presses, pulls and rubs in an impact."""
+        return strikes_of(self.model)
+
+    @cached_property
+    def autonomous(self) -> bool:
+        """Does nothing in it depend on the time?"""
+        model = self.model
+        terms: list[Term] = [s.mass for s in model.layout.slots]
+        for wrenches in model.wrenches.values():
+            terms += model.layout.of_actions(wrenches).values()
+        for joint in model.joints:
+            for index in range(len(model.modes[joint.name])):
+                for constraint in model.held(joint, index).constraints:
+                    terms += _terms_of(constraint)
+        for drive in model.drives:
+            terms += _terms_of(drive)
+        return model.layout.time not in set(ordered(terms))
+
+    def regime(self, choice: Choice) -> Regime:
+        """The regime of a choice."""
+        return self.model.regime(choice)
+
+    def misfits(self, choice: Choice, t: float, y: Sequence[float]) -> Mapping[str, float]:
+        """By how much each joint is missed, in parts of lengths and speeds."""
+        if choice not in self._missed:
+            self._missed[choice] = self._misses(choice)
+        joints, sizes, code = self._missed[choice]
+        found: dict[str, float] = {}
+        for joint, size, value in zip(joints, sizes, code.function(t, y), strict=True):
+            found[joint] = max(found.get(joint, 0.0), abs(value) / size)
+        return found
+
+    def note(self, t: float, y: Sequence[float]) -> None:
+        """Angles that go on over many turns and directions of sliding count from this state."""
+        self.model.note(t, y)
+
+    def struck(self, choice: Choice, t: float, y: Sequence[float], near: float) -> Struck:
+        """The scene at the moment of an impact."""
+        return self.strikes.at(choice, t, y, near)
+
+    def _misses(self, choice: Choice) -> tuple[list[str], list[float], Code]:
+        """Residuals of places and velocities, with their joints and sizes."""
+        model, indices = self.model, self.model.chosen(choice)
+        held = [c for j in model.joints for c in model.held(j, indices[j.name]).constraints]
+        joints: list[str] = []
+        sizes: list[float] = []
+        terms: list[Term] = []
+        for constraint in (*held, *model.drives):
+            size = _size(model, constraint)
+            if constraint.place is not None:
+                joints.append(constraint.joint)
+                sizes.append(size)
+                terms.append(constraint.place)
+            if constraint.rate is not None:
+                joints.append(constraint.joint)
+                sizes.append(size / model.scales.time)
+                terms.append(constraint.rate)
+        return joints, sizes, compiled(terms, model.layout.state, model.layout.time)
+
+
+def _size(model: Model, constraint: Constraint) -> float:
+    """The usual size of a residual: that of its parts, each coordinate at its scale."""
+    scale = model.scale
+    return max((abs(t.value) * scale[i] for i, t in constraint.row.items()), default=1.0) or 1.0
+
+
+def _terms_of(constraint: Constraint) -> list[Term]:
+    return [t for t in (constraint.place, constraint.rate, constraint.rest) if t is not None]
+
+
+class SceneStages:
+    """A problem's scene at each stage of its schedule. What has no `during` acts always."""
+
+    def __init__(self, scene: MovingScene) -> None:
+        self.scene = scene
+        self.members: list[Member] = [*scene.problem.joints, *scene.loads()]
+        self._made: dict[tuple[bool, ...], SceneAutomaton] = {}
+
+    def automaton(self, reached: Sequence[str]) -> SceneAutomaton:
+        """The scene once these states have been reached."""
+        acting = tuple(self._acts(m, reached) for m in self.members)
+        if acting not in self._made:
+            names = {id(m) for m, acts in zip(self.members, acting, strict=True) if acts}
+            self._made[acting] = SceneAutomaton(Model(self.scene, lambda m: id(m) in names))
+        return self._made[acting]
+
+    def applied(self, after: str, t: float, y: Sequence[float]) -> tuple[float, ...] | None:
+        """The impulses of the loads that strike before the state `after`."""
+        loads = [x for x in self.scene.problem.loads if x.strikes and x.during is not None and x.during[1] == after]
+        if not loads:
+            return None
+        layout = self.automaton(()).model.layout
+        # They ask where they strike, and nothing of what arrives there.
+        scene = cast("StruckSetting", self.scene)
+        column = layout.of_actions(w for x in loads for w in x.impulses(scene))
+        numbers = compiled(list(column.values()), layout.state, layout.time).function(t, y)
+        total = [0.0] * layout.count
+        for i, x in zip(column, numbers, strict=True):
+            total[i] = x
+        return tuple(total)
+
+    def _acts(self, member: Member, reached: Sequence[str]) -> bool:
+        """Has the state been reached from which it acts, and not yet that until which it does?"""
+        if member.during is None:
+            return True
+        start, end = member.during
+        return start in reached and end not in reached
