@@ -9,6 +9,7 @@ from typing import cast
 from planar_cli.motion.automaton import Choice
 from planar_cli.motion.constraints import Constraint
 from planar_cli.motion.impact import Struck
+from planar_cli.motion.hybrid import HybridModel
 from planar_cli.motion.model import Member, Model
 from planar_cli.motion.regime import Regime
 from planar_cli.motion.scene import MovingScene
@@ -111,15 +112,16 @@ class SceneStages:
 
     def __init__(self, scene: MovingScene) -> None:
         self.scene = scene
-        self.members: list[Member] = [*scene.problem.joints, *scene.loads()]
+        self.passing: list[Member] = [m for m in (*scene.problem.joints, *scene.loads()) if m.during is not None]
+        """What acts between some states only."""
         self._made: dict[tuple[bool, ...], SceneAutomaton] = {}
 
     def automaton(self, reached: Sequence[str]) -> SceneAutomaton:
         """The scene once these states have been reached."""
-        acting = tuple(self._acts(m, reached) for m in self.members)
+        acting = tuple(self._acts(m, reached) for m in self.passing)
         if acting not in self._made:
-            names = {id(m) for m, acts in zip(self.members, acting, strict=True) if acts}
-            self._made[acting] = SceneAutomaton(Model(self.scene, lambda m: id(m) in names))
+            idle = [m for m, acts in zip(self.passing, acting, strict=True) if not acts]
+            self._made[acting] = SceneAutomaton(HybridModel(self.scene, lambda m: m not in idle))
         return self._made[acting]
 
     def applied(self, after: str, t: float, y: Sequence[float]) -> tuple[float, ...] | None:
