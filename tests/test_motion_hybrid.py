@@ -288,7 +288,7 @@ def rod(mu: float, theta: float, omega: float) -> Scene:
 
         def normal(t: float, y: Sequence[float]) -> float:
             c, s = math.cos(y[2]), math.sin(y[2])
-            return (GRAVITY - y[5] ** 2 * s) / (1 + 3 * c * (c - sense * mu * s))
+            return (GRAVITY - y[5] ** 2 * s) / (1 + 3 * c * (c + sense * mu * s))
 
         def rates(t: float, y: Sequence[float]) -> list[float]:
             c, s, n = math.cos(y[2]), math.sin(y[2]), normal(t, y)
@@ -309,7 +309,7 @@ def rod(mu: float, theta: float, omega: float) -> Scene:
 
 
 def rod_start(theta: float, omega: float) -> tuple[float, ...]:
-    return (0.0, math.sin(theta), theta, 2.0 - omega * math.sin(theta), omega * math.cos(theta), omega)
+    return (0.0, math.sin(theta), theta, -2.0 - omega * math.sin(theta), omega * math.cos(theta), omega)
 
 
 def test_a_rod_that_jams_has_no_consistent_motion() -> None:
@@ -331,6 +331,7 @@ def test_a_rod_that_slides_presses_as_it_should(mu: float, normal: float) -> Non
     theta = math.radians(60)
     scene = rod(mu, theta, 0.0)
     found = follow(scene, rod_start(theta, 0.0), 1e-3)
+    assert found.transitions[0].new == (1,)
     regime = found.segments[0].regime
     assert regime.watch(0.0, list(rod_start(theta, 0.0)))[0] == pytest.approx(normal, rel=1e-7)
 

@@ -6,16 +6,28 @@ places stands as long as the partners touch, along it only the velocities are he
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import replace
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
 
 from planar_cli.joints.base import Joint
 from planar_cli.motion.constraints import Constraint, of_places, of_velocities
-from planar_cli.motion.guards import speed_of
+from planar_cli.motion.guards import Measured, speed_of
 from planar_cli.motion.held import Held
 from planar_cli.motion.model import Member, Model, always
 from planar_cli.motion.scene import MovingScene
-from planar_cli.problem.facts import Mode
+from planar_cli.motion.terms import Term
+from planar_cli.problem.facts import Mode, Row
+from planar_cli.problem.geometry import Vec
+
+
+@dataclass(frozen=True, slots=True)
+class End:
+    """One end of a face that lies on another body: a corner about which it may tip."""
+
+    gap: Term
+    """How far it is from the other body [m]."""
+    tipping: tuple[int, ...]
+    """The modes, by index, in which the face tips about it."""
 
 
 class HybridModel(Model):
@@ -23,6 +35,55 @@ class HybridModel(Model):
 
     def __init__(self, scene: MovingScene, acts: Callable[[Member], bool] = always) -> None:
         super().__init__(scene, acts)
+        for name, modes in self.modes.items():
+            self.modes[name] = tuple(self._carried(m) if m.name == "tip" else m for m in modes)
+        self.choices = {name: self.modes[name] for name in self.choices}
+
+    def _measured(self, indices: Mapping[str, int]) -> tuple[Measured, ...]:
+        """Of a face that is apart both ends are watched."""
+        faces = {j.name: ends for j in self.joints if len(ends := self.ends(j)) > 1}
+        found: list[Measured] = []
+        for measured in super()._measured(indices):
+            if measured.guard.kind == "gap" and measured.guard.joint in faces:
+                found += [replace(measured, state=end.gap) for end in faces[measured.guard.joint]]
+            else:
+                found.append(measured)
+        return tuple(replace(m, guard=replace(m.guard, index=i)) for i, m in enumerate(found))
+
+    def ends(self, joint: Joint) -> list[End]:
+        """The ends of a face; none where the joint has no face that may tip."""
+        found: dict[tuple[float, float], list[int]] = {}
+        modes, graph = self.modes[joint.name], self.graph
+        for i, mode in enumerate(modes):
+            if mode.name == "tip":
+                point = mode.facts.pushes[0].actions[0].point
+                found.setdefault((graph.of(point.x).value, graph.of(point.y).value), []).append(i)
+        return [self._end(modes[tipping[0]], tuple(tipping)) for tipping in found.values()]
+
+    def _end(self, mode: Mode, tipping: tuple[int, ...]) -> End:
+        push = next(p for p in mode.facts.pushes if p.kind == "normal")
+        mover, base = push.actions
+        assert mover.force is not None
+        drawn = Vec(*(self.graph.number(self.graph.of(c).value) for c in (mover.point.x, mover.point.y)))
+        beneath = self.scene.carried_from(base.body, drawn)
+        return End(self.graph.of((mover.point - beneath).dot(mover.force)), tipping)
+
+    def _carried(self, mode: Mode) -> Mode:
+        """A face that tips, with its corner going with the body however far it has turned."""
+        push = mode.facts.pushes[0].actions[0]
+        drawn = Vec(*(self.graph.number(self.graph.of(c).value) for c in (push.point.x, push.point.y)))
+        corner = self.scene.carried_from(push.body, drawn)
+
+        def row(of: Row) -> Row:
+            pulls = tuple(replace(p, anchor=replace(p.anchor, point=corner)) for p in of.pulls)
+            return replace(of, pulls=pulls)
+
+        pushes = tuple(
+            replace(p, actions=tuple(replace(a, point=corner) for a in p.actions)) for p in mode.facts.pushes
+        )
+        tests = tuple(replace(t, row=row(t.row)) if t.row is not None else t for t in mode.tests)
+        sliding = None if mode.sliding is None else row(mode.sliding)
+        return replace(mode, facts=replace(mode.facts, pushes=pushes), tests=tests, sliding=sliding)
 
     def _hold(self, joint: Joint, mode: Mode) -> Held:
         held = super()._hold(joint, mode)

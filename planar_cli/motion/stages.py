@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 from typing import cast
 
 from planar_cli.motion.automaton import Choice
 from planar_cli.motion.constraints import Constraint
-from planar_cli.motion.impact import Struck
 from planar_cli.motion.hybrid import HybridModel
-from planar_cli.motion.model import Member, Model
+from planar_cli.motion.impact import Struck
+from planar_cli.motion.model import Member
 from planar_cli.motion.regime import Regime
 from planar_cli.motion.scene import MovingScene
 from planar_cli.motion.source import Code, compiled
@@ -23,7 +23,7 @@ from planar_cli.problem.setting import StruckSetting
 class SceneAutomaton:
     """A model, asked as an automaton."""
 
-    def __init__(self, model: Model) -> None:
+    def __init__(self, model: HybridModel) -> None:
         self.model = model
         self.scale = model.scale
         self.time_scale = model.time_scale
@@ -97,7 +97,7 @@ class SceneAutomaton:
         return joints, sizes, compiled(terms, model.layout.state, model.layout.time)
 
 
-def _size(model: Model, constraint: Constraint) -> float:
+def _size(model: HybridModel, constraint: Constraint) -> float:
     """The usual size of a residual: that of its parts, each coordinate at its scale."""
     scale = model.scale
     return max((abs(t.value) * scale[i] for i, t in constraint.row.items()), default=1.0) or 1.0
@@ -112,7 +112,7 @@ class SceneStages:
 
     def __init__(self, scene: MovingScene) -> None:
         self.scene = scene
-        self.passing: list[Member] = [m for m in (*scene.problem.joints, *scene.loads()) if m.during is not None]
+        self.passing: list[Member] = list(_passing([*scene.problem.joints, *scene.loads()]))
         """What acts between some states only."""
         self._made: dict[tuple[bool, ...], SceneAutomaton] = {}
 
@@ -145,3 +145,8 @@ class SceneStages:
             return True
         start, end = member.during
         return start in reached and end not in reached
+
+
+def _passing(members: Sequence[Member]) -> Iterator[Member]:
+    """Those that act between some states only."""
+    return (m for m in members if m.during is not None)

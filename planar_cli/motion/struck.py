@@ -13,13 +13,12 @@ from dataclasses import dataclass, field, replace
 from planar_cli.joints.base import Joint
 from planar_cli.motion.automaton import Choice
 from planar_cli.motion.constraints import Constraint
+from planar_cli.motion.hybrid import HybridModel
 from planar_cli.motion.impact import Bond, Struck, StruckContact
 from planar_cli.motion.layout import Column
-from planar_cli.motion.model import Model
 from planar_cli.motion.source import Code, compiled
 from planar_cli.motion.terms import Term
-from planar_cli.problem.facts import Action, Mode
-from planar_cli.problem.geometry import Vec
+from planar_cli.problem.facts import Mode
 
 NEAR = 1e-9
 """Partners closer than this part of the scene's length touch."""
@@ -50,7 +49,7 @@ class Direction:
 class Strikes:
     """Impacts of one model."""
 
-    model: Model
+    model: HybridModel
     directions: tuple[Direction, ...]
     _codes: dict[Choice, Code] = field(default_factory=dict)
 
@@ -114,7 +113,7 @@ class Strikes:
         return found
 
 
-def strikes_of(model: Model) -> Strikes:
+def strikes_of(model: HybridModel) -> Strikes:
     """What presses, pulls and rubs in the impacts of a model."""
     found: list[Direction] = []
     for joint in model.joints:
@@ -124,46 +123,30 @@ def strikes_of(model: Model) -> Strikes:
     return Strikes(model, tuple(found))
 
 
-def _pressing(model: Model, joint: Joint, modes: Sequence[Mode]) -> list[Direction]:
+def _pressing(model: HybridModel, joint: Joint, modes: Sequence[Mode]) -> list[Direction]:
     """The directions of a contact or a rope."""
-    graph = model.graph
-    zero = graph.number(0.0)
     parted = next(m for m in modes if m.parted)
-    whole = _direction(model, joint, modes, [m for m in modes if not m.parted and m.name != "tip"], None)
-    whole = replace(whole, gap=model.gap(joint, parted), restitution=zero)
-    tips = [m for m in modes if m.name == "tip"]
-    if not tips:
+    whole = _direction(model, joint, modes, [m for m in modes if not m.parted and m.name != "tip"])
+    whole = replace(whole, gap=model.gap(joint, parted))
+    ends = model.ends(joint)
+    if not ends:
         return [whole]
     flush = {i for i, m in enumerate(modes) if not m.parted and m.name != "tip"}
-    ends: dict[tuple[float, float], list[Mode]] = {}
-    for mode in tips:
-        point = mode.facts.pushes[0].actions[0].point
-        ends.setdefault((round(point.x.value, 12), round(point.y.value, 12)), []).append(mode)
-    corners = [_corner(model, ms[0]) for ms in ends.values()]
     found = []
-    for k, (corner, group) in enumerate(zip(corners, ends.values(), strict=True)):
-        own = _direction(model, joint, modes, group, corner)
-        other = corners[1 - k] if len(corners) == 2 else corner
-        normal = group[0].facts.pushes[0].actions[0].force
-        assert normal is not None
-        gap = graph.of((corner - other).dot(normal))
-        found.append(replace(own, gap=gap, restitution=zero, holding=own.holding | flush))
+    for end in ends:
+        own = _direction(model, joint, modes, [modes[i] for i in end.tipping])
+        found.append(replace(own, gap=end.gap, holding=frozenset({*end.tipping, *flush})))
     return found
 
 
-def _direction(
-    model: Model, joint: Joint, modes: Sequence[Mode], pressing: Sequence[Mode], corner: Vec | None
-) -> Direction:
-    """Along the pushes of these modes; `corner`: where the mover's end is wherever it has turned."""
+def _direction(model: HybridModel, joint: Joint, modes: Sequence[Mode], pressing: Sequence[Mode]) -> Direction:
+    """Along the pushes of these modes."""
     graph, layout = model.graph, model.layout
     mode = pressing[0]
 
     def column(kinds: tuple[str, ...]) -> Column | None:
         push = next((p for p in mode.facts.pushes if p.kind in kinds), None)
-        if push is None:
-            return None
-        actions = push.actions if corner is None else tuple(_moved(a, corner) for a in push.actions)
-        return layout.of_actions(actions)
+        return None if push is None else layout.of_actions(push.actions)
 
     normal = column(("normal", "tension"))
     assert normal is not None, joint.name
@@ -174,15 +157,3 @@ def _direction(
     holding = frozenset(i for i, m in enumerate(modes) if m in pressing)
     tangent = column(("friction",)) if factors else None
     return Direction(joint.name, normal, tangent, belt, graph.call("abs", mu), graph.number(0.0), None, holding)
-
-
-def _corner(model: Model, mode: Mode) -> Vec:
-    """The end of a face, carried by its body."""
-    action = mode.facts.pushes[0].actions[0]
-    graph = model.graph
-    drawn = Vec(*(graph.number(graph.of(c).value) for c in (action.point.x, action.point.y)))
-    return model.scene.carried_from(action.body, drawn)
-
-
-def _moved(action: Action, point: Vec) -> Action:
-    return replace(action, point=point)

@@ -1,0 +1,182 @@
+"""Motions of whole scenes from their files' text: modes, impacts, ropes and sticking, with numbers known beforehand."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+
+import pytest
+
+from planar_cli.integrators.base import Setting
+from planar_cli.motion.follow import Follower, Start
+from planar_cli.motion.scene import MovingScene
+from planar_cli.motion.schedule import Schedule
+from planar_cli.motion.stages import SceneStages
+from planar_cli.motion.trajectory import Trajectory
+from planar_cli.problem.structure import load_text
+
+GRAVITY = 9.81
+
+
+def follow(
+    text: str,
+    rates: Mapping[str, float],
+    until: float,
+    places: Mapping[str, float] | None = None,
+    tolerance: float = 1e-9,
+) -> Trajectory:
+    """`rates`, `places`: by body and coordinate, `block.x`; what is not given is as drawn, or at rest."""
+    problem, wrong = load_text("plane: vertical\ntitle: a motion\n" + text)
+    assert problem is not None
+    assert not wrong
+    stages = SceneStages(MovingScene(problem))
+    automaton = stages.automaton(())
+    t, y = automaton.model.reference
+    names = [f"{s.body}.{s.kind}" for s in automaton.model.layout.slots]
+    for name, rate in rates.items():
+        y[len(names) + names.index(name)] = rate
+    for name, place in (places or {}).items():
+        y[names.index(name)] = place
+    setting = Setting(automaton.scale, tolerance)
+    return Follower(stages, Start(t, tuple(y)), Schedule(), until, setting).trajectory()
+
+
+def kinds(found: Trajectory) -> list[str]:
+    return [x.kind for x in found.transitions]
+
+
+SLOPE = """
+points: {O: [0, 0], P: [0, 0]}
+surfaces: {slope: {through: O, angle: 30 deg}}
+bodies: {block: {particle: P, mass: 2 kg}}
+joints:
+  - contact: {between: [block, slope], at: P, mu_s: %s, mu_k: %s}
+"""
+
+
+def test_a_block_sticks_where_it_comes_to_rest() -> None:
+    c, s = math.cos(math.pi / 6), math.sin(math.pi / 6)
+    found = follow(SLOPE % (0.7, 0.6), {"block.x": 3 * c, "block.y": 3 * s}, 3.0)
+    stop = 3.0 / (GRAVITY * (s + 0.6 * c))
+    assert found.outcome.kind == "rest"
+    assert found.outcome.t == pytest.approx(stop, rel=1e-11)
+    assert math.hypot(*found.at(3.0)[:2]) == pytest.approx(1.5 * stop, rel=1e-11)
+
+
+def test_a_block_slides_back_where_friction_is_too_little() -> None:
+    c, s = math.cos(math.pi / 6), math.sin(math.pi / 6)
+    found = follow(SLOPE % (0.4, 0.3), {"block.x": 3 * c, "block.y": 3 * s}, 3.0)
+    stop = 3.0 / (GRAVITY * (s + 0.3 * c))
+    assert found.at(3.0)[2] == pytest.approx(-GRAVITY * (s - 0.3 * c) * (3.0 - stop) * c, rel=1e-10)
+
+
+def test_stick_and_slip_on_a_belt() -> None:
+    text = """
+points: {O: [0, 0], W: [-1 m, 0]}
+surfaces: {belt: {through: O, angle: 0 deg, speed: 0.1 m/s}}
+bodies: {block: {particle: O, mass: 1 kg}}
+joints:
+  - contact: {between: [block, belt], at: O, mu_s: 0.4, mu_k: 0.3}
+loads:
+  - spring: {between: [W, O], stiffness: 100 N/m, natural_length: 1 m}
+"""
+    found = follow(text, {"block.x": 0.1}, 2.0, tolerance=1e-11)
+    slip, stick, again = (x.t for x in found.transitions[:3])
+    assert (stick - slip, again - slip) == pytest.approx((0.47315706234, 0.66935706234), rel=1e-9)
+    assert found.transitions[1].after[0] == pytest.approx(0.01962, rel=1e-8)
+
+
+def test_a_disk_thrown_along_the_floor_begins_to_roll() -> None:
+    text = """
+points: {C: [0, 0], G: [0, 0.5 m]}
+surfaces: {floor: {through: C, angle: 0 deg}}
+bodies: {disk: {disk: G, radius: 0.5 m, mass: 2 kg}}
+joints:
+  - contact: {between: [disk, floor], at: C, mu: 0.2}
+"""
+    found = follow(text, {"disk.x": 3.0}, 3.0)
+    assert found.transitions[-1].t == pytest.approx(3.0 / (3 * 0.2 * GRAVITY), rel=1e-11)
+    assert found.at(3.0)[3:] == pytest.approx([2.0, 0.0, -4.0], abs=1e-9)
+
+
+def test_a_rope_slackens_and_jerks_taut() -> None:
+    text = """
+points: {O: [0, 0], P: [0, -1 m]}
+bodies: {ball: {particle: P, mass: 2 kg}}
+joints:
+  - rope: {path: [O, P], name: cord}
+"""
+    found = follow(text, {"ball.x": math.sqrt(3 * GRAVITY)}, 1.5)
+    assert kinds(found) == ["mode", "impact", "mode"]
+    assert found.transitions[0].before[1] == pytest.approx(1 / 3, rel=1e-8)
+    jerk = found.transitions[1]
+    x, y, vx, vy = jerk.before
+    along = x * vx + y * vy
+    assert jerk.impulses["cord"][0] == pytest.approx(2 * along, rel=1e-9)
+    assert jerk.lost == pytest.approx(along**2, rel=1e-9)
+
+
+def test_a_particle_leaves_a_dome() -> None:
+    text = """
+points: {O: [0, 0], P: [0, 1 m]}
+surfaces: {dome: {center: O, radius: 1 m}}
+bodies: {ball: {particle: P, mass: 2 kg}}
+joints:
+  - contact: {between: [ball, dome], at: P, mu: 0}
+"""
+    found = follow(text, {"ball.x": 0.3}, 1.0)
+    assert found.transitions[-1].before[1] == pytest.approx((2 + 0.09 / GRAVITY) / 3, rel=1e-8)
+
+
+BLOCK = """
+points: {G: [0, 0.5 m], A: [0, 0]}
+surfaces: {floor: {through: A, angle: 0 deg}}
+bodies: {block: {plate: G, width: 0.2 m, height: 1 m, mass: 10 kg}}
+joints:
+  - contact: {between: [block, floor], at: A, mu: 2}
+"""
+
+
+def test_a_block_rocks_and_loses_speed_at_every_impact() -> None:
+    """Housner: ω⁺/ω⁻ = 1 - 1.5 sin²α = 49/52; from α/2 at rest a quarter takes 0.34709358679 s."""
+    alpha = math.atan(0.2)
+    # Turned by α/2 about its right corner, clockwise.
+    turn, reach = -alpha / 2, math.hypot(0.1, 0.5)
+    direction = math.pi / 2 + alpha + turn
+    places = {
+        "block.x": 0.1 + reach * math.cos(direction),
+        "block.y": reach * math.sin(direction),
+        "block.theta": turn,
+    }
+    found = follow(BLOCK, {}, 0.5, places)
+    impact = next(x for x in found.transitions if x.kind == "impact")
+    assert impact.t == pytest.approx(0.34709358679, rel=1e-8)
+    assert impact.before[5] == pytest.approx(0.64804901, rel=1e-7)
+    assert impact.after[5] / impact.before[5] == pytest.approx(49 / 52, rel=1e-8)
+
+
+def test_a_rod_that_jams_is_refused_by_name() -> None:
+    text = """
+points: {A: [0, 0], B: [1 m, 1.7320508075688772 m]}
+surfaces: {floor: {through: A, angle: 0 deg}}
+bodies: {rod: {rod: [A, B], mass: 1 kg}}
+joints:
+  - contact: {between: [rod, floor], at: A, mu: 1.5}
+"""
+    found = follow(text, {"rod.x": -2.0}, 1.0)
+    assert (found.outcome.kind, found.outcome.joint, found.outcome.code) == ("none", "A", "PL700")
+    omega = 4.0
+    several = follow(text, {"rod.x": -2.0 - omega * math.sqrt(0.75), "rod.y": omega / 2, "rod.theta": omega}, 1.0)
+    assert (several.outcome.kind, several.outcome.code) == ("several", "PL701")
+
+
+def test_a_pendulum_stays_in_its_unstable_equilibrium() -> None:
+    text = """
+points: {O: [0, 0], P: [0, 1 m]}
+bodies: {ball: {particle: P, mass: 2 kg}}
+joints:
+  - link: {between: [O, P]}
+"""
+    found = follow(text, {}, 60.0)
+    assert found.at(60.0) == found.at(0.0)
+    assert f"{math.sqrt(1 / GRAVITY):.6g} s" in found.notes[0]
