@@ -18,10 +18,10 @@ from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.equation.sample import anywhere
 from planar_cli.errors import NOWHERE, Diagnostic, Mark, NoSolution, Undecided
 from planar_cli.problem.scene import Problem
-from planar_cli.solve.course.course import Course
 from planar_cli.solve.course.equations import Equation
 from planar_cli.solve.course.events import Leg, events, is_zero, scale_of
 from planar_cli.solve.course.finds import FindReader
+from planar_cli.solve.course.motion_equations import MotionEquations
 from planar_cli.solve.course.plot import Span, Workshop, fixed_time
 from planar_cli.solve.course.reached import asked_about
 from planar_cli.solve.course.simulate import Ends, Followed, Follower
@@ -43,7 +43,7 @@ BEFORE = 1e-6
 REPEATING = ("energy", "momentum")
 
 
-def loose_letters(course: Course) -> list[sp.Symbol]:
+def loose_letters(course: MotionEquations) -> list[sp.Symbol]:
     """Letters of states and sought constants that the equations do not fix."""
     unknowns = sorted(course.chain().unknowns, key=lambda s: s.name)
     value = course.base().extended({x: anywhere(i) for i, x in enumerate(unknowns)})
@@ -78,7 +78,7 @@ def _independent(equations: Iterable[Equation]) -> list[Equation]:
     return found
 
 
-def missing(course: Course) -> NoSolution | None:
+def missing(course: MotionEquations) -> NoSolution | None:
     """What the file should say; None: the equations leave nothing loose."""
     loose = set(loose_letters(course))
     sought = [s for s in course.sought() if s in loose]
@@ -106,7 +106,7 @@ def missing(course: Course) -> NoSolution | None:
     return _wrong(mark, "PL623", text, hint)
 
 
-def _open_impact(course: Course, loose: Collection[sp.Symbol]) -> NoSolution | None:
+def _open_impact(course: MotionEquations, loose: Collection[sp.Symbol]) -> NoSolution | None:
     """A coefficient of restitution that was left out and that nothing tells."""
     for blow in course.blows.values():
         open_names = {f"e_{j.name}": j for j in blow.struck.joints}
@@ -120,7 +120,7 @@ def _open_impact(course: Course, loose: Collection[sp.Symbol]) -> NoSolution | N
     return None
 
 
-def demand_told(course: Course, finds: FindReader, told: Collection[sp.Symbol]) -> None:
+def demand_told(course: MotionEquations, finds: FindReader, told: Collection[sp.Symbol]) -> None:
     """NoSolution: letters that are asked for are not told, because a datum is missing."""
     letters = {s for a in finds.asked for p in a.parts for s in finds.settled(a, p).free_symbols}
     if letters & course.chain().unknowns - set(told):
@@ -129,11 +129,11 @@ def demand_told(course: Course, finds: FindReader, told: Collection[sp.Symbol]) 
             raise wrong
 
 
-def _mark_of(course: Course, sought: sp.Symbol) -> Mark:
+def _mark_of(course: MotionEquations, sought: sp.Symbol) -> Mark:
     return next((u.mark for u in course.problem.unknowns if u.name == sought.name), course.first.mark)
 
 
-def _title(course: Course, stop: Stop, own: sp.Symbol) -> str:
+def _title(course: MotionEquations, stop: Stop, own: sp.Symbol) -> str:
     """A letter of a state in words."""
     general = next(k for k, v in stop.letters.items() if v == own)
     for regime in course.distinct_regimes():
@@ -161,7 +161,7 @@ def as_drawn(span: Span, workshop: Workshop, problem: Problem) -> NoSolution | N
 # --- data contradict each other --------------------------------------------------------------------------------------
 
 
-def demand_agreement(course: Course, value: Valuation, guessed: Collection[sp.Symbol] = ()) -> None:
+def demand_agreement(course: MotionEquations, value: Valuation, guessed: Collection[sp.Symbol] = ()) -> None:
     """NoSolution: a state that was found by some of its relations does not satisfy the others. `guessed`: letters with
     machine numbers, whose rounding is measured by the largest value that they have in any state.
     """
@@ -179,7 +179,7 @@ def demand_agreement(course: Course, value: Valuation, guessed: Collection[sp.Sy
                 raise _contradiction(course, d, number)
 
 
-def _largest(course: Course, value: Valuation, letters: Collection[sp.Symbol]) -> dict[sp.Symbol, Decimal]:
+def _largest(course: MotionEquations, value: Valuation, letters: Collection[sp.Symbol]) -> dict[sp.Symbol, Decimal]:
     """The largest value that letters of states have in any of the states."""
     sizes: dict[sp.Symbol, Decimal] = {}
     for stop in course.stops.values():
@@ -190,7 +190,7 @@ def _largest(course: Course, value: Valuation, letters: Collection[sp.Symbol]) -
     return {own: sizes[general_of[own]] for own in letters if own in general_of and general_of[own] in sizes}
 
 
-def _contradiction(course: Course, demand: Demand, number: Decimal) -> NoSolution:
+def _contradiction(course: MotionEquations, demand: Demand, number: Decimal) -> NoSolution:
     others = [d.text for d in course.demands[demand.state] if d.text != demand.text and d.kind == "equation"]
     others = others or ["what is stated of the states before it"]
     text = f"state {demand.state}: `{demand.text}` contradicts {_quoted(others)}: the sides differ by {_short(number)}"
@@ -205,7 +205,7 @@ def _short(number: Decimal) -> str:
     return f"{abs(float(number)):.4g} in SI units"
 
 
-def clash(course: Course, equations: Iterable[Equation]) -> NoSolution | None:
+def clash(course: MotionEquations, equations: Iterable[Equation]) -> NoSolution | None:
     """Statements of which any one may go, and then there is a motion; None: no single one stands in the way."""
     equations = list(equations)
     stated = [
@@ -230,7 +230,7 @@ def clash(course: Course, equations: Iterable[Equation]) -> NoSolution | None:
 # --- a state that never comes ----------------------------------------------------------------------------------------
 
 
-def never(course: Course, followed: Followed, value: Valuation) -> NoSolution:
+def never(course: MotionEquations, followed: Followed, value: Valuation) -> NoSolution:
     """Why the state that was missed does not come."""
     name = followed.missed
     assert name is not None
@@ -247,7 +247,7 @@ def never(course: Course, followed: Followed, value: Valuation) -> NoSolution:
     return _wrong(stop.mark, "PL621", f"state {name} is never reached: {texts}", hint)
 
 
-def meets_again(course: Course, ends: Ends) -> NoSolution:
+def meets_again(course: MotionEquations, ends: Ends) -> NoSolution:
     """What has parted comes together again before the next state, and nothing says how it goes on."""
     state = course.states[ends.stretch + 1]
     text = f"before state {state.name}, at t = {ends.time:.4g} s, `{ends.words}` ends with a blow: it meets again"
@@ -255,7 +255,7 @@ def meets_again(course: Course, ends: Ends) -> NoSolution:
     return _wrong(state.mark, "PL622", text, hint)
 
 
-def _hint(course: Course, followed: Followed, stop: Stop, value: Valuation) -> str:
+def _hint(course: MotionEquations, followed: Followed, stop: Stop, value: Valuation) -> str:
     """How near the motion comes, whether the relations hold one by one, or before the states that stand before."""
     equations = [d for d in course.demands[stop.name] if d.kind == "equation"]
     follower = Follower(course, value)
@@ -287,7 +287,7 @@ def _hint(course: Course, followed: Followed, stop: Stop, value: Valuation) -> s
     return ", ".join(found)
 
 
-def passed_before(course: Course, followed: Followed, value: Valuation) -> bool:
+def passed_before(course: MotionEquations, followed: Followed, value: Valuation) -> bool:
     """Did what is stated of a state at a given time hold before, on the way from the state before it?"""
     follower = Follower(course, value)
     follower.done.values = dict(followed.values)

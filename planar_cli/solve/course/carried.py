@@ -15,7 +15,7 @@ import sympy as sp
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.errors import Diagnostic, NoSolution
 from planar_cli.solve.course.chain import Branch
-from planar_cli.solve.course.course import Course
+from planar_cli.solve.course.motion_equations import MotionEquations
 from planar_cli.solve.linear import solve
 
 STEP, SMALLEST, NEWTON = Decimal(1) / 32, Decimal("1e-4"), 10
@@ -31,7 +31,7 @@ class Blocked(Exception):
     """On the way there the position stops, or could go on in several ways."""
 
 
-def carried_branch(course: Course, branches: Sequence[Branch]) -> Branch:
+def carried_branch(course: MotionEquations, branches: Sequence[Branch]) -> Branch:
     """Of several branches the one that the drawn position leads to. NoSolution: that cannot be told."""
     places = [own for s in course.states for own in _letters(course, s.name)]
     if all(_agree(b.values, branches[0].values, places) for b in branches):
@@ -52,7 +52,7 @@ def carried_branch(course: Course, branches: Sequence[Branch]) -> Branch:
     return branches[0]
 
 
-def _letters(course: Course, name: str) -> list[sp.Symbol]:
+def _letters(course: MotionEquations, name: str) -> list[sp.Symbol]:
     return [course.stops[name].letters[c.symbol] for c in course.regimes[0].coordinates]
 
 
@@ -61,7 +61,7 @@ def _agree(one: Places, other: Places, letters: Sequence[sp.Symbol] | Places) ->
     return all(abs(a - b) <= SAME * max(abs(a), abs(b), Decimal(1)) for a, b in both)
 
 
-def _led(course: Course, name: str) -> Places | None:
+def _led(course: MotionEquations, name: str) -> Places | None:
     """Where a state is, carried over from the drawn position; None: its relations do not fix it."""
     base = course.base()
     now, own = _letters(course, name), _letters(course, course.first.name)

@@ -9,9 +9,10 @@ from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.errors import Diagnostic, Mark, NoSolution
 from planar_cli.problem.scene import Problem
 from planar_cli.solve.course.astray import as_drawn
-from planar_cli.solve.course.course import Course
 from planar_cli.solve.course.gaps import changes_sides
+from planar_cli.solve.course.motion_equations import MotionEquations
 from planar_cli.solve.course.plot import Plot, Workshop, nearest
+from planar_cli.solve.course.regime_sequence import RegimeSequence
 
 BLOW, SLACK = " blow", Decimal("1e-9")
 
@@ -35,7 +36,7 @@ class Choosing:
         except NoSolution as error:
             raise as_drawn(plot.stretch(i).span, self.workshop, self.problem) or error from error
 
-    def _agreeing(self, course: Course) -> Plot | None:
+    def _agreeing(self, course: RegimeSequence) -> Plot | None:
         """Another choice of modes, where in this one the forces of a stretch contradict each other in every position;
         None: all do, or this one does not.
         """
@@ -64,7 +65,7 @@ class Choosing:
             [Diagnostic(mark, "PL622", f"no assumption about the contacts holds from here on: {self.why}")]
         )
 
-    def _other_blow(self, course: Course, i: int, why: str) -> tuple[int, ...]:
+    def _other_blow(self, course: MotionEquations, i: int, why: str) -> tuple[int, ...]:
         """Other modes of the joints in a blow."""
         name = (BLOW, *(s.name for s in course.plot.states[: i + 1]))
         failed = self.tried.setdefault(name, [])
@@ -76,7 +77,7 @@ class Choosing:
         text = f"no assumption about the contacts holds in the blow: {self.why}"
         raise self.lack or NoSolution([Diagnostic(course.states[i + 1].mark, "PL622", text)])
 
-    def _determined(self, course: Course, i: int) -> Plot:
+    def _determined(self, course: MotionEquations, i: int) -> Plot:
         """Another choice of modes, where in this one forces that are needed are not unique."""
         general = course.regimes[i].general
         try:
@@ -85,7 +86,7 @@ class Choosing:
             general.demand_unique(course.regimes[i].undetermined)
             raise
 
-    def _elsewhere(self, course: Course, why: str) -> Plot | None:
+    def _elsewhere(self, course: MotionEquations, why: str) -> Plot | None:
         """Other modes in a blow, or after one; None: there are no blows, or all have been tried."""
         for i in course.blows:
             try:
@@ -102,7 +103,7 @@ class Choosing:
         return None
 
 
-def at_a_top(course: Course, name: str, value: Valuation) -> bool:
+def at_a_top(course: MotionEquations, name: str, value: Valuation) -> bool:
     """Is the last state one of rest in equilibrium? A motion that just reaches it takes longer and longer."""
     stop, regime = course.stops[name], course.regimes[len(course.states) - 2]
     rates = [*regime.rates.values(), *regime.accelerations.values()]
@@ -112,7 +113,7 @@ def at_a_top(course: Course, name: str, value: Valuation) -> bool:
         return False
 
 
-def assumed(course: Course, value: Valuation) -> bool:
+def assumed(course: MotionEquations, value: Valuation) -> bool:
     """Do the modes hold in every state? What can not be told there does not speak against them."""
     for name, stop in course.stops.items():
         for watch in course.readers[name].regime.watches:

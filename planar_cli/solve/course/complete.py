@@ -20,7 +20,7 @@ AGREE = Decimal("1e-9")
 def completed(found: Unfolded) -> Unfolded:
     """The branch with the equilibrium states in it, and whatever is asked about states."""
     course, branch = found.course, found.branch
-    still = course.still.branch if course.still is not None else Branch({}, {}, (), ())
+    still = course.still.branch
     if still is not branch:
         branch = Branch(
             {**still.values, **branch.values},

@@ -5,24 +5,26 @@ So two bodies that a spring joins, on which nothing else acts, have a law for th
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from itertools import combinations
 
 import sympy as sp
 
 from planar_cli.equation.plain import longer, simplified
-from planar_cli.solve.course.course import Course
 from planar_cli.solve.course.equations import Equation, is_speed
 from planar_cli.solve.course.finds import FindReader
+from planar_cli.solve.course.motion_equations import MotionEquations
 from planar_cli.solve.course.timeline import Stop
 
 LONG = 200
 
 
-def by_differences(course: Course, finds: FindReader, truth: Mapping[sp.Symbol, float]) -> dict[sp.Symbol, float]:
-    """Put differences for pairs of coordinates of which nothing else counts, in the equations and in what is asked; the
-    values of the differences.
+def by_differences(
+    course: MotionEquations, finds: FindReader, truth: Mapping[sp.Symbol, float]
+) -> tuple[MotionEquations, dict[sp.Symbol, float]]:
+    """Differences put for pairs of coordinates of which nothing else counts, in the equations and in what is asked; and
+    the values of the differences.
     """
     found: dict[sp.Symbol, float] = {}
     asked = [finds.settled(a, p) for a in finds.asked for p in a.parts]
@@ -36,11 +38,11 @@ def by_differences(course: Course, finds: FindReader, truth: Mapping[sp.Symbol, 
                 continue
             if _counts_alone(course.equations, asked, one, other):
                 name = course.ledger.fresh(_name(a, b, stop), course.ledger.units[one].text)
-                course.equations = [_put(e, one, other, name) for e in course.equations]
+                equations = tuple(_put(e, one, other, name) for e in course.equations)
+                course = replace(course, equations=equations, differences=(*course.differences, name))
                 course.told[one] = other - name
-                course.differences.append(name)
                 found[name] = truth[other] - truth[one]
-    return found
+    return course, found
 
 
 def _name(a: sp.Symbol, b: sp.Symbol, stop: Stop) -> str:
@@ -50,7 +52,7 @@ def _name(a: sp.Symbol, b: sp.Symbol, stop: Stop) -> str:
     return f"{stem}_{rest}_{own}__{stop.name}" if stem == other and own and rest else f"d__{stop.name}"
 
 
-def _counts_alone(equations: list[Equation], asked: list[sp.Expr], a: sp.Symbol, b: sp.Symbol) -> bool:
+def _counts_alone(equations: Sequence[Equation], asked: list[sp.Expr], a: sp.Symbol, b: sp.Symbol) -> bool:
     """Do two letters stand in equations, and in these and in what is asked only as b - a?"""
     both = [e.residual for e in equations if {a, b} & e.residual.free_symbols]
     if not any({a, b} <= r.free_symbols for r in both):

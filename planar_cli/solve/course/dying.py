@@ -14,9 +14,9 @@ import sympy as sp
 from planar_cli.calculus.first import roots
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.errors import Undecided
-from planar_cli.solve.course.course import Course
 from planar_cli.solve.course.events import WINDOWS, Leg, State, scale_of
 from planar_cli.solve.course.legs import explicit
+from planar_cli.solve.course.motion_equations import MotionEquations
 from planar_cli.solve.course.starts import certain_start
 from planar_cli.solve.course.timeline import Stop
 from planar_cli.solve.roots import real_roots
@@ -26,7 +26,7 @@ LOOKS, MOST = 8, 4000
 """Zeros whose inequalities do not hold are passed over, so many of them; evaluations that are spent."""
 
 
-def by_formula(course: Course, stop: Stop, leg: Leg) -> State | None:
+def by_formula(course: MotionEquations, stop: Stop, leg: Leg) -> State | None:
     """Where a state with one equation is first reached from a first state that is known exactly; None: never, or no
     formula tells.
     """
@@ -85,7 +85,7 @@ class _Relative:
 # --- constant accelerations ------------------------------------------------------------------------------------------
 
 
-def steady_time(course: Course, stop: Stop, leg: Leg) -> tuple[State | None] | None:
+def steady_time(course: MotionEquations, stop: Stop, leg: Leg) -> tuple[State | None] | None:
     """Where a state with one equation is next reached, or (None,): never; exactly, from constant accelerations and a
     first state that is known. None: it is not such a motion.
     """

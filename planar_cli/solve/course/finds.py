@@ -21,10 +21,11 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import Find
 from planar_cli.problem.scope import Scope
 from planar_cli.solve.asked import is_energy
-from planar_cli.solve.course.course import Course
 from planar_cli.solve.course.derivation import Route
+from planar_cli.solve.course.motion_equations import MotionEquations
 from planar_cli.solve.course.oscillation import stability
 from planar_cli.solve.course.paths import CurveReader
+from planar_cli.solve.course.regime_sequence import RegimeSequence
 from planar_cli.solve.course.starts import started
 from planar_cli.solve.course.throughout import Throughout
 from planar_cli.solve.course.timeline import Reader, Stop
@@ -56,7 +57,7 @@ class Asked:
 class FindReader:
     """Reads all finds before the regimes are worked out, and answers them afterwards."""
 
-    course: Course
+    motion: RegimeSequence
     units: dict[str, str]
     asked: list[Asked] = field(default_factory=list)
     throughout: Throughout | None = None
@@ -64,7 +65,7 @@ class FindReader:
     curves: list[Passage] = field(default_factory=list)
 
     def read(self) -> None:
-        course = self.course
+        course = self.motion
         only = "" in course.stops
         last = course.states[-1].name if course.states else next(iter(course.stops))
         for find in course.problem.find:
@@ -91,7 +92,9 @@ class FindReader:
 
     # --- answers -----------------------------------------------------------------------------------------------------
 
-    def answer(self, asked: Asked, route: Route, value: Valuation, spans: Iterable[SpanIntegral]) -> Found:
+    def answer(
+        self, course: MotionEquations, asked: Asked, route: Route, value: Valuation, spans: Iterable[SpanIntegral]
+    ) -> Found:
         """One find. `value`: numbers of everything; `spans`: quantities over spans, worked out."""
         find, what = asked.find, asked.find.found.what
         pure = parse_unit("1")
@@ -99,11 +102,11 @@ class FindReader:
         if mode is not None:
             return Found(find.name, mode[0], pure, None, None, mode[1], find)
         if isinstance(what, Quantity) and what.word in TRUTHS:
-            word = "true" if _is_true(self.course, what, value) else "false"
+            word = "true" if _is_true(course, what, value) else "false"
             return Found(find.name, "truth", pure, None, None, word, find)
         if is_curve(what):
             known = {} if self.throughout is None else self.throughout.start
-            starts = started(self.course, asked.reader.regime, lambda s: known.get(s, s), value)
+            starts = started(course, asked.reader.regime, lambda s: known.get(s, s), value)
             found, passage = CurveReader(asked.reader.regime, starts).answer(find)
             self.curves.append(passage)
             return found
@@ -114,13 +117,13 @@ class FindReader:
         if passing is not None:
             self.passing[find.name] = passing
             parts = [self.put_in(p, passing) for p in parts]
-        closed = tuple(self.closed(p, route) for p in parts)
-        by = settled_by(self.course, find, closed, value, spans)
+        closed = tuple(self.closed(p, route, course.symbolic) for p in parts)
+        by = settled_by(course, find, closed, value, spans)
         told = tuple(parts) if by is value else closed
         if isinstance(what, Relation):
-            truth = holds(find, what.operator, told, closed, by, self.course.scene.everywhere())
+            truth = holds(find, what.operator, told, closed, by, course.scene.everywhere())
             return Found(find.name, "truth", pure, None, None, "true" if truth else "false", find)
-        letters = self.course.parameters() | self._varying()
+        letters = course.parameters() | self._varying()
         symbolic = any(letters & c.free_symbols for c in closed)
         values = None if symbolic else tuple(self._number(p, c, by) for p, c in zip(told, closed, strict=True))
         short = all(not longer(c, CLOSED_OPS) and not rounded_inside(c) and not c.atoms(sp.Dummy) for c in closed)
@@ -139,7 +142,7 @@ class FindReader:
         )
 
     def _varying(self) -> set[sp.Symbol]:
-        return {s for r in self.course.distinct_regimes() for s in r.letters}
+        return {s for r in self.motion.distinct_regimes() for s in r.letters}
 
     def settled(self, asked: Asked, part: sp.Expr) -> sp.Expr:
         """A part of a find in letters of states, or of the general position where it holds throughout."""
@@ -164,10 +167,10 @@ class FindReader:
             expr = expr.xreplace(inside)
         return expr
 
-    def closed(self, expr: sp.Expr, route: Route) -> sp.Expr:
-        """The formula of a find down to the names of the file."""
+    def closed(self, expr: sp.Expr, route: Route, symbolic: bool) -> sp.Expr:
+        """The formula of a find down to the names of the file. `symbolic`: letters of the file stay in it."""
         expr = self.put_in(expr, route)
-        most = LONGEST if self.course.symbolic else CLOSED_OPS
+        most = LONGEST if symbolic else CLOSED_OPS
         return expr if expr.is_number or expr.is_Symbol or longer(expr, most) else with_short_roots(simplified(expr))
 
     def unit_of(self, find: Find) -> Unit:
@@ -175,10 +178,10 @@ class FindReader:
             return parse_unit(find.found.unit)
         if find.name in self.units:
             return parse_unit(self.units[find.name])
-        setup = self.course.readers[next(iter(self.course.stops))].regime.general.instant.setup
+        setup = self.motion.readers[next(iter(self.motion.stops))].regime.general.instant.setup
         what = find.found.what
         assert not isinstance(what, Relation)
-        scope = Scope(self.course.problem, ())
+        scope = Scope(self.motion.problem, ())
 
         def lookup(thing: Name | Quantity) -> Kind | None:
             if isinstance(thing, Quantity) and thing.word == "impulse" and about(thing, scope) is None:
@@ -198,13 +201,13 @@ class FindReader:
         return None
 
     def _mode_name(self, joint: str, at: Any, asked: Asked) -> str:
-        reader = self.course.tellers[at] if isinstance(at, str) else asked.reader
+        reader = self.motion.tellers[at] if isinstance(at, str) else asked.reader
         system = reader.regime.general.trial.system
         ours = next(our for our, name in system.aliases.items() if name == joint and system.modes[our].name)
         return system.modes[ours].name
 
 
-def _is_true(course: Course, q: Quantity, value: Valuation) -> bool:
+def _is_true(course: MotionEquations, q: Quantity, value: Valuation) -> bool:
     """reached(s): is the state part of the motion? stable(s): does a small deviation stay small?"""
     if q.word == "reached":
         return q.things[0] in course.stops

@@ -18,9 +18,9 @@ from planar_cli.solve.course.equations import Equation
 AGREES = 1e-6
 
 
-def holding(equations: Sequence[Equation], truth: Mapping[sp.Symbol, float], base: Valuation) -> list[Equation]:
+def holding(equations: Sequence[Equation], truth: Mapping[sp.Symbol, float], base: Valuation) -> tuple[Equation, ...]:
     """The equations without those whose integrals contradict the motion that was followed."""
-    return [e for e in equations if not e.residual.has(sp.Integral) or _holds(e, truth, base)]
+    return tuple(e for e in equations if not e.residual.has(sp.Integral) or _holds(e, truth, base))
 
 
 def _holds(equation: Equation, truth: Mapping[sp.Symbol, float], base: Valuation) -> bool:

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import sympy as sp
 
-from planar_cli.solve.course.course import Course
 from planar_cli.solve.course.equations import Equation
 from planar_cli.solve.course.finds import FindReader
+from planar_cli.solve.course.motion_equations import MotionEquations
 
 ONLY_TIMES = ("t(q)", "t(v)")
 
 
-def without_idle_times(course: Course, finds: FindReader) -> list[Equation]:
+def without_idle_times(course: MotionEquations, finds: FindReader) -> tuple[Equation, ...]:
     """The equations without those that only tell a time which is not asked, and on which nothing else rests."""
     times = {course.stops[s.name].t for s in course.states}
     needed = asked_letters(course, finds) & times
@@ -30,11 +30,11 @@ def without_idle_times(course: Course, finds: FindReader) -> list[Equation]:
         more = {t for e in telling for t in e.residual.free_symbols & times}
         more |= {t for pair in links if needed & pair for t in pair}
         if more <= needed:
-            return [e for e in course.equations if e.kind not in ONLY_TIMES or e in telling]
+            return tuple(e for e in course.equations if e.kind not in ONLY_TIMES or e in telling)
         needed |= more
 
 
-def asked_letters(course: Course, finds: FindReader) -> set[sp.Symbol]:
+def asked_letters(course: MotionEquations, finds: FindReader) -> set[sp.Symbol]:
     """Letters that finds ask for, and times on which quantities over spans rest."""
     found = {s for a in finds.asked for p in a.parts for s in finds.settled(a, p).free_symbols}
     order = {s.name: i for i, s in enumerate(course.states)}

@@ -14,9 +14,9 @@ import sympy as sp
 
 from planar_cli.equation.exact import Unvalued
 from planar_cli.solve.course.chain import Branch
-from planar_cli.solve.course.course import Course
 from planar_cli.solve.course.equations import Equation
 from planar_cli.solve.course.idle import ONLY_TIMES
+from planar_cli.solve.course.motion_equations import MotionEquations
 from planar_cli.solve.course.newton import refined_left
 from planar_cli.solve.course.ranking import ranked
 from planar_cli.solve.course.simulate import Followed, Follower
@@ -33,7 +33,7 @@ class KnownPart:
     branch: Branch
     guessed: frozenset[sp.Symbol]
 
-    def branches(self, course: Course) -> list[Branch]:
+    def branches(self, course: MotionEquations) -> list[Branch]:
         """All branches of what comes after it."""
         known = self.branch.values
         chain = course.chain()
@@ -53,7 +53,7 @@ class Beginning:
     followed: Followed
     stretches: int
 
-    def after(self, course: Course, found: list[Branch]) -> tuple[list[Branch], frozenset[sp.Symbol]]:
+    def after(self, course: MotionEquations, found: list[Branch]) -> tuple[list[Branch], frozenset[sp.Symbol]]:
         """Branches that are `found`; where all leave something open, those that rest on the numbers of this part, with
         the letters that are told by them alone.
         """
@@ -65,7 +65,7 @@ class Beginning:
         return known.branches(course), known.guessed
 
 
-def beginning(course: Course) -> Beginning:
+def beginning(course: MotionEquations) -> Beginning:
     """Nothing is followed where the start is not told, or what is sought acts from there."""
     start, nothing = told_start(course), Beginning(Followed(), 0)
     if start is None:
@@ -83,7 +83,7 @@ def beginning(course: Course) -> Beginning:
     return Beginning(followed, stretches)
 
 
-def _wrong_at_once(course: Course, start: Mapping[sp.Symbol, Decimal]) -> str:
+def _wrong_at_once(course: MotionEquations, start: Mapping[sp.Symbol, Decimal]) -> str:
     """The test of an assumption that fails at the start, whatever the constants that are sought."""
     value = course.base().extended(dict(start))
     for watch in course.regimes[0].watches:
@@ -92,7 +92,7 @@ def _wrong_at_once(course: Course, start: Mapping[sp.Symbol, Decimal]) -> str:
     return ""
 
 
-def _untouched(course: Course) -> int:
+def _untouched(course: MotionEquations) -> int:
     """How many stretches pass before anything that is sought acts or is stated."""
     sought = set(course.sought())
     for i, regime in enumerate(course.regimes[: len(course.states) - 1]):
@@ -107,7 +107,7 @@ def _untouched(course: Course) -> int:
     return len(course.states) - 1
 
 
-def _exact(course: Course, letters: set[sp.Symbol], truth: Mapping[sp.Symbol, float]) -> KnownPart:
+def _exact(course: MotionEquations, letters: set[sp.Symbol], truth: Mapping[sp.Symbol, float]) -> KnownPart:
     """The numbers, to all digits where the equations of this part give them."""
     chain = course.chain()
     own = [e for e in course.equations if _within(e, letters, chain.unknowns) and e.kind not in ONLY_TIMES]

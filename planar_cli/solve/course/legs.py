@@ -19,8 +19,8 @@ from planar_cli.calculus.flow import Flow
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.equation.plain import simplified
 from planar_cli.solve.course.constraints import project, start_symbol
-from planar_cli.solve.course.course import Course
 from planar_cli.solve.course.equations import Laws, law_equations, laws_of, link_equations
+from planar_cli.solve.course.motion_equations import MotionEquations
 from planar_cli.solve.course.regime import Regime, corners, number_function
 from planar_cli.solve.course.timeline import Stop
 
@@ -141,7 +141,7 @@ def machine_function(
     return lambda *arguments: list(made(*arguments))
 
 
-def legs(course: Course, value: Valuation) -> tuple[Leg, ...]:
+def legs(course: MotionEquations, value: Valuation) -> tuple[Leg, ...]:
     """The motion of a course, one leg for each regime in its turn. `value`: numbers of names and of letters of states.
 
     Unvalued: a letter of the state where a leg begins has no number.
@@ -170,7 +170,7 @@ def legs(course: Course, value: Valuation) -> tuple[Leg, ...]:
     return tuple(found)
 
 
-def _begins(course: Course) -> list[int]:
+def _begins(course: MotionEquations) -> list[int]:
     """The stretches with which a leg begins: the first, one after a blow, one in another regime than that before."""
     found = []
     for i, regime in enumerate(course.regimes):
@@ -179,7 +179,7 @@ def _begins(course: Course) -> list[int]:
     return found
 
 
-def _begun(regime: Regime, start: Stop, course: Course, value: Valuation) -> dict[sp.Symbol, Decimal]:
+def _begun(regime: Regime, start: Stop, course: MotionEquations, value: Valuation) -> dict[sp.Symbol, Decimal]:
     """Letters of a regime that the state where it begins does not tell: places as drawn, speeds at rest."""
     more = {}
     for c in regime.coordinates:

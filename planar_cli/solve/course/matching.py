@@ -2,31 +2,34 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import sympy as sp
 
 from planar_cli.equation.exact import Unvalued
 from planar_cli.solve.course.chain import Branch, Chain
-from planar_cli.solve.course.course import Course
 from planar_cli.solve.course.finds import FindReader
 from planar_cli.solve.course.idle import ONLY_TIMES, asked_letters
+from planar_cli.solve.course.motion_equations import MotionEquations
 from planar_cli.solve.course.simulate import Followed
 
 AGREE, SMALL = 1e-6, 1e-3
 
 
-def beside(course: Course, finds: FindReader, chain: Chain) -> Branch:
-    """The branch beside the numbers that were followed; integrals for times only where something rests on them."""
+def beside(course: MotionEquations, finds: FindReader, chain: Chain) -> tuple[MotionEquations, Branch]:
+    """The branch beside the numbers that were followed, and the equations that it rests on; integrals for times only
+    where something rests on them.
+    """
     nothing = Branch({}, {}, (), ())
     quick = [e for e in course.equations if e.kind not in ONLY_TIMES]
     if len(quick) < len(course.equations):
         branch = next(iter(chain.branches(quick)), nothing)
         if asked_letters(course, finds) & chain.unknowns <= set(branch.values):
-            course.equations = quick
-            return branch
-    return next(iter(chain.branches(course.equations)), nothing)
+            return replace(course, equations=tuple(quick)), branch
+    return course, next(iter(chain.branches(course.equations)), nothing)
 
 
-def same_motion(course: Course, followed: Followed, branch: Branch) -> bool:
+def same_motion(course: MotionEquations, followed: Followed, branch: Branch) -> bool:
     """Do followed numbers and branch agree, measured by the largest value that a letter has in any state?"""
     sizes: dict[sp.Symbol, float] = {}
     general = {own: s for stop in course.stops.values() for s, own in stop.letters.items()}
@@ -40,7 +43,7 @@ def same_motion(course: Course, followed: Followed, branch: Branch) -> bool:
     return True
 
 
-def onward(course: Course, branch: Branch) -> int:
+def onward(course: MotionEquations, branch: Branch) -> int:
     """How many coordinates move in their last state as they have moved from the state before."""
     count = 0
     for i in range(len(course.states) - 1):

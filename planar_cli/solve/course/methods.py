@@ -31,12 +31,12 @@ def _laws(kind: str) -> frozenset[str]:
     return laws
 
 
-def by_method(equations: Sequence[Equation], method: str | None) -> list[Equation]:
+def by_method(equations: Sequence[Equation], method: str | None) -> tuple[Equation, ...]:
     """The equations that a method allows; None: all of them."""
     if method is None:
-        return list(equations)
+        return tuple(equations)
     barred = laws_of_methods() - _laws(method)
-    return [e for e in equations if e.kind not in barred]
+    return tuple(e for e in equations if e.kind not in barred)
 
 
 def follows(method: str | None) -> bool:

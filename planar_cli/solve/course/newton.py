@@ -11,14 +11,14 @@ import sympy as sp
 
 from planar_cli.equation.exact import DIGITS, Valuation
 from planar_cli.solve.course.chain import Branch
-from planar_cli.solve.course.course import Course
+from planar_cli.solve.course.motion_equations import MotionEquations
 
 STEPS = 12
 SMALL = Decimal("1e-42")
 
 
 def refined_left(
-    course: Course, branch: Branch, unknowns: Sequence[sp.Symbol], truth: Mapping[sp.Symbol, float]
+    course: MotionEquations, branch: Branch, unknowns: Sequence[sp.Symbol], truth: Mapping[sp.Symbol, float]
 ) -> dict[sp.Symbol, Decimal]:
     """What no block of a branch gives alone, from all equations that it leaves, together."""
     if not unknowns:

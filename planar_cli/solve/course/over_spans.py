@@ -29,8 +29,8 @@ from planar_cli.errors import Diagnostic, NoSolution
 from planar_cli.problem.expression import Quantity, Relation
 from planar_cli.solve.course.blow import Blow
 from planar_cli.solve.course.blow_spans import over_blow
-from planar_cli.solve.course.course import Course
 from planar_cli.solve.course.legs import ENOUGH, FEW_DIGITS, MANY_DIGITS, Leg, legs
+from planar_cli.solve.course.motion_equations import MotionEquations
 from planar_cli.solve.course.potential import potential, signed_speed
 from planar_cli.solve.course.span_quantities import SpanQuantity
 from planar_cli.solve.course.timeline import Stop
@@ -44,7 +44,7 @@ SAME_TIME = Decimal("1e-20")
 class SpanSolver:
     """Integrates over spans of one motion. `value`: numbers of names and of the letters of states."""
 
-    def __init__(self, course: Course, value: Valuation) -> None:
+    def __init__(self, course: MotionEquations, value: Valuation) -> None:
         self.course, self.value = course, value
 
     @cached_property
@@ -218,7 +218,7 @@ def _ends(since: Stop, until: Stop) -> tuple[str, str, tuple[sp.Symbol, sp.Symbo
     return since.name, until.name, (since.t, until.t)
 
 
-def solve_spans(course: Course, value: Valuation) -> tuple[SpanIntegral, ...]:
+def solve_spans(course: MotionEquations, value: Valuation) -> tuple[SpanIntegral, ...]:
     """All quantities over spans. Those that stand in states are checked by numbers; NoSolution: the motion turns."""
     solver = SpanSolver(course, value)
     found = []

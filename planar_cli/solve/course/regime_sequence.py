@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, fields
 from typing import Any
 
 import sympy as sp
@@ -17,7 +18,7 @@ from planar_cli.solve.course.regime import Regime
 from planar_cli.solve.course.timeline import Reader, Stop, stop_of
 
 
-@dataclass(slots=True)
+@dataclass(frozen=True, slots=True)
 class RegimeSequence:
     """What acts from state to state along one plot, before anything that is stated is read."""
 
@@ -27,18 +28,18 @@ class RegimeSequence:
     """What the file says of time, with one choice of modes for each stretch."""
     workshop: Workshop
     """Where regimes come from; all plots of one problem share it."""
-    regimes: list[Regime]
+    regimes: tuple[Regime, ...]
     """`regimes[i]` acts from state i to the next."""
     beyond: Regime | None
     """What acts from the last state on; None: all states stand beside the order."""
-    stops: dict[str, Stop]
+    stops: Mapping[str, Stop]
     """The symbols of every state, by its name."""
-    readers: dict[str, Reader]
+    readers: Mapping[str, Reader]
     """Who reads what a state states, by its name."""
-    tellers: dict[str, Reader]
+    tellers: Mapping[str, Reader]
     """Who reads what is asked of a state and may jump there, by its name."""
     told: dict[sp.Symbol, sp.Expr]
-    """What stand-ins for quantities about states are; the readers put it in."""
+    """What stand-ins for quantities about states are; filled in as it is found out, as the readers put it in."""
 
     @property
     def states(self) -> tuple[State, ...]:
@@ -88,6 +89,10 @@ class RegimeSequence:
         """Does no time pass from state i to the next, only an impact or an impulse?"""
         return self.plot.stretches[i].blow is not None
 
+    def parts(self) -> dict[str, Any]:
+        """Every field by its name: the next stage takes them over."""
+        return {f.name: getattr(self, f.name) for f in fields(self)}
+
     def sought(self) -> list[sp.Symbol]:
         """The constants that the file leaves unknown."""
         return [self.ledger.symbols[s.name] for s in self.problem.unknowns if s.name in self.ledger.symbols]
@@ -101,7 +106,7 @@ class RegimeSequence:
 
 def regime_sequence(problem: Problem, plot: Plot, workshop: Workshop) -> RegimeSequence:
     """The regime of every stretch; then the symbols of every state, and who reads it."""
-    regimes = [workshop.regime(s) for s in plot.stretches]
+    regimes = tuple(workshop.regime(s) for s in plot.stretches)
     apart = [(state, workshop.regime(s)) for state, s in plot.equilibria]
     beyond = workshop.regime(plot.stretch(len(regimes))) if regimes else None
     every = [*regimes, *(r for _, r in apart), *(r for r in (beyond,) if r is not None)]
@@ -114,19 +119,21 @@ def regime_sequence(problem: Problem, plot: Plot, workshop: Workshop) -> RegimeS
         state.name: stop_of(state.name, state.relations, state.mark, letters, ledger, workshop.letters)
         for state in (*plot.states, *(s for s, _ in apart))
     }
-    found = RegimeSequence(problem, plot, workshop, regimes, beyond, stops, {}, {}, {})
+    readers: dict[str, Reader] = {}
+    tellers: dict[str, Reader] = {}
+    found = RegimeSequence(problem, plot, workshop, regimes, beyond, stops, readers, tellers, {})
     by_regime: dict[int, Reader] = {}
 
     def reader_of(regime: Regime) -> Reader:
-        made = Reader(problem, regime, stops, found.readers, found.tellers, found.told)
+        made = Reader(problem, regime, stops, readers, tellers, found.told)
         return by_regime.setdefault(id(regime), made)
 
     for i, state in enumerate(plot.states):
         begins = regimes[i] if i < len(regimes) else beyond
         assert begins is not None
         struck = i > 0 and found.is_impulsive(i - 1)
-        found.readers[state.name] = reader_of(begins if struck else regimes[max(i - 1, 0)])
-        found.tellers[state.name] = reader_of(begins)
+        readers[state.name] = reader_of(begins if struck else regimes[max(i - 1, 0)])
+        tellers[state.name] = reader_of(begins)
     for state, regime in apart:
-        found.readers[state.name] = found.tellers[state.name] = reader_of(regime)
+        readers[state.name] = tellers[state.name] = reader_of(regime)
     return found

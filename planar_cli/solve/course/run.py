@@ -15,11 +15,11 @@ from planar_cli.solve.course.astray import missing
 from planar_cli.solve.course.blow_checks import blow_checks
 from planar_cli.solve.course.by_numbers import ByNumbers, by_numbers
 from planar_cli.solve.course.complete import completed
-from planar_cli.solve.course.course import Course
 from planar_cli.solve.course.formulas import at_given_time
 from planar_cli.solve.course.independence import rests_on
 from planar_cli.solve.course.masses import demand_mass
 from planar_cli.solve.course.methods import by_method, demand_reached, follows
+from planar_cli.solve.course.motion_equations import MotionEquations
 from planar_cli.solve.course.motion_trace import motion_trace
 from planar_cli.solve.course.plot import Workshop
 from planar_cli.solve.course.presumed import presumed
@@ -66,17 +66,17 @@ def _told(unfolded: Unfolded, case: str) -> PartSolution:
         free = Router(course.equations, unknowns, found.value, course.symbolic, found.branch.steps, followed)
         demand_reached(course.problem, found.route, wanted, lambda: free.route(wanted))
     begun = router.route(course.first.letters.values())
-    start = {s: found.finds.closed(s, begun) for s in course.first.letters.values()}
+    start = {s: found.finds.closed(s, begun, course.symbolic) for s in course.first.letters.values()}
     found.finds.throughout = Throughout(course, found.followed, found.value, start)
     found.presumed = presumed(found, (found.route, begun))
     found.checks = (*found.checks, *blow_checks(found), *compared(found))
-    answers = tuple(found.finds.answer(a, found.route, found.value, found.spans) for a in found.finds.asked)
+    answers = tuple(found.finds.answer(course, a, found.route, found.value, found.spans) for a in found.finds.asked)
     instants = _instants(found.course)
     tale = Tale(tuple(found.finds.curves), whole=False) if found.finds.curves else None
     return PartSolution(case, instants, answers, motion_trace(found, instants), tale)
 
 
-def _instants(course: Course) -> tuple[InstantSolution, ...]:
+def _instants(course: MotionEquations) -> tuple[InstantSolution, ...]:
     """The general positions of the regimes in which time passes; in a file of blows alone the one before the first."""
     regimes = course.distinct_regimes()
     for regime in regimes:
@@ -86,7 +86,7 @@ def _instants(course: Course) -> tuple[InstantSolution, ...]:
     return tuple(r.general.solution for r in running if r.general.solution is not None)
 
 
-def _in_order(course: Course, targets: set[sp.Symbol]) -> list[sp.Symbol]:
+def _in_order(course: MotionEquations, targets: set[sp.Symbol]) -> list[sp.Symbol]:
     """Letters state by state, as a reader goes through the motion; what is sought comes first."""
     place = {own: i for i, stop in enumerate(course.stops.values(), 1) for own in stop.letters.values()}
     return sorted(targets, key=lambda s: (place.get(s, 0), s.name))

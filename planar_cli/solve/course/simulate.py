@@ -19,11 +19,11 @@ from planar_cli.calculus.flow import Flow
 from planar_cli.equation.exact import Valuation
 from planar_cli.solve.course.after import asked_after
 from planar_cli.solve.course.beginning import demand_possible, handed_number, objection
-from planar_cli.solve.course.course import Course
 from planar_cli.solve.course.dying import by_formula, steady_time
 from planar_cli.solve.course.equations import is_speed
 from planar_cli.solve.course.events import SLACK, Leg, State, events, is_still, is_zero, length_of, swing_of
 from planar_cli.solve.course.gaps import closing, openings
+from planar_cli.solve.course.motion_equations import MotionEquations
 from planar_cli.solve.course.plot import fixed_time
 from planar_cli.solve.course.regime import Regime, corners, number_function
 from planar_cli.solve.course.timeline import Demand, Stop
@@ -71,7 +71,7 @@ class Followed:
 class Follower:
     """Follows one course. `value`: numbers of everything that does not vary. `until`: so many stretches; None: all."""
 
-    def __init__(self, course: Course, value: Valuation, until: int | None = None) -> None:
+    def __init__(self, course: MotionEquations, value: Valuation, until: int | None = None) -> None:
         self.course, self.value, self.until = course, value, until
         self.done = Followed()
 
@@ -355,7 +355,7 @@ class Follower:
         return best
 
 
-def leaning(course: Course, followed: Followed) -> dict[sp.Symbol, float]:
+def leaning(course: MotionEquations, followed: Followed) -> dict[sp.Symbol, float]:
     """At states that are only approached: the last values on the way there."""
     found: dict[sp.Symbol, float] = {}
     last: dict[sp.Symbol, float] = {}

@@ -10,12 +10,12 @@ import sympy as sp
 
 from planar_cli.equation.exact import CERTAIN, Unvalued, Valuation
 from planar_cli.equation.plain import longer, simplified
-from planar_cli.solve.course.course import Course
+from planar_cli.solve.course.motion_equations import MotionEquations
 from planar_cli.solve.course.regime import Regime
 
 
 def started(
-    course: Course, regime: Regime, closed: Callable[[sp.Expr], sp.Expr], value: Valuation
+    course: MotionEquations, regime: Regime, closed: Callable[[sp.Expr], sp.Expr], value: Valuation
 ) -> dict[sp.Symbol, sp.Expr]:
     """By the letters of the general position: a formula in the names of the file, else a number to all digits.
 
@@ -49,7 +49,7 @@ class Start(Enum):
     CONTRADICTS = 2
 
 
-def certain_start(course: Course) -> dict[sp.Symbol, Decimal] | Start:
+def certain_start(course: MotionEquations) -> dict[sp.Symbol, Decimal] | Start:
     """The letters of the first state, where its own statements tell them all."""
     if course.regimes[0].moved():
         return Start.CONTRADICTS
@@ -60,7 +60,7 @@ def certain_start(course: Course) -> dict[sp.Symbol, Decimal] | Start:
     return whole[0] if whole else Start.OPEN if found else Start.CONTRADICTS
 
 
-def told_start(course: Course) -> dict[sp.Symbol, Decimal] | None:
+def told_start(course: MotionEquations) -> dict[sp.Symbol, Decimal] | None:
     """The letters of the first state where it tells all of them in one way, whatever is sought besides."""
     if course.regimes[0].moved():
         return None
@@ -68,13 +68,13 @@ def told_start(course: Course) -> dict[sp.Symbol, Decimal] | None:
     return found[0] if len(found) == 1 else None
 
 
-def _first_letters(course: Course) -> list[dict[sp.Symbol, Decimal]]:
+def _first_letters(course: MotionEquations) -> list[dict[sp.Symbol, Decimal]]:
     """The letters of the first state as far as they are told, one way after the other."""
     branches = course.chain().branches([e for e in course.equations if e.stop == course.first.name])
     return [{s: b.values[o] for s, o in course.first.letters.items() if o in b.values} for b in branches]
 
 
-def resting_though_sought(course: Course) -> frozenset[str]:
+def resting_though_sought(course: MotionEquations) -> frozenset[str]:
     """The same where constants are sought, but the first state tells in one way what rests."""
     if course.blows or not course.sought() or course.regimes[0].moved():
         return frozenset()
@@ -82,7 +82,7 @@ def resting_though_sought(course: Course) -> frozenset[str]:
     return resting(course, found[0]) if len(found) == 1 else frozenset()
 
 
-def resting(course: Course, start: Mapping[sp.Symbol, Decimal]) -> frozenset[str]:
+def resting(course: MotionEquations, start: Mapping[sp.Symbol, Decimal]) -> frozenset[str]:
     """Free speeds that are zero at the start and that nothing sets in motion, whatever the others do."""
     idle = {u for u in course.regimes[0].free if start.get(u) == 0}
     while idle:
@@ -94,7 +94,7 @@ def resting(course: Course, start: Mapping[sp.Symbol, Decimal]) -> frozenset[str
 
 
 def _stays(
-    course: Course, regime: Regime, u: sp.Symbol, idle: set[sp.Symbol], start: Mapping[sp.Symbol, Decimal]
+    course: MotionEquations, regime: Regime, u: sp.Symbol, idle: set[sp.Symbol], start: Mapping[sp.Symbol, Decimal]
 ) -> bool:
     """Does nothing act on a speed while these speeds vanish, and what moves with them alone is where it was drawn?"""
     if u not in regime.accelerations:
@@ -113,7 +113,7 @@ def _stays(
     return not longer(rate, LONG) and simplified(rate) == 0
 
 
-def untold(course: Course) -> bool:
+def untold(course: MotionEquations) -> bool:
     """Does nothing tell how the speeds change, as where nothing has mass and nothing drives?"""
     for regime in course.regimes:
         rates = {regime.general.rate_of(u) for u in regime.free}
@@ -122,7 +122,7 @@ def untold(course: Course) -> bool:
     return False
 
 
-def balanced(course: Course, start: Mapping[sp.Symbol, Decimal]) -> frozenset[str]:
+def balanced(course: MotionEquations, start: Mapping[sp.Symbol, Decimal]) -> frozenset[str]:
     """All free speeds, where the motion starts at rest in equilibrium: whatever acts, nothing changes any more."""
     value = course.base().extended(dict(start))
     for regime in course.regimes:

@@ -9,10 +9,10 @@ from decimal import Decimal
 import sympy as sp
 
 from planar_cli.equation.exact import Valuation
-from planar_cli.solve.course.course import Course
 from planar_cli.solve.course.derivation import Route
 from planar_cli.solve.course.equations import Equation, law_equations, link_equations
 from planar_cli.solve.course.events import Leg, scale_of
+from planar_cli.solve.course.motion_equations import MotionEquations
 from planar_cli.solve.course.newton import refined
 from planar_cli.solve.course.route import Router
 from planar_cli.solve.course.simulate import Followed, Follower
@@ -23,7 +23,7 @@ from planar_cli.solve.course.timeline import Stop
 class Throughout:
     """Speeds and places between the first state and the next, by the file's own coordinates or by t."""
 
-    course: Course
+    course: MotionEquations
     followed: Followed | None
     value: Valuation
     start: dict[sp.Symbol, sp.Expr]

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from planar_cli.errors import Diagnostic, NoSolution
-from planar_cli.solve.course.course import Course
 from planar_cli.solve.course.equations import Equation
 from planar_cli.solve.course.finds import FindReader
+from planar_cli.solve.course.motion_equations import MotionEquations
 
 OVER_TIME = ("mean", "impulse")
 
@@ -14,13 +14,13 @@ class Endless(NoSolution):
     """The time is asked that a slight touch takes."""
 
 
-def without_times(course: Course) -> list[Equation]:
+def without_times(course: MotionEquations) -> tuple[Equation, ...]:
     """The equations that hold in the limit: none in which the time of a later state stands."""
     times = {stop.t for stop in course.stops.values()} - {course.first.t}
-    return [e for e in course.equations if not e.residual.free_symbols & times]
+    return tuple(e for e in course.equations if not e.residual.free_symbols & times)
 
 
-def demand_no_times(course: Course, finds: FindReader) -> None:
+def demand_no_times(course: MotionEquations, finds: FindReader) -> None:
     """Endless: something is asked that grows beyond all bounds with the time."""
     times = {stop.t for stop in course.stops.values()} - {course.first.t}
     for asked in finds.asked:

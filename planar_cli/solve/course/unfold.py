@@ -6,7 +6,7 @@ branches first, and each is followed to see whether it happens so.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from decimal import Decimal
 
 import sympy as sp
@@ -25,7 +25,6 @@ from planar_cli.solve.course.astray import (
 from planar_cli.solve.course.carried import carried_branch
 from planar_cli.solve.course.chain import Branch
 from planar_cli.solve.course.choosing import Choosing, assumed, at_a_top
-from planar_cli.solve.course.course import Course, make_course
 from planar_cli.solve.course.differences import by_differences
 from planar_cli.solve.course.finds import FindReader
 from planar_cli.solve.course.first_plot import first_plot
@@ -36,12 +35,15 @@ from planar_cli.solve.course.known_part import Beginning, beginning
 from planar_cli.solve.course.masses import demand_mass
 from planar_cli.solve.course.matching import beside, onward, same_motion
 from planar_cli.solve.course.methods import by_method
+from planar_cli.solve.course.motion_equations import MotionEquations, all_equations, first_equations
 from planar_cli.solve.course.newton import refined_left
 from planar_cli.solve.course.plot import Plot
 from planar_cli.solve.course.ranking import candidates
 from planar_cli.solve.course.reached import asked_about
+from planar_cli.solve.course.regime_sequence import regime_sequence
 from planar_cli.solve.course.simulate import Followed, Follower, leaning
 from planar_cli.solve.course.starts import Start, balanced, certain_start, resting, resting_though_sought, untold
+from planar_cli.solve.course.stated_motion import stated_motion
 from planar_cli.solve.course.touch import TOUCHED, touch_of
 from planar_cli.solve.course.unbounded_times import Endless, demand_no_times, without_times
 from planar_cli.solve.course.unfolded import Unfolded
@@ -63,25 +65,25 @@ class Unfolder(Choosing):
     resting: Plot | None = None
     idle: frozenset[str] = frozenset()
     sense: int = 0
-    loose: tuple[Course, FindReader] | None = None
+    loose: tuple[MotionEquations, FindReader] | None = None
 
     def run(self) -> Unfolded:
         plot = first_plot(self.problem, self.workshop)
         for _ in range(CHANGES):
-            course = make_course(self.problem, plot, self.workshop)
-            blocked = next((i for i, r in enumerate(course.regimes) if not r.moves()), None)
+            sequence = regime_sequence(self.problem, plot, self.workshop)
+            blocked = next((i for i, r in enumerate(sequence.regimes) if not r.moves()), None)
             if blocked is not None:
                 plot = self._unblocked(plot, blocked)
                 continue
-            agreeing = self._agreeing(course)
+            agreeing = self._agreeing(sequence)
             if agreeing is not None:
                 plot = agreeing
                 continue
-            finds = FindReader(course, self.units)
+            finds = FindReader(sequence, self.units)
             finds.read()
-            course.read()
+            course = first_equations(stated_motion(sequence))
             demand_mass(course, course.base())
-            if course.still is not None and not course.states:
+            if not course.states:
                 return Unfolded(course, finds, course.still.branch, None, course.base())
             found = self._unfold_touched(course, finds)
             if isinstance(found, Unfolded):
@@ -92,7 +94,7 @@ class Unfolder(Choosing):
             plot = found
         raise Undecided("the contacts of this motion change too often")
 
-    def _unfold_touched(self, course: Course, finds: FindReader) -> Unfolded | Plot:
+    def _unfold_touched(self, course: MotionEquations, finds: FindReader) -> Unfolded | Plot:
         """The same; where it rests in an unstable equilibrium and a state is not reached, after a slight touch.
         `reached(s)` is about the motion by itself, without any touch.
         """
@@ -107,9 +109,9 @@ class Unfolder(Choosing):
             self.sense, self.tried = (-1 if self.sense else 1), {}
             return self.resting
 
-    def _unfold(self, course: Course, finds: FindReader) -> Unfolded | Plot:
+    def _unfold(self, course: MotionEquations, finds: FindReader) -> Unfolded | Plot:
         """The course unfolded, or another plot to try."""
-        start = self._start(course)
+        course, start = self._start(course)
         if start is Start.CONTRADICTS:
             try:
                 return self._next(course.plot, 0, "what is stated of the first state contradicts it")
@@ -126,12 +128,13 @@ class Unfolder(Choosing):
             if resting_though_sought(course) - still:
                 return course.plot.stilled(resting_though_sought(course) | still)
             loose = next((i for i, r in enumerate(course.regimes) if r.undetermined), None)
-            self._relate(course, finds)
+            course = self._relate(course, finds)
             return self._sought(course, finds) if loose is None else self._determined(course, loose)
         assert isinstance(start, dict)
         if self.sense:
-            course.touch = touch_of(course.regimes[0], course.base(), start, self.sense, self.idle)
-            start |= {course.touch.speed: course.touch.value} if course.touch is not None else {}
+            touch = touch_of(course.regimes[0], course.base(), start, self.sense, self.idle)
+            course = replace(course, touch=touch)
+            start |= {touch.speed: touch.value} if touch is not None else {}
         kept = frozenset() if course.blows or self.sense else balanced(course, start)
         still = frozenset() if course.blows else resting(course, start) | kept
         if not self.sense and touch_of(course.regimes[0], course.base(), start, 1, still) is not None:
@@ -139,34 +142,30 @@ class Unfolder(Choosing):
         self.stays = self.stays or bool(kept)
         if still - course.plot.stretches[0].still:
             if self.loose is None and self.problem.method == "energy":
-                self._relate(course, finds)
-                self.loose = course, finds
+                self.loose = self._relate(course, finds), finds
             return course.plot.stilled(still | course.plot.stretches[0].still)
         return self._followed(course, finds, start)
 
     @staticmethod
-    def _relate(course: Course, finds: FindReader) -> None:
-        """Write the equations from state to state."""
-        course.relate()
-        course.equations = without_idle_times(course, finds)
+    def _relate(course: MotionEquations, finds: FindReader) -> MotionEquations:
+        """With the equations from state to state."""
+        course = all_equations(course)
+        return replace(course, equations=without_idle_times(course, finds))
 
     @staticmethod
-    def _start(course: Course) -> dict[sp.Symbol, Decimal] | Start:
+    def _start(course: MotionEquations) -> tuple[MotionEquations, dict[sp.Symbol, Decimal] | Start]:
         """The letters of the first state. What its own statements leave open of things that have just parted has no
         velocity apart.
         """
         start = certain_start(course)
-        for touch in just_parted(course) if start is Start.OPEN else ():
-            course.equations.append(touch)
-            now = certain_start(course)
-            if now is Start.CONTRADICTS:
-                course.equations.remove(touch)
-            else:
-                start = now
-                course.touches.append(touch)
-        return start
+        for e in just_parted(course) if start is Start.OPEN else ():
+            parted = replace(course, equations=(*course.equations, e), separations=(*course.separations, e))
+            now = certain_start(parted)
+            if now is not Start.CONTRADICTS:
+                course, start = parted, now
+        return course, start
 
-    def _tried(self, course: Course, start: dict[sp.Symbol, Decimal]) -> Plot | None:
+    def _tried(self, course: MotionEquations, start: dict[sp.Symbol, Decimal]) -> Plot | None:
         """Another plot, if following this one as far as it goes shows a wrong assumption."""
         try:
             followed = Follower(course, course.base()).run({s: float(v) for s, v in start.items()})
@@ -176,12 +175,12 @@ class Unfolder(Choosing):
 
     # --- a known start -----------------------------------------------------------------------------------------------
 
-    def _followed(self, course: Course, finds: FindReader, start: dict[sp.Symbol, Decimal]) -> Unfolded | Plot:
+    def _followed(self, course: MotionEquations, finds: FindReader, start: dict[sp.Symbol, Decimal]) -> Unfolded | Plot:
         followed = Follower(course, course.base()).run({s: float(v) for s, v in start.items()})
         changed = self._changed(course, followed)
         if changed is not None:
             return changed
-        self._relate(course, finds)
+        course = self._relate(course, finds)
         if followed.missed is not None:
             related = self._related(*(self.loose or (course, finds)), followed.missed)
             if related is not None:
@@ -191,14 +190,15 @@ class Unfolder(Choosing):
             regime.general.demand_unique(regime.undetermined)
         if course.touch is not None:
             demand_no_times(course, finds)
-            course.equations = without_times(course)
             followed.values[course.first.letters[course.touch.speed]] = 0.0
-        course.equations = holding(course.equations, followed.values, course.base())
-        followed.values |= by_differences(course, finds, followed.values)
+            course = replace(course, equations=without_times(course))
+        course = replace(course, equations=holding(course.equations, followed.values, course.base()))
+        course, differences = by_differences(course, finds, followed.values)
+        followed.values |= differences
         chain = course.chain()
         chain.truth = followed.values
         chain.leaning = leaning(course, followed)
-        branch = beside(course, finds, chain)
+        course, branch = beside(course, finds, chain)
         open_letters = [s for s in followed.values if s not in branch.values]
         more = refined_left(course, branch, open_letters, followed.values)
         guessed = {s for s in open_letters if s not in more}
@@ -208,13 +208,13 @@ class Unfolder(Choosing):
         later = tuple(f"{text}: the first time; later it is more so" for text in dict.fromkeys(followed.growing))
         return Unfolded(course, finds, branch, followed, value, frozenset(guessed), checks=later)
 
-    def _related(self, course: Course, finds: FindReader, missed: str) -> Unfolded | None:
+    def _related(self, course: MotionEquations, finds: FindReader, missed: str) -> Unfolded | None:
         """States related by the balance of energy alone, where the file asks for that method and no motion leads there;
         the speed that goes the way from state to state comes first.
         """
         if course.problem.method != "energy":
             return None
-        course.equations = by_method(course.equations, "energy")
+        course = replace(course, equations=by_method(course.equations, "energy"))
         letters = {s for a in finds.asked for p in a.parts for s in finds.settled(a, p).free_symbols}
         needed = letters & course.chain().unknowns
         branches = [b for b in candidates(course) if needed <= set(b.values)]
@@ -226,7 +226,7 @@ class Unfolder(Choosing):
         told = f"no motion leads to state {missed} by itself: the balance of energy alone relates the states"
         return Unfolded(course, finds, branch, None, course.base().extended(branch.values), checks=(told,))
 
-    def _changed(self, course: Course, followed: Followed) -> Plot | None:
+    def _changed(self, course: MotionEquations, followed: Followed) -> Plot | None:
         """The next plot to try, None when this one holds."""
         plot = course.plot
         if followed.blow is not None:
@@ -248,7 +248,7 @@ class Unfolder(Choosing):
 
     # --- a start that is sought --------------------------------------------------------------------------------------
 
-    def _sought(self, course: Course, finds: FindReader) -> Unfolded | Plot:
+    def _sought(self, course: MotionEquations, finds: FindReader) -> Unfolded | Plot:
         """All branches of the equations; the first that, followed from its start, happens so. One in which a state at a
         given time is the first of its kind goes before those that pass such a state earlier.
         """
@@ -259,7 +259,7 @@ class Unfolder(Choosing):
             raise self.lack or error from error
         return self._of_branches(course, finds, known) if other is None else other
 
-    def _of_branches(self, course: Course, finds: FindReader, known: Beginning) -> Unfolded | Plot:
+    def _of_branches(self, course: MotionEquations, finds: FindReader, known: Beginning) -> Unfolded | Plot:
         changed: Plot | None = None
         again: list[Unfolded] = []
         branches, guessed = known.after(course, candidates(course))
@@ -307,7 +307,7 @@ class Unfolder(Choosing):
         except NoSolution:
             raise self.lack from None
 
-    def _led(self, course: Course, finds: FindReader, branches: list[Branch]) -> Unfolded | None:
+    def _led(self, course: MotionEquations, finds: FindReader, branches: list[Branch]) -> Unfolded | None:
         """Where no motion can be followed: the branch to which the drawn position leads; None: after blows, another."""
         led = carried_branch(course, branches)
         try:
@@ -325,7 +325,7 @@ def _number(followed: float) -> Decimal:
     return Decimal(repr(followed)) if abs(followed) >= NOTHING else Decimal(0)
 
 
-def _left_out(course: Course, others: list[Unfolded], why: str) -> tuple[str, ...]:
+def _left_out(course: MotionEquations, others: list[Unfolded], why: str) -> tuple[str, ...]:
     """Values of sought constants with which the motion is another, in a phrase."""
     if not others:
         return ()

@@ -8,9 +8,9 @@ import sympy as sp
 
 from planar_cli.equation.exact import Valuation
 from planar_cli.solve.course.chain import Branch
-from planar_cli.solve.course.course import Course
 from planar_cli.solve.course.derivation import Route
 from planar_cli.solve.course.finds import FindReader
+from planar_cli.solve.course.motion_equations import MotionEquations
 from planar_cli.solve.course.oscillation import Oscillation
 from planar_cli.solve.course.simulate import Followed
 from planar_cli.solve.course.trace import SpanIntegral
@@ -24,7 +24,7 @@ class Unfolded:
     `presumed`: what is positive with these letters, and need not be.
     """
 
-    course: Course
+    course: MotionEquations
     finds: FindReader
     branch: Branch
     followed: Followed | None

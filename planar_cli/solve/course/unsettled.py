@@ -10,8 +10,8 @@ from planar_cli.equation.exact import Sample, Valuation
 from planar_cli.equation.plain import longer
 from planar_cli.errors import Undecided
 from planar_cli.problem.scene import Find
-from planar_cli.solve.course.course import Course
 from planar_cli.solve.course.independence import rests_on
+from planar_cli.solve.course.motion_equations import MotionEquations
 from planar_cli.solve.course.regime import Regime
 from planar_cli.solve.course.trace import SpanIntegral
 
@@ -20,7 +20,7 @@ READABLE = 40
 
 
 def settled_by(
-    course: Course, find: Find, closed: Sequence[sp.Expr], value: Valuation, spans: Iterable[SpanIntegral]
+    course: MotionEquations, find: Find, closed: Sequence[sp.Expr], value: Valuation, spans: Iterable[SpanIntegral]
 ) -> Valuation:
     """The numbers that may tell a find. Undecided: its formulas hold letters of states that rest on numbers that were
     drawn.
