@@ -24,7 +24,9 @@ from planar_cli.solve.course.finds import FindReader
 from planar_cli.solve.course.motion_equations import MotionEquations
 from planar_cli.solve.course.plot import Span, Workshop, fixed_time
 from planar_cli.solve.course.reached import asked_about
+from planar_cli.solve.course.regime_sequence import RegimeSequence
 from planar_cli.solve.course.simulate import Ends, Followed, Follower
+from planar_cli.solve.course.stated_motion import StatedMotion
 from planar_cli.solve.course.timeline import Demand, Stop
 from planar_cli.solve.diagnose import explain_failure, singular_position
 from planar_cli.solve.instant import make_instant, search_modes
@@ -106,7 +108,7 @@ def missing(course: MotionEquations) -> NoSolution | None:
     return _wrong(mark, "PL623", text, hint)
 
 
-def _open_impact(course: MotionEquations, loose: Collection[sp.Symbol]) -> NoSolution | None:
+def _open_impact(course: StatedMotion, loose: Collection[sp.Symbol]) -> NoSolution | None:
     """A coefficient of restitution that was left out and that nothing tells."""
     for blow in course.blows.values():
         open_names = {f"e_{j.name}": j for j in blow.struck.joints}
@@ -129,11 +131,11 @@ def demand_told(course: MotionEquations, finds: FindReader, told: Collection[sp.
             raise wrong
 
 
-def _mark_of(course: MotionEquations, sought: sp.Symbol) -> Mark:
+def _mark_of(course: RegimeSequence, sought: sp.Symbol) -> Mark:
     return next((u.mark for u in course.problem.unknowns if u.name == sought.name), course.first.mark)
 
 
-def _title(course: MotionEquations, stop: Stop, own: sp.Symbol) -> str:
+def _title(course: RegimeSequence, stop: Stop, own: sp.Symbol) -> str:
     """A letter of a state in words."""
     general = next(k for k, v in stop.letters.items() if v == own)
     for regime in course.distinct_regimes():
@@ -161,7 +163,7 @@ def as_drawn(span: Span, workshop: Workshop, problem: Problem) -> NoSolution | N
 # --- data contradict each other --------------------------------------------------------------------------------------
 
 
-def demand_agreement(course: MotionEquations, value: Valuation, guessed: Collection[sp.Symbol] = ()) -> None:
+def demand_agreement(course: StatedMotion, value: Valuation, guessed: Collection[sp.Symbol] = ()) -> None:
     """NoSolution: a state that was found by some of its relations does not satisfy the others. `guessed`: letters with
     machine numbers, whose rounding is measured by the largest value that they have in any state.
     """
@@ -179,7 +181,7 @@ def demand_agreement(course: MotionEquations, value: Valuation, guessed: Collect
                 raise _contradiction(course, d, number)
 
 
-def _largest(course: MotionEquations, value: Valuation, letters: Collection[sp.Symbol]) -> dict[sp.Symbol, Decimal]:
+def _largest(course: RegimeSequence, value: Valuation, letters: Collection[sp.Symbol]) -> dict[sp.Symbol, Decimal]:
     """The largest value that letters of states have in any of the states."""
     sizes: dict[sp.Symbol, Decimal] = {}
     for stop in course.stops.values():
@@ -190,7 +192,7 @@ def _largest(course: MotionEquations, value: Valuation, letters: Collection[sp.S
     return {own: sizes[general_of[own]] for own in letters if own in general_of and general_of[own] in sizes}
 
 
-def _contradiction(course: MotionEquations, demand: Demand, number: Decimal) -> NoSolution:
+def _contradiction(course: StatedMotion, demand: Demand, number: Decimal) -> NoSolution:
     others = [d.text for d in course.demands[demand.state] if d.text != demand.text and d.kind == "equation"]
     others = others or ["what is stated of the states before it"]
     text = f"state {demand.state}: `{demand.text}` contradicts {_quoted(others)}: the sides differ by {_short(number)}"
@@ -247,7 +249,7 @@ def never(course: MotionEquations, followed: Followed, value: Valuation) -> NoSo
     return _wrong(stop.mark, "PL621", f"state {name} is never reached: {texts}", hint)
 
 
-def meets_again(course: MotionEquations, ends: Ends) -> NoSolution:
+def meets_again(course: RegimeSequence, ends: Ends) -> NoSolution:
     """What has parted comes together again before the next state, and nothing says how it goes on."""
     state = course.states[ends.stretch + 1]
     text = f"before state {state.name}, at t = {ends.time:.4g} s, `{ends.words}` ends with a blow: it meets again"

@@ -12,8 +12,9 @@ from planar_cli.errors import Diagnostic, NoSolution
 from planar_cli.solve.course.equations import is_speed
 from planar_cli.solve.course.events import SLACK, Leg, State, length_of
 from planar_cli.solve.course.gaps import closes_at_once, openings
-from planar_cli.solve.course.motion_equations import MotionEquations
 from planar_cli.solve.course.regime import Regime, number_function
+from planar_cli.solve.course.regime_sequence import RegimeSequence
+from planar_cli.solve.course.stated_motion import StatedMotion
 from planar_cli.solve.course.ways import becomes_negative
 
 MOVES = 1e-7
@@ -22,7 +23,7 @@ LOOKS = 8
 """So often on a stretch it is seen whether forces that are not unique can be what is assumed of them."""
 
 
-def objection(course: MotionEquations, i: int, regime: Regime, state: State, before: State, value: Valuation) -> str:
+def objection(course: StatedMotion, i: int, regime: Regime, state: State, before: State, value: Valuation) -> str:
     """Why the assumptions of a regime do not hold where it begins at state i; "" when they do. `before`: the state in
     the letters of the regime before, `state` in its own.
     """
@@ -40,7 +41,7 @@ def _numbers(regime: Regime, exprs: Sequence[sp.Expr], value: Valuation) -> Call
     return number_function(exprs, regime.letters, value)
 
 
-def _moves(course: MotionEquations, regime: Regime, state: State, before: State, value: Valuation) -> str:
+def _moves(course: StatedMotion, regime: Regime, state: State, before: State, value: Valuation) -> str:
     """Does something move that the regime takes for held?"""
     handing = course.handings[id(regime)]
     for symbol, number in before.items():
@@ -92,7 +93,7 @@ def _starts_to_slide(regime: Regime, slip: sp.Expr, here: list[float], value: Va
     return _numbers(regime, [regime.derivative(rate)], value)(*here)[0] > 0
 
 
-def _presses(course: MotionEquations, i: int, regime: Regime, state: State, value: Valuation) -> str:
+def _presses(course: RegimeSequence, i: int, regime: Regime, state: State, value: Valuation) -> str:
     """What would press into its partner where it is taken for parted."""
     here = [state[s] for s in regime.letters]
     for opening, words in openings(course, i, regime):

@@ -16,6 +16,7 @@ from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.errors import Diagnostic, NoSolution
 from planar_cli.solve.course.chain import Branch
 from planar_cli.solve.course.motion_equations import MotionEquations
+from planar_cli.solve.course.regime_sequence import RegimeSequence
 from planar_cli.solve.linear import solve
 
 STEP, SMALLEST, NEWTON = Decimal(1) / 32, Decimal("1e-4"), 10
@@ -52,7 +53,7 @@ def carried_branch(course: MotionEquations, branches: Sequence[Branch]) -> Branc
     return branches[0]
 
 
-def _letters(course: MotionEquations, name: str) -> list[sp.Symbol]:
+def _letters(course: RegimeSequence, name: str) -> list[sp.Symbol]:
     return [course.stops[name].letters[c.symbol] for c in course.regimes[0].coordinates]
 
 

@@ -10,9 +10,9 @@ from planar_cli.errors import Diagnostic, Mark, NoSolution
 from planar_cli.problem.scene import Problem
 from planar_cli.solve.course.astray import as_drawn
 from planar_cli.solve.course.gaps import changes_sides
-from planar_cli.solve.course.motion_equations import MotionEquations
 from planar_cli.solve.course.plot import Plot, Workshop, nearest
 from planar_cli.solve.course.regime_sequence import RegimeSequence
+from planar_cli.solve.course.stated_motion import StatedMotion
 
 BLOW, SLACK = " blow", Decimal("1e-9")
 
@@ -65,7 +65,7 @@ class Choosing:
             [Diagnostic(mark, "PL622", f"no assumption about the contacts holds from here on: {self.why}")]
         )
 
-    def _other_blow(self, course: MotionEquations, i: int, why: str) -> tuple[int, ...]:
+    def _other_blow(self, course: StatedMotion, i: int, why: str) -> tuple[int, ...]:
         """Other modes of the joints in a blow."""
         name = (BLOW, *(s.name for s in course.plot.states[: i + 1]))
         failed = self.tried.setdefault(name, [])
@@ -77,7 +77,7 @@ class Choosing:
         text = f"no assumption about the contacts holds in the blow: {self.why}"
         raise self.lack or NoSolution([Diagnostic(course.states[i + 1].mark, "PL622", text)])
 
-    def _determined(self, course: MotionEquations, i: int) -> Plot:
+    def _determined(self, course: RegimeSequence, i: int) -> Plot:
         """Another choice of modes, where in this one forces that are needed are not unique."""
         general = course.regimes[i].general
         try:
@@ -86,7 +86,7 @@ class Choosing:
             general.demand_unique(course.regimes[i].undetermined)
             raise
 
-    def _elsewhere(self, course: MotionEquations, why: str) -> Plot | None:
+    def _elsewhere(self, course: StatedMotion, why: str) -> Plot | None:
         """Other modes in a blow, or after one; None: there are no blows, or all have been tried."""
         for i in course.blows:
             try:
@@ -103,7 +103,7 @@ class Choosing:
         return None
 
 
-def at_a_top(course: MotionEquations, name: str, value: Valuation) -> bool:
+def at_a_top(course: RegimeSequence, name: str, value: Valuation) -> bool:
     """Is the last state one of rest in equilibrium? A motion that just reaches it takes longer and longer."""
     stop, regime = course.stops[name], course.regimes[len(course.states) - 2]
     rates = [*regime.rates.values(), *regime.accelerations.values()]
@@ -113,7 +113,7 @@ def at_a_top(course: MotionEquations, name: str, value: Valuation) -> bool:
         return False
 
 
-def assumed(course: MotionEquations, value: Valuation) -> bool:
+def assumed(course: RegimeSequence, value: Valuation) -> bool:
     """Do the modes hold in every state? What can not be told there does not speak against them."""
     for name, stop in course.stops.items():
         for watch in course.readers[name].regime.watches:

@@ -27,6 +27,7 @@ from planar_cli.solve.course.oscillation import stability
 from planar_cli.solve.course.paths import CurveReader
 from planar_cli.solve.course.regime_sequence import RegimeSequence
 from planar_cli.solve.course.starts import started
+from planar_cli.solve.course.stated_motion import StatedMotion
 from planar_cli.solve.course.throughout import Throughout
 from planar_cli.solve.course.timeline import Reader, Stop
 from planar_cli.solve.course.trace import SpanIntegral
@@ -207,7 +208,7 @@ class FindReader:
         return system.modes[ours].name
 
 
-def _is_true(course: MotionEquations, q: Quantity, value: Valuation) -> bool:
+def _is_true(course: StatedMotion, q: Quantity, value: Valuation) -> bool:
     """reached(s): is the state part of the motion? stable(s): does a small deviation stay small?"""
     if q.word == "reached":
         return q.things[0] in course.stops

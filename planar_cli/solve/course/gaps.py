@@ -12,9 +12,9 @@ from planar_cli.problem.facts import Mode
 from planar_cli.problem.geometry import Vec
 from planar_cli.solve.course.equations import Equation
 from planar_cli.solve.course.events import SLACK, Leg, events, scale_of
-from planar_cli.solve.course.motion_equations import MotionEquations
 from planar_cli.solve.course.plot import Plot, Workshop
 from planar_cli.solve.course.regime import Regime, number_function
+from planar_cli.solve.course.regime_sequence import RegimeSequence
 from planar_cli.solve.course.ways import becomes_negative
 
 OPEN = 1e-10
@@ -22,7 +22,7 @@ OPEN = 1e-10
 HALVINGS = 24
 
 
-def openings(course: MotionEquations, i: int, regime: Regime) -> Iterator[tuple[sp.Expr, str]]:
+def openings(course: RegimeSequence, i: int, regime: Regime) -> Iterator[tuple[sp.Expr, str]]:
     """What is positive where joints have parted from state i on, and the words of it."""
     for gap in regime.gaps:
         held = held_before(course.plot, course.workshop, i, gap.joint)
@@ -60,7 +60,7 @@ def _opposite(a: Vec, b: Vec) -> bool:
     return bool(sp.expand(a.x + b.x) == 0 and sp.expand(a.y + b.y) == 0)
 
 
-def just_parted(course: MotionEquations) -> list[Equation]:
+def just_parted(course: RegimeSequence) -> list[Equation]:
     """Where the first state is the end of a contact: what is about to part has no velocity apart."""
     regime, first = course.regimes[0], course.first
     rates = [(regime.derivative(g.expr), g.words) for g in regime.gaps]

@@ -7,6 +7,7 @@ import sympy as sp
 from planar_cli.solve.course.equations import Equation
 from planar_cli.solve.course.finds import FindReader
 from planar_cli.solve.course.motion_equations import MotionEquations
+from planar_cli.solve.course.stated_motion import StatedMotion
 
 ONLY_TIMES = ("t(q)", "t(v)")
 
@@ -34,7 +35,7 @@ def without_idle_times(course: MotionEquations, finds: FindReader) -> tuple[Equa
         needed |= more
 
 
-def asked_letters(course: MotionEquations, finds: FindReader) -> set[sp.Symbol]:
+def asked_letters(course: StatedMotion, finds: FindReader) -> set[sp.Symbol]:
     """Letters that finds ask for, and times on which quantities over spans rest."""
     found = {s for a in finds.asked for p in a.parts for s in finds.settled(a, p).free_symbols}
     order = {s.name: i for i, s in enumerate(course.states)}

@@ -13,13 +13,13 @@ import sympy as sp
 
 from planar_cli.equation.exact import CERTAIN, Sample, Valuation
 from planar_cli.equation.sample import anywhere
-from planar_cli.solve.course.motion_equations import MotionEquations
+from planar_cli.solve.course.stated_motion import StatedMotion
 
 OTHERWISE = Decimal("1.7320508")
 PLACES = 3
 
 
-def rests_on(course: MotionEquations, value: Valuation, integrands: Iterable[sp.Expr] = ()) -> frozenset[sp.Symbol]:
+def rests_on(course: StatedMotion, value: Valuation, integrands: Iterable[sp.Expr] = ()) -> frozenset[sp.Symbol]:
     """The letters that were drawn and enter the motion, or one of these `integrands` over it."""
     if not isinstance(value, Sample):
         return frozenset()
@@ -28,7 +28,7 @@ def rests_on(course: MotionEquations, value: Valuation, integrands: Iterable[sp.
     return frozenset(p for p in value.drawn if any(_enters(p, e, base) for e in residuals))
 
 
-def _residuals(course: MotionEquations) -> Iterator[sp.Expr]:
+def _residuals(course: StatedMotion) -> Iterator[sp.Expr]:
     """Everything that decides the motion, as expressions that vanish."""
     for regime in course.distinct_regimes():
         yield from map(_apart, (*regime.rates.values(), *regime.accelerations.values()))

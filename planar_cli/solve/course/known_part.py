@@ -21,6 +21,7 @@ from planar_cli.solve.course.newton import refined_left
 from planar_cli.solve.course.ranking import ranked
 from planar_cli.solve.course.simulate import Followed, Follower
 from planar_cli.solve.course.starts import told_start
+from planar_cli.solve.course.stated_motion import StatedMotion
 
 FOLLOWED = Decimal("1e-9")
 """To so many digits equations hold with numbers that a step method gave."""
@@ -83,7 +84,7 @@ def beginning(course: MotionEquations) -> Beginning:
     return Beginning(followed, stretches)
 
 
-def _wrong_at_once(course: MotionEquations, start: Mapping[sp.Symbol, Decimal]) -> str:
+def _wrong_at_once(course: StatedMotion, start: Mapping[sp.Symbol, Decimal]) -> str:
     """The test of an assumption that fails at the start, whatever the constants that are sought."""
     value = course.base().extended(dict(start))
     for watch in course.regimes[0].watches:
@@ -92,7 +93,7 @@ def _wrong_at_once(course: MotionEquations, start: Mapping[sp.Symbol, Decimal]) 
     return ""
 
 
-def _untouched(course: MotionEquations) -> int:
+def _untouched(course: StatedMotion) -> int:
     """How many stretches pass before anything that is sought acts or is stated."""
     sought = set(course.sought())
     for i, regime in enumerate(course.regimes[: len(course.states) - 1]):

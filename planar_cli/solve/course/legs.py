@@ -22,6 +22,8 @@ from planar_cli.solve.course.constraints import project, start_symbol
 from planar_cli.solve.course.equations import Laws, law_equations, laws_of, link_equations
 from planar_cli.solve.course.motion_equations import MotionEquations
 from planar_cli.solve.course.regime import Regime, corners, number_function
+from planar_cli.solve.course.regime_sequence import RegimeSequence
+from planar_cli.solve.course.stated_motion import StatedMotion
 from planar_cli.solve.course.timeline import Stop
 
 ENOUGH, FEW_DIGITS, MANY_DIGITS = 10, 13, 20
@@ -170,7 +172,7 @@ def legs(course: MotionEquations, value: Valuation) -> tuple[Leg, ...]:
     return tuple(found)
 
 
-def _begins(course: MotionEquations) -> list[int]:
+def _begins(course: StatedMotion) -> list[int]:
     """The stretches with which a leg begins: the first, one after a blow, one in another regime than that before."""
     found = []
     for i, regime in enumerate(course.regimes):
@@ -179,7 +181,7 @@ def _begins(course: MotionEquations) -> list[int]:
     return found
 
 
-def _begun(regime: Regime, start: Stop, course: MotionEquations, value: Valuation) -> dict[sp.Symbol, Decimal]:
+def _begun(regime: Regime, start: Stop, course: RegimeSequence, value: Valuation) -> dict[sp.Symbol, Decimal]:
     """Letters of a regime that the state where it begins does not tell: places as drawn, speeds at rest."""
     more = {}
     for c in regime.coordinates:

@@ -8,11 +8,11 @@ from decimal import Decimal
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.errors import Diagnostic, NoSolution
 from planar_cli.problem.expression import Name
-from planar_cli.solve.course.motion_equations import MotionEquations
 from planar_cli.solve.course.plot import fixed_time
+from planar_cli.solve.course.regime_sequence import RegimeSequence
 
 
-def demand_mass(course: MotionEquations, value: Valuation) -> None:
+def demand_mass(course: RegimeSequence, value: Valuation) -> None:
     """NoSolution: a body has no mass left at a state whose time [s] is known, in `value` or by the file itself."""
     scene = course.scene
     time = course.ledger.symbols["t"]
@@ -30,7 +30,7 @@ def demand_mass(course: MotionEquations, value: Valuation) -> None:
                     raise NoSolution([Diagnostic(mark, "PL634", text, hint)])
 
 
-def _known_times(course: MotionEquations, value: Valuation) -> Iterator[tuple[str, Decimal]]:
+def _known_times(course: RegimeSequence, value: Valuation) -> Iterator[tuple[str, Decimal]]:
     """The states whose time is known."""
     for state in course.states:
         stop = course.stops[state.name]

@@ -11,7 +11,9 @@ from planar_cli.solve.course.chain import Branch, Chain
 from planar_cli.solve.course.finds import FindReader
 from planar_cli.solve.course.idle import ONLY_TIMES, asked_letters
 from planar_cli.solve.course.motion_equations import MotionEquations
+from planar_cli.solve.course.regime_sequence import RegimeSequence
 from planar_cli.solve.course.simulate import Followed
+from planar_cli.solve.course.stated_motion import StatedMotion
 
 AGREE, SMALL = 1e-6, 1e-3
 
@@ -29,7 +31,7 @@ def beside(course: MotionEquations, finds: FindReader, chain: Chain) -> tuple[Mo
     return course, next(iter(chain.branches(course.equations)), nothing)
 
 
-def same_motion(course: MotionEquations, followed: Followed, branch: Branch) -> bool:
+def same_motion(course: RegimeSequence, followed: Followed, branch: Branch) -> bool:
     """Do followed numbers and branch agree, measured by the largest value that a letter has in any state?"""
     sizes: dict[sp.Symbol, float] = {}
     general = {own: s for stop in course.stops.values() for s, own in stop.letters.items()}
@@ -43,7 +45,7 @@ def same_motion(course: MotionEquations, followed: Followed, branch: Branch) -> 
     return True
 
 
-def onward(course: MotionEquations, branch: Branch) -> int:
+def onward(course: StatedMotion, branch: Branch) -> int:
     """How many coordinates move in their last state as they have moved from the state before."""
     count = 0
     for i in range(len(course.states) - 1):

@@ -9,6 +9,7 @@ from typing import Any
 from planar_cli.equation.exact import Unvalued
 from planar_cli.solve.course.chain import Branch
 from planar_cli.solve.course.motion_equations import MotionEquations
+from planar_cli.solve.course.stated_motion import StatedMotion
 
 ROUGHLY = Context(prec=30)
 
@@ -18,7 +19,7 @@ def candidates(course: MotionEquations) -> list[Branch]:
     return ranked(course, course.chain().branches(course.equations))
 
 
-def ranked(course: MotionEquations, branches: Iterable[Branch]) -> list[Branch]:
+def ranked(course: StatedMotion, branches: Iterable[Branch]) -> list[Branch]:
     """Those that leave no equation open, if there are any; of these first the largest where that is asked, the
     earliest, and those with positive sought constants.
     """
@@ -26,7 +27,7 @@ def ranked(course: MotionEquations, branches: Iterable[Branch]) -> list[Branch]:
     return sorted([b for b in found if not b.left] or found, key=lambda b: _rank(course, b))
 
 
-def _rank(course: MotionEquations, branch: Branch) -> tuple[Any, ...]:
+def _rank(course: StatedMotion, branch: Branch) -> tuple[Any, ...]:
     keys: list[Any] = []
     for state in course.states:
         stop = course.stops[state.name]

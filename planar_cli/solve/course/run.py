@@ -19,11 +19,11 @@ from planar_cli.solve.course.formulas import at_given_time
 from planar_cli.solve.course.independence import rests_on
 from planar_cli.solve.course.masses import demand_mass
 from planar_cli.solve.course.methods import by_method, demand_reached, follows
-from planar_cli.solve.course.motion_equations import MotionEquations
 from planar_cli.solve.course.motion_trace import motion_trace
 from planar_cli.solve.course.plot import Workshop
 from planar_cli.solve.course.presumed import presumed
 from planar_cli.solve.course.reached import reaching
+from planar_cli.solve.course.regime_sequence import RegimeSequence
 from planar_cli.solve.course.route import Router
 from planar_cli.solve.course.throughout import Throughout
 from planar_cli.solve.course.unfold import Unfolder
@@ -76,7 +76,7 @@ def _told(unfolded: Unfolded, case: str) -> PartSolution:
     return PartSolution(case, instants, answers, motion_trace(found, instants), tale)
 
 
-def _instants(course: MotionEquations) -> tuple[InstantSolution, ...]:
+def _instants(course: RegimeSequence) -> tuple[InstantSolution, ...]:
     """The general positions of the regimes in which time passes; in a file of blows alone the one before the first."""
     regimes = course.distinct_regimes()
     for regime in regimes:
@@ -86,7 +86,7 @@ def _instants(course: MotionEquations) -> tuple[InstantSolution, ...]:
     return tuple(r.general.solution for r in running if r.general.solution is not None)
 
 
-def _in_order(course: MotionEquations, targets: set[sp.Symbol]) -> list[sp.Symbol]:
+def _in_order(course: RegimeSequence, targets: set[sp.Symbol]) -> list[sp.Symbol]:
     """Letters state by state, as a reader goes through the motion; what is sought comes first."""
     place = {own: i for i, stop in enumerate(course.stops.values(), 1) for own in stop.letters.values()}
     return sorted(targets, key=lambda s: (place.get(s, 0), s.name))

@@ -26,6 +26,7 @@ from planar_cli.solve.course.gaps import closing, openings
 from planar_cli.solve.course.motion_equations import MotionEquations
 from planar_cli.solve.course.plot import fixed_time
 from planar_cli.solve.course.regime import Regime, corners, number_function
+from planar_cli.solve.course.regime_sequence import RegimeSequence
 from planar_cli.solve.course.timeline import Demand, Stop
 from planar_cli.solve.course.ways import ways_at
 
@@ -355,7 +356,7 @@ class Follower:
         return best
 
 
-def leaning(course: MotionEquations, followed: Followed) -> dict[sp.Symbol, float]:
+def leaning(course: RegimeSequence, followed: Followed) -> dict[sp.Symbol, float]:
     """At states that are only approached: the last values on the way there."""
     found: dict[sp.Symbol, float] = {}
     last: dict[sp.Symbol, float] = {}

@@ -12,10 +12,12 @@ from planar_cli.equation.exact import CERTAIN, Unvalued, Valuation
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.solve.course.motion_equations import MotionEquations
 from planar_cli.solve.course.regime import Regime
+from planar_cli.solve.course.regime_sequence import RegimeSequence
+from planar_cli.solve.course.stated_motion import StatedMotion
 
 
 def started(
-    course: MotionEquations, regime: Regime, closed: Callable[[sp.Expr], sp.Expr], value: Valuation
+    course: RegimeSequence, regime: Regime, closed: Callable[[sp.Expr], sp.Expr], value: Valuation
 ) -> dict[sp.Symbol, sp.Expr]:
     """By the letters of the general position: a formula in the names of the file, else a number to all digits.
 
@@ -82,7 +84,7 @@ def resting_though_sought(course: MotionEquations) -> frozenset[str]:
     return resting(course, found[0]) if len(found) == 1 else frozenset()
 
 
-def resting(course: MotionEquations, start: Mapping[sp.Symbol, Decimal]) -> frozenset[str]:
+def resting(course: StatedMotion, start: Mapping[sp.Symbol, Decimal]) -> frozenset[str]:
     """Free speeds that are zero at the start and that nothing sets in motion, whatever the others do."""
     idle = {u for u in course.regimes[0].free if start.get(u) == 0}
     while idle:
@@ -94,7 +96,7 @@ def resting(course: MotionEquations, start: Mapping[sp.Symbol, Decimal]) -> froz
 
 
 def _stays(
-    course: MotionEquations, regime: Regime, u: sp.Symbol, idle: set[sp.Symbol], start: Mapping[sp.Symbol, Decimal]
+    course: StatedMotion, regime: Regime, u: sp.Symbol, idle: set[sp.Symbol], start: Mapping[sp.Symbol, Decimal]
 ) -> bool:
     """Does nothing act on a speed while these speeds vanish, and what moves with them alone is where it was drawn?"""
     if u not in regime.accelerations:
@@ -113,7 +115,7 @@ def _stays(
     return not longer(rate, LONG) and simplified(rate) == 0
 
 
-def untold(course: MotionEquations) -> bool:
+def untold(course: RegimeSequence) -> bool:
     """Does nothing tell how the speeds change, as where nothing has mass and nothing drives?"""
     for regime in course.regimes:
         rates = {regime.general.rate_of(u) for u in regime.free}
@@ -122,7 +124,7 @@ def untold(course: MotionEquations) -> bool:
     return False
 
 
-def balanced(course: MotionEquations, start: Mapping[sp.Symbol, Decimal]) -> frozenset[str]:
+def balanced(course: StatedMotion, start: Mapping[sp.Symbol, Decimal]) -> frozenset[str]:
     """All free speeds, where the motion starts at rest in equilibrium: whatever acts, nothing changes any more."""
     value = course.base().extended(dict(start))
     for regime in course.regimes:

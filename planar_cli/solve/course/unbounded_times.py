@@ -6,6 +6,7 @@ from planar_cli.errors import Diagnostic, NoSolution
 from planar_cli.solve.course.equations import Equation
 from planar_cli.solve.course.finds import FindReader
 from planar_cli.solve.course.motion_equations import MotionEquations
+from planar_cli.solve.course.stated_motion import StatedMotion
 
 OVER_TIME = ("mean", "impulse")
 
@@ -20,7 +21,7 @@ def without_times(course: MotionEquations) -> tuple[Equation, ...]:
     return tuple(e for e in course.equations if not e.residual.free_symbols & times)
 
 
-def demand_no_times(course: MotionEquations, finds: FindReader) -> None:
+def demand_no_times(course: StatedMotion, finds: FindReader) -> None:
     """Endless: something is asked that grows beyond all bounds with the time."""
     times = {stop.t for stop in course.stops.values()} - {course.first.t}
     for asked in finds.asked:

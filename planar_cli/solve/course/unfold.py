@@ -40,10 +40,10 @@ from planar_cli.solve.course.newton import refined_left
 from planar_cli.solve.course.plot import Plot
 from planar_cli.solve.course.ranking import candidates
 from planar_cli.solve.course.reached import asked_about
-from planar_cli.solve.course.regime_sequence import regime_sequence
+from planar_cli.solve.course.regime_sequence import RegimeSequence, regime_sequence
 from planar_cli.solve.course.simulate import Followed, Follower, leaning
 from planar_cli.solve.course.starts import Start, balanced, certain_start, resting, resting_though_sought, untold
-from planar_cli.solve.course.stated_motion import stated_motion
+from planar_cli.solve.course.stated_motion import StatedMotion, stated_motion
 from planar_cli.solve.course.touch import TOUCHED, touch_of
 from planar_cli.solve.course.unbounded_times import Endless, demand_no_times, without_times
 from planar_cli.solve.course.unfolded import Unfolded
@@ -226,7 +226,7 @@ class Unfolder(Choosing):
         told = f"no motion leads to state {missed} by itself: the balance of energy alone relates the states"
         return Unfolded(course, finds, branch, None, course.base().extended(branch.values), checks=(told,))
 
-    def _changed(self, course: MotionEquations, followed: Followed) -> Plot | None:
+    def _changed(self, course: StatedMotion, followed: Followed) -> Plot | None:
         """The next plot to try, None when this one holds."""
         plot = course.plot
         if followed.blow is not None:
@@ -325,7 +325,7 @@ def _number(followed: float) -> Decimal:
     return Decimal(repr(followed)) if abs(followed) >= NOTHING else Decimal(0)
 
 
-def _left_out(course: MotionEquations, others: list[Unfolded], why: str) -> tuple[str, ...]:
+def _left_out(course: RegimeSequence, others: list[Unfolded], why: str) -> tuple[str, ...]:
     """Values of sought constants with which the motion is another, in a phrase."""
     if not others:
         return ()

@@ -11,8 +11,8 @@ from planar_cli.equation.plain import longer
 from planar_cli.errors import Undecided
 from planar_cli.problem.scene import Find
 from planar_cli.solve.course.independence import rests_on
-from planar_cli.solve.course.motion_equations import MotionEquations
 from planar_cli.solve.course.regime import Regime
+from planar_cli.solve.course.stated_motion import StatedMotion
 from planar_cli.solve.course.trace import SpanIntegral
 
 READABLE = 40
@@ -20,7 +20,7 @@ READABLE = 40
 
 
 def settled_by(
-    course: MotionEquations, find: Find, closed: Sequence[sp.Expr], value: Valuation, spans: Iterable[SpanIntegral]
+    course: StatedMotion, find: Find, closed: Sequence[sp.Expr], value: Valuation, spans: Iterable[SpanIntegral]
 ) -> Valuation:
     """The numbers that may tell a find. Undecided: its formulas hold letters of states that rest on numbers that were
     drawn.
