@@ -10,6 +10,7 @@ import pytest
 from conftest import ROOT
 
 from planar_cli.errors import NOWHERE, FileProblem
+from planar_cli.joints.base import Joint
 from planar_cli.motion.quantities import Quantities
 from planar_cli.motion.scene import MovingScene
 from planar_cli.motion.terms import Term, evaluate
@@ -215,3 +216,52 @@ def test_gaps_are_distances_wherever_the_bodies_are() -> None:
     )
     outside = math.hypot(max(abs(local[0]) - 0.4, 0), max(abs(local[1]) - 0.2, 0)) - 0.3
     assert any(d == pytest.approx(outside) for d in evaluate([g.distance for g in near], at))
+
+
+CURVES = """
+title: beads and a wheel on curves
+plane: vertical
+points: {B: [1 m, 0.5 m], S: [0, 2.5 m], C: [0, 0], G: [0, 0.2 m], O: [0, 0], K: [0, 1 m], P: [0, 2 m]}
+surfaces:
+  hill: {y: x^2/(2 m)}
+  spiral: {r: 1 m + (2/pi) m * theta, body: cam}
+bodies:
+  bead: {particle: B, mass: 1 kg}
+  wheel: {disk: G, radius: 0.2 m, mass: 1 kg}
+  cam: {points: [O, K]}
+  point: {particle: P, mass: 1 kg}
+joints:
+  - guide: {point: B, along: hill, name: slot}
+  - contact: {between: [wheel, hill], at: C, mu: 0.3}
+  - guide: {point: P, along: spiral, name: track}
+  - pin: {at: O, between: [ground, cam]}
+instant: [at rest]
+find: {v: v(B).x}
+"""
+
+
+def test_curves_are_followed_far_from_where_they_are_drawn() -> None:
+    problem, wrong = load_text(CURVES)
+    assert problem is not None, wrong
+    scene = MovingScene(problem)
+    slot, contact, track, _ = problem.joints
+
+    def off(joint: Joint, at: dict[Term, float]) -> float:
+        mode = next(m for m in joint.modes(scene) if m.name == "slip")
+        residual = joint.residuals(scene, mode)[0].of(scene.poses)
+        return evaluate([residual], at)[0]
+
+    bead, tip, cam, wheel = (scene.places[name] for name in ("bead", "point", "cam", "wheel"))
+    assert off(slot, {bead.x: -3.0, bead.y: 4.5}) == pytest.approx(0, abs=1e-12)
+    assert off(slot, {bead.x: -3.0, bead.y: 4.6}) == pytest.approx(0.1)
+    # The cam has turned by 30 deg; the tip is at 150 deg from its axis, 120 deg in the plane.
+    r, turn = 1 + 2 / math.pi * math.radians(150), math.radians(120)
+    assert cam.theta is not None
+    at = {cam.theta: cam.theta.value - math.radians(30), tip.x: r * math.cos(turn), tip.y: r * math.sin(turn)}
+    assert off(track, at) == pytest.approx(0, abs=1e-12)
+    # The wheel's centre is 0.2 m from the hill where its foot is at x = 1 m, and the foot is below it.
+    (foot, _), (tie,) = scene.own_variables["foot of wheel on hill"], scene.ties
+    far = {foot: 1.0, wheel.x: 1 - 0.2 / math.sqrt(2), wheel.y: 0.5 + 0.2 / math.sqrt(2)}
+    assert off(contact, far) == pytest.approx(0, abs=1e-12)
+    assert evaluate([tie.residual, scene.gaps(contact)[0].distance], far) == pytest.approx([0, 0], abs=1e-12)
+    assert evaluate([scene.point("C").x, scene.point("C").y], far) == pytest.approx([1, 0.5])

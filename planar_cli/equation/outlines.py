@@ -122,6 +122,7 @@ def _curve(scene: OutlineSetting, surface: Surface, shape: Curve, point: Vec, ma
         tangent,
         curvature,
         drift=_drift(scene, surface, tangent),
+        curve=surface.name,
     )
 
 

@@ -306,13 +306,13 @@ class Scene(Decided):
         count = max(len(self.points), 1)
         return Vec(*(sp.Add(*(getattr(p, axis) for p in self.points.values())) / count for axis in ("x", "y")))
 
-    def track(self, along: Side | str, point: Vec, mark: Mark) -> tuple[Vec, sp.Expr]:
-        """Tangent and signed curvature of a track at a point: an angle, a body's line, or a surface."""
+    def track(self, along: Side | str, point: Vec, mark: Mark) -> Outline:
+        """What a point slides along there: a direction, a body's line, or a surface."""
         name = along if isinstance(along, str) else along.name if isinstance(along, Name) else ""
         if name in self.surfaces and not isinstance(self.surfaces[name].shape, Line):
-            found = self.outline(name, point, mark)
-            return found.tangent or Vec(sp.S.One, sp.S.Zero), found.curvature
-        return self.direction(along), sp.S.Zero
+            return self.outline(name, point, mark)
+        base = self.carrier(name) if self.names_carrier(name) else GROUND
+        return Outline("straight", base, self.direction(along), sp.S.Zero)
 
     def refuse(self, mark: Mark, code: str, message: str, hint: str = "") -> Exception:
         return refuse(mark, code, message, hint)

@@ -1,14 +1,15 @@
 """Position residuals that several joints share: points that stay together, outlines that touch, outlines that roll.
 
-A curve is taken as its circle of curvature at the drawn point of contact: the two differ by the third order of the arc
-that is travelled, so first and second derivatives are exact.
+How far something is off a curve y(x) or r(theta) is asked of the poses. Where a rim rolls on a curve, that is taken
+as its circle of curvature at the drawn point of contact: the two differ by the third order of the arc that is
+travelled, so first and second derivatives are exact.
 """
 
 from __future__ import annotations
 
 from typing import Any
 
-from planar_cli.problem.facts import Outline
+from planar_cli.problem.facts import Outline, center_of
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.residuals import Poses, Residual
 
@@ -23,17 +24,11 @@ def same_turn(title: str, a: str, b: str) -> Residual:
     return Residual(title, lambda poses: poses.angle(a) - poses.angle(b))
 
 
-def center_of(outline: Outline, place: Vec) -> Vec | None:
-    """The centre of an arc, or of a curve's circle of curvature; a corner is its own; None for a straight edge."""
-    if outline.kind == "corner":
-        return place
-    if outline.kind == "straight" or outline.tangent is None:
-        return None
-    return outline.center if outline.center is not None else place + outline.tangent.turned() / outline.curvature
-
-
 def touching(title: str, a: Outline, b: Outline, place: Vec) -> tuple[Residual, ...]:
     """The outlines neither part nor press into each other; two straight edges stay flush."""
+    curve, rest = (a, b) if a.curve else (b, a)
+    if curve.curve and rest.kind != "straight":
+        return (Residual(f"{title}: stays on {curve.curve}", lambda poses: poses.off_curve(curve, rest, place)),)
     line, other = (a, b) if b.kind != "straight" else (b, a)
     if line.kind == "straight" and line.tangent is not None:
         tangent, point = line.tangent, center_of(other, place) or place

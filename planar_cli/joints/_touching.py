@@ -6,7 +6,6 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from planar_cli.errors import Mark
-from planar_cli.joints._outline_residuals import center_of
 from planar_cli.problem.facts import (
     Action,
     Anchor,
@@ -21,6 +20,7 @@ from planar_cli.problem.facts import (
     Rolling,
     Row,
     Test,
+    center_of,
 )
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.setting import Setting

@@ -2,16 +2,30 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
-from planar_cli.joints._outline_residuals import center_of, same_turn, together, touching
+from planar_cli.joints._outline_residuals import same_turn, together, touching
 from planar_cli.joints.base import Joint
 from planar_cli.problem.expression import Side
-from planar_cli.problem.facts import Action, Anchor, Facts, Joining, Law, Mode, Outline, Path, Pull, Push, Row, Test
+from planar_cli.problem.facts import (
+    Action,
+    Anchor,
+    Facts,
+    Joining,
+    Law,
+    Mode,
+    Outline,
+    Path,
+    Pull,
+    Push,
+    Row,
+    Test,
+    center_of,
+)
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.keys import BodyKey, Choice, DirectionKey, PointKey, SideKey, key
-from planar_cli.problem.residuals import Residual
+from planar_cli.problem.residuals import Poses, Residual
 from planar_cli.problem.scene import GROUND
 from planar_cli.problem.setting import Setting
 
@@ -106,7 +120,8 @@ class Guide(Joint):
                     f"{place} belongs to no body that could slide",
                     "name it among the body's points",
                 )
-        tangent, curvature = scene.track(self.along, point, self.mark)
+        track = scene.track(self.along, point, self.mark)
+        tangent, curvature = track.tangent or Vec(1, 0), track.curvature
         turns = self.body is None or not scene.vanishes(curvature)
         return Joining(self.name, mover, base, point, place, Path(tangent, curvature), turns), tangent.turned()
 
@@ -166,20 +181,27 @@ class Guide(Joint):
     def residuals(self, scene: Setting, mode: Mode) -> tuple[Residual, ...]:
         joining, _ = self._joining(scene)
         mover, base, point = joining.mover, joining.base, joining.point
-        tangent, curvature = scene.track(self.along, point, self.mark)
-        straight = scene.vanishes(curvature)
-        track = Outline("straight" if straight else "arc", base, tangent, curvature)
+        track = scene.track(self.along, point, self.mark)
+        if scene.vanishes(track.curvature):
+            track = replace(track, kind="straight")
         found = touching(self.name, Outline("corner", mover), track, point)
         if mode.name == "stick":
             found = (together(f"{self.name}: place", mover, base, point),)
         if self.body is None or not (scene.rigid(mover) and scene.rigid(base)):
             return found
-        center = center_of(track, point)
-        if center is None or mode.name == "stick":
+        if track.kind == "straight" or mode.name == "stick":
             return (*found, same_turn(f"{self.name}: angle", mover, base))
-        # On a curved track the body turns with the tangent, across the radius from the centre of curvature.
-        radius = Residual(
-            f"{self.name}: angle",
-            lambda poses: poses.angle(mover) - poses.turned(poses.point(mover, point) - poses.point(base, center)),
-        )
-        return (*found, radius)
+        return (*found, _with_tangent(self.name, mover, track, point))
+
+
+def _with_tangent(name: str, mover: str, track: Outline, point: Vec) -> Residual:
+    """On a curved track the body turns with the tangent, as the radius from its centre does."""
+
+    def angle(poses: Poses) -> Any:
+        if track.curve:
+            along = poses.along_curve(track, mover, point)
+        else:
+            along = poses.point(mover, point) - poses.point(track.body, center_of(track, point) or point)
+        return poses.angle(mover) - poses.turned(along)
+
+    return Residual(f"{name}: angle", angle)

@@ -87,6 +87,7 @@ class Carried:
         self.owners, self.own_points = self._owners()
         self._points: dict[str, Vec] = {}
         self.own_variables: dict[str, tuple[Term, Term]] = {}
+        self.curve_variables: dict[str, Term] = {}
 
     # --- making ------------------------------------------------------------------------------------------------------
 

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 from planar_cli.motion.carried import Carried
 from planar_cli.motion.places import unit_vector
 from planar_cli.motion.replacing import replaced
-from planar_cli.motion.terms import Term
+from planar_cli.motion.terms import Term, evaluate
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND, Curve, Surface
+
+TURNS = 6
+"""So many turns of a spiral are tried for a drawn place."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,23 +28,87 @@ class Bend:
     """1/m, positive where the curve bends to the left of the tangent."""
 
 
+@dataclass(frozen=True, slots=True)
+class Formula:
+    """A curve in the axes in which it is drawn: y(x), or r(theta)."""
+
+    kind: str
+    """y or r."""
+    variable: Term
+    """x in m, or theta in rad."""
+    value: Term
+    """m."""
+    first: Term
+    """Its derivative."""
+    second: Term
+    """Its second derivative."""
+
+    def at(self, parameter: Term) -> tuple[Term, Term, Term]:
+        """Value and derivatives at a value of the variable."""
+        by = {self.variable: parameter}
+        return replaced(self.value, by), replaced(self.first, by), replaced(self.second, by)
+
+    def numbers(self, parameter: float) -> tuple[float, float, float]:
+        """The same in plain numbers."""
+        value, first, second = evaluate((self.value, self.first, self.second), {self.variable: parameter})
+        return value, first, second
+
+
+def formula_of(scene: Carried, curve: Curve) -> Formula:
+    """The formula of a curve."""
+    graph, name = scene.graph, "x" if curve.kind == "y" else "theta"
+    variable = scene.curve_variables.get(name)
+    if variable is None:
+        variable = scene.curve_variables[name] = scene.variable(f"along_{name}", 0.3 * scene.extent, 1.0)
+    value = scene.sides.with_variables({name: variable}).value(curve.formula)
+    one = {variable: graph.number(1.0)}
+    first = graph.rate(value, one)
+    return Formula(curve.kind, variable, value, first, graph.rate(first, one))
+
+
 def curve_at(scene: Carried, surface: Surface, curve: Curve, point: Vec) -> Bend:
     """A curve where a point of it is now: what is drawn, carried along by its body."""
-    graph, body = scene.graph, surface.body or GROUND
-    origin = scene.carried_from(body, Vec(graph.number(0.0), graph.number(0.0)))
-    axis = scene.turned_with(body, Vec(graph.number(1.0), graph.number(0.0)))
+    return bend_of(scene, surface, curve, parameter_of(scene, surface, curve, point))
+
+
+def seen_from(scene: Carried, surface: Surface, point: Vec) -> tuple[Term, Term]:
+    """A place in the axes in which a curve is drawn, m."""
+    origin, axis = axes_of(scene, surface)
     seen = point - origin
-    x, y = graph.of(seen.dot(axis)), graph.of(axis.cross(seen))
+    return scene.graph.of(seen.dot(axis)), scene.graph.of(axis.cross(seen))
+
+
+def axes_of(scene: Carried, surface: Surface) -> tuple[Vec, Vec]:
+    """Origin and x axis of a curve, carried along by its body."""
+    graph, body = scene.graph, surface.body or GROUND
+    zero, one = graph.number(0.0), graph.number(1.0)
+    return scene.carried_from(body, Vec(zero, zero)), scene.turned_with(body, Vec(one, zero))
+
+
+def parameter_of(scene: Carried, surface: Surface, curve: Curve, point: Vec) -> Term:
+    """The x or theta of a place; theta counts its turns, from the turn of the curve on which the place is drawn."""
+    x, y = seen_from(scene, surface, point)
     if curve.kind == "y":
-        f, first, second = _derivatives(scene, curve, "x", x)
+        return x
+    formula = formula_of(scene, curve)
+    start, far = math.atan2(y.value, x.value), math.hypot(x.value, y.value)
+    angles = [start + k * math.tau for k in range(-TURNS, TURNS + 1)]
+    nearest = min(angles, key=lambda a: (round(abs(formula.numbers(a)[0] - far) / scene.extent, 9), abs(a)))
+    return scene.graph.turning(y, x, start - nearest)
+
+
+def bend_of(scene: Carried, surface: Surface, curve: Curve, parameter: Term) -> Bend:
+    """A curve at a value of its x or theta."""
+    graph = scene.graph
+    origin, axis = axes_of(scene, surface)
+    f, first, second = formula_of(scene, curve).at(parameter)
+    if curve.kind == "y":
         # y'' / (1 + y'²)^(3/2)
         speed = graph.call("sqrt", first * first + 1)
-        place: Vec = origin + axis * x + axis.turned() * f
+        place: Vec = origin + axis * parameter + axis.turned() * f
         return Bend(place, (axis + axis.turned() * first) / speed, second / (speed * speed * speed))
-    theta = graph.turning(y, x, 0.0)
-    f, first, second = _derivatives(scene, curve, "theta", theta)
     # (r² + 2 r'² - r r'') / (r² + r'²)^(3/2), in parts along and across r.
-    part = unit_vector(graph, theta)
+    part = unit_vector(graph, parameter)
     radial = axis * part.x + axis.turned() * part.y
     speed = graph.call("sqrt", f * f + first * first)
     bend = f * f + first * first * 2 - f * second
@@ -48,13 +116,8 @@ def curve_at(scene: Carried, surface: Surface, curve: Curve, point: Vec) -> Bend
     return Bend(origin + radial * f, tangent, bend / (speed * speed * speed))
 
 
-def _derivatives(scene: Carried, curve: Curve, name: str, at: Term) -> tuple[Term, Term, Term]:
-    """The formula of a curve and its first and second derivative, at a value of its variable."""
-    graph = scene.graph
-    one = graph.number(1.0)
-    variable = graph.variable(scene.free_name(f"curve_{name}"), at.value, 1.0)
-    formula = scene.sides.with_variables({name: variable}).value(curve.formula)
-    first = graph.rate(formula, {variable: one})
-    second = graph.rate(first, {variable: one})
-    found = [replaced(t, {variable: at}) for t in (formula, first, second)]
-    return found[0], found[1], found[2]
+def off_curve(scene: Carried, surface: Surface, curve: Curve, point: Vec) -> Term:
+    """What vanishes where a place is on the curve: y - y(x), or r - r(theta), m."""
+    x, y = seen_from(scene, surface, point)
+    value = formula_of(scene, curve).at(parameter_of(scene, surface, curve, point))[0]
+    return y - value if curve.kind == "y" else scene.graph.call("sqrt", x * x + y * y) - value

@@ -7,14 +7,19 @@ partner is drawn; the edges of a plate from outside.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from planar_cli.motion.boundaries import Boundary, Bow, Corner, Edge, Rim, boundaries, boundary_center
 from planar_cli.motion.carried import Carried
 from planar_cli.motion.curves import curve_at
+from planar_cli.motion.feet import Foot
 from planar_cli.motion.terms import Term
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
+
+Feet = Mapping[tuple[str, str], Foot]
+"""Where rims are nearest to curves, by surface and body."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,17 +44,17 @@ class Gap:
         return Gap(self.second, self.first, self.distance, self.point, -self.normal, self.within)
 
 
-def gaps_of(scene: Carried, between: tuple[str, ...], normal: Vec | None = None) -> tuple[Gap, ...]:
+def gaps_of(scene: Carried, feet: Feet, between: tuple[str, ...], normal: Vec | None = None) -> tuple[Gap, ...]:
     """All pairs of the outlines of two partners that may touch. `normal`: the direction that the file gives."""
     ours, theirs = (boundaries(scene, partner) for partner in between)
-    found = [gap for a in ours for b in theirs for gap in _pair(scene, a, b)]
+    found = [gap for a in ours for b in theirs for gap in _pair(scene, feet, a, b)]
     if found:
         return tuple(found)
     corners = [(a, b) for a in ours for b in theirs if isinstance(a, Corner) and isinstance(b, Corner)]
     return tuple(gap for a, b in corners for gap in _corners(scene, a, b, normal))
 
 
-def _pair(scene: Carried, a: Boundary, b: Boundary) -> list[Gap]:
+def _pair(scene: Carried, feet: Feet, a: Boundary, b: Boundary) -> list[Gap]:
     """One pair; nothing where these cannot touch, or another pair tells."""
     match a, b:
         case (Corner() | Rim(), Edge()):
@@ -58,8 +63,10 @@ def _pair(scene: Carried, a: Boundary, b: Boundary) -> list[Gap]:
             return _on_rim(scene, a, b)
         case (Corner(), Bow()):
             return [_on_curve(scene, a, b)]
-        case (Edge(), Corner() | Rim()) | (Rim(), Corner()) | (Bow(), Corner()):
-            return [gap.reversed() for gap in _pair(scene, b, a)]
+        case (Rim(), Bow()):
+            return [_over_curve(scene, feet[b.surface.name, a.body], a, b)]
+        case (Edge(), Corner() | Rim()) | (Rim(), Corner()) | (Bow(), Corner() | Rim()):
+            return [gap.reversed() for gap in _pair(scene, feet, b, a)]
     return []
 
 
@@ -120,6 +127,13 @@ def _on_curve(scene: Carried, corner: Corner, bow: Bow) -> Gap:
     off = scene.graph.of((corner.place - bend.place).dot(left))
     side = scene.sign(off) or _side(scene, scene.graph.of(left.y))
     return Gap(corner.body, bow.body, off * side, corner.place, left * -side)
+
+
+def _over_curve(scene: Carried, foot: Foot, rim: Rim, bow: Bow) -> Gap:
+    """From a curve to a rim, above the foot of its centre."""
+    left = foot.bend.tangent.turned()
+    side = scene.sign(foot.height) or 1
+    return Gap(rim.body, bow.body, foot.height * side - rim.radius, foot.bend.place, left * -side)
 
 
 def _corners(scene: Carried, a: Corner, b: Corner, normal: Vec | None) -> list[Gap]:

@@ -77,7 +77,7 @@ def _surface(scene: Carried, surface: Surface, point: Vec, mark: Mark) -> Outlin
     _on_it(scene, surface, mark, scene.is_zero(off.x) and scene.is_zero(off.y), "")
     kind = "straight" if scene.is_zero(bend.curvature) and bend.curvature.constant else "arc"
     drift = _drift(scene, surface, bend.tangent)
-    return Outline(kind, body, bend.tangent, bend.curvature, drift=drift)
+    return Outline(kind, body, bend.tangent, bend.curvature, drift=drift, curve=surface.name)
 
 
 def _on_it(scene: Carried, surface: Surface, mark: Mark, fits: bool, hint: str) -> None:

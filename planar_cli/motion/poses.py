@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
 from planar_cli.motion.carried import Carried
+from planar_cli.motion.curves import curve_at, off_curve
+from planar_cli.motion.feet import Foot
 from planar_cli.motion.terms import Term
+from planar_cli.problem.facts import Outline
 from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scene import Curve
 
 
 @dataclass(frozen=True, slots=True)
@@ -15,6 +20,8 @@ class MovingPoses:
     """What is drawn counts as it is in the reference configuration; from there the bodies carry it along."""
 
     scene: Carried
+    feet: Mapping[tuple[str, str], Foot]
+    """Where rims are nearest to curves, by surface and body."""
 
     @property
     def time(self) -> Term:
@@ -59,6 +66,21 @@ class MovingPoses:
     def positive(self, number: Any) -> bool:
         """Is a number, as drawn, not negative?"""
         return self.scene.sign(number) >= 0
+
+    def off_curve(self, curve: Outline, other: Outline, place: Vec) -> Term:
+        """How far a corner has come off a curve, or a rim from its distance as drawn."""
+        surface = self.scene.surfaces[curve.curve]
+        assert isinstance(surface.shape, Curve)
+        foot = self.feet.get((curve.curve, other.body))
+        if other.kind == "arc" and foot is not None:
+            return self.change(foot.height)
+        return self.change(off_curve(self.scene, surface, surface.shape, self.point(other.body, place)))
+
+    def along_curve(self, curve: Outline, body: str, place: Vec) -> Vec:
+        """The tangent of the curve where the body's point is."""
+        surface = self.scene.surfaces[curve.curve]
+        assert isinstance(surface.shape, Curve)
+        return curve_at(self.scene, surface, surface.shape, self.point(body, place)).tangent
 
     def change(self, number: Any) -> Term:
         """A number less its value as drawn."""

@@ -13,6 +13,7 @@ from planar_cli.joints.base import Joint
 from planar_cli.loads.base import Load
 from planar_cli.motion.carried import Carried
 from planar_cli.motion.coordinates import Coordinates, Tie
+from planar_cli.motion.feet import Foot, feet_of
 from planar_cli.motion.gaps import Gap, gaps_of
 from planar_cli.motion.outlines import edges_at, outline_of
 from planar_cli.motion.places import unit_vector
@@ -42,7 +43,8 @@ class MovingScene(Carried):
     def __init__(self, problem: Problem, values: Mapping[str, float] | None = None) -> None:
         """`values`: numbers for letters, unknowns and coordinates, by name, in SI units."""
         super().__init__(problem, values)
-        self._points |= spots_of(self)
+        self.feet: dict[tuple[str, str], Foot] = feet_of(self)
+        self._points |= spots_of(self, self.feet)
         self._outlines: dict[tuple[str, Vec], Outline] = {}
         self.coordinates, self.ties = self._coordinates()
 
@@ -59,7 +61,7 @@ class MovingScene(Carried):
                 rates[term] = self.own_variables[name][1]
         coordinates = {n: (t, self.graph.rate(t, rates)) for n, t in found.found.items()}
         self.sides = self.sides.with_variables({n: t for n, (t, _) in coordinates.items()})
-        return coordinates, tuple(found.ties)
+        return coordinates, (*found.ties, *(foot.tie for foot in self.feet.values()))
 
     # --- what joints and loads ask -----------------------------------------------------------------------------------
 
@@ -67,13 +69,13 @@ class MovingScene(Carried):
         """The value of a formula that may ask for velocities too."""
         return Quantities(self, self.stored_energy, {}).sides.value(side)
 
-    def track(self, along: Side | str, point: Vec, mark: Mark) -> tuple[Vec, Any]:
-        """Tangent and signed curvature of a track at a point: an angle, a body's line, or a surface."""
+    def track(self, along: Side | str, point: Vec, mark: Mark) -> Outline:
+        """What a point slides along there: a direction, a body's line, or a surface."""
         name = along if isinstance(along, str) else along.name if isinstance(along, Name) else ""
         if name in self.surfaces and not isinstance(self.surfaces[name].shape, Line):
-            found = self.outline(name, point, mark)
-            return found.tangent or Vec(1, 0), found.curvature
-        return self.direction(along), self.graph.number(0.0)
+            return self.outline(name, point, mark)
+        base = self.carrier(name) if self.names_carrier(name) else GROUND
+        return Outline("straight", base, self.direction(along), self.graph.number(0.0))
 
     def outline(self, partner: str, point: Vec, mark: Mark) -> Outline:
         if (partner, point) not in self._outlines:
@@ -113,7 +115,7 @@ class MovingScene(Carried):
     @cached_property
     def poses(self) -> MovingPoses:
         """For the residuals of joints."""
-        return MovingPoses(self)
+        return MovingPoses(self, self.feet)
 
     # --- what loads ask ----------------------------------------------------------------------------------------------
 
@@ -173,7 +175,11 @@ class MovingScene(Carried):
     def gaps(self, joint: Joint) -> tuple[Gap, ...]:
         """Every way in which the partners of a contact or an impact may touch, with its signed distance."""
         between, normal = getattr(joint, "between", ()), getattr(joint, "normal", None)
-        return gaps_of(self, between, None if normal is None else self.unit(normal)) if len(between) == 2 else ()
+        return (
+            gaps_of(self, self.feet, between, None if normal is None else self.unit(normal))
+            if len(between) == 2
+            else ()
+        )
 
     def arriving(self, point: Vec, body: str) -> Vec:
         """The velocity of a body's point just before a blow."""
@@ -181,7 +187,7 @@ class MovingScene(Carried):
 
     def meeting(self, between: tuple[str, ...], normal: Side | None, mark: Mark) -> Meeting:
         """Where two bodies strike each other as drawn: where they are nearest."""
-        found = gaps_of(self, between, None if normal is None else self.unit(normal))
+        found = gaps_of(self, self.feet, between, None if normal is None else self.unit(normal))
         inside = [g for g in found if all(self.sign(w) >= 0 for w in g.within)]
         if not inside:
             text = f"where {between[0]} and {between[1]} touch is open"

@@ -2,22 +2,25 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from planar_cli.joints.base import Joint
 from planar_cli.loads.base import Load
 from planar_cli.motion.carried import Carried
+from planar_cli.motion.feet import Foot
 from planar_cli.motion.outlines import outline_of
 from planar_cli.problem.facts import Outline
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
 
 
-def spots_of(scene: Carried) -> dict[str, Vec]:
+def spots_of(scene: Carried, feet: Mapping[tuple[str, str], Foot]) -> dict[str, Vec]:
     """The places of such points, by name."""
     found: dict[str, Vec] = {}
     for joint in scene.problem.joints:
         at, between = getattr(joint, "at", None), getattr(joint, "between", ())
         if joint.touches and at is not None and len(between) == 2:
-            spot = _touching(scene, joint, at, between)
+            spot = _touching(scene, feet, joint, at, between)
             if spot is not None:
                 found[at] = spot
     members: tuple[Joint | Load, ...] = (*scene.problem.joints, *scene.problem.loads)
@@ -29,7 +32,9 @@ def spots_of(scene: Carried) -> dict[str, Vec]:
     return found
 
 
-def _touching(scene: Carried, joint: Joint, at: str, between: tuple[str, ...]) -> Vec | None:
+def _touching(
+    scene: Carried, feet: Mapping[tuple[str, str], Foot], joint: Joint, at: str, between: tuple[str, ...]
+) -> Vec | None:
     """Between the centres of two rims, or off the centre of one across the edge that it touches."""
     place = scene.point(at)
     outlines = [outline_of(scene, p, place, joint.mark) for p in between]
@@ -42,6 +47,10 @@ def _touching(scene: Carried, joint: Joint, at: str, between: tuple[str, ...]) -
         share = (drawn - start).dot(reach) / reach.dot(reach)
         between_rims: Vec = a + (b - a) * share
         return between_rims
+    curves = [o.curve for o in outlines if o.curve]
+    if len(rounds) == 1 and curves:
+        foot = feet.get((curves[0], rounds[0].body))
+        return None if foot is None else foot.bend.place
     straight = [o for o in outlines if o.kind == "straight"]
     if len(rounds) == 1 and straight:
         center = _center(rounds[0])

@@ -242,6 +242,7 @@ class Outline:
 
     `kind`: corner, straight or arc (also a curve, by its circle of curvature). `tangent`: unit vector (None at a
     corner). `curvature`: signed along the tangent. `center`: of the arc, None otherwise. `body`: who carries it.
+    `curve`: the surface whose curve y(x) or r(theta) it is.
     `drift`: the belt's surface velocity or None. `extent`: for a straight edge the distances of its ends from the
     point, behind and ahead.
     """
@@ -254,6 +255,7 @@ class Outline:
     center_name: str = ""
     drift: Vec | None = None
     extent: tuple[Any, Any] | None = None
+    curve: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -265,3 +267,12 @@ class Meeting:
     point: Vec
     normal: Vec
     told: bool
+
+
+def center_of(outline: Outline, place: Vec) -> Vec | None:
+    """The centre of an arc, or of a curve's circle of curvature; a corner is its own; None for a straight edge."""
+    if outline.kind == "corner":
+        return place
+    if outline.kind == "straight" or outline.tangent is None:
+        return None
+    return outline.center if outline.center is not None else place + outline.tangent.turned() / outline.curvature

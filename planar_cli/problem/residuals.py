@@ -10,6 +10,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, Protocol
 
+from planar_cli.problem.facts import Outline
 from planar_cli.problem.geometry import Vec
 
 
@@ -52,6 +53,12 @@ class Poses(Protocol):
 
     def change(self, number: Any) -> Any:
         """A number less its value as drawn."""
+
+    def off_curve(self, curve: Outline, other: Outline, place: Vec) -> Any:
+        """How far an outline that was drawn touching a curve at a place has come off it: a corner, or a rim."""
+
+    def along_curve(self, curve: Outline, body: str, place: Vec) -> Vec:
+        """A vector that keeps its angle with the curve where the body's point is that was drawn there."""
 
 
 @dataclass(frozen=True, slots=True)

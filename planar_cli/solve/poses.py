@@ -13,6 +13,7 @@ from decimal import Decimal
 from typing import Any
 
 from planar_cli.equation.exact import Valuation
+from planar_cli.problem.facts import Outline, center_of
 from planar_cli.problem.geometry import Vec
 from planar_cli.solve.time_jets import ONE, TWO, ZERO, TimeJet, constant
 
@@ -94,6 +95,28 @@ class NearPoses:
         """The number less its value as drawn."""
         return number - number.value
 
+    def off_curve(self, curve: Outline, other: Outline, place: Vec) -> TimeJet:
+        """The curve is taken as its circle of curvature there, which is exact to the second order."""
+        own = center_of(other, place)
+        now, center = self.point(other.body, place if own is None else own), self._bend_center(curve, place)
+        if center is None:
+            along = self.direction(curve.body, _tangent(curve))
+            found: TimeJet = self.change((now - self.point(curve.body, place)).cross(along))
+            return found
+        away: TimeJet = self.change(self.length(now - self.point(curve.body, center)))
+        return away
+
+    def along_curve(self, curve: Outline, body: str, place: Vec) -> Vec:
+        """The radius of the circle of curvature; of a straight piece the tangent."""
+        center = self._bend_center(curve, place)
+        if center is None:
+            return self.direction(curve.body, _tangent(curve))
+        return self.point(body, place) - self.point(curve.body, center)
+
+    def _bend_center(self, curve: Outline, place: Vec) -> Vec | None:
+        """The centre of curvature; None where the curve does not bend."""
+        return center_of(curve, place) if self.number(curve.curvature) else None
+
     def _center(self, body: str, place: Place) -> Vec:
         found = self._centers.get(body)
         if found is None:
@@ -111,3 +134,8 @@ class NearPoses:
             sine = self.angle(body)
             frame = self._frames[body] = Vec(ONE - sine * sine / TWO, sine)
         return Vec(frame.x * arm.x - frame.y * arm.y, frame.x * arm.y + frame.y * arm.x)
+
+
+def _tangent(curve: Outline) -> Vec:
+    assert curve.tangent is not None
+    return curve.tangent

@@ -14,16 +14,16 @@ from typing import Any
 import mpmath
 import sympy as sp
 
-from planar_cli.equation.curves import off_curve
+from planar_cli.equation.curves import bend_at, off_curve
 from planar_cli.equation.displacement import Coordinate, Displacement
 from planar_cli.equation.exact import DIGITS, Valuation
 from planar_cli.equation.plain import simplified
-from planar_cli.equation.pose import HERE
+from planar_cli.equation.pose import HERE, Pose
 from planar_cli.equation.sample import anywhere
 from planar_cli.equation.scene import Scene
 from planar_cli.joints.base import Joint
 from planar_cli.loads.base import Load
-from planar_cli.problem.facts import Mode
+from planar_cli.problem.facts import Mode, Outline
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND, Curve, Surface
 from planar_cli.solve.instant import Instant
@@ -49,6 +49,7 @@ class Constraint:
 class GeneralPoses:
     """The poses of a displaced scene, as expressions in its coordinates. `start`: the coordinates as drawn."""
 
+    scene: Scene
     displacement: Displacement
     start: Mapping[sp.Symbol, sp.Expr]
     value: Valuation
@@ -99,6 +100,28 @@ class GeneralPoses:
     def change(self, number: Any) -> Any:
         return number - self._drawn(number)
 
+    def off_curve(self, curve: Outline, other: Outline, place: Vec) -> Any:
+        """How far a corner is off a curve, as the body of the curve sees it."""
+        surface, shape, pose = self._curve(curve)
+        if other.kind == "arc":
+            text = f"{other.body} touches the curve {curve.curve} with its rim: its places are not followed over time"
+            raise self.scene.refuse(surface.mark, "PL591", text, "ask at one instant")
+        return off_curve(self.scene, shape, pose, self.point(other.body, place), self._sign)
+
+    def along_curve(self, curve: Outline, body: str, place: Vec) -> Vec:
+        """The tangent of a curve where the body's point is."""
+        _, shape, pose = self._curve(curve)
+        return bend_at(self.scene, shape, pose, self.point(body, place)).tangent
+
+    def _curve(self, outline: Outline) -> tuple[Surface, Curve, Pose]:
+        """The surface of an outline, its curve, and where it is."""
+        surface = self.scene.surfaces[outline.curve]
+        assert isinstance(surface.shape, Curve)
+        return surface, surface.shape, self.displacement.poses.get(surface.body or GROUND, HERE)
+
+    def _sign(self, number: Any) -> int:
+        return 1 if self.positive(number) else -1
+
     def _drawn(self, expr: Any) -> Any:
         return sp.sympify(expr).subs(self.start)
 
@@ -124,7 +147,7 @@ def constraints_of(
     start = start_of(coordinates)
     value = base.extended({s: base(s) for s in start.values() if s.is_Symbol and s in base.values})
     value = value.extended({v: anywhere() for v in start.values() if v.is_Symbol and v not in value.values})
-    poses = GeneralPoses(displacement, start, value, scene.ledger.symbols["t"])
+    poses = GeneralPoses(scene, displacement, start, value, scene.ledger.symbols["t"])
     found: list[Constraint] = []
     for (joint, modes), index in zip(drawn.modes, choice, strict=True):
         if joint.during is not None:
@@ -132,7 +155,7 @@ def constraints_of(
                 found += _residuals(scene, joint, modes[index], poses, value, start, "kept")
             continue
         if not modes[index].parted:
-            found += _kept(drawn, joint, modes[index], poses, value, start)
+            found += _residuals(scene, joint, modes[index], poses, value, start, "loop")
     return tuple(found)
 
 
@@ -143,26 +166,8 @@ def kept_while_held(
     base = drawn.scene.valuations[0]
     start = start_of(coordinates)
     value = base.extended({v: anywhere() for v in start.values() if v.is_Symbol and v not in base.values})
-    poses = GeneralPoses(displacement, start, value, drawn.scene.ledger.symbols["t"])
-    return tuple(_kept(drawn, joint, mode, poses, value, start))
-
-
-def _kept(
-    drawn: Instant,
-    joint: Joint | Load,
-    mode: Mode,
-    poses: GeneralPoses,
-    value: Valuation,
-    start: Mapping[sp.Symbol, sp.Expr],
-) -> Iterator[Constraint]:
-    """The places that a joint keeps; on a curve y(x) or r(theta) exactly, not only near where it is drawn."""
-    curve = curve_under(drawn, joint)
-    if curve is None:
-        yield from _residuals(drawn.scene, joint, mode, poses, value, start, "loop")
-        return
-    expr = _off_curve(drawn, joint, curve, poses)
-    if expr != 0 and not _vanishes(expr, value, start):
-        yield Constraint(expr, f"{joint.name}: stays on {curve.name}", joint.name)
+    poses = GeneralPoses(drawn.scene, displacement, start, value, drawn.scene.ledger.symbols["t"])
+    return tuple(_residuals(drawn.scene, joint, mode, poses, value, start, "loop"))
 
 
 def _residuals(
@@ -181,27 +186,6 @@ def _residuals(
             expr = simplified(part)
             if expr != 0 and expr.free_symbols & set(start) and not _vanishes(expr, value, start):
                 yield Constraint(expr, residual.title, joint.name, kind)
-
-
-def curve_under(drawn: Instant, joint: Joint | Load) -> Surface | None:
-    """The curve y(x) or r(theta) on which a joint slides; its residuals are exact only near the drawn position."""
-    names = [getattr(joint, "along", None), *getattr(joint, "between", ())]
-    for name in (getattr(n, "name", n) for n in names):
-        surface = drawn.scene.surfaces.get(name) if isinstance(name, str) else None
-        if surface is not None and isinstance(surface.shape, Curve):
-            return surface
-    return None
-
-
-def _off_curve(drawn: Instant, joint: Joint | Load, surface: Surface, poses: GeneralPoses) -> sp.Expr:
-    """y - y(x), or r - r(theta), of the sliding point as the body of the curve sees it."""
-    scene = drawn.scene
-    name = getattr(joint, "point", None) or getattr(joint, "at", None)
-    assert name is not None
-    assert isinstance(surface.shape, Curve)
-    place = poses.point(scene.owner(name, surface.body or GROUND), scene.point(name))
-    pose = poses.displacement.poses.get(surface.body or GROUND, HERE)
-    return off_curve(scene, surface.shape, pose, place, lambda e: 1 if poses.positive(e) else -1)
 
 
 def _vanishes(expr: sp.Expr, value: Valuation, start: Mapping[sp.Symbol, sp.Expr]) -> bool:
