@@ -9,8 +9,8 @@ import pytest
 from automata import GRAVITY, Condition, Law, Scene, modes, touching
 
 from planar_cli.integrators.base import Setting
-from planar_cli.motion.automaton import Choice, Regime
-from planar_cli.motion.follow import Always, Follower, Start
+from planar_cli.motion.automaton import Always, Choice, Regime, Start
+from planar_cli.motion.follow import Follower
 from planar_cli.motion.impact import Struck, StruckContact, strike
 from planar_cli.motion.schedule import Crossing, Event, Schedule
 from planar_cli.motion.trajectory import Trajectory

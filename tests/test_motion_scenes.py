@@ -8,7 +8,8 @@ from collections.abc import Mapping
 import pytest
 
 from planar_cli.integrators.base import Setting
-from planar_cli.motion.follow import Follower, Start
+from planar_cli.motion.automaton import Start
+from planar_cli.motion.follow import Follower
 from planar_cli.motion.scene import MovingScene
 from planar_cli.motion.schedule import Schedule
 from planar_cli.motion.stages import SceneStages
@@ -180,3 +181,63 @@ joints:
     found = follow(text, {}, 60.0)
     assert found.at(60.0) == found.at(0.0)
     assert f"{math.sqrt(1 / GRAVITY):.6g} s" in found.notes[0]
+
+
+def test_a_ball_bounces_to_rest_on_the_floor() -> None:
+    text = """
+points: {O: [0, 0], P: [0, 1 m]}
+surfaces: {floor: {through: O, angle: 0 deg}}
+bodies: {ball: {particle: P, mass: 2 kg}}
+joints:
+  - impact: {between: [ball, floor], restitution: 0.5}
+"""
+    found = follow(text, {"ball.x": 0.3}, 3.0)
+    rest = next(x for x in found.transitions if x.kind == "rest")
+    assert rest.t == pytest.approx(1.35457092296, rel=1e-10)
+    assert found.at(3.0) == pytest.approx([0.9, 0.0, 0.3, 0.0], abs=1e-10)
+
+
+def test_a_box_falls_on_its_corner_and_comes_to_lie() -> None:
+    text = """
+points: {O: [0, 0], P: [0, 1 m]}
+surfaces: {floor: {through: O, angle: 0 deg}}
+bodies: {box: {plate: P, width: 0.4 m, height: 0.3 m, angle: 20 deg, mass: 2 kg}}
+joints:
+  - impact: {between: [box, floor], restitution: 0.3, mu: 0.3}
+"""
+    found = follow(text, {"box.x": 0.3}, 3.0)
+    assert found.outcome.kind == "rest"
+    assert found.at(3.0)[1] == pytest.approx(0.15, abs=1e-9)
+    # Weight does no work in impacts: what was lost is the fall and the speed.
+    lost = sum(x.lost for x in found.transitions)
+    braked = 2 * GRAVITY * 0.85 + 0.09 - lost
+    slid = sum(s.regime.energy(s.t0, s.start) - s.regime.energy(s.t1, s.end) for s in found.segments)
+    assert braked == pytest.approx(slid, abs=1e-7)
+
+
+CRADLE = """
+points: {A: [-1 m, 0], B: [0.1 m, 0], C: [%s, 0], P: [-1 m, -0.05 m], Q: [0.1 m, -0.05 m], R: [%s, -0.05 m]}
+surfaces: {table: {through: P, angle: 0 deg}}
+bodies:
+  a: {disk: A, radius: 0.05 m, mass: 2 kg}
+  b: {disk: B, radius: 0.05 m, mass: 2 kg}
+  c: {disk: C, radius: 0.05 m, mass: 2 kg}
+joints:
+  - contact: {between: [a, table], at: P, mu: 0}
+  - contact: {between: [b, table], at: Q, mu: 0}
+  - contact: {between: [c, table], at: R, mu: 0}
+  - impact: {between: [a, b], restitution: 1}
+  - impact: {between: [b, c], restitution: 1}
+"""
+
+
+@pytest.mark.parametrize(
+    ("place", "after", "law"), [("0.2 m", (-1 / 3, 2 / 3, 2 / 3), "at once"), ("0.2001 m", (0, 0, 1), "")]
+)
+def test_balls_in_a_row_strike_at_once_or_one_after_the_other(place: str, after: tuple[float, ...], law: str) -> None:
+    found = follow(CRADLE % (place, place), {"a.x": 1.0}, 3.0)
+    end = found.at(3.0)
+    assert (end[9], end[12], end[15]) == pytest.approx(after, abs=1e-9)
+    impact = next(x for x in found.transitions if x.kind == "impact")
+    assert law in impact.law
+    assert bool(impact.law) == bool(law)

@@ -7,6 +7,7 @@ A regime is one choice of modes with its ordinary differential equations; its gu
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from typing import Protocol
 
 from planar_cli.motion.impact import Struck
@@ -100,7 +101,44 @@ class Automaton(Protocol):
     def note(self, t: float, y: Sequence[float]) -> None:
         """A state has been reached: angles that go on over many turns count from it."""
 
-    def struck(self, choice: Choice, t: float, y: Sequence[float], near: float) -> Struck:
+    def struck(self, choice: Choice, t: float, y: Sequence[float], near: float, forced: bool) -> Struck:
         """What an impact at this moment has to do with: all that holds in this choice, and all that is closer than
-        the part `near` of the scene's length.
+        the part `near` of the scene's length. `forced`: with all that the file lets strike between two states.
         """
+
+
+class Stages(Protocol):
+    """The scene with what acts in it at each stage of the schedule."""
+
+    def automaton(self, reached: Sequence[str]) -> Automaton:
+        """The scene once these states have been reached."""
+
+    def applied(self, after: str, t: float, y: Sequence[float]) -> tuple[float, ...] | None:
+        """The impulses of loads in the blow that ends in the state `after`; None where there are none."""
+
+
+@dataclass(frozen=True, slots=True)
+class Always:
+    """A scene in which everything acts all the time."""
+
+    scene: Automaton
+
+    def automaton(self, reached: Sequence[str]) -> Automaton:
+        """The same always."""
+        return self.scene
+
+    def applied(self, after: str, t: float, y: Sequence[float]) -> tuple[float, ...] | None:
+        """None."""
+        return None
+
+
+@dataclass(frozen=True, slots=True)
+class Start:
+    """Where a motion begins."""
+
+    t: float
+    """When [s]."""
+    y: tuple[float, ...]
+    """The state."""
+    choice: Choice | None = None
+    """The modes to begin the search with; None: the natural ones."""

@@ -8,10 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Protocol
 
 from planar_cli.integrators.base import Setting, Step, StepTooSmall
-from planar_cli.motion.automaton import Automaton, Choice, Regime
+from planar_cli.motion.automaton import Automaton, Choice, Regime, Stages, Start
 from planar_cli.motion.balance import ALLOWED, balance_of
 from planar_cli.motion.crossings import BAND, Watch
 from planar_cli.motion.drive import AUTOMATIC, Run, drive
@@ -36,43 +35,6 @@ LEAST_ALLOWED = 1e-7
 """Balances of energy are asked for to this part of their scale at most."""
 UNSTEADY_STEPS = 256
 """At rest under loads that vary in time, the time is cut at least into so many steps."""
-
-
-class Stages(Protocol):
-    """The scene with what acts in it at each stage of the schedule."""
-
-    def automaton(self, reached: Sequence[str]) -> Automaton:
-        """The scene once these states have been reached."""
-
-    def applied(self, after: str, t: float, y: Sequence[float]) -> tuple[float, ...] | None:
-        """The impulses of loads in the blow that ends in the state `after`; None where there are none."""
-
-
-@dataclass(frozen=True, slots=True)
-class Always:
-    """A scene in which everything acts all the time."""
-
-    scene: Automaton
-
-    def automaton(self, reached: Sequence[str]) -> Automaton:
-        """The same always."""
-        return self.scene
-
-    def applied(self, after: str, t: float, y: Sequence[float]) -> tuple[float, ...] | None:
-        """None."""
-        return None
-
-
-@dataclass(frozen=True, slots=True)
-class Start:
-    """Where a motion begins."""
-
-    t: float
-    """When [s]."""
-    y: tuple[float, ...]
-    """The state."""
-    choice: Choice | None = None
-    """The modes to begin the search with; None: the natural ones."""
 
 
 Progress = Callable[[float], None]
@@ -141,21 +103,28 @@ class Follower:
     def _blow(self, state: str) -> bool:
         """What strikes, takes hold or lets go when a state has been reached; False where nothing does."""
         follower = self.waiting.just_after(state)
-        names = [*self.waiting.names, *((follower.name,) if follower is not None else ())]
-        automaton = self.stages.automaton(tuple(names))
-        changed = automaton is not self.automaton
-        if changed:
-            old = dict(zip(self.automaton.choices, self.choice, strict=True))
-            self.choice = tuple(old.get(joint, 0) for joint in automaton.choices)
-            self.automaton = automaton
-        if follower is None and not changed:
+        changed = self._act(self.waiting.names)
+        if follower is None:
+            if changed:
+                self._settle(f"the state {state}", striking=True)
+            return changed
+        applied = self.stages.applied(follower.name, self.t, self.y)
+        self._settle(f"the state {follower.name}", applied=applied, striking=True, blow=True)
+        if self.outcome is not None:
+            return True
+        self.waiting.arrive(follower, self.t, self.y, self.choice, len(self.segments))
+        if not self._blow(follower.name):
+            self._settle(f"after the state {follower.name}")
+        return True
+
+    def _act(self, reached: Sequence[str]) -> bool:
+        """Let act what acts once these states have been reached; True where that changes."""
+        automaton = self.stages.automaton(reached)
+        if automaton is self.automaton:
             return False
-        applied = self.stages.applied(follower.name, self.t, self.y) if follower is not None else None
-        words = f"the state {follower.name} follows" if follower is not None else f"after the state {state}"
-        self._settle(words, applied=applied, striking=True)
-        if follower is not None and self.outcome is None:
-            self.waiting.arrive(follower, self.t, self.y, self.choice, len(self.segments))
-            self._blow(follower.name)
+        old = dict(zip(self.automaton.choices, self.choice, strict=True))
+        self.choice = tuple(old.get(joint, 0) for joint in automaton.choices)
+        self.automaton = automaton
         return True
 
     # --- one segment -------------------------------------------------------------------------------------------------
@@ -336,8 +305,9 @@ class Follower:
         applied: tuple[float, ...] | None = None,
         striking: bool = False,
         inelastic: bool = False,
+        blow: bool = False,
     ) -> None:
-        """Impacts and the choice of modes at this instant."""
+        """Impacts and the choice of modes at this instant; `blow`: what the file puts between two states."""
         self.at_once += 1
         if self.at_once > MOST_AT_ONCE or len(self.transitions) > MOST_IMPACTS:
             told = f"at t = {self.t:.9g} s the modes change without end: {words}"
@@ -353,6 +323,8 @@ class Follower:
             inelastic=inelastic,
             applied=applied,
             striking=striking or inelastic,
+            forced=blow,
+            lasting=not blow,
         )
         found = resolve(moment)
         if isinstance(found, Resolved):

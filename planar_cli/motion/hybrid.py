@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 
 from planar_cli.joints.base import Joint
 from planar_cli.motion.constraints import Constraint, of_places, of_velocities
+from planar_cli.motion.encounters import Encounter, encounters_of
 from planar_cli.motion.guards import Measured, speed_of
 from planar_cli.motion.held import Held
 from planar_cli.motion.model import Member, Model, always
@@ -37,7 +38,23 @@ class HybridModel(Model):
         super().__init__(scene, acts)
         for name, modes in self.modes.items():
             self.modes[name] = tuple(self._carried(m) if m.name == "tip" else m for m in modes)
-        self.choices = {name: self.modes[name] for name in self.choices}
+        self.impacts = [j for j in self.joints if j.strikes]
+        """The impacts of the file that may happen now."""
+        self.joints = [j for j in self.joints if not j.strikes]
+        for impact in self.impacts:
+            del self.modes[impact.name]
+        contacts = {frozenset(_partners(j)) for j in self.joints if any(m.parted for m in self.modes[j.name])}
+        apart = [j for j in self.impacts if frozenset(_partners(j)) not in contacts]
+        self.encounters = encounters_of(scene, apart)
+        """The contacts that impacts make, where no joint is one already, by the impact's name."""
+        for encounter in (e for found in self.encounters.values() for e in found):
+            self.joints.append(encounter)
+            self.modes[encounter.name] = encounter.modes(scene)
+        self.choices = {name: modes for name, modes in self.modes.items() if len(modes) > 1}
+
+    def gap(self, joint: Joint, mode: Mode) -> Term:
+        """How far apart the partners are."""
+        return joint.distance if isinstance(joint, Encounter) else super().gap(joint, mode)
 
     def _measured(self, indices: Mapping[str, int]) -> tuple[Measured, ...]:
         """Of a face that is apart both ends are watched."""
@@ -87,15 +104,33 @@ class HybridModel(Model):
 
     def _hold(self, joint: Joint, mode: Mode) -> Held:
         held = super()._hold(joint, mode)
+        if not self._sticks(joint, mode):
+            return held
         sliding = self._sliding_mode(joint, mode)
         if sliding is None:
-            return held
+            return replace(held, constraints=self._together(joint, mode))
         return replace(held, constraints=self._sticking(joint, mode, sliding))
 
+    def _sticks(self, joint: Joint, mode: Mode) -> bool:
+        """Does it hold what slides in another mode?"""
+        others = self.modes[joint.name]
+        slides = any(m.direction or m.facts.skids for m in others)
+        return slides and not mode.direction and not mode.facts.skids and not mode.parted and mode.sliding is not None
+
+    def _together(self, joint: Joint, mode: Mode) -> tuple[Constraint, ...]:
+        """Bodies that move as one from where they are."""
+        graph, scene = self.graph, self.scene
+        found: list[Constraint] = []
+        for joining in mode.facts.joinings:
+            apart = scene.velocity(joining.point, joining.mover) - scene.velocity(joining.point, joining.base)
+            terms = [graph.of(apart.x), graph.of(apart.y)]
+            if not joining.turns and scene.rigid(joining.mover):
+                terms.append(graph.of(scene.turn(joining.mover) - scene.turn(joining.base)))
+            found += [replace(of_velocities(self.layout, mode.words, t), joint=joint.name) for t in terms]
+        return tuple(found)
+
     def _sliding_mode(self, joint: Joint, mode: Mode) -> Mode | None:
-        """The mode in which a joint slides that sticks in this one, at the same place; None where it does not stick."""
-        if mode.direction or mode.parted or not mode.facts.joinings or len(self.modes[joint.name]) == 1:
-            return None
+        """The mode in which it slides that sticks in this one, at the same place."""
         place = mode.facts.pushes[0].actions[0].point if mode.facts.pushes else None
         for other in self.modes[joint.name]:
             same = bool(other.facts.pushes) and other.facts.pushes[0].actions[0].point == place
@@ -111,3 +146,8 @@ class HybridModel(Model):
         speed = speed_of(self.graph, self.scene, mode.sliding)
         along = of_velocities(self.layout, mode.sliding.title, speed)
         return (*across, replace(along, joint=joint.name))
+
+
+def _partners(joint: Joint) -> tuple[str, ...]:
+    found: tuple[str, ...] = getattr(joint, "between", ())
+    return found

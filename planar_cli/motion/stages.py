@@ -4,20 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
-from typing import cast
 
-from planar_cli.motion.automaton import Choice
+from planar_cli.motion.automaton import Choice, Start
 from planar_cli.motion.constraints import Constraint
 from planar_cli.motion.hybrid import HybridModel
 from planar_cli.motion.impact import Struck
-from planar_cli.motion.model import Member
+from planar_cli.motion.model import Member, Model
 from planar_cli.motion.regime import Regime
 from planar_cli.motion.scene import MovingScene
 from planar_cli.motion.source import Code, compiled
+from planar_cli.motion.start import start_of
 from planar_cli.motion.struck import Strikes, strikes_of
 from planar_cli.motion.terms import Term, ordered
 from planar_cli.problem.facts import Mode
-from planar_cli.problem.setting import StruckSetting
 
 
 class SceneAutomaton:
@@ -73,9 +72,9 @@ class SceneAutomaton:
         """Angles that go on over many turns and directions of sliding count from this state."""
         self.model.note(t, y)
 
-    def struck(self, choice: Choice, t: float, y: Sequence[float], near: float) -> Struck:
+    def struck(self, choice: Choice, t: float, y: Sequence[float], near: float, forced: bool) -> Struck:
         """The scene at the moment of an impact."""
-        return self.strikes.at(choice, t, y, near)
+        return self.strikes.at(choice, t, y, near, forced)
 
     def _misses(self, choice: Choice) -> tuple[list[str], list[float], Code]:
         """Residuals of places and velocities, with their joints and sizes."""
@@ -120,9 +119,22 @@ class SceneStages:
         """The scene once these states have been reached."""
         acting = tuple(self._acts(m, reached) for m in self.passing)
         if acting not in self._made:
-            idle = [m for m, acts in zip(self.passing, acting, strict=True) if not acts]
+            idle = self._idle(reached)
             self._made[acting] = SceneAutomaton(HybridModel(self.scene, lambda m: m not in idle))
         return self._made[acting]
+
+    def start(self) -> Start:
+        """Where the motion begins, by the first state or the instant of the file."""
+        found = start_of(Model(self.scene, lambda m: m not in self._idle((self._first(),))))
+        return Start(found.time, found.state)
+
+    def _first(self) -> str:
+        """The first state's name."""
+        states = self.scene.problem.states
+        return states[0].name if states else ""
+
+    def _idle(self, reached: Sequence[str]) -> list[Member]:
+        return [m for m in self.passing if not self._acts(m, reached)]
 
     def applied(self, after: str, t: float, y: Sequence[float]) -> tuple[float, ...] | None:
         """The impulses of the loads that strike before the state `after`."""
@@ -130,9 +142,7 @@ class SceneStages:
         if not loads:
             return None
         layout = self.automaton(()).model.layout
-        # They ask where they strike, and nothing of what arrives there.
-        scene = cast("StruckSetting", self.scene)
-        column = layout.of_actions(w for x in loads for w in x.impulses(scene))
+        column = layout.of_actions(w for x in loads for w in x.impulses(self.scene))
         numbers = compiled(list(column.values()), layout.state, layout.time).function(t, y)
         total = [0.0] * layout.count
         for i, x in zip(column, numbers, strict=True):

@@ -13,6 +13,7 @@ from dataclasses import dataclass, field, replace
 from planar_cli.joints.base import Joint
 from planar_cli.motion.automaton import Choice
 from planar_cli.motion.constraints import Constraint
+from planar_cli.motion.encounters import Encounter, friction_of, restitution_of
 from planar_cli.motion.hybrid import HybridModel
 from planar_cli.motion.impact import Bond, Struck, StruckContact
 from planar_cli.motion.layout import Column
@@ -43,6 +44,8 @@ class Direction:
     """How far the partners are apart [m]; None: they always touch."""
     holding: frozenset[int]
     """The modes of the joint, by index, in which they touch."""
+    forced: bool = False
+    """Does it strike whatever the distance, between the states that the file names?"""
 
 
 @dataclass(slots=True)
@@ -53,8 +56,10 @@ class Strikes:
     directions: tuple[Direction, ...]
     _codes: dict[Choice, Code] = field(default_factory=dict)
 
-    def at(self, choice: Choice, t: float, y: Sequence[float], near: float) -> Struck:
-        """The scene at this moment. `near`: partners closer than this part of its length touch."""
+    def at(self, choice: Choice, t: float, y: Sequence[float], near: float, forced: bool = False) -> Struck:
+        """The scene at this moment. `near`: partners closer than this part of its length touch. `forced`: between
+        states that the file names.
+        """
         layout = self.model.layout
         bonds = self._bonds(choice)
         if choice not in self._codes:
@@ -76,7 +81,7 @@ class Strikes:
             tangent = None if d.tangent is None else self._row(numbers, d.tangent)
             belt, mu, restitution = next(numbers), next(numbers), next(numbers)
             gap = None if d.gap is None else next(numbers)
-            touches = gap is None or abs(gap) <= max(NEAR, near) * self.model.scales.length
+            touches = gap is None or abs(gap) <= max(NEAR, near) * self.model.scales.length or (d.forced and forced)
             if indices.get(d.joint, 0) in d.holding or touches:
                 contacts.append(StruckContact(d.joint, normal, 0.0, tangent, belt, restitution, mu))
         speeds = tuple(self.model.scale[layout.count :])
@@ -118,8 +123,10 @@ def strikes_of(model: HybridModel) -> Strikes:
     found: list[Direction] = []
     for joint in model.joints:
         modes = model.modes[joint.name]
-        if any(m.parted for m in modes):
-            found += _pressing(model, joint, modes)
+        if isinstance(joint, Encounter):
+            found.append(_meeting(model, joint, modes))
+        elif any(m.parted for m in modes):
+            found += [_with_impact(model, joint, d) for d in _pressing(model, joint, modes)]
     return Strikes(model, tuple(found))
 
 
@@ -137,6 +144,25 @@ def _pressing(model: HybridModel, joint: Joint, modes: Sequence[Mode]) -> list[D
         own = _direction(model, joint, modes, [modes[i] for i in end.tipping])
         found.append(replace(own, gap=end.gap, holding=frozenset({*end.tipping, *flush})))
     return found
+
+
+def _meeting(model: HybridModel, joint: Encounter, modes: Sequence[Mode]) -> Direction:
+    """The direction of an impact."""
+    found = _direction(model, joint, modes, [m for m in modes if not m.parted])
+    return replace(found, gap=joint.distance, restitution=joint.restitution, mu=joint.mu, forced=joint.forced)
+
+
+def _with_impact(model: HybridModel, joint: Joint, direction: Direction) -> Direction:
+    """A contact between the partners of an impact has its restitution, and its friction if that has one."""
+    partners = set(getattr(joint, "between", ()))
+    for impact in model.impacts:
+        if partners and set(getattr(impact, "between", ())) == partners:
+            found = replace(
+                direction, restitution=restitution_of(model.scene, impact), forced=impact.during is not None
+            )
+            mu = friction_of(model.scene, impact)
+            return replace(found, mu=mu) if direction.tangent is not None and mu.value else found
+    return direction
 
 
 def _direction(model: HybridModel, joint: Joint, modes: Sequence[Mode], pressing: Sequence[Mode]) -> Direction:

@@ -56,6 +56,10 @@ class Moment:
     """Do the partners stay together, whatever their restitution: the limit of a sequence of impacts."""
     applied: tuple[float, ...] | None = None
     """Impulses of loads at this instant."""
+    forced: bool = False
+    """Does everything strike that the file lets strike between two states?"""
+    lasting: bool = True
+    """Is a choice of modes sought for what follows?"""
     striking: bool = False
     """Must an impact be worked out even where nothing closes: a load strikes, a joint takes hold?"""
 
@@ -66,11 +70,15 @@ def resolve(moment: Moment) -> Resolved | Outcome:
     notes: list[str] = []
     y, choice = moment.y, moment.choice
     for count in range(MOST_IMPACTS):
-        struck = moment.automaton.struck(choice, moment.t, y, max(1e-9, 10 * moment.tolerance))
+        struck = moment.automaton.struck(
+            choice, moment.t, y, max(1e-9, 10 * moment.tolerance), moment.forced and count == 0
+        )
         first = count == 0
         if first and moment.applied is not None:
             struck = replace(struck, applied=moment.applied)
         if not (first and moment.striking) and not _closes(struck, moment.tolerance):
+            if not moment.lasting:
+                return Resolved(choice, y, tuple(done), 0, tuple(notes))
             return _chosen(moment, y, choice, done, notes)
         hit = _impact(moment, struck, y, choice)
         if isinstance(hit, Outcome):
@@ -97,6 +105,10 @@ def _slow(struck: Struck, contact: StruckContact, tolerance: float) -> float:
 def _impact(moment: Moment, struck: Struck, y: tuple[float, ...], choice: Choice) -> tuple[Transition, str] | Outcome:
     if moment.inelastic:
         struck = replace(struck, contacts=tuple(replace(c, restitution=0.0) for c in struck.contacts))
+    if any(c.restitution != c.restitution for c in struck.contacts):
+        joint = next(c.joint for c in struck.contacts if c.restitution != c.restitution)
+        words = f"what follows the impact at t = {moment.t:.9g} s is open: {joint} has no restitution"
+        return Outcome("open", words, moment.t, joint, "PL706")
     try:
         found = strike(struck)
     except Contradiction as clash:

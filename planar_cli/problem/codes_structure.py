@@ -136,7 +136,8 @@ _NAMES = {
     "PL432": "stick, slip, apart, tip, taut and slack are compared with a mode: `mode(C) = stick`.",
     "PL433": (
         "Impacts and impulses take no time. They act between two states, `during: 1->2`, of which the second "
-        "is `just after` the first. A force that acts for some time is a `force` with `during`."
+        "is `just after` the first. A force that acts for some time is a `force` with `during`. In a file that asks "
+        "nothing an impact may leave `during` out: it happens whenever the bodies meet."
     ),
     "PL434": "A span runs from one state to another.",
     "PL435": "In a file with states the time of one of them is `t @ 2`.",

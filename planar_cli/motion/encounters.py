@@ -1,0 +1,132 @@
+"""Bodies that an impact joint lets strike each other: apart until the distance closes, and in contact where they stay.
+
+Every way in which their outlines may meet is a contact of its own, with the restitution and the friction of the impact.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Any, ClassVar
+
+from planar_cli.joints.base import Joint
+from planar_cli.motion.gaps import Gap
+from planar_cli.motion.scene import MovingScene
+from planar_cli.motion.terms import Term
+from planar_cli.problem.facts import Action, Anchor, Facts, Law, Mode, Pull, Push, Row, Test
+from planar_cli.problem.residuals import Residual
+from planar_cli.problem.setting import Setting
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Encounter(Joint):
+    """One way in which the partners of an impact may touch."""
+
+    kind: ClassVar[str] = "encounter"
+
+    impact: str
+    """The impact's name."""
+    gap: Gap
+    """How far they are apart, and where they would touch."""
+    restitution: Term
+    """e; nan where the file leaves it open."""
+    mu: Term
+    """The coefficient of friction; 0 where it is smooth."""
+    forced: bool
+    """Does it strike whatever the distance, between the states that the file names?"""
+
+    @property
+    def distance(self) -> Term:
+        """How far they are apart; positive too where the foot is outside the edge [m]."""
+        found = self.gap.distance
+        for inside in self.gap.within:
+            found = (found - inside + found.graph.call("abs", found + inside)) * 0.5
+        return found
+
+    @property
+    def smooth(self) -> bool:
+        """Is there no friction?"""
+        return self.mu.constant and self.mu.value == 0
+
+    def modes(self, scene: Setting) -> tuple[Mode, ...]:
+        """Apart first; then in contact, sticking or slipping where it is rough."""
+        words = f"{self.gap.second} on {self.gap.first}"
+        across, sliding = self._row(self.gap.normal, "apart"), self._row(self.gap.normal.turned(), "sliding")
+        parts = Test(self.name, f"{words}: apart", row=across)
+        apart = Mode("apart", f"{words}: apart", Facts(), (parts,), touching=Facts(rows=(across,)))
+        normal = self._push("N", "normal", self.gap.normal)
+        pressed = Test(self.name, f"{words}: pressing", ((normal.name, 1),))
+        if self.smooth:
+            return (apart, Mode("slip", f"{words}: in contact", Facts(pushes=(normal,)), (pressed,)))
+        friction = self._push("F", "friction", self.gap.normal.turned())
+        pushes = (normal, friction)
+        within = tuple(
+            Test(self.name, f"{words}: friction within its limit", ((normal.name, self.mu), (friction.name, s)))
+            for s in (-1, 1)
+        )
+        found = [apart, Mode("stick", f"{words}: sticking", Facts(pushes=pushes), (pressed, *within), sliding)]
+        for direction in (1, -1):
+            moves = Test(self.name, f"{words}: slipping as assumed", row=sliding, sense=direction, strict=True)
+            facts = Facts(pushes=pushes, laws=(Law(friction.name, -direction * self.mu, normal.name),))
+            found.append(Mode("slip", f"{words}: slipping", facts, (pressed, moves), sliding, direction))
+        return tuple(found)
+
+    def residuals(self, scene: Setting, mode: Mode) -> tuple[Residual, ...]:
+        """The distance stays zero where they are in contact."""
+        if mode.name == "apart":
+            return ()
+        return (Residual(f"{self.impact}: distance", lambda poses: self.gap.distance),)
+
+    def _push(self, stem: str, kind: str, along: Any) -> Push:
+        actions = (
+            Action(self.gap.second, self.gap.point, along),
+            Action(self.gap.first, self.gap.point, -along),
+        )
+        return Push(f"{stem}_{self.name}", kind, self.name, self.name, actions)
+
+    def _row(self, along: Any, title: str) -> Row:
+        pulls = (
+            Pull(Anchor(self.gap.second, self.gap.point), along),
+            Pull(Anchor(self.gap.first, self.gap.point), -along),
+        )
+        return Row(self.name, f"{self.impact}: {title}", pulls)
+
+
+def encounters_of(scene: MovingScene, joints: Sequence[Joint]) -> dict[str, tuple[Encounter, ...]]:
+    """The encounters of every impact among the joints, by its name."""
+    found: dict[str, tuple[Encounter, ...]] = {}
+    for joint in joints:
+        if not joint.strikes:
+            continue
+        gaps = scene.gaps(joint)
+        one = [_encounter(scene, joint, gap) for gap in gaps]
+        if len(one) > 1:
+            one = [replace(e, name=f"{joint.name}_{k + 1}") for k, e in enumerate(one)]
+        found[joint.name] = tuple(one)
+    return found
+
+
+def restitution_of(scene: MovingScene, joint: Joint) -> Term:
+    """e of an impact."""
+    side = getattr(joint, "restitution", None)
+    return scene.graph.number(math.nan) if side is None else scene.value(side)
+
+
+def friction_of(scene: MovingScene, joint: Joint) -> Term:
+    """The coefficient of friction of an impact; 0 where it has none."""
+    side = getattr(joint, "mu", None)
+    return scene.graph.number(0.0) if side is None else scene.value(side)
+
+
+def _encounter(scene: MovingScene, joint: Joint, gap: Gap) -> Encounter:
+    return Encounter(
+        name=joint.name,
+        during=joint.during,
+        mark=joint.mark,
+        impact=joint.name,
+        gap=gap,
+        restitution=restitution_of(scene, joint),
+        mu=friction_of(scene, joint),
+        forced=joint.during is not None,
+    )
