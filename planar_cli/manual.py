@@ -80,12 +80,13 @@ def explanation(topic: str) -> str:
 def codes() -> dict[str, str]:
     """Every diagnostic code with its explanation."""
     from planar_cli.problem.codes import CODES
+    from planar_cli.problem.codes_engine import CODES_ENGINE
     from planar_cli.problem.codes_motion import CODES_MOTION
     from planar_cli.problem.codes_scene import CODES_SCENE
     from planar_cli.problem.codes_solve import CODES_SOLVE
     from planar_cli.problem.codes_structure import CODES_STRUCTURE
 
-    return {**CODES, **CODES_STRUCTURE, **CODES_SCENE, **CODES_SOLVE, **CODES_MOTION}
+    return {**CODES, **CODES_STRUCTURE, **CODES_SCENE, **CODES_SOLVE, **CODES_MOTION, **CODES_ENGINE}
 
 
 def kind_page(shelf: str, kind: str) -> str:
