@@ -5,56 +5,56 @@ from __future__ import annotations
 from collections.abc import Mapping
 from types import MappingProxyType
 
-CODES_ENGINE: Mapping[str, str] = MappingProxyType(
-    {
-        "PL700": (
-            "At this moment no choice of modes (stick, slip, apart, tip, taut, slack) goes on without contradiction, or no "
-            "impulses fulfil the laws of an impact. Rigid bodies with large dry friction can jam so: a rod pushed along a "
-            "floor against its slant (Painlevé). Real bodies yield a little. Make the coefficient of friction smaller, or "
-            "let a spring take the load."
-        ),
-        "PL701": (
-            "At this moment more than one motion is consistent with rigid bodies and dry friction, or an impact with "
-            "friction has several outcomes; nothing in the file chooses one. It happens only with friction. Make the "
-            "coefficient smaller, or begin from another state."
-        ),
-        "PL702": (
-            "At this place the equations of motion do not determine the accelerations: a singular position, in which a "
-            "mechanism may go on in several ways, or a body without mass that nothing holds. Begin beside it, or give the "
-            "body a mass."
-        ),
-        "PL703": (
-            "The steps of the integration became too small to make progress, or too many. A force grows without bound, a "
-            "mass vanishes, or the scene is stiff beyond the method that was chosen: leave `--integrator` out."
-        ),
-        "PL704": (
-            "A motion is followed from a state in which all places and velocities are known. Say in the first state what "
-            "is missing: `at rest`, or the velocities of the bodies that are free to move."
-        ),
-        "PL705": (
-            "A motion is followed in numbers, so that every letter needs one: move it from `symbols` or `unknowns` to "
-            "`given`."
-        ),
-        "PL706": (
-            "Bodies strike each other, and what follows is open, because the impact has no coefficient of restitution. "
-            "Write `restitution: 0.5`."
-        ),
-        "PL707": (
-            "How far these two bodies are apart cannot be followed over time: their outlines can meet in ways that are "
-            "not told apart. Let one of them be a particle, a disk or a surface."
-        ),
-        "PL708": (
-            "Joints or drives that act from this moment on demand velocities that contradict each other. Let only one of "
-            "them act, with `during`, or change what the file prescribes."
-        ),
-        "PL709": (
-            "Impacts or changes of mode follow each other without end at one moment. Contacts whose restitution is 1 "
-            "between bodies that are pressed together do that; give them a smaller one."
-        ),
-        "PL710": (
-            "Energy does not add up over a part of the motion, much more than the tolerance explains: what was computed "
-            "is not shown. Ask for a smaller `--tolerance`; if that does not help, it is a fault of the program: please "
-            "report it with the file."
-        ),
-    }
-)
+_ENGINE = {
+    "PL700": (
+        "At this moment no choice of modes (stick, slip, apart, tip, taut, slack) goes on without contradiction, or "
+        "no impulses fulfil the laws of an impact. Rigid bodies with large dry friction can jam so: a rod pushed "
+        "along a floor against its slant (Painlevé). Real bodies yield a little. Make the coefficient of friction "
+        "smaller, or let a spring take the load."
+    ),
+    "PL701": (
+        "At this moment more than one motion is consistent with rigid bodies and dry friction, or an impact with "
+        "friction has several outcomes; nothing in the file chooses one. It happens only with friction. Make the "
+        "coefficient smaller, or begin from another state."
+    ),
+    "PL702": (
+        "At this place the equations of motion do not determine the accelerations: a singular position, in which a "
+        "mechanism may go on in several ways, or a body without mass that nothing holds. Begin beside it, or give "
+        "the body a mass."
+    ),
+    "PL703": (
+        "The steps of the integration became too small to make progress, or too many. A force grows without bound, "
+        "a mass vanishes, or the scene is stiff beyond the method that was chosen: leave `--integrator` out."
+    ),
+    "PL704": (
+        "A motion is followed from a state in which all places and velocities are known. Say in the first state "
+        "what is missing: `at rest`, or the velocities of the bodies that are free to move."
+    ),
+    "PL705": (
+        "A motion is followed in numbers, so that every letter needs one: move it from `symbols` or `unknowns` to "
+        "`given`."
+    ),
+    "PL706": (
+        "Bodies strike each other, and what follows is open, because the impact has no coefficient of restitution. "
+        "Write `restitution: 0.5`."
+    ),
+    "PL707": (
+        "How far these two bodies are apart cannot be followed over time: their outlines can meet in ways that are "
+        "not told apart. Let one of them be a particle, a disk or a surface."
+    ),
+    "PL708": (
+        "Joints or drives that act from this moment on demand velocities that contradict each other. Let only one "
+        "of them act, with `during`, or change what the file prescribes."
+    ),
+    "PL709": (
+        "Impacts or changes of mode follow each other without end at one moment. Contacts whose restitution is 1 "
+        "between bodies that are pressed together do that; give them a smaller one."
+    ),
+    "PL710": (
+        "Energy does not add up over a part of the motion, much more than the tolerance explains: what was computed "
+        "is not shown. Ask for a smaller `--tolerance`; if that does not help, it is a fault of the program: please "
+        "report it with the file."
+    ),
+}
+
+CODES_ENGINE: Mapping[str, str] = MappingProxyType(_ENGINE)
