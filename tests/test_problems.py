@@ -43,7 +43,7 @@ def equations_text(solution: Solution) -> str:
 
 def between_text(part: PartSolution) -> list[str]:
     """The equations between states on which the answers of a motion rest."""
-    if part.motion is None or part.motion.route is None:
+    if part.motion is None:
         return []
     equations = [e for step in part.motion.route.steps if not step.is_datum for e in step.relations]
     return [f"  {e.kind} {e.since or ''}->{e.stop}: {e.words}: {e.residual} = 0" for e in equations]

@@ -13,8 +13,6 @@ STEP_DIGITS = 12
 
 def motion_steps(case: str, found: MotionTrace) -> list[dict[str, Any]]:
     """Every relation between states that the solution uses, and every letter that it gives."""
-    if found.route is None:
-        return []
     steps: list[dict[str, Any]] = []
     for step in found.route.steps:
         steps += [{"case": case, "stage": "motion", **_relation(e)} for e in step.relations]

@@ -50,7 +50,7 @@ class MotionTelling:
         if not body:
             return []
         route = self.found.route
-        timed = route is None or any(e.law is not None for leg in route.steps for e in leg.relations)
+        timed = any(e.law is not None for leg in route.steps for e in leg.relations)
         title = "Motion over time" if timed or self.found.spans or self.found.passing else "From state to state"
         return [Heading(f"STEP {step}", title, self._states()), *body]
 
@@ -60,8 +60,7 @@ class MotionTelling:
 
     def _body(self) -> Iterator[Block]:
         yield from self._turnings()
-        if self.found.route is not None:
-            yield from self._route(self.found.route)
+        yield from self._route(self.found.route)
         yield from self._asked()
         for name, route in self.found.passing.items():
             if any(not leg.is_datum for leg in route.steps):
@@ -74,7 +73,7 @@ class MotionTelling:
 
     def _asked(self) -> Iterator[Block]:
         """What is asked in the letters of its states, where it is more than a letter."""
-        zeros = {} if self.found.route is None else {s: f for s, f in self.found.route.formulas.items() if f == 0}
+        zeros = {s: f for s, f in self.found.route.formulas.items() if f == 0}
         told = False
         for asked in self.found.requests:
             name = asked.find.name
@@ -317,7 +316,6 @@ class MotionTelling:
 
     def _longest(self, r: Result) -> int:
         """A formula out of a balance that was just printed is told only where it is short."""
-        assert self.found.route is not None
         legs = (leg for leg in self.found.route.steps if r in leg.results)
         balance = any(e.source is not None for leg in legs for e in leg.relations)
         return SHORT if balance and not self.phrases.symbolic else LONGEST

@@ -72,5 +72,5 @@ def _effort(part: PartSolution) -> tuple[int, int]:
     blocks = [b for i in heard for s in used_blocks(i.stages, part.motion.regime(i).wanted) for b in s.blocks]
     sizes = [len(b.equations) for b in blocks]
     route = part.motion.route
-    sizes += [len(step.relations) for step in route.steps if not step.is_datum] if route is not None else []
+    sizes += [len(step.relations) for step in route.steps if not step.is_datum]
     return sum(sizes), max(sizes, default=0)

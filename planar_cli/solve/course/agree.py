@@ -17,14 +17,14 @@ from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.solve.course.events import LOOKS
 from planar_cli.solve.course.regime import Regime
 from planar_cli.solve.course.simulate import Followed
-from planar_cli.solve.course.unfolded import Unfolded
+from planar_cli.solve.course.solved_motion import SolvedMotion
 from planar_cli.solve.verify import Disagreement
 
 NEEDED = 6
 FULL = 50
 
 
-def compared(found: Unfolded) -> tuple[str, ...]:
+def compared(found: SolvedMotion) -> tuple[str, ...]:
     """What agrees, in phrases. Disagreement: two roads to the same motion differ."""
     phrases = []
     if found.followed is not None and found.followed.values:
@@ -46,7 +46,7 @@ def balanced(regimes: Iterable[Regime]) -> tuple[str, ...]:
     return (f"the balance of energy gives the same equation of motion, to {min(powers)} digits",)
 
 
-def followed_digits(found: Unfolded, followed: Followed) -> int | None:
+def followed_digits(found: SolvedMotion, followed: Followed) -> int | None:
     """To how many digits the letters of all states agree, measured by the largest of the same dimension on the way."""
     worst: float | None = None
     sizes: dict[str, float] = {}

@@ -18,9 +18,9 @@ from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.equation.sample import anywhere
 from planar_cli.errors import NOWHERE, Diagnostic, Mark, NoSolution, Undecided
 from planar_cli.problem.scene import Problem
+from planar_cli.solve.course.asked_finds import AskedFind, asked_letters
 from planar_cli.solve.course.equations import Equation
 from planar_cli.solve.course.events import Leg, events, is_zero, scale_of
-from planar_cli.solve.course.finds import FindReader
 from planar_cli.solve.course.motion_equations import MotionEquations
 from planar_cli.solve.course.plot import Span, Workshop, fixed_time
 from planar_cli.solve.course.reached import asked_about
@@ -122,9 +122,9 @@ def _open_impact(course: StatedMotion, loose: Collection[sp.Symbol]) -> NoSoluti
     return None
 
 
-def demand_told(course: MotionEquations, finds: FindReader, told: Collection[sp.Symbol]) -> None:
+def demand_told(course: MotionEquations, finds: tuple[AskedFind, ...], told: Collection[sp.Symbol]) -> None:
     """NoSolution: letters that are asked for are not told, because a datum is missing."""
-    letters = {s for a in finds.asked for p in a.parts for s in finds.settled(a, p).free_symbols}
+    letters = asked_letters(finds)
     if letters & course.chain().unknowns - set(told):
         wrong = missing(course)
         if wrong is not None:

@@ -15,7 +15,7 @@ from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.equation.motion import Twist
 from planar_cli.problem.geometry import Vec
 from planar_cli.solve.course.blow import Blow
-from planar_cli.solve.course.unfolded import Unfolded
+from planar_cli.solve.course.solved_motion import SolvedMotion
 from planar_cli.solve.instant import Trial
 from planar_cli.solve.verify import Disagreement
 from planar_cli.solve.worked import unknowns_of
@@ -24,7 +24,7 @@ NEEDED, FULL, MOST_CHOICES = 6, 50, 60
 SAME = Decimal("1e-12")
 
 
-def blow_checks(found: Unfolded) -> Iterator[str]:
+def blow_checks(found: SolvedMotion) -> Iterator[str]:
     """What is said of the blows of a motion, in phrases. Disagreement: the roads differ."""
     for blow in found.course.blows.values():
         try:

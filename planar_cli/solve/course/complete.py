@@ -12,12 +12,12 @@ from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.solve.course.chain import Branch
 from planar_cli.solve.course.oscillation import check_oscillations, placed
 from planar_cli.solve.course.over_spans import solve_spans
-from planar_cli.solve.course.unfolded import Unfolded
+from planar_cli.solve.course.solved_motion import SolvedMotion
 
 AGREE = Decimal("1e-9")
 
 
-def completed(found: Unfolded) -> Unfolded:
+def completed(found: SolvedMotion) -> SolvedMotion:
     """The branch with the equilibrium states in it, and whatever is asked about states."""
     course, branch = found.course, found.branch
     still = course.still.branch

@@ -12,8 +12,8 @@ from itertools import combinations
 import sympy as sp
 
 from planar_cli.equation.plain import longer, simplified
+from planar_cli.solve.course.asked_finds import AskedFind
 from planar_cli.solve.course.equations import Equation, is_speed
-from planar_cli.solve.course.finds import FindReader
 from planar_cli.solve.course.motion_equations import MotionEquations
 from planar_cli.solve.course.timeline import Stop
 
@@ -21,13 +21,13 @@ LONG = 200
 
 
 def by_differences(
-    course: MotionEquations, finds: FindReader, truth: Mapping[sp.Symbol, float]
+    course: MotionEquations, finds: tuple[AskedFind, ...], truth: Mapping[sp.Symbol, float]
 ) -> tuple[MotionEquations, dict[sp.Symbol, float]]:
     """Differences put for pairs of coordinates of which nothing else counts, in the equations and in what is asked; and
     the values of the differences.
     """
     found: dict[sp.Symbol, float] = {}
-    asked = [finds.settled(a, p) for a in finds.asked for p in a.parts]
+    asked = [p for a in finds for p in a.parts()]
     for state in course.states[1:]:
         stop = course.stops[state.name]
         letters = [s for s in stop.letters if s.name != "t" and not is_speed(s) and stop.letters[s] in truth]

@@ -4,18 +4,18 @@ from __future__ import annotations
 
 import sympy as sp
 
+from planar_cli.solve.course.asked_finds import AskedFind, asked_letters
 from planar_cli.solve.course.equations import Equation
-from planar_cli.solve.course.finds import FindReader
 from planar_cli.solve.course.motion_equations import MotionEquations
 from planar_cli.solve.course.stated_motion import StatedMotion
 
 ONLY_TIMES = ("t(q)", "t(v)")
 
 
-def without_idle_times(course: MotionEquations, finds: FindReader) -> tuple[Equation, ...]:
+def without_idle_times(course: MotionEquations, finds: tuple[AskedFind, ...]) -> tuple[Equation, ...]:
     """The equations without those that only tell a time which is not asked, and on which nothing else rests."""
     times = {course.stops[s.name].t for s in course.states}
-    needed = asked_letters(course, finds) & times
+    needed = needed_letters(course, finds) & times
     instants = {b.stop.t: b.since.t for b in course.blows.values()}
     for e in course.equations:
         inside = e.residual.free_symbols & times
@@ -35,9 +35,9 @@ def without_idle_times(course: MotionEquations, finds: FindReader) -> tuple[Equa
         needed |= more
 
 
-def asked_letters(course: StatedMotion, finds: FindReader) -> set[sp.Symbol]:
+def needed_letters(course: StatedMotion, finds: tuple[AskedFind, ...]) -> set[sp.Symbol]:
     """Letters that finds ask for, and times on which quantities over spans rest."""
-    found = {s for a in finds.asked for p in a.parts for s in finds.settled(a, p).free_symbols}
+    found = asked_letters(finds)
     order = {s.name: i for i, s in enumerate(course.states)}
     for asked in course.spanned.values():
         a, b = (order[n] for n in asked.span)

@@ -7,9 +7,9 @@ from dataclasses import replace
 import sympy as sp
 
 from planar_cli.equation.exact import Unvalued
+from planar_cli.solve.course.asked_finds import AskedFind
 from planar_cli.solve.course.chain import Branch, Chain
-from planar_cli.solve.course.finds import FindReader
-from planar_cli.solve.course.idle import ONLY_TIMES, asked_letters
+from planar_cli.solve.course.idle import ONLY_TIMES, needed_letters
 from planar_cli.solve.course.motion_equations import MotionEquations
 from planar_cli.solve.course.regime_sequence import RegimeSequence
 from planar_cli.solve.course.simulate import Followed
@@ -18,7 +18,7 @@ from planar_cli.solve.course.stated_motion import StatedMotion
 AGREE, SMALL = 1e-6, 1e-3
 
 
-def beside(course: MotionEquations, finds: FindReader, chain: Chain) -> tuple[MotionEquations, Branch]:
+def beside(course: MotionEquations, finds: tuple[AskedFind, ...], chain: Chain) -> tuple[MotionEquations, Branch]:
     """The branch beside the numbers that were followed, and the equations that it rests on; integrals for times only
     where something rests on them.
     """
@@ -26,7 +26,7 @@ def beside(course: MotionEquations, finds: FindReader, chain: Chain) -> tuple[Mo
     quick = [e for e in course.equations if e.kind not in ONLY_TIMES]
     if len(quick) < len(course.equations):
         branch = next(iter(chain.branches(quick)), nothing)
-        if asked_letters(course, finds) & chain.unknowns <= set(branch.values):
+        if needed_letters(course, finds) & chain.unknowns <= set(branch.values):
             return replace(course, equations=tuple(quick)), branch
     return course, next(iter(chain.branches(course.equations)), nothing)
 

@@ -2,20 +2,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
 import sympy as sp
 
 from planar_cli.equation.exact import Valuation
-from planar_cli.problem.expression import Relation as FoundRelation
+from planar_cli.solve.course.answers import Answer
 from planar_cli.solve.course.blow import Blow
 from planar_cli.solve.course.derivation import Leg, Route
 from planar_cli.solve.course.equations import DATA, Equation
-from planar_cli.solve.course.finds import Asked
 from planar_cli.solve.course.impulse_momentum import Momentum
 from planar_cli.solve.course.needed import wanted_of
 from planar_cli.solve.course.oscillation import Oscillation, roots_of, stability
+from planar_cli.solve.course.regime_sequence import RegimeSequence
+from planar_cli.solve.course.solved_motion import SolvedMotion
 from planar_cli.solve.course.trace import (
     Centre,
     EnergyBalance,
@@ -31,16 +33,24 @@ from planar_cli.solve.course.trace import (
     RouteTrace,
     Turning,
 )
-from planar_cli.solve.course.unfolded import Unfolded
 from planar_cli.solve.course.work_energy import Balance
 from planar_cli.solve.solution import InstantSolution
 from planar_cli.solve.stages import Stage
 from planar_cli.solve.write import Written
 
 
-def motion_trace(found: Unfolded, instants: tuple[InstantSolution, ...]) -> MotionTrace:
-    """All that is said of a motion. `instants`: the general positions of its regimes that are told."""
-    course, finds = found.course, found.finds
+def motion_trace(
+    found: SolvedMotion,
+    route: Route,
+    answers: Sequence[Answer],
+    presumed: tuple[sp.Expr, ...],
+    instants: tuple[InstantSolution, ...],
+) -> MotionTrace:
+    """All that is said of a motion. `route`: the way to what is asked; `presumed`: what is positive, and need not be;
+    `instants`: the general positions of its regimes that are told.
+    """
+    course = found.course
+    whole = found.oscillations or any(a.passing is not None or a.passage is not None for a in answers)
     tracer = _Tracer(found.value)
     return MotionTrace(
         problem=course.problem,
@@ -55,18 +65,18 @@ def motion_trace(found: Unfolded, instants: tuple[InstantSolution, ...]) -> Moti
         guessed=found.guessed,
         followed=None if found.followed is None else found.followed.values,
         turnings=_turnings(found),
-        route=None if found.route is None else tracer.route(found.route),
-        requests=tuple(_request(found, a) for a in finds.asked),
-        passing={name: tracer.route(route) for name, route in finds.passing.items()},
+        route=tracer.route(route),
+        requests=tuple(Request(a.find, a.parts(), a.unit) for a in found.finds),
+        passing={a.found.name: tracer.route(a.passing) for a in answers if a.passing is not None},
         spans=found.spans,
         oscillations=tuple(_oscillation(o, found.value) for o in found.oscillations),
-        regimes=tuple(_regime(found, instant) for instant in instants),
+        regimes=tuple(_regime(course, i, None if whole else wanted_of(course, route, i)) for i in instants),
         checks=found.checks,
-        presumed=found.presumed,
+        presumed=presumed,
     )
 
 
-def _turnings(found: Unfolded) -> tuple[Turning, ...]:
+def _turnings(found: SolvedMotion) -> tuple[Turning, ...]:
     course = found.course
     turnings = []
     for name, (expr, words) in course.plot.turnings.items():
@@ -75,12 +85,6 @@ def _turnings(found: Unfolded) -> tuple[Turning, ...]:
         timed = not course.symbolic and t in found.value.values and course.touch is None
         turnings.append(Turning(name, t if timed else None, expr, words))
     return tuple(turnings)
-
-
-def _request(found: Unfolded, asked: Asked) -> Request:
-    parts = tuple(found.finds.settled(asked, p) for p in asked.parts)
-    counts = parts and not isinstance(asked.find.found.what, FoundRelation)
-    return Request(asked.find, parts, found.finds.unit_of(asked.find) if counts else None)
 
 
 def _oscillation(found: Oscillation, value: Valuation) -> OscillationTrace:
@@ -97,11 +101,10 @@ def _oscillation(found: Oscillation, value: Valuation) -> OscillationTrace:
     )
 
 
-def _regime(found: Unfolded, instant: InstantSolution) -> RegimeTrace:
-    course = found.course
+def _regime(course: RegimeSequence, instant: InstantSolution, wanted: frozenset[str] | None) -> RegimeTrace:
     names = [s.name for s in course.states]
     acts = [i for i, r in enumerate(course.regimes) if r.general.solution is instant and i + 1 < len(names)]
-    return RegimeTrace(instant, tuple((names[i], names[i + 1]) for i in acts), wanted_of(found, instant))
+    return RegimeTrace(instant, tuple((names[i], names[i + 1]) for i in acts), wanted)
 
 
 class _Tracer:

@@ -4,21 +4,20 @@ from __future__ import annotations
 
 import sympy as sp
 
+from planar_cli.solve.course.derivation import Route
 from planar_cli.solve.course.impulse_momentum import Momentum
 from planar_cli.solve.course.regime import Regime
-from planar_cli.solve.course.unfolded import Unfolded
+from planar_cli.solve.course.regime_sequence import RegimeSequence
+from planar_cli.solve.course.stated_motion import StatedMotion
 from planar_cli.solve.course.work_energy import Balance
 from planar_cli.solve.solution import InstantSolution
 from planar_cli.solve.stages import acceleration_unknowns
 
 
-def wanted_of(found: Unfolded, instant: InstantSolution) -> frozenset[str] | None:
-    """Names of unknowns of a general position that are told; None: all of them."""
-    course = found.course
+def wanted_of(course: StatedMotion, route: Route, instant: InstantSolution) -> frozenset[str] | None:
+    """Names of unknowns of a general position on which a route rests; None: all of them."""
     regimes = [r for r in course.distinct_regimes() if r.general.solution is instant]
-    if found.route is None or not regimes or found.finds.passing or found.finds.curves or found.oscillations:
-        return None
-    if course.plot.turnings or course.plot.equilibria:
+    if not regimes or course.plot.turnings or course.plot.equilibria:
         return None
     regime = regimes[0]
     system = regime.general.trial.system
@@ -26,25 +25,25 @@ def wanted_of(found: Unfolded, instant: InstantSolution) -> frozenset[str] | Non
     used = {s for e in course.said.get(id(regime), ()) for s in sp.sympify(e).free_symbols}
     names = {s.name for s in used & kinetic}
     own = {id(law) for i, r in enumerate(course.regimes) if r is regime for law in course.laws[i].laws}
-    for leg in found.route.legs:
+    for leg in route.legs:
         for e in leg.derivation.equations:
             if e.law is not None and id(e.law) in own and e.law.f != 0:
                 names |= {regime.general.rate_of(u).name for u in regime.free}
-            if isinstance(e.source, Balance | Momentum) and _acts(found, regime, e.source):
-                names |= _speeds(found, regime)
+            if isinstance(e.source, Balance | Momentum) and _acts(course, regime, e.source):
+                names |= _speeds(course, regime)
     names |= {s.name for s in used & set(system.tree.velocity_unknowns())}
     return frozenset(names)
 
 
-def _acts(found: Unfolded, regime: Regime, source: Balance | Momentum) -> bool:
+def _acts(course: RegimeSequence, regime: Regime, source: Balance | Momentum) -> bool:
     """Does a law end in this regime?"""
-    states = [s.name for s in found.course.states]
-    return found.course.regimes[states.index(source.stop.name) - 1] is regime
+    states = [s.name for s in course.states]
+    return course.regimes[states.index(source.stop.name) - 1] is regime
 
 
-def _speeds(found: Unfolded, regime: Regime) -> set[str]:
+def _speeds(course: StatedMotion, regime: Regime) -> set[str]:
     """The velocities of which kinetic energies and momenta are made."""
-    raw = found.course.between.energies.get(id(regime))
+    raw = course.between.energies.get(id(regime))
     exprs = [] if raw is None else [e for _, e in raw.kinetic]
-    exprs += [c.momentum for c in found.course.between.momenta.get(id(regime), ())]
+    exprs += [c.momentum for c in course.between.momenta.get(id(regime), ())]
     return {s.name for e in exprs for s in e.free_symbols}

@@ -8,18 +8,19 @@ from decimal import Decimal
 import sympy as sp
 
 from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.solve.course.answers import put_in
 from planar_cli.solve.course.blow import Blow
 from planar_cli.solve.course.derivation import Route
-from planar_cli.solve.course.unfolded import Unfolded
+from planar_cli.solve.course.solved_motion import SolvedMotion
 
 
-def presumed(found: Unfolded, routes: Iterable[Route]) -> tuple[sp.Expr, ...]:
+def presumed(found: SolvedMotion, routes: Iterable[Route]) -> tuple[sp.Expr, ...]:
     """Expressions in letters of the file that are positive in this motion, and need not be."""
     scene, told = found.course.scene, []
     for approach in (e for blow in found.course.blows.values() for e in _approaches(blow)):
         expr = approach
         for route in routes:
-            expr = found.finds.put_in(expr, route)
+            expr = put_in(expr, route)
         if expr.free_symbols and expr.free_symbols <= set(scene.ledger.letters):
             told.append(expr if _value(expr, found.value) > 0 else -expr)
     return tuple(scene.not_always_positive(told))

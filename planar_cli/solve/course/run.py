@@ -11,10 +11,13 @@ import sympy as sp
 from planar_cli.equation.exact import Unvalued
 from planar_cli.problem.scene import Problem
 from planar_cli.solve.course.agree import compared
+from planar_cli.solve.course.answers import Answering, closed_formula
+from planar_cli.solve.course.asked_finds import asked_letters
 from planar_cli.solve.course.astray import missing
 from planar_cli.solve.course.blow_checks import blow_checks
 from planar_cli.solve.course.by_numbers import ByNumbers, by_numbers
 from planar_cli.solve.course.complete import completed
+from planar_cli.solve.course.derivation import Route
 from planar_cli.solve.course.formulas import at_given_time
 from planar_cli.solve.course.independence import rests_on
 from planar_cli.solve.course.masses import demand_mass
@@ -25,9 +28,9 @@ from planar_cli.solve.course.presumed import presumed
 from planar_cli.solve.course.reached import reaching
 from planar_cli.solve.course.regime_sequence import RegimeSequence
 from planar_cli.solve.course.route import Router
+from planar_cli.solve.course.solved_motion import SolvedMotion
 from planar_cli.solve.course.throughout import Throughout
 from planar_cli.solve.course.unfold import Unfolder
-from planar_cli.solve.course.unfolded import Unfolded
 from planar_cli.solve.passages import Tale
 from planar_cli.solve.solution import InstantSolution
 from planar_cli.solve.solved_problem import PartSolution
@@ -36,44 +39,52 @@ from planar_cli.solve.solved_problem import PartSolution
 def solve_course(problem: Problem, case: str, units: dict[str, str], earlier: Mapping[str, Any]) -> PartSolution:
     """All finds of a problem whose states follow each other in time."""
     workshop = Workshop(earlier)
-    unfolded = reaching(problem, lambda p: Unfolder(p, workshop, units=units).run())
+    solved = reaching(problem, lambda p: Unfolder(p, workshop, units=units).run())
     try:
-        part = _told(unfolded, case)
+        part = _told(solved, case)
     except Unvalued as error:
-        raise missing(unfolded.course) or error from error
+        raise missing(solved.course) or error from error
     curves = part.tale.passages if part.tale is not None else ()
-    tale = at_given_time(problem, unfolded.course.distinct_regimes(), curves)
+    tale = at_given_time(problem, solved.course.distinct_regimes(), curves)
     return part if tale is None else replace(part, tale=tale)
 
 
-def _told(unfolded: Unfolded, case: str) -> PartSolution:
+def _told(solved: SolvedMotion, case: str) -> PartSolution:
     """The answers of a motion, and the way to them. Unvalued: something that is asked is open."""
-    found = completed(unfolded)
+    found = completed(solved)
     course = found.course
-    method = course.problem.method
     demand_mass(course, found.value)
+    router, route = _route(found)
+    begun = router.route(course.first.letters.values())
+    start = {s: closed_formula(s, begun, course.symbolic) for s in course.first.letters.values()}
+    throughout = Throughout(course, found.followed, found.value, start)
+    assumed = presumed(found, (route, begun))
+    found = replace(found, checks=(*found.checks, *blow_checks(found), *compared(found)))
+    answering = Answering(course, route, found.value, found.spans, throughout)
+    answers = tuple(answering.answer(a) for a in found.finds)
+    instants = _instants(course)
+    passages = tuple(a.passage for a in answers if a.passage is not None)
+    tale = Tale(passages, whole=False) if passages else None
+    trace = motion_trace(found, route, answers, assumed, instants)
+    return PartSolution(case, instants, tuple(a.found for a in answers), trace, tale)
+
+
+def _route(found: SolvedMotion) -> tuple[Router, Route]:
+    """The way to what is asked, by the method of the file, and who plans it."""
+    course, method = found.course, found.course.problem.method
     unknowns = course.chain().unknowns
-    targets = {s for a in found.finds.asked for p in a.parts for s in found.finds.settled(a, p).free_symbols}
     allowed = by_method(course.equations, method)
     steps = tuple(s for s in found.branch.steps if len(by_method(s.equations, method)) == len(s.equations))
     lettered = rests_on(course, found.value)
     followed = ByNumbers() if lettered else by_numbers(course, found.guessed, found.value)
     by_steps = followed if follows(method) else None
     router = Router(allowed, unknowns, found.value, course.symbolic, steps, by_steps)
-    wanted = _in_order(course, targets & unknowns)
-    found.route = router.route(wanted)
+    wanted = _in_order(course, asked_letters(found.finds) & unknowns)
+    route = router.route(wanted)
     if method is not None:
         free = Router(course.equations, unknowns, found.value, course.symbolic, found.branch.steps, followed)
-        demand_reached(course.problem, found.route, wanted, lambda: free.route(wanted))
-    begun = router.route(course.first.letters.values())
-    start = {s: found.finds.closed(s, begun, course.symbolic) for s in course.first.letters.values()}
-    found.finds.throughout = Throughout(course, found.followed, found.value, start)
-    found.presumed = presumed(found, (found.route, begun))
-    found.checks = (*found.checks, *blow_checks(found), *compared(found))
-    answers = tuple(found.finds.answer(course, a, found.route, found.value, found.spans) for a in found.finds.asked)
-    instants = _instants(found.course)
-    tale = Tale(tuple(found.finds.curves), whole=False) if found.finds.curves else None
-    return PartSolution(case, instants, answers, motion_trace(found, instants), tale)
+        demand_reached(course.problem, route, wanted, lambda: free.route(wanted))
+    return router, route
 
 
 def _instants(course: RegimeSequence) -> tuple[InstantSolution, ...]:

@@ -356,8 +356,8 @@ class MotionTrace:
     """Symbols of states with the values that following the motion in numbers gave; None: it could not be followed."""
     turnings: tuple[Turning, ...]
     """States that were put in."""
-    route: RouteTrace | None
-    """The way to what is asked; None: all of it is known at once."""
+    route: RouteTrace
+    """The way to what is asked."""
     requests: tuple[Request, ...]
     """What is asked."""
     passing: Mapping[str, RouteTrace]

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from planar_cli.errors import Diagnostic, NoSolution
+from planar_cli.solve.course.asked_finds import AskedFind
 from planar_cli.solve.course.equations import Equation
-from planar_cli.solve.course.finds import FindReader
 from planar_cli.solve.course.motion_equations import MotionEquations
 from planar_cli.solve.course.stated_motion import StatedMotion
 
@@ -21,11 +21,11 @@ def without_times(course: MotionEquations) -> tuple[Equation, ...]:
     return tuple(e for e in course.equations if not e.residual.free_symbols & times)
 
 
-def demand_no_times(course: StatedMotion, finds: FindReader) -> None:
+def demand_no_times(course: StatedMotion, finds: tuple[AskedFind, ...]) -> None:
     """Endless: something is asked that grows beyond all bounds with the time."""
     times = {stop.t for stop in course.stops.values()} - {course.first.t}
-    for asked in finds.asked:
-        parts = [finds.settled(asked, p) for p in asked.parts]
+    for asked in finds:
+        parts = asked.parts()
         spans = {s for p in parts for s in p.free_symbols if s in course.spanned}
         lasting = any(course.spanned[s].quantity.word in OVER_TIME for s in spans)
         if lasting or any(p.free_symbols & times for p in parts):

@@ -13,6 +13,7 @@ import sympy as sp
 
 from planar_cli.equation.exact import Unvalued
 from planar_cli.errors import Diagnostic, NoSolution, Undecided
+from planar_cli.solve.course.asked_finds import AskedFind, asked_finds, asked_letters
 from planar_cli.solve.course.astray import (
     clash,
     demand_agreement,
@@ -26,7 +27,6 @@ from planar_cli.solve.course.carried import carried_branch
 from planar_cli.solve.course.chain import Branch
 from planar_cli.solve.course.choosing import Choosing, assumed, at_a_top
 from planar_cli.solve.course.differences import by_differences
-from planar_cli.solve.course.finds import FindReader
 from planar_cli.solve.course.first_plot import first_plot
 from planar_cli.solve.course.gaps import just_parted
 from planar_cli.solve.course.holding import holding
@@ -42,11 +42,11 @@ from planar_cli.solve.course.ranking import candidates
 from planar_cli.solve.course.reached import asked_about
 from planar_cli.solve.course.regime_sequence import RegimeSequence, regime_sequence
 from planar_cli.solve.course.simulate import Followed, Follower, leaning
+from planar_cli.solve.course.solved_motion import SolvedMotion
 from planar_cli.solve.course.starts import Start, balanced, certain_start, resting, resting_though_sought, untold
 from planar_cli.solve.course.stated_motion import StatedMotion, stated_motion
 from planar_cli.solve.course.touch import TOUCHED, touch_of
 from planar_cli.solve.course.unbounded_times import Endless, demand_no_times, without_times
-from planar_cli.solve.course.unfolded import Unfolded
 
 CHANGES, BLOW, SLACK = 40, " blow", Decimal("1e-9")
 NOTHING = 1e-13
@@ -65,9 +65,9 @@ class Unfolder(Choosing):
     resting: Plot | None = None
     idle: frozenset[str] = frozenset()
     sense: int = 0
-    loose: tuple[MotionEquations, FindReader] | None = None
+    loose: tuple[MotionEquations, tuple[AskedFind, ...]] | None = None
 
-    def run(self) -> Unfolded:
+    def run(self) -> SolvedMotion:
         plot = first_plot(self.problem, self.workshop)
         for _ in range(CHANGES):
             sequence = regime_sequence(self.problem, plot, self.workshop)
@@ -79,22 +79,20 @@ class Unfolder(Choosing):
             if agreeing is not None:
                 plot = agreeing
                 continue
-            finds = FindReader(sequence, self.units)
-            finds.read()
+            finds = asked_finds(sequence, self.units)
             course = first_equations(stated_motion(sequence))
             demand_mass(course, course.base())
             if not course.states:
-                return Unfolded(course, finds, course.still.branch, None, course.base())
+                return SolvedMotion(course, finds, course.still.branch, None, course.base())
             found = self._unfold_touched(course, finds)
-            if isinstance(found, Unfolded):
+            if isinstance(found, SolvedMotion):
                 stays = self.stays and not course.regimes[0].free
                 why = (TOUCHED,) if self.sense else (STAYS,) if stays else ()
-                found.checks = (*found.checks, *why)
-                return found
+                return replace(found, checks=(*found.checks, *why))
             plot = found
         raise Undecided("the contacts of this motion change too often")
 
-    def _unfold_touched(self, course: MotionEquations, finds: FindReader) -> Unfolded | Plot:
+    def _unfold_touched(self, course: MotionEquations, finds: tuple[AskedFind, ...]) -> SolvedMotion | Plot:
         """The same; where it rests in an unstable equilibrium and a state is not reached, after a slight touch.
         `reached(s)` is about the motion by itself, without any touch.
         """
@@ -109,7 +107,7 @@ class Unfolder(Choosing):
             self.sense, self.tried = (-1 if self.sense else 1), {}
             return self.resting
 
-    def _unfold(self, course: MotionEquations, finds: FindReader) -> Unfolded | Plot:
+    def _unfold(self, course: MotionEquations, finds: tuple[AskedFind, ...]) -> SolvedMotion | Plot:
         """The course unfolded, or another plot to try."""
         course, start = self._start(course)
         if start is Start.CONTRADICTS:
@@ -147,7 +145,7 @@ class Unfolder(Choosing):
         return self._followed(course, finds, start)
 
     @staticmethod
-    def _relate(course: MotionEquations, finds: FindReader) -> MotionEquations:
+    def _relate(course: MotionEquations, finds: tuple[AskedFind, ...]) -> MotionEquations:
         """With the equations from state to state."""
         course = all_equations(course)
         return replace(course, equations=without_idle_times(course, finds))
@@ -175,7 +173,9 @@ class Unfolder(Choosing):
 
     # --- a known start -----------------------------------------------------------------------------------------------
 
-    def _followed(self, course: MotionEquations, finds: FindReader, start: dict[sp.Symbol, Decimal]) -> Unfolded | Plot:
+    def _followed(
+        self, course: MotionEquations, finds: tuple[AskedFind, ...], start: dict[sp.Symbol, Decimal]
+    ) -> SolvedMotion | Plot:
         followed = Follower(course, course.base()).run({s: float(v) for s, v in start.items()})
         changed = self._changed(course, followed)
         if changed is not None:
@@ -206,16 +206,16 @@ class Unfolder(Choosing):
         value = course.base().extended({**more, **branch.values})
         demand_agreement(course, value, guessed)
         later = tuple(f"{text}: the first time; later it is more so" for text in dict.fromkeys(followed.growing))
-        return Unfolded(course, finds, branch, followed, value, frozenset(guessed), checks=later)
+        return SolvedMotion(course, finds, branch, followed, value, frozenset(guessed), checks=later)
 
-    def _related(self, course: MotionEquations, finds: FindReader, missed: str) -> Unfolded | None:
+    def _related(self, course: MotionEquations, finds: tuple[AskedFind, ...], missed: str) -> SolvedMotion | None:
         """States related by the balance of energy alone, where the file asks for that method and no motion leads there;
         the speed that goes the way from state to state comes first.
         """
         if course.problem.method != "energy":
             return None
         course = replace(course, equations=by_method(course.equations, "energy"))
-        letters = {s for a in finds.asked for p in a.parts for s in finds.settled(a, p).free_symbols}
+        letters = asked_letters(finds)
         needed = letters & course.chain().unknowns
         branches = [b for b in candidates(course) if needed <= set(b.values)]
         if not branches:
@@ -224,7 +224,7 @@ class Unfolder(Choosing):
         if not assumed(course, course.base().extended(branch.values)):
             return None
         told = f"no motion leads to state {missed} by itself: the balance of energy alone relates the states"
-        return Unfolded(course, finds, branch, None, course.base().extended(branch.values), checks=(told,))
+        return SolvedMotion(course, finds, branch, None, course.base().extended(branch.values), checks=(told,))
 
     def _changed(self, course: StatedMotion, followed: Followed) -> Plot | None:
         """The next plot to try, None when this one holds."""
@@ -248,7 +248,7 @@ class Unfolder(Choosing):
 
     # --- a start that is sought --------------------------------------------------------------------------------------
 
-    def _sought(self, course: MotionEquations, finds: FindReader) -> Unfolded | Plot:
+    def _sought(self, course: MotionEquations, finds: tuple[AskedFind, ...]) -> SolvedMotion | Plot:
         """All branches of the equations; the first that, followed from its start, happens so. One in which a state at a
         given time is the first of its kind goes before those that pass such a state earlier.
         """
@@ -259,9 +259,11 @@ class Unfolder(Choosing):
             raise self.lack or error from error
         return self._of_branches(course, finds, known) if other is None else other
 
-    def _of_branches(self, course: MotionEquations, finds: FindReader, known: Beginning) -> Unfolded | Plot:
+    def _of_branches(
+        self, course: MotionEquations, finds: tuple[AskedFind, ...], known: Beginning
+    ) -> SolvedMotion | Plot:
         changed: Plot | None = None
-        again: list[Unfolded] = []
+        again: list[SolvedMotion] = []
         branches, guessed = known.after(course, candidates(course))
         for branch in branches:
             value = course.base().extended(branch.values)
@@ -280,17 +282,15 @@ class Unfolder(Choosing):
                 changed = changed or other
                 continue
             if followed.missed == course.states[-1].name and at_a_top(course, followed.missed, value):
-                return Unfolded(course, finds, branch, None, value, checks=(AT_A_TOP,))
+                return SolvedMotion(course, finds, branch, None, value, checks=(AT_A_TOP,))
             if followed.missed is None and same_motion(course, followed, branch):
                 more = {s: Decimal(repr(v)) for s, v in followed.values.items() if s not in branch.values}
-                found = Unfolded(course, finds, branch, followed, value.extended(more), guessed | set(more))
+                found = SolvedMotion(course, finds, branch, followed, value.extended(more), guessed | set(more))
                 if not course.sought() or not passed_before(course, followed, value):
-                    found.checks = _left_out(course, again, "pass such a state before, and are left out")
-                    return found
+                    return replace(found, checks=_left_out(course, again, "pass such a state before, and are left out"))
                 again.append(found)
         if again:
-            again[0].checks = _left_out(course, again[1:], "fit as well")
-            return again[0]
+            return replace(again[0], checks=_left_out(course, again[1:], "fit as well"))
         if changed is not None:
             return changed
         clashing = None if branches else clash(course, course.equations)
@@ -307,7 +307,9 @@ class Unfolder(Choosing):
         except NoSolution:
             raise self.lack from None
 
-    def _led(self, course: MotionEquations, finds: FindReader, branches: list[Branch]) -> Unfolded | None:
+    def _led(
+        self, course: MotionEquations, finds: tuple[AskedFind, ...], branches: list[Branch]
+    ) -> SolvedMotion | None:
         """Where no motion can be followed: the branch to which the drawn position leads; None: after blows, another."""
         led = carried_branch(course, branches)
         try:
@@ -317,7 +319,7 @@ class Unfolder(Choosing):
                 raise
             self.lack = self.lack or error
             return None
-        return Unfolded(course, finds, led, None, course.base().extended(led.values))
+        return SolvedMotion(course, finds, led, None, course.base().extended(led.values))
 
 
 def _number(followed: float) -> Decimal:
@@ -325,7 +327,7 @@ def _number(followed: float) -> Decimal:
     return Decimal(repr(followed)) if abs(followed) >= NOTHING else Decimal(0)
 
 
-def _left_out(course: RegimeSequence, others: list[Unfolded], why: str) -> tuple[str, ...]:
+def _left_out(course: RegimeSequence, others: list[SolvedMotion], why: str) -> tuple[str, ...]:
     """Values of sought constants with which the motion is another, in a phrase."""
     if not others:
         return ()

@@ -7,31 +7,33 @@ from dataclasses import dataclass
 import sympy as sp
 
 from planar_cli.equation.exact import Valuation
+from planar_cli.solve.course.asked_finds import AskedFind
 from planar_cli.solve.course.chain import Branch
-from planar_cli.solve.course.derivation import Route
-from planar_cli.solve.course.finds import FindReader
 from planar_cli.solve.course.motion_equations import MotionEquations
 from planar_cli.solve.course.oscillation import Oscillation
 from planar_cli.solve.course.simulate import Followed
 from planar_cli.solve.course.trace import SpanIntegral
 
 
-@dataclass(slots=True)
-class Unfolded:
-    """A course with the branch of its equations that happens, and how it was followed in numbers (None: it could not
-    be). `guessed`: letters whose values come from the numbers alone. `route`: the way that is told. `spans`: quantities
-    over spans; `oscillations`: about equilibrium states that are asked about. `checks`: what was compared, in phrases.
-    `presumed`: what is positive with these letters, and need not be.
-    """
+@dataclass(frozen=True, slots=True)
+class SolvedMotion:
+    """The branch of the equations of a motion that happens."""
 
     course: MotionEquations
-    finds: FindReader
+    """The equations."""
+    finds: tuple[AskedFind, ...]
+    """What is asked."""
     branch: Branch
+    """The roots that happen."""
     followed: Followed | None
+    """How it was followed in numbers; None: it could not be."""
     value: Valuation
+    """Numbers of everything."""
     guessed: frozenset[sp.Symbol] = frozenset()
-    route: Route | None = None
-    spans: tuple[SpanIntegral, ...] = ()
-    oscillations: tuple[Oscillation, ...] = ()
+    """Symbols whose values come from following it alone."""
     checks: tuple[str, ...] = ()
-    presumed: tuple[sp.Expr, ...] = ()
+    """What was compared, in phrases."""
+    spans: tuple[SpanIntegral, ...] = ()
+    """Quantities over spans, once they are worked out."""
+    oscillations: tuple[Oscillation, ...] = ()
+    """About equilibrium states that are asked about, once the places of these are known."""
