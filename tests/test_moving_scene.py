@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import math
 import random
+import re
 from pathlib import Path
+from string import Template
 
 import pytest
+import yaml
 from conftest import ROOT
 
 from planar_cli.errors import NOWHERE, FileProblem
@@ -265,3 +268,44 @@ def test_curves_are_followed_far_from_where_they_are_drawn() -> None:
     assert off(contact, far) == pytest.approx(0, abs=1e-12)
     assert evaluate([tie.residual, scene.gaps(contact)[0].distance], far) == pytest.approx([0, 0], abs=1e-12)
     assert evaluate([scene.point("C").x, scene.point("C").y], far) == pytest.approx([1, 0.5])
+
+
+TEMPLATES: dict[str, str] = yaml.safe_load((Path(__file__).parent / "joint_scenes.yaml").read_text())
+
+
+def drawn(name: str, power: int) -> MovingScene:
+    """The scene of one template with all lengths times a power of ten."""
+    rng = random.Random(name)
+    numbers = {k: f"{rng.uniform(0.4, 1.6):.3f}" for k in "xyzr"}
+    numbers |= {"a": f"{rng.uniform(100, 170):.1f}", "b": f"{rng.uniform(60, 85):.1f}"}
+    text = Template(TEMPLATES[name]).substitute(numbers)
+    body = text.split("bodies: {")[1].split(":")[0]
+    text = re.sub(r"(\d+(?:\.\d+)?) m\b", rf"\1e{power} m", text)
+    text += f"plane: horizontal\ninstant: [at rest]\nfind: {{x: theta({body})}}\n"
+    problem, wrong = load_text(f"title: drawn at random\n{text}")
+    assert problem is not None, [d.message for d in wrong]
+    return MovingScene(problem)
+
+
+def decided(scene: MovingScene) -> list[object]:
+    """What was decided of a scene: modes, who pushes whom in which direction, how many residuals."""
+    found: list[object] = []
+    for joint in scene.problem.joints:
+        for mode in joint.modes(scene):
+            found.append((joint.name, mode.name, mode.direction, len(joint.residuals(scene, mode))))
+            for push in mode.facts.pushes:
+                for action in push.actions:
+                    force = action.force or Vec(0, 0)
+                    found.append((push.name, action.body, scene.sign(force.x), scene.sign(force.y)))
+    return found
+
+
+@pytest.mark.parametrize("name", TEMPLATES)
+def test_decisions_know_no_unit_of_length(name: str) -> None:
+    usual = drawn(name, 0)
+    for power in (-6, 6):
+        scaled = drawn(name, power)
+        assert decided(scaled) == decided(usual)
+        size = scaled.extent
+        for title, term in residuals(scaled):
+            assert abs(term.value) <= 1e-12 * max(size, 1.0 if "angle" in title or "arc" in title else 0), title

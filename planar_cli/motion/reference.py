@@ -64,7 +64,7 @@ def reference_of(problem: Problem, graph: Graph, constants: Constants) -> Refere
             unsure.add(symbol.name)
             angle = symbol.unit is not None and parse_unit(symbol.unit).angle
             coordinates[symbol.name] = GUESSED_ANGLE if angle else GUESSED_LENGTH
-    free, lost = _free(problem, equations, sides, constants)
+    free, lost = _free(problem, equations, sides, known)
     return Reference(known["t"].value, coordinates, free, frozenset(unsure | lost))
 
 
@@ -81,7 +81,7 @@ def _valued(side: Side, known: dict[str, Term], constants: Constants) -> bool:
 
 
 def _free(
-    problem: Problem, equations: list[tuple[Side, Side]], sides: Sides, constants: Constants
+    problem: Problem, equations: list[tuple[Side, Side]], sides: Sides, known: dict[str, Term]
 ) -> tuple[dict[str, Vec], set[str]]:
     """Free particles: where `x(P) = …` and `y(P) = …` put them, else at the origin."""
     found, lost = {}, set()
@@ -91,7 +91,12 @@ def _free(
         parts = {}
         for left, right in equations:
             told = isinstance(left, Quantity) and left.things == (body.name,) and left.at is None
-            if told and isinstance(left, Quantity) and not has_quantity(right) and _valued(right, {}, constants):
+            if (
+                told
+                and isinstance(left, Quantity)
+                and not has_quantity(right)
+                and _valued(right, known, sides.constants)
+            ):
                 axis = left.word if left.word in ("x", "y") and not left.parts else ""
                 if left.word == "r" and [p.kind for p in left.parts] in (["x"], ["y"]):
                     axis = left.parts[0].kind

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Mapping
+from dataclasses import fields
 from functools import cached_property
 from itertools import pairwise
 from typing import Any
@@ -28,6 +29,7 @@ from planar_cli.problem.facts import Meeting, Outline, Wrench
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.keys import Table
 from planar_cli.problem.scene import GROUND, Line, Plate, Problem, Round
+from planar_cli.units import parse_unit
 
 TINIEST = sys.float_info.min
 """Added to a square under a root, so that a speed that is just zero does not divide zero by zero."""
@@ -51,8 +53,10 @@ class MovingScene(Carried):
     def _coordinates(self) -> tuple[dict[str, tuple[Term, Term]], tuple[Tie, ...]]:
         """Each coordinate of the file with its rate, and what points keep that are written with them."""
         stand_ins, rates = {}, self.rates()
-        for name, value in self.reference.coordinates.items():
-            stand_ins[name] = self.variable(f"q_{name}", value, 1.0)
+        for symbol in self.problem.coordinates:
+            angle = symbol.unit is not None and parse_unit(symbol.unit).angle
+            value = self.reference.coordinates[symbol.name]
+            stand_ins[symbol.name] = self.variable(f"q_{symbol.name}", value, 1.0 if angle else self.extent)
         found = Coordinates(self, stand_ins)
         found.run()
         for name, term in found.found.items():
@@ -165,6 +169,14 @@ class MovingScene(Carried):
         """What all loads do to all bodies, each with the name of the load (of a weight: of the body)."""
         found = [w for load in self.loads() for w in load.wrenches(self)]
         return tuple(w for w in found if w.body != GROUND and not self._nothing(w))
+
+    def breakpoints(self) -> tuple[float, ...]:
+        """The times at which loads bend: those of their tables, ascending, s."""
+        found: set[float] = set()
+        for load in self.problem.loads:
+            tables = (getattr(load, f.name) for f in fields(load))
+            found |= {self.value(when).value for t in tables if isinstance(t, Table) for when, _ in t.rows}
+        return tuple(sorted(found))
 
     def _nothing(self, wrench: Wrench) -> bool:
         force = wrench.force or Vec(0, 0)
