@@ -20,6 +20,8 @@ class FromSciPy(Integrator):
     peer: ClassVar[str] = "scipy"
     method: ClassVar[str]
     """The name of its class in scipy.integrate."""
+    costly: ClassVar[bool] = False
+    """Does its dense output ask for the rates? Then it is made when first asked for, by taking the step again."""
 
     def available(self) -> bool:
         return find_spec("scipy") is not None
@@ -58,13 +60,29 @@ class FromSciPy(Integrator):
             after = f(end, new)
             counts.evaluations += 1
             counts.steps += 1
-            yield Step(t, y, before, end, new, after, _inside(solver.dense_output()))
+            yield Step(t, y, before, end, new, after, self._inside(solver, rates, options))
             y, before = new, after
 
+    def _inside(
+        self, solver: Any, rates: Callable[[float, Any], Vector], options: dict[str, Any]
+    ) -> Callable[[float], Vector]:
+        """Dense output of the solver's last step."""
+        if not self.costly:
+            dense = solver.dense_output()
+            return lambda t: _listed(dense(t))
+        made: list[Any] = []
+        t0, y0, t1 = solver.t_old, solver.y_old.copy(), solver.t
 
-def _inside(dense: Any) -> Callable[[float], Vector]:
-    def at(t: float) -> Vector:
-        found: Vector = dense(t).tolist()
-        return found
+        def inside(t: float) -> Vector:
+            if not made:
+                same = type(solver)(rates, t0, y0, t1, **{**options, "first_step": abs(t1 - t0)})
+                same.step()
+                made.append(same.dense_output())
+            return _listed(made[0](t))
 
-    return at
+        return inside
+
+
+def _listed(values: Any) -> Vector:
+    found: Vector = values.tolist()
+    return found

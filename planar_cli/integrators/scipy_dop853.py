@@ -24,3 +24,4 @@ class SciPyDormandPrince853(FromSciPy):
     kind: ClassVar[str] = "scipy_dop853"
     order: ClassVar[int] = 8
     method: ClassVar[str] = "DOP853"
+    costly: ClassVar[bool] = True

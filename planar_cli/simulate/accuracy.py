@@ -1,0 +1,290 @@
+"""What accuracy costs in one scene: every integrator at every tolerance or step, against a reference.
+
+    Subject (can be run) -> Study (rows, reference, growth) -> tables and diagrams
+
+All errors are parts of the scene's scales, the largest over all numbers that were compared: places, velocities and
+times of the end and of all states that are reached on the way. Times are those of the integration alone.
+"""
+
+from __future__ import annotations
+
+import math
+import statistics
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from typing import Protocol
+
+from planar_cli.errors import PlanarError
+from planar_cli.integrators.base import EPSILON, Integrator
+from planar_cli.motion.drive import AUTOMATIC
+from planar_cli.motion.estimate import Growth, growth, tighter
+from planar_cli.registry import members
+
+TOLERANCES = (1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13)
+STEPS = (0.1, 0.03, 0.01, 0.003, 0.001, 0.0003)
+"""Of methods with equal steps, in parts of the scene's time scale."""
+FINEST, CHECK = 1e-14, 2e-15
+"""The tolerance of the reference, and of the run that checks it."""
+OTHER, OTHER_TOLERANCE = "radau", 1e-13
+"""The other method that checks the reference."""
+DIGITS = (3, 6, 10)
+"""Accuracies for which a setting is recommended: errors of 10^-digits."""
+SHIFT = 2.0**-40
+"""How far apart two starts are whose difference is followed, in parts of the scales."""
+SAMPLES = 400
+"""At so many times."""
+REPEATED, BRIEF = 3, 0.1
+"""A run that takes less than so many seconds is timed so often."""
+
+
+@dataclass(frozen=True, slots=True)
+class Ran:
+    """What one run gave."""
+
+    values: tuple[float, ...]
+    """All that is compared, in parts of the scales."""
+    path: Callable[[float], Sequence[float]]
+    """The state at a time, in parts of the scales."""
+    t0: float
+    t1: float
+    """Beginning and end [s]."""
+    met: tuple[str, ...]
+    """What happened on the way, in order: only runs that met the same can be compared."""
+    energy: float
+    """By how much the balance of energy is off, in parts of its scale."""
+    drift: float
+    """The largest residual of the joints at the end of a step, in parts of the scales."""
+    steps: int
+    evaluations: int
+    seconds: float
+    refused: str = ""
+    """Why the motion could not be followed to its end."""
+    changed: bool = False
+    """Was it given to the implicit method on the way?"""
+
+
+class Subject(Protocol):
+    """A motion that can be run in many ways."""
+
+    @property
+    def time_scale(self) -> float:
+        """The time in which things change [s]."""
+
+    def run(self, kind: str, tolerance: float, step: float | None = None, shift: float = 0.0) -> Ran:
+        """One run. `step` [s]; `shift`: the start is displaced by this part of the scales."""
+
+    def exact(self) -> tuple[float, ...] | None:
+        """The closed form of what is compared, where there is one."""
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """One integrator with one setting."""
+
+    integrator: str
+    tolerance: float | None
+    step: float | None
+    """s."""
+    error: float | None
+    """Against the reference; None where the run was refused or met other events."""
+    estimated: float | None
+    """The error that two runs alone tell, without the reference."""
+    energy: float
+    drift: float
+    steps: int
+    evaluations: int
+    seconds: float
+    note: str = ""
+    """Why there is no error."""
+
+    @property
+    def setting(self) -> str:
+        """Tolerance or step as a text."""
+        return f"tolerance {self.tolerance:.0e}" if self.tolerance is not None else f"step {self.step:.2e} s"
+
+
+@dataclass(frozen=True, slots=True)
+class Reference:
+    """What errors are measured against."""
+
+    values: tuple[float, ...]
+    words: str
+    uncertainty: float
+    """Errors below this can not be told from those of the reference."""
+    met: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Advice:
+    """The quickest setting of our own that reaches an accuracy."""
+
+    digits: int
+    row: Row | None
+    """None: none of those that were tried."""
+
+
+@dataclass(frozen=True, slots=True)
+class Study:
+    """All that was found out."""
+
+    rows: tuple[Row, ...]
+    reference: Reference
+    growth: Growth
+    advice: tuple[Advice, ...]
+    ran: Ran
+    """The run of the reference."""
+
+
+@dataclass(frozen=True, slots=True)
+class Wanted:
+    """What to try."""
+
+    integrators: tuple[str, ...] = ()
+    """() for all of our own."""
+    peers: bool = False
+    """Those of other packages too, as far as they are installed?"""
+    tolerances: tuple[float, ...] = TOLERANCES
+    steps: tuple[float, ...] = STEPS
+    """In parts of the scene's time scale."""
+    budget: float = 5.0
+    """A method whose run took longer [s] is not tried with anything finer."""
+    progress: Callable[[str], None] | None = None
+    """Told what is tried."""
+
+
+def study(subject: Subject, wanted: Wanted) -> Study:
+    """Try all settings. Raises PlanarError where not even the reference can be followed."""
+    reference, ran = _reference(subject)
+    rows: list[Row] = []
+    for kind in _kinds(wanted, ran):
+        for row in _rows(subject, kind, reference, wanted):
+            rows.append(row)
+            if row.seconds > wanted.budget:
+                break
+    own = [r for r in rows if not peer_of(r.integrator)]
+    return Study(tuple(rows), reference, _growth(subject, ran), tuple(_advice(own, d, reference) for d in DIGITS), ran)
+
+
+def kind_of(name: str) -> type[Integrator] | None:
+    """The member of the shelf; None for the choice by the scene."""
+    found: type[Integrator] | None = members("integrators").get(name)
+    return found
+
+
+def peer_of(name: str) -> str:
+    """The package that an integrator comes from; "" for our own."""
+    member = kind_of(name)
+    return member.peer if member is not None else ""
+
+
+def _kinds(wanted: Wanted, ran: Ran) -> Iterator[str]:
+    """Our own first. The choice by the scene is one of them, and has rows of its own where it changes its method."""
+    if wanted.integrators:
+        yield from wanted.integrators
+        return
+    if ran.changed:
+        yield AUTOMATIC
+    every: dict[str, type[Integrator]] = {**members("integrators")}
+    for kind in sorted(every, key=lambda kind: (every[kind].peer, kind)):
+        if not every[kind].peer or (wanted.peers and every[kind]().available()):
+            yield kind
+
+
+def _rows(subject: Subject, kind: str, reference: Reference, wanted: Wanted) -> Iterator[Row]:
+    """One integrator at all its settings, the coarsest first."""
+    member = kind_of(kind)
+    if member is not None and member.peer:
+        # Its package is imported now, which is no part of a run.
+        _row(subject, kind, max(wanted.tolerances), None, reference)
+    for tolerance, step in (
+        [(t, None) for t in wanted.tolerances]
+        if member is None or member.adaptive
+        else [(wanted.tolerances[0], s * subject.time_scale) for s in wanted.steps]
+    ):
+        if wanted.progress is not None:
+            wanted.progress(f"{kind} {tolerance:.0e}" if step is None else f"{kind} step {step:.2e} s")
+        yield _row(subject, kind, tolerance, step, reference)
+
+
+def _row(subject: Subject, kind: str, tolerance: float, step: float | None, reference: Reference) -> Row:
+    try:
+        ran, seconds = _timed(lambda: subject.run(kind, tolerance, step))
+        finer = subject.run(kind, tighter(tolerance), None) if step is None else subject.run(kind, tolerance, step / 2)
+    except PlanarError as error:
+        return Row(kind, None if step else tolerance, step, None, None, math.nan, math.nan, 0, 0, 0.0, str(error))
+    note = ran.refused
+    if not note and ran.met != reference.met:
+        note = "meets other events than the reference"
+    return Row(
+        integrator=kind,
+        tolerance=None if step else tolerance,
+        step=step,
+        error=None if note else largest(ran.values, reference.values),
+        estimated=largest(ran.values, finer.values) if not note and finer.met == ran.met else None,
+        energy=ran.energy,
+        drift=ran.drift,
+        steps=ran.steps,
+        evaluations=ran.evaluations,
+        seconds=seconds,
+        note=note,
+    )
+
+
+def _timed(run: Callable[[], Ran]) -> tuple[Ran, float]:
+    """A run with the median of its times."""
+    ran = run()
+    times = [ran.seconds]
+    if ran.seconds < BRIEF:
+        times += [run().seconds for _ in range(REPEATED - 1)]
+    return ran, statistics.median(times)
+
+
+def largest(values: Sequence[float], others: Sequence[float]) -> float:
+    """The largest difference."""
+    return max((abs(a - b) for a, b in zip(values, others, strict=True)), default=0.0)
+
+
+def _reference(subject: Subject) -> tuple[Reference, Ran]:
+    """The closed form, or the finest run, checked by a still finer one and by another method."""
+    ran = subject.run(AUTOMATIC, FINEST)
+    if ran.refused:
+        ran = subject.run(AUTOMATIC, 1e-9)
+    exact = subject.exact()
+    if exact is not None and len(exact) == len(ran.values):
+        return Reference(exact, "closed form", EPSILON, ran.met), ran
+    differences = []
+    for kind, tolerance in ((AUTOMATIC, CHECK), (OTHER, OTHER_TOLERANCE)):
+        try:
+            check = subject.run(kind, tolerance)
+        except PlanarError:
+            continue
+        if check.met == ran.met:
+            differences.append(largest(ran.values, check.values))
+    words = f"{AUTOMATIC} at {FINEST:.0e}" + (", not checked" if not differences else "")
+    if differences:
+        words += f"; at {CHECK:.0e} it differs by {differences[0]:.1e}"
+    if len(differences) > 1:
+        words += f", {OTHER} at {OTHER_TOLERANCE:.0e} by {differences[1]:.1e}"
+    return Reference(ran.values, words, max(min(differences, default=math.inf), EPSILON), ran.met), ran
+
+
+def _growth(subject: Subject, ran: Ran) -> Growth:
+    """How the difference of two starts grows until they meet different events, or the end."""
+    other = subject.run(AUTOMATIC, FINEST, None, SHIFT)
+    plain = subject.run(AUTOMATIC, FINEST)
+    end = min(plain.t1, other.t1)
+    times = [plain.t0 + (end - plain.t0) * k / SAMPLES for k in range(SAMPLES + 1)]
+    return growth([(t, largest(plain.path(t), other.path(t))) for t in times], SHIFT)
+
+
+def _advice(rows: Sequence[Row], digits: int, reference: Reference) -> Advice:
+    """Both what is true and what is estimated must be small enough."""
+    enough = [
+        r
+        for r in rows
+        if r.error is not None
+        and r.error <= 10.0**-digits
+        and (r.estimated or 0.0) <= 3.0 * 10.0**-digits
+        and reference.uncertainty <= 10.0**-digits
+    ]
+    return Advice(digits, min(enough, key=lambda r: r.seconds, default=None))

@@ -1,0 +1,114 @@
+"""Diagrams of work against error: in letters for a terminal, or as a picture by Matplotlib (an extra)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from importlib.util import find_spec
+
+from planar_cli.errors import PlanarError
+from planar_cli.simulate.accuracy import Row, Study
+
+WIDTH, HEIGHT = 64, 18
+"""Of the field of a diagram in letters."""
+LETTERS = "abcdefghijklmnopqrstuvwxyz"
+ESTIMATED = "·"
+"""Where an estimated error stands for its row."""
+PICTURES = (".png", ".svg")
+
+
+def _curves(study: Study) -> dict[str, list[Row]]:
+    """The rows with an error, by integrator."""
+    curves: dict[str, list[Row]] = {}
+    for row in study.rows:
+        if row.error is not None and row.seconds > 0.0:
+            curves.setdefault(row.integrator, []).append(row)
+    return curves
+
+
+def _lowest(study: Study) -> float:
+    """Smaller errors are drawn here: below what the reference can tell."""
+    return max(study.reference.uncertainty, 1e-16)
+
+
+def diagram(study: Study) -> list[str]:
+    """Time [s] to the right, error upward, both by powers of ten; a letter for every integrator."""
+    curves = _curves(study)
+    if not curves:
+        return []
+    low = _lowest(study)
+    times = [math.log10(r.seconds) for rows in curves.values() for r in rows]
+    errors = [
+        math.log10(max(e, low))
+        for rows in curves.values()
+        for r in rows
+        for e in (r.error, r.estimated)
+        if e is not None
+    ]
+    left, right = math.floor(min(times)), math.ceil(max(times) + 1e-9)
+    bottom, top = math.floor(min(errors)), math.ceil(max(errors) + 1e-9)
+    field = [[" "] * (WIDTH + 1) for _ in range(HEIGHT + 1)]
+
+    def put(row: Row, error: float, letter: str) -> None:
+        x = round(WIDTH * (math.log10(row.seconds) - left) / (right - left))
+        y = round(HEIGHT * (top - math.log10(max(error, low))) / (top - bottom))
+        if letter != ESTIMATED or field[y][x] == " ":
+            field[y][x] = letter
+
+    named = list(zip(LETTERS, curves.items(), strict=False))
+    for letter, (_, rows) in named:
+        for row in rows:
+            if row.error is not None:
+                put(row, row.error, letter)
+    for _, (_, rows) in named:
+        for row in rows:
+            if row.estimated is not None:
+                put(row, row.estimated, ESTIMATED)
+    lines = ["error (parts of the scales) over time [s]:"]
+    marks = _marks(bottom, top, HEIGHT)
+    for i, cells in enumerate(field):
+        lines.append(f"{marks.get(HEIGHT - i, ''):>7} |{''.join(cells).rstrip()}")
+    lines.append(" " * 8 + "+" + "-" * (WIDTH + 1))
+    scale = [" "] * (WIDTH + 12)
+    for x, text in _marks(left, right, WIDTH).items():
+        scale[x : x + len(text)] = text
+    lines.append(" " * 8 + "".join(scale).rstrip())
+    lines.append(
+        "  " + "   ".join(f"{letter} {kind}" for letter, (kind, _) in named) + f"   {ESTIMATED} estimated error"
+    )
+    return lines
+
+
+def _marks(low: int, high: int, length: int) -> dict[int, str]:
+    """Where powers of ten stand along an axis: not more than one in every fourth place."""
+    every = max(1, math.ceil(4 * (high - low) / length))
+    return {round(length * (k - low) / (high - low)): f"1e{k}" for k in range(low, high + 1, every)}
+
+
+def picture(studies: Sequence[tuple[str, Study]], path: str) -> None:
+    """Error and estimated error over time, as PNG or SVG; a diagram for every study. PlanarError without Matplotlib."""
+    if not path.lower().endswith(PICTURES):
+        raise PlanarError(f"a picture is written as {' or '.join(PICTURES)}, not as {path}")
+    if find_spec("matplotlib") is None:
+        raise PlanarError("pictures need Matplotlib: pip install 'planar-cli[plot]'")
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(7.0, 4.6 * len(studies)), layout="constrained")
+    FigureCanvasAgg(figure)
+    for place, (title, study) in enumerate(studies):
+        axes = figure.add_subplot(len(studies), 1, place + 1)
+        low = _lowest(study)
+        for kind, rows in _curves(study).items():
+            times = [r.seconds for r in rows]
+            (line,) = axes.loglog(times, [max(r.error or 0.0, low) for r in rows], "o-", label=kind)
+            known = [r for r in rows if r.estimated is not None]
+            errors = [max(r.estimated or 0.0, low) for r in known]
+            axes.loglog([r.seconds for r in known], errors, ":", color=line.get_color())
+        axes.set(title=title, xlabel="time [s]", ylabel="error (dotted: estimated), parts of the scales")
+        axes.grid(visible=True, which="major", alpha=0.3)
+        axes.legend(fontsize="small")
+    try:
+        figure.savefig(path)
+    except OSError as error:
+        raise PlanarError(f"cannot write {path}: {error.strerror}") from error

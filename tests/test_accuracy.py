@@ -1,0 +1,142 @@
+"""Studies of accuracy on motions with given rates."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import math
+import time
+from dataclasses import dataclass
+from importlib.util import find_spec
+from pathlib import Path
+
+import motions
+import pytest
+
+from planar_cli.errors import PlanarError
+from planar_cli.integrators.base import Setting
+from planar_cli.motion.drive import drive
+from planar_cli.motion.estimate import shifts
+from planar_cli.simulate.accuracy import Ran, Study, Wanted, study
+from planar_cli.simulate.accuracy_report import as_csv, as_data, as_markdown, as_text
+from planar_cli.simulate.diagram import HEIGHT, picture
+
+
+@dataclass(frozen=True)
+class Plain:
+    """A motion as the subject of a study."""
+
+    motion: motions.Motion
+    closed: tuple[float, ...] | None = None
+    time_scale: float = 0.3
+
+    def run(self, kind: str, tolerance: float, step: float | None = None, shift: float = 0.0) -> Ran:
+        motion, begun = self.motion, time.perf_counter()
+        start = [a + b for a, b in zip(motion.start, shifts(motion.scale, shift), strict=True)]
+        setting = Setting(motion.scale, tolerance=tolerance, step=step)
+        run = drive(motion.rates, 0.0, start, motion.end, setting, kind=kind)
+
+        def path(t: float) -> list[float]:
+            return [a / s for a, s in zip(run.at(t), motion.scale, strict=True)]
+
+        seconds = time.perf_counter() - begun
+        counts = run.counts
+        return Ran(tuple(path(run.t1)), path, 0.0, run.t1, (), 0.0, 0.0, counts.steps, counts.evaluations, seconds)
+
+    def exact(self) -> tuple[float, ...] | None:
+        return self.closed
+
+
+WANTED = Wanted(("auto", "dop853", "rk4"), tolerances=(1e-4, 1e-7, 1e-10, 1e-12), steps=(0.1, 0.03, 0.01))
+
+
+@pytest.fixture(scope="module")
+def swing() -> Study:
+    return study(Plain(motions.pendulum(2.0, 5.0)), WANTED)
+
+
+def test_errors_fall_and_are_estimated(swing: Study) -> None:
+    rows = [r for r in swing.rows if r.integrator == "dop853"]
+    assert [r.tolerance for r in rows] == list(WANTED.tolerances)
+    errors = [r.error for r in rows if r.error is not None]
+    assert errors == sorted(errors, reverse=True)
+    for row in rows[:3]:
+        assert row.error is not None
+        assert row.estimated == pytest.approx(row.error, rel=9.0)
+    fixed = [r for r in swing.rows if r.integrator == "rk4"]
+    assert [r.step for r in fixed] == pytest.approx([0.03, 0.009, 0.003])
+
+
+def test_the_reference_is_checked_by_another_method(swing: Study) -> None:
+    assert "radau" in swing.reference.words
+    assert swing.reference.uncertainty < 1e-12
+
+
+def test_a_closed_form_is_the_reference_where_there_is_one() -> None:
+    oscillator = motions.Motion(lambda t, y: [y[1], -y[0]], [1.0, 0.0], 2.0, [1.0, 1.0], {})
+    found = study(Plain(oscillator, (math.cos(2.0), -math.sin(2.0))), Wanted(("dop853",), tolerances=(1e-6, 1e-9)))
+    assert found.reference.words == "closed form"
+    assert all(r.error is not None and r.error < 1e-4 for r in found.rows)
+
+
+def test_settings_are_recommended(swing: Study) -> None:
+    assert [a.digits for a in swing.advice] == [3, 6, 10]
+    for advice in swing.advice:
+        assert advice.row is not None
+        assert advice.row.error is not None
+        assert advice.row.error <= 10.0**-advice.digits
+
+
+def test_the_horizon_of_a_chaotic_motion() -> None:
+    found = study(Plain(motions.double_pendulum()), Wanted(("dop853",), tolerances=(1e-6,)))
+    assert found.growth.factor > 1e5
+    assert "mean nothing beyond" in as_text("double pendulum", found)
+
+
+def test_a_method_beyond_its_budget_is_not_refined() -> None:
+    found = study(Plain(motions.pendulum(2.0, 5.0)), Wanted(("rk4",), steps=(0.1, 0.01, 0.001), budget=0.0))
+    assert len(found.rows) == 1
+
+
+def test_what_can_not_be_followed_is_a_row_with_its_reason() -> None:
+    """Equal steps too short to be taken."""
+    found = study(Plain(motions.pendulum(2.0, 5.0)), Wanted(("rk4",), steps=(1e-7,)))
+    assert found.rows[0].error is None
+    assert "would need" in found.rows[0].note
+
+
+def test_as_text(swing: Study) -> None:
+    text = as_text("Pendulum", swing)
+    lines = text.splitlines()
+    assert lines[0] == "Pendulum"
+    assert len([line for line in lines if " |" in line]) == HEIGHT + 1
+    assert "6 digits: " in text
+    assert max(map(len, lines)) <= 120
+
+
+def test_as_markdown(swing: Study) -> None:
+    rows = [line for line in as_markdown("Pendulum", swing).splitlines() if line.startswith("|")]
+    assert len(rows) == 2 + len(swing.rows)
+    assert len({row.count("|") for row in rows}) == 1
+
+
+def test_as_csv_and_json(swing: Study) -> None:
+    rows = list(csv.DictReader(io.StringIO(as_csv([("Pendulum", swing)]))))
+    assert [float(r["error"]) for r in rows] == [r.error for r in swing.rows]
+    data = json.loads(json.dumps(as_data("Pendulum", swing), allow_nan=False))
+    assert [r["integrator"] for r in data["rows"]] == [r.integrator for r in swing.rows]
+    assert [a["digits"] for a in data["recommended"]] == [3, 6, 10]
+
+
+def test_as_a_picture(swing: Study, tmp_path: Path) -> None:
+    """An extra: without Matplotlib it is refused by name, as is a kind of picture that is not written."""
+    with pytest.raises(PlanarError, match=r"\.png or \.svg"):
+        picture([("Pendulum", swing)], str(tmp_path / "study.gif"))
+    path = tmp_path / "study.svg"
+    if find_spec("matplotlib") is None:
+        with pytest.raises(PlanarError, match="plot"):
+            picture([("Pendulum", swing)], str(path))
+    else:
+        picture([("Pendulum", swing)], str(path))
+        assert "<svg" in path.read_text(encoding="utf-8")
