@@ -13,7 +13,7 @@ from dataclasses import dataclass, field, replace
 import sympy as sp
 
 from planar_cli.equation.curves import curve_place
-from planar_cli.equation.displacement import Coordinate, Displacement
+from planar_cli.equation.displacement import Coordinate, CoordinateNames, Displacement
 from planar_cli.equation.motion import Edge, Tree
 from planar_cli.equation.plain import simplified
 from planar_cli.equation.pose import HERE, Pose
@@ -21,7 +21,6 @@ from planar_cli.equation.scene import Scene
 from planar_cli.errors import NOWHERE
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND, Circle, Curve, Line, Polar, Round
-from planar_cli.units import parse_unit
 
 ZERO = sp.S.Zero
 
@@ -30,7 +29,7 @@ ZERO = sp.S.Zero
 class Displacer:
     """Displaces the bodies of one scene along one tree. `surface_of`: the surface on which a joint slides, by name;
     `time`: the time since the drawn instant; `formula`: bodies whose places the file itself writes with coordinates;
-    `still`: names of velocity unknowns that stay zero; `made`: symbols of earlier displacements of the same scene.
+    `still`: names of velocity unknowns that stay zero; `made`: symbols of all displacements of the same problem.
     """
 
     scene: Scene
@@ -39,7 +38,7 @@ class Displacer:
     time: sp.Expr
     formula: frozenset[str]
     still: frozenset[str]
-    made: dict[str, sp.Symbol]
+    made: CoordinateNames
     poses: dict[str, Pose] = field(default_factory=lambda: {GROUND: HERE})
     coordinates: list[Coordinate] = field(default_factory=list)
 
@@ -72,19 +71,26 @@ class Displacer:
         return (self.scene.owner(found[0], body), found[0]) if found else (GROUND, "")
 
     def _coordinate(
-        self, name: str, unit: str, drawn: sp.Expr | None, speed: sp.Symbol, factor: sp.Expr, words: str, body: str
+        self,
+        name: str,
+        unit: str,
+        drawn: sp.Expr | None,
+        speed: sp.Symbol,
+        factor: sp.Expr,
+        words: str,
+        body: str,
+        turns: bool = False,
     ) -> sp.Expr:
+        """A coordinate of its own, or where it is drawn if it stays there. `turns`: it is the angle of the body."""
         if speed.name in self.still and drawn is not None:
             return drawn
         # Directions read in degrees; what rolls has turned by radians.
         shape = next((b.shape for b in self.scene.problem.bodies if b.name == body), None)
-        rolls = isinstance(shape, Round) and name.startswith("theta")
-        shown = "deg" if unit == "rad" and not rolls else unit
-        symbol = self.made.get(name)
-        if symbol is None:
-            symbol = self.made[name] = self.scene.ledger.fresh(name, shown)
-        self.scene.ledger.units.setdefault(symbol, parse_unit(shown))
-        self.coordinates.append(Coordinate(symbol, unit, drawn, speed, factor, words, body, shown))
+        shown = "deg" if unit == "rad" and not (isinstance(shape, Round) and turns) else unit
+        ledger = self.scene.ledger
+        symbol = self.made.coordinate(ledger, name, body, shown)
+        start = self.made.start(ledger, symbol, shown)
+        self.coordinates.append(Coordinate(symbol, start, unit, drawn, speed, factor, words, body, shown))
         return symbol
 
     def _angle(self, edge: Edge) -> tuple[sp.Expr, sp.Expr]:
@@ -94,7 +100,7 @@ class Displacer:
             turn = ZERO if edge.particle else self.poses[edge.parent].turn
             return (body.theta, body.theta + turn) if turn != 0 else (ZERO, ZERO)
         name = "theta" if sum(e.spin is not None for e in self.tree.edges) == 1 else f"theta_{edge.body}"
-        now = self._coordinate(name, "rad", body.theta, edge.spin, sp.S.One, f"angle of {edge.body}", edge.body)
+        now = self._coordinate(name, "rad", body.theta, edge.spin, sp.S.One, f"angle of {edge.body}", edge.body, True)
         return body.theta, now
 
     def _fixed(self, edge: Edge) -> Pose:
@@ -182,7 +188,8 @@ class Displacer:
             drawn = getattr(body.center, axis)
             words = f"{axis} of {name}"
             if open_place:
-                self.coordinates.append(Coordinate(drawn, "m", None, speed, sp.S.One, words, edge.body, "m"))
+                start = self.made.start(self.scene.ledger, drawn, "m")
+                self.coordinates.append(Coordinate(drawn, start, "m", None, speed, sp.S.One, words, edge.body, "m"))
                 parts.append(drawn)
             else:
                 parts.append(self._coordinate(f"{axis}_{name}", "m", drawn, speed, sp.S.One, words, edge.body))

@@ -10,6 +10,7 @@ from collections import ChainMap
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from decimal import Decimal
+from enum import Enum
 from fractions import Fraction
 
 import sympy as sp
@@ -21,6 +22,38 @@ from planar_cli.units import PURE, Unit, parse_unit
 DRAWS, WIDER, MANY = 2, 10, 30
 
 
+class Kind(Enum):
+    """What a symbol is in a problem, whatever it is called."""
+
+    TIME = "time"
+    GIVEN = "given"
+    LETTER = "a known without a number"
+    SOUGHT = "sought constant"
+    COORDINATE = "coordinate"
+    START = "value of a coordinate at the start"
+    SPEED = "velocity unknown"
+    ACCELERATION = "acceleration unknown"
+    REACTION = "reaction"
+    NAMED = "named intermediate"
+    STATE = "value at a state"
+
+
+@dataclass(frozen=True, slots=True)
+class Role:
+    """What a symbol is."""
+
+    kind: Kind
+    of: sp.Symbol | None = None
+    """The coordinate to which a start belongs, or a speed or acceleration of the file's own; what has its value at a
+    state.
+    """
+    at: str | None = None
+    """The state at which it is a value."""
+
+
+NAMED = Role(Kind.NAMED)
+
+
 @dataclass(slots=True)
 class Ledger:
     """Symbols and what is known of them.
@@ -29,7 +62,8 @@ class Ledger:
     in the order in which they were made, with `titles` saying what each is. `letters`: knowns without a number.
     `sought`: unknown constants and coordinates. `units`: the unit for display, by symbol. `ranges`: from where to where
     a letter is drawn, where the usual range would not do. `project`: moves drawn coordinates to where loops close.
-    `named`: symbols that stand for an expression, by name and expression.
+    `named`: symbols that stand for an expression, by name and expression. `roles`: what every symbol is. `reserved`:
+    the names of the file, which no symbol of ours gets.
     """
 
     symbols: dict[str, sp.Symbol] = field(default_factory=dict)
@@ -44,6 +78,8 @@ class Ledger:
     ranges: dict[str, tuple[Decimal, Decimal]] = field(default_factory=dict)
     project: Callable[[Valuation], Mapping[sp.Symbol, Decimal]] | None = None
     named: dict[tuple[str, sp.Expr], sp.Symbol] = field(default_factory=dict)
+    roles: dict[sp.Symbol, Role] = field(default_factory=dict)
+    reserved: frozenset[str] = frozenset()
 
     def known(self, name: str, value: sp.Expr, unit: str) -> sp.Symbol:
         """A name with a value; positive when its number is."""
@@ -51,6 +87,14 @@ class Ledger:
         self.symbols[name] = symbol
         self.values[symbol] = value
         self.units[symbol] = parse_unit(unit)
+        self.roles[symbol] = Role(Kind.GIVEN)
+        return symbol
+
+    def time(self) -> sp.Symbol:
+        """The time t."""
+        symbol = self.symbols["t"] = sp.Symbol("t", real=True)
+        self.units[symbol] = parse_unit("s")
+        self.roles[symbol] = Role(Kind.TIME)
         return symbol
 
     def letter(self, name: str, unit: str) -> sp.Symbol:
@@ -58,6 +102,7 @@ class Ledger:
         symbol = self.symbols[name] = sp.Symbol(name, positive=True)
         self.letters.append(symbol)
         self.units[symbol] = parse_unit(unit)
+        self.roles[symbol] = Role(Kind.LETTER)
         return symbol
 
     def seek(self, name: str, unit: str, *, coordinate: bool = False) -> sp.Symbol:
@@ -67,6 +112,7 @@ class Ledger:
         if coordinate:
             self.coordinates.append(symbol)
         self.units[symbol] = parse_unit(unit)
+        self.roles[symbol] = Role(Kind.COORDINATE if coordinate else Kind.SOUGHT)
         return symbol
 
     def settle(self, symbol: sp.Symbol, value: sp.Expr) -> None:
@@ -79,14 +125,25 @@ class Ledger:
         self.sought.remove(symbol)
         self.letters.append(symbol)
 
-    def fresh(self, name: str, unit: str, *, positive: bool = False) -> sp.Symbol:
+    def fresh(self, name: str, unit: str, *, positive: bool = False, role: Role = NAMED) -> sp.Symbol:
         """A new symbol of ours, named apart from every name of the file."""
         free = name
-        while free in self.symbols:
+        while free in self.symbols or free in self.reserved:
             free += "′"
         symbol = self.symbols[free] = sp.Symbol(free, positive=True) if positive else sp.Symbol(free, real=True)
         self.units[symbol] = parse_unit(unit)
+        self.roles[symbol] = role
         return symbol
+
+    def adopt(self, symbol: sp.Symbol, unit: Unit, role: Role) -> None:
+        """A symbol of ours that another ledger of the same problem has made."""
+        self.symbols.setdefault(symbol.name, symbol)
+        self.units.setdefault(symbol, unit)
+        self.roles.setdefault(symbol, role)
+
+    def is_speed(self, symbol: sp.Symbol) -> bool:
+        """Is a symbol a velocity unknown, or the rate of a coordinate of the file?"""
+        return self.roles[symbol].kind is Kind.SPEED
 
     def once(self, name: str, unit: str, expr: sp.Expr) -> sp.Symbol:
         """A symbol of ours for an expression: the same one for the same expression."""

@@ -18,7 +18,7 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.equation.ledger import Ledger
+from planar_cli.equation.ledger import Kind, Ledger, Role
 from planar_cli.problem.facts import Joining, Row
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
@@ -79,7 +79,7 @@ class TreeBuilder:
         self, ledger: Ledger, rigid: Callable[[str], bool], center_name: Callable[[str], str], bodies: Iterable[str]
     ) -> None:
         self.ledger, self.rigid, self.center_name, self.bodies = ledger, rigid, center_name, tuple(bodies)
-        self._made: dict[str, sp.Symbol] = {}
+        self._made: dict[tuple[str, str], sp.Symbol] = {}
         self.titles: dict[sp.Symbol, str] = {}
 
     def build(self, joinings: Iterable[Joining], hang: bool = True) -> Tree:
@@ -118,29 +118,35 @@ class TreeBuilder:
     def _freedom(self, joining: Joining, body: str) -> int:
         return (joining.path is not None) + (joining.turns and self.rigid(body))
 
-    def _symbol(self, name: str, unit: str, title: str) -> sp.Symbol:
-        if name not in self._made:
-            self._made[name] = self.ledger.fresh(name, unit)
-            self.titles[self._made[name]] = title
-        return self._made[name]
+    def _symbol(self, name: str, unit: str, title: str, kind: Kind) -> sp.Symbol:
+        if (name, title) not in self._made:
+            symbol = self._made[name, title] = self.ledger.fresh(name, unit, role=Role(kind))
+            self.titles[symbol] = title
+        return self._made[name, title]
+
+    def _pair(self, index: str, speed: str, rate: str, *, turns: bool = False) -> tuple[sp.Symbol, sp.Symbol]:
+        """A velocity unknown and the acceleration unknown that goes with it. `speed`, `rate`: what they are."""
+        stems, per = (("omega", "alpha"), "rad") if turns else (("v", "a"), "m")
+        names = [f"{stem}_{index}" if index else stem for stem in stems]
+        return (
+            self._symbol(names[0], f"{per}/s", speed, Kind.SPEED),
+            self._symbol(names[1], f"{per}/s^2", rate, Kind.ACCELERATION),
+        )
 
     def spin_of(self, body: str) -> tuple[sp.Symbol, sp.Symbol]:
         """ω and α of a body; without an index where only one body turns."""
         alone = sum(self.rigid(b) for b in self.bodies) == 1
-        names = ("omega", "alpha") if alone else (f"omega_{body}", f"alpha_{body}")
-        return self._symbol(names[0], "rad/s", f"angular velocity of {body}"), self._symbol(
-            names[1], "rad/s^2", f"angular acceleration of {body}"
-        )
+        words = f"angular velocity of {body}", f"angular acceleration of {body}"
+        return self._pair("" if alone else body, *words, turns=True)
 
     def _free(self, body: str) -> Edge:
         name = self.center_name(body) or body
-        made = [
-            self._symbol(f"{q}_{name}{axis}", unit, f"{what} of {name} along {axis}")
+        (v_x, a_x), (v_y, a_y) = (
+            self._pair(f"{name}{axis}", f"velocity of {name} along {axis}", f"acceleration of {name} along {axis}")
             for axis in ("x", "y")
-            for q, unit, what in (("v", "m/s", "velocity"), ("a", "m/s^2", "acceleration"))
-        ]
+        )
         spin, rate = self.spin_of(body) if self.rigid(body) else (None, None)
-        return Edge(body, GROUND, None, False, spin, rate, made[0], made[1], made[2], made[3])
+        return Edge(body, GROUND, None, False, spin, rate, v_x, a_x, v_y, a_y)
 
     def _hung(self, body: str, joining: Joining) -> Edge:
         backward = body == joining.base
@@ -151,8 +157,8 @@ class TreeBuilder:
         if joining.path is not None:
             name = joining.place if joining.base == GROUND else f"{joining.place}_{joining.base}"
             seen = "" if joining.base == GROUND else f" seen from {joining.base}"
-            slide = self._symbol(f"v_{name}", "m/s", f"speed of {joining.place} along its path{seen}")
-            slide_rate = self._symbol(f"a_{name}", "m/s^2", f"acceleration of {joining.place} along its path{seen}")
+            path = f"of {joining.place} along its path{seen}"
+            slide, slide_rate = self._pair(name, f"speed {path}", f"acceleration {path}")
         return Edge(body, parent, joining, backward, spin, rate, slide, slide_rate, particle=not self.rigid(body))
 
 

@@ -11,7 +11,8 @@ import sympy as sp
 from planar_cli.equation.displacement import Displacement
 from planar_cli.equation.evaluate import Evaluator, refuse
 from planar_cli.equation.exact import Valuation
-from planar_cli.equation.ledger import Ledger
+from planar_cli.equation.ledger import Kind as RoleKind
+from planar_cli.equation.ledger import Ledger, Role
 from planar_cli.equation.scene import Scene
 from planar_cli.equation.system import Statements
 from planar_cli.problem.dimensions import Kind, dimension_of
@@ -58,7 +59,8 @@ class Setup:
     ) -> None:
         self.problem, self.statements, self.earlier = problem, statements, earlier
         self.parted = course.parted if course is not None else {}
-        self.ledger = Ledger(us=problem.us)
+        written = (*problem.given, *problem.symbols, *problem.unknowns, *problem.coordinates)
+        self.ledger = Ledger(us=problem.us, reserved=frozenset(s.name for s in written))
         self._given = {s.name: s for s in problem.given}
         self._waiting: list[str] = []
         self.motions: dict[sp.Symbol, tuple[sp.Expr | None, sp.Expr | None]] = {}
@@ -82,10 +84,10 @@ class Setup:
             self.ledger.letters.append(time)
         if course.displacement is not None:
             for c in course.displacement.coordinates:
-                if c.symbol.name not in self.ledger.symbols:
-                    self.ledger.symbols[c.symbol.name] = c.symbol
-                    self.ledger.units[c.symbol] = parse_unit(c.shown)
+                if c.symbol not in self.ledger.roles:
+                    self.ledger.adopt(c.symbol, parse_unit(c.shown), Role(RoleKind.COORDINATE))
                     self.ledger.letters.append(c.symbol)
+                self.ledger.adopt(c.start, parse_unit(c.shown), Role(RoleKind.START, c.symbol))
         self.ledger.ranges = dict(course.ranges)
         self.ledger.project = course.project
 
@@ -94,8 +96,7 @@ class Setup:
     def _names(self) -> None:
         for name, known in self.earlier.items():
             self.ledger.known(name, known.value, known.unit)
-        time = self.ledger.symbols["t"] = sp.Symbol("t", real=True)
-        self.ledger.units[time] = parse_unit("s")
+        time = self.ledger.time()
         self.motions[time] = (sp.S.One, sp.S.Zero)
         for symbol in self.problem.symbols:
             self.ledger.letter(symbol.name, symbol.unit or "1")
@@ -106,8 +107,8 @@ class Setup:
             unit = symbol.unit or "1"
             per = "rad" if parse_unit(unit).angle else unit if unit != "1" else "1"
             self.motions[made] = (
-                self.ledger.fresh(f"{symbol.name}_dot", f"{per}/s"),
-                self.ledger.fresh(f"{symbol.name}_ddot", f"{per}/s^2"),
+                self.ledger.fresh(f"{symbol.name}_dot", f"{per}/s", role=Role(RoleKind.SPEED, made)),
+                self.ledger.fresh(f"{symbol.name}_ddot", f"{per}/s^2", role=Role(RoleKind.ACCELERATION, made)),
             )
         for symbol in self.problem.given:
             self._know(symbol)

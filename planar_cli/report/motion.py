@@ -8,7 +8,7 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.equation.ledger import display
+from planar_cli.equation.ledger import Kind, display
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.problem.check_dimensions import Kinds
 from planar_cli.problem.scope import Scope
@@ -211,13 +211,12 @@ class MotionTelling:
         self.next += 1
         return self.next - 1
 
-    @staticmethod
-    def _explicit(e: Relation, leg: RouteStep) -> bool:
+    def _explicit(self, e: Relation, leg: RouteStep) -> bool:
         """Does the relation itself give its unknown?"""
         result = leg.results[0]
         if (e.kind == "link" or e.is_datum) and result.formula is not None:
             return bool(sp.expand(e.residual - (result.unknown - result.formula)) == 0) or e.kind == "link"
-        return e.span is not None and e.span.explicit is not None and _letter(e) == leg.results[0].unknown
+        return e.span is not None and e.span.explicit is not None and self._letter(e) == leg.results[0].unknown
 
     def _law(self, e: Relation) -> Iterator[Block]:
         """The law of a coordinate, once."""
@@ -273,13 +272,13 @@ class MotionTelling:
         residual = e.residual.xreplace(route.plain)
         if longer(residual, LONGEST) and e.kind == "extreme":
             return line("the rate of this quantity"), line("0")
-        letter = _letter(e)
+        letter = self._letter(e)
         if letter is not None:
             own = letter**2 if e.kind == "v(q)" else letter
             if sp.diff(residual, own) == 1 if own.is_Symbol else residual.coeff(letter, 2) == 1:
                 return self.phrases.math(own), self.phrases.math(_neat(own - residual))
         if e.span is not None and e.span.explicit is not None and not e.span.unevaluated:
-            own = _letter(e)
+            own = self._letter(e)
             if own in route.plain:
                 return self.phrases.math(e.span.explicit.xreplace(route.plain)), self.phrases.math(route.plain[own])
         if e.span is not None and e.span.unevaluated:
@@ -343,7 +342,7 @@ class MotionTelling:
     def _reason(self, r: Result, left: list[Any]) -> str:
         general = self.general[r.unknown]
         values = [x.value for x in left]
-        if general.name == "t":
+        if self.found.ledger.roles[general].kind is Kind.TIME:
             if all(v < r.value for v in values):
                 return "that is not after the state before"
             if all(v > r.value for v in values):
@@ -353,21 +352,20 @@ class MotionTelling:
             return "it moves the other way there"
         return "this motion does not come there at that state"
 
-
-def _letter(e: Relation) -> sp.Symbol | None:
-    """The letter that a relation between states gives, by its kind."""
-    span = e.span
-    if span is None:
+    def _letter(self, e: Relation) -> sp.Symbol | None:
+        """The letter that a relation between states gives, by its kind."""
+        span = e.span
+        if span is None:
+            return None
+        if span.explicit is not None:
+            found = (span.residual + span.explicit).expand() if span.residual.is_Add else span.residual + span.explicit
+            found = simplified(found)
+            return found if found.is_Symbol else None
+        if e.kind == "v(q)":
+            roles = self.found.ledger.roles
+            own = [s for s in span.residual.free_symbols if s in roles and roles[s].at == e.stop]
+            return next((s for s in own if span.residual.coeff(s, 2) == 1), None)
         return None
-    if span.explicit is not None:
-        found = (span.residual + span.explicit).expand() if span.residual.is_Add else span.residual + span.explicit
-        found = simplified(found)
-        return found if found.is_Symbol else None
-    if e.kind == "v(q)":
-        for s in span.residual.free_symbols:
-            if s.name.endswith(f"__{e.stop}") and span.residual.coeff(s, 2) == 1:
-                return s
-    return None
 
 
 def _neat(expr: sp.Expr) -> sp.Expr:

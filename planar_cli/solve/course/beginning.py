@@ -9,7 +9,6 @@ import sympy as sp
 
 from planar_cli.equation.exact import Valuation
 from planar_cli.errors import Diagnostic, NoSolution
-from planar_cli.solve.course.equations import is_speed
 from planar_cli.solve.course.events import SLACK, Leg, State, length_of
 from planar_cli.solve.course.gaps import closes_at_once, openings
 from planar_cli.solve.course.regime import Regime, number_function
@@ -45,7 +44,7 @@ def _moves(course: StatedMotion, regime: Regime, state: State, before: State, va
     """Does something move that the regime takes for held?"""
     handing = course.handings[id(regime)]
     for symbol, number in before.items():
-        if symbol in regime.letters or not is_speed(symbol) or abs(number) <= MOVES:
+        if symbol in regime.letters or symbol not in course.first.speeds or abs(number) <= MOVES:
             continue
         kept = handed_number(regime, handing[symbol], {**before, **state}, value) if symbol in handing else 0.0
         if _alone(symbol, regime) and abs(kept - number) > MOVES * max(1.0, abs(number)):

@@ -275,14 +275,24 @@ def make_blow(course: RegimeSequence, i: int, span: Span, choice: tuple[int, ...
     inside = set().union(*(e.free_symbols for v, w in told.values() for e in (v.x, v.y, w)))
     ledger = course.ledger
     letters = {s: ledger.units[s].text for s in named.values() if s in inside}
-    known = {u.name: own for u, own in stop.letters.items()}
+    known = {title: stop.letters[u] for u, title in _titles(course).items() if u in stop.letters}
     position = Position(None, {}) if drawn else before.general.position
     mark = f"__{stop.name}" if sum(s.blow is not None for s in course.plot.stretches) > 1 else ""
-    struck = struck_instant(span.problem, span.always, course.workshop.earlier, position, told, letters, known, mark)
+    scene = (span.problem, span.always, course.workshop.earlier, position)
+    struck = struck_instant(*scene, told, letters, known, stop.letters, mark)
     choice = choice if choice is not None else next(struck.choices())
     trial = struck.try_choice(choice, struck.scene.valuations[:1])
     otherwise = _struck_otherwise(course.plot.stretches[i].span, span)
     return Blow(since, stop, before, after, struck, drawn, choice, trial, course.edges(), otherwise)
+
+
+def _titles(course: RegimeSequence) -> dict[sp.Symbol, str]:
+    """What the velocity unknowns of all regimes are."""
+    titles: dict[sp.Symbol, str] = {}
+    for regime in course.distinct_regimes():
+        system = regime.general.trial.system
+        titles |= {u: system.titles[u] for u in system.tree.velocity_unknowns()}
+    return titles
 
 
 def _struck_otherwise(before: Span, blow: Span) -> bool:

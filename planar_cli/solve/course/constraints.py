@@ -126,14 +126,9 @@ class GeneralPoses:
         return sp.sympify(expr).subs(self.start)
 
 
-def start_symbol(coordinate: Coordinate) -> sp.Symbol:
-    """The value of a coordinate as drawn, where only the first state tells it."""
-    return sp.Symbol(f"{coordinate.symbol.name}_0", real=True)
-
-
 def start_of(coordinates: Iterable[Coordinate]) -> dict[sp.Symbol, sp.Expr]:
     """All coordinates as drawn."""
-    return {c.symbol: c.drawn if c.drawn is not None else start_symbol(c) for c in coordinates}
+    return {c.symbol: c.drawn if c.drawn is not None else c.start for c in coordinates}
 
 
 def constraints_of(

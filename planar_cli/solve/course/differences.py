@@ -13,7 +13,7 @@ import sympy as sp
 
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.solve.course.asked_finds import AskedFind
-from planar_cli.solve.course.equations import Equation, is_speed
+from planar_cli.solve.course.equations import Equation
 from planar_cli.solve.course.motion_equations import MotionEquations
 from planar_cli.solve.course.timeline import Stop
 
@@ -30,7 +30,7 @@ def by_differences(
     asked = [p for a in finds for p in a.parts()]
     for state in course.states[1:]:
         stop = course.stops[state.name]
-        letters = [s for s in stop.letters if s.name != "t" and not is_speed(s) and stop.letters[s] in truth]
+        letters = [s for s in stop.letters if s != stop.time and s not in stop.speeds and stop.letters[s] in truth]
         for pair in combinations(letters, 2):
             a, b = sorted(pair, key=lambda s: truth[stop.letters[s]])
             one, other = stop.letters[a], stop.letters[b]

@@ -15,6 +15,7 @@ from planar_cli.calculus.laws import Moment, Span, relations
 from planar_cli.calculus.limits import limit
 from planar_cli.equation.displacement import Coordinate
 from planar_cli.equation.exact import Valuation
+from planar_cli.equation.ledger import Kind
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.errors import NOWHERE, Mark
 from planar_cli.problem.expression import Name
@@ -176,7 +177,8 @@ def _second_order(
     f = f if longer(f, LONGEST) else simplified(f)
     if f.free_symbols & (set(regime.letters) - {regime.time, symbol}):
         return None
-    if any(s.name.endswith("_ddot") for s in f.free_symbols) or regime.general.rate_of(u) in f.free_symbols:
+    roles = regime.general.instant.scene.ledger.roles
+    if any(roles[s].kind is Kind.ACCELERATION for s in f.free_symbols if s in roles):
         return None
     return Law(c, 2, f, v, u, factor, _effort(regime, f))
 
@@ -203,7 +205,7 @@ def law_equations(laws: Laws, since: Stop, stop: Stop, regime: Regime, value: Va
         plain = {k: v for k, v in named.items() if v.is_Symbol}
         start, end = (Moment(m.t, m.q, plain.get(m.v, m.v)) for m in (start, end))
         f = law.f.xreplace({time: end.t, q: end.q, law.v: end.v})
-        f = f.xreplace({s: _since(s, since, regime) for s in f.free_symbols if s.name.endswith("_0")})
+        f = f.xreplace({c.start: since.letters[c.symbol] for c in regime.coordinates})
         others = {k: v for k, v in named.items() if not v.is_Symbol}
         family = ("law", q.name, since.name, stop.name)
         spans = relations(law.order, f, start, end, _signs(value, named, since, regime), lean=True)
@@ -215,14 +217,6 @@ def law_equations(laws: Laws, since: Stop, stop: Stop, regime: Regime, value: Va
             yield Equation(
                 shown.residual, span.kind, span.words, stop.name, since.name, shown, family, law.order, law=law
             )
-
-
-def _since(symbol: sp.Symbol, since: Stop, regime: Regime) -> sp.Expr:
-    """The start of a coordinate that only the first state tells."""
-    for c in regime.coordinates:
-        if symbol.name == f"{c.symbol.name}_0":
-            return since.letters[c.symbol]
-    return symbol
 
 
 def _speed(law: Law, stop: Stop) -> sp.Expr:
@@ -270,18 +264,11 @@ def link_equations(laws: Laws, since: Stop, stop: Stop, regime: Regime) -> Itera
         yield Equation(residual, "link", words, stop.name, since.name, family=("link", q.name, stop.name), rank=1)
 
 
-def is_speed(letter: sp.Symbol) -> bool:
-    """Is a letter that of a velocity?"""
-    name: str = letter.name
-    return name.startswith(("v_", "omega")) or name.endswith("_dot")
-
-
 def loop_equations(regime: Regime, first: Stop, stop: Stop) -> Iterator[Equation]:
     """Positions that close loops, at one state."""
-    start = {v: first.letters[s] for s, v in start_of(regime.coordinates).items() if v.is_Symbol}
+    start = {c.start: first.letters[c.symbol] for c in regime.coordinates if c.drawn is None}
     for n, c in enumerate(regime.general.constraints):
-        residual = c.residual.xreplace({s: v for s, v in start.items() if s.name.endswith("_0")})
-        residual = stop.at(residual)
+        residual = stop.at(c.residual.xreplace(start))
         if simplified(residual) != 0:
             yield Equation(residual, c.kind, c.title, stop.name, family=("loop", str(n), stop.name), rank=1)
 

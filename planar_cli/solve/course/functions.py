@@ -13,7 +13,6 @@ from planar_cli.equation.displacement import Coordinate
 from planar_cli.equation.exact import PI, Unvalued, Valuation
 from planar_cli.equation.plain import simplified
 from planar_cli.errors import Undecided
-from planar_cli.solve.course.constraints import start_symbol
 from planar_cli.solve.course.equations import laws_of
 from planar_cli.solve.course.regime import Regime
 from planar_cli.solve.roots import real_roots
@@ -82,7 +81,7 @@ class Functions:
     # --- relations about places --------------------------------------------------------------------------------------
 
     def _by_place(self) -> Function | None:
-        starts = {start_symbol(c) for c in self.regime.coordinates}
+        starts = {c.start for c in self.regime.coordinates}
         for c in sorted(self.regime.general.constraints, key=lambda c: c.kind != "motion"):
             residual = self.put_in(c.residual)
             unknown = self._open(residual)

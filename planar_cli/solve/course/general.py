@@ -10,7 +10,7 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.displaced import Displacer
-from planar_cli.equation.displacement import Coordinate, Displacement
+from planar_cli.equation.displacement import Coordinate, CoordinateNames, Displacement
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.motion import Tree
 from planar_cli.equation.quantities import Quantities
@@ -18,7 +18,7 @@ from planar_cli.equation.sample import anywhere
 from planar_cli.equation.setup import Course, Setup
 from planar_cli.equation.system import Statements
 from planar_cli.problem.scene import Problem
-from planar_cli.solve.course.constraints import Constraint, constraints_of, project, start_symbol
+from planar_cli.solve.course.constraints import Constraint, constraints_of, project
 from planar_cli.solve.course.drawing import ranges
 from planar_cli.solve.course.parting import Parted, parted_joints, parted_modes
 from planar_cli.solve.course.places import held_places
@@ -135,7 +135,7 @@ def make_general(
     drawn: Instant,
     choice: tuple[int, ...],
     resting: frozenset[str],
-    made: dict[str, sp.Symbol],
+    made: CoordinateNames,
     sides: Mapping[str, int],
 ) -> General:
     """The scene in a general position, for one choice of modes. `resting`: names of free speeds that stay zero; `made`:
@@ -145,7 +145,7 @@ def make_general(
     still: frozenset[str] = frozenset()
     while True:
         displacement = displaced(drawn, choice, still, made)
-        found = _general(problem, always, earlier, drawn, choice, displacement, resting, sides)
+        found = _general(problem, always, earlier, drawn, choice, displacement, resting, made, sides)
         velocities = found.trial.velocities
         if _idle(displacement, velocities) - still and loosened(drawn, choice) != choice:
             # What friction holds here may have come to another place before.
@@ -174,9 +174,10 @@ def _general(
     choice: tuple[int, ...],
     displacement: Displacement,
     resting: frozenset[str],
+    made: CoordinateNames,
     sides: Mapping[str, int],
 ) -> General:
-    user = _user_coordinates(drawn)
+    user = _user_coordinates(drawn, made)
     every = constraints_of(drawn, loosened(drawn, choice), displacement, (*user, *displacement.coordinates))
     constraints = tuple(c for c in every if c.kind != "kept")
     kept = tuple(c for c in every if c.kind == "kept")
@@ -189,7 +190,7 @@ def _general(
     held = held_places(instant.setup, system.quantities_of(system.first, None))
     if held:
         constraints = (*constraints, *held)
-        instant.scene.ledger.project = _projector(constraints, displacement, _user_coordinates(instant))
+        instant.scene.ledger.project = _projector(constraints, displacement, _user_coordinates(instant, made))
         instant.scene.forget_valuations()
     valuations = instant.scene.valuations
     found = solve_velocities(system, valuations[0], False)
@@ -202,7 +203,7 @@ def _general(
     if trial.objection == "contradiction" and instant.add_drivers():
         trial = instant.try_choice(choice, valuations, given=given)
     quantities = trial.system.quantities() if trial.outcomes else trial.system.quantities_of(trial.system.first, None)
-    coordinates = (*_user_coordinates(instant), *displacement.coordinates)
+    coordinates = (*_user_coordinates(instant, made), *displacement.coordinates)
     parted = parted_joints(drawn, choice, displacement, coordinates, quantities.motion) if loose else ()
     place = (quantities, course, constraints, kept, parted, rests)
     return General(instant, choice, coordinates, independent, trial, *place)
@@ -238,7 +239,7 @@ def _projector(
     coordinates = (*user, *displacement.coordinates)
     inside = set().union(*(c.residual.free_symbols for c in constraints))
     unknowns = tuple(c.symbol for c in coordinates if c.symbol in inside)
-    starts = {start_symbol(c) for c in coordinates} & inside
+    starts = {c.start for c in coordinates} & inside
 
     def place(value: Valuation) -> Mapping[sp.Symbol, Decimal]:
         drawn = {s: anywhere() for s in starts}
@@ -263,9 +264,7 @@ def loose_tree(drawn: Instant, choice: tuple[int, ...]) -> Tree:
     return drawn.builder.build(j for name, mode in modes.items() if name in lasting for j in mode.facts.joinings)
 
 
-def displaced(
-    drawn: Instant, choice: tuple[int, ...], still: frozenset[str], made: dict[str, sp.Symbol]
-) -> Displacement:
+def displaced(drawn: Instant, choice: tuple[int, ...], still: frozenset[str], made: CoordinateNames) -> Displacement:
     """All bodies of the drawn scene along the tree of this choice of modes."""
     tree, scene = loose_tree(drawn, choice), drawn.scene
     coordinates = set(scene.ledger.coordinates)
@@ -285,7 +284,7 @@ def displaced(
     return Displacer(scene, tree, surface_of, scene.ledger.symbols["t"], formula, still, made).run()
 
 
-def _user_coordinates(instant: Instant) -> tuple[Coordinate, ...]:
+def _user_coordinates(instant: Instant, made: CoordinateNames) -> tuple[Coordinate, ...]:
     """The coordinates of the file that vary freely: not those that are given as functions of time."""
     ledger = instant.scene.ledger
     found = []
@@ -293,5 +292,6 @@ def _user_coordinates(instant: Instant) -> tuple[Coordinate, ...]:
         rate = instant.scene.evaluator.motions[symbol][0]
         if symbol in ledger.letters and isinstance(rate, sp.Symbol):
             unit = "rad" if ledger.units[symbol].angle else ledger.units[symbol].text
-            found.append(Coordinate(symbol, unit, None, rate, sp.S.One, symbol.name, "", unit))
+            start = made.start(ledger, symbol, ledger.units[symbol].text)
+            found.append(Coordinate(symbol, start, unit, None, rate, sp.S.One, symbol.name, "", unit))
     return tuple(found)

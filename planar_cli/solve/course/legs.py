@@ -18,7 +18,7 @@ import sympy as sp
 from planar_cli.calculus.flow import Flow
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.equation.plain import simplified
-from planar_cli.solve.course.constraints import project, start_symbol
+from planar_cli.solve.course.constraints import project
 from planar_cli.solve.course.equations import Laws, law_equations, laws_of, link_equations
 from planar_cli.solve.course.motion_equations import MotionEquations
 from planar_cli.solve.course.regime import Regime, corners, number_function
@@ -150,7 +150,7 @@ def legs(course: MotionEquations, value: Valuation) -> tuple[Leg, ...]:
     """
     begins = _begins(course)
     origin = {
-        start_symbol(c): value(course.first.letters[c.symbol])
+        c.start: value(course.first.letters[c.symbol])
         for r in course.regimes
         for c in r.coordinates
         if course.first.letters[c.symbol] in value.values
@@ -198,7 +198,7 @@ def explicit(
     laws: Laws, regime: Regime, start: Stop, value: Valuation, t0: Decimal, t1: Decimal
 ) -> dict[sp.Symbol, sp.Expr]:
     """Formulas in t and the letters of `start` for as many letters of a regime as the laws give."""
-    running = Stop("", (), {s: s for s in regime.letters})
+    running = Stop("", (), {s: s for s in regime.letters}, regime.time)
     found: dict[sp.Symbol, sp.Expr] = {}
     for equation in law_equations(laws, start, running, regime, value):
         span, law = equation.span, equation.law

@@ -63,7 +63,7 @@ class MotionEquations(StatedMotion):
             struck = any(blow.stop is stop for blow in self.blows.values())
             times[stop.t] = None if before is None or struck or fixed_time(state.relations) else before.t
             for general, own in stop.letters.items():
-                if units[own].angle and general.name != "t" and units[own].text in ("rad", "deg", "rev"):
+                if units[own].angle and general != stop.time and units[own].text in ("rad", "deg", "rev"):
                     angles[own] = before.letters[general] if before is not None else None
             before = stop
         return Chain(unknowns, times, angles, self.base(), self.symbolic, self._possible)

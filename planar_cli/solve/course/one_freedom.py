@@ -17,7 +17,7 @@ from planar_cli.equation.displacement import Coordinate
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.sample import anywhere
 from planar_cli.problem.geometry import Vec
-from planar_cli.solve.course.constraints import Constraint, fixed_by, project, start_symbol
+from planar_cli.solve.course.constraints import Constraint, fixed_by, project
 from planar_cli.solve.course.regime import Regime
 
 STEPS = 9
@@ -76,7 +76,7 @@ def followed_curve(regime: Regime, loops: Loops, driver: Coordinate, place: Vec,
 
 
 def _started(regime: Regime, value: Valuation) -> Valuation:
-    return value.extended({start_symbol(c): anywhere() for c in regime.coordinates})
+    return value.extended({c.start: anywhere() for c in regime.coordinates})
 
 
 def _followed(loops: Loops, driver: Coordinate, place: Vec, value: Valuation) -> list[tuple[Decimal, Decimal]]:

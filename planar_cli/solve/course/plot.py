@@ -8,6 +8,7 @@ from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.displacement import CoordinateNames
 from planar_cli.equation.setup import has_quantity, names_in
 from planar_cli.problem.expression import JustAfter, Name, Relation, Statement
 from planar_cli.problem.scene import Problem, State
@@ -159,8 +160,8 @@ class Workshop:
     """Makes what several plots of one problem share: scenes as drawn, and regimes."""
 
     earlier: Mapping[str, Any]
-    letters: dict[tuple[int, str], sp.Symbol] = field(default_factory=dict)
-    made: dict[str, sp.Symbol] = field(default_factory=dict)
+    letters: dict[tuple[int, sp.Symbol, str], sp.Symbol] = field(default_factory=dict)
+    made: CoordinateNames = field(default_factory=CoordinateNames)
     _drawn: dict[Any, Instant] = field(default_factory=dict)
     _regimes: dict[Any, Regime] = field(default_factory=dict)
     _generals: dict[Any, General] = field(default_factory=dict)

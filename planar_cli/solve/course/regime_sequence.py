@@ -113,8 +113,9 @@ def regime_sequence(problem: Problem, plot: Plot, workshop: Workshop) -> RegimeS
     letters = list(dict.fromkeys(s for r in every for s in r.letters))
     ledger = every[0].general.instant.scene.ledger
     for regime in every:
+        own = regime.general.instant.scene.ledger
         for s in regime.letters:
-            ledger.units.setdefault(s, regime.general.instant.scene.ledger.units[s])
+            ledger.adopt(s, own.units[s], own.roles[s])
     stops = {
         state.name: stop_of(state.name, state.relations, state.mark, letters, ledger, workshop.letters)
         for state in (*plot.states, *(s for s, _ in apart))

@@ -20,7 +20,6 @@ from planar_cli.equation.exact import Valuation
 from planar_cli.solve.course.after import asked_after
 from planar_cli.solve.course.beginning import demand_possible, handed_number, objection
 from planar_cli.solve.course.dying import by_formula, steady_time
-from planar_cli.solve.course.equations import is_speed
 from planar_cli.solve.course.events import SLACK, Leg, State, events, is_still, is_zero, length_of, swing_of
 from planar_cli.solve.course.gaps import closing, openings
 from planar_cli.solve.course.motion_equations import MotionEquations
@@ -148,8 +147,8 @@ class Follower:
             if u not in begun and u in handing:
                 begun[u] = handed_number(old, handing[u], state, self.value)
             begun.setdefault(u, 0.0)
-        lost = self.course.handings[id(regime)]
-        return {s: v for s, v in begun.items() if s in regime.letters or not (is_speed(s) or s in lost)}
+        lost = self.course.first.speeds.union(self.course.handings[id(regime)])
+        return {s: v for s, v in begun.items() if s in regime.letters or s not in lost}
 
     def _numbers(self, regime: Regime, exprs: Sequence[sp.Expr]) -> Callable[..., list[float]]:
         return number_function(exprs, regime.letters, self.value)

@@ -10,6 +10,7 @@ import sympy as sp
 
 from planar_cli.equation.conditions import ACCELERATION, VELOCITY, order
 from planar_cli.equation.evaluate import refuse
+from planar_cli.equation.ledger import Kind, Role
 from planar_cli.equation.motion import TreeBuilder, Twist
 from planar_cli.equation.setup import Course as Position
 from planar_cli.equation.setup import Setup
@@ -22,6 +23,7 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import Problem
 from planar_cli.problem.walk import walk
 from planar_cli.solve.instant import Instant
+from planar_cli.units import parse_unit
 
 LIFTED = {"v": "a", "omega": "alpha", "dot": "ddot"}
 OF_IMPULSE = {"N": "N*s", "N*m": "N*m*s"}
@@ -29,26 +31,28 @@ OF_IMPULSE = {"N": "N*s", "N*m": "N*m*s"}
 
 class AfterTree(TreeBuilder):
     """Makes velocities just after a blow where accelerations would stand. `known`: those that have a letter already, by
-    the name of the velocity; `mark`: what is put behind the names of the others.
+    what the velocity is; `mark`: what is put behind the names of the others.
     """
 
     known: Mapping[str, sp.Symbol]
     mark: str
 
-    def _symbol(self, name: str, unit: str, title: str) -> sp.Symbol:
-        if not unit.endswith("^2"):
-            return super()._symbol(f"rest_{name}", unit, title)
-        plain = f"omega{name[5:]}" if name.startswith("alpha") else f"v{name[1:]}"
-        words = f"{title.replace('acceleration', 'velocity')} just after"
-        found = self.known.get(plain)
+    def _pair(self, index: str, speed: str, rate: str, *, turns: bool = False) -> tuple[sp.Symbol, sp.Symbol]:
+        stem, unit = ("omega", "rad/s") if turns else ("v", "m/s")
+        name = f"{stem}_{index}" if index else stem
+        before = self._symbol(f"rest_{name}", unit, speed, Kind.SPEED)
+        words = f"{rate.replace('acceleration', 'velocity')} just after"
+        found = self.known.get(speed)
         if found is None:
-            return super()._symbol(plain + self.mark, unit[:-2], words)
+            return before, self._symbol(name + self.mark, unit, words, Kind.SPEED)
         self.titles[found] = words
-        return found
+        return before, found
 
 
 class Struck(Instant):
-    """The scene in a blow. `known`: letters of the velocities after it by name; `mark`: ends the names of its own."""
+    """The scene in a blow. `known`: letters of the velocities after it by what they are; `mark`: ends the names of its
+    own.
+    """
 
     def __init__(self, setup: Setup, known: Mapping[str, sp.Symbol], mark: str) -> None:
         self.known, self.mark = known, mark
@@ -75,10 +79,12 @@ def struck_instant(
     before: Mapping[str, tuple[Vec, sp.Expr]],
     arriving: Mapping[sp.Symbol, str],
     known: Mapping[str, sp.Symbol],
+    rates: Mapping[sp.Symbol, sp.Symbol],
     mark: str,
 ) -> Struck:
     """The scene of one blow. `problem`: the joints that hold after it, and what strikes; `before`: velocity of
     the mass centre and angular velocity with which each body arrives, in the letters `arriving` (with their units).
+    `known`: letters of velocities after it by what they are; `rates`: those of the rates of the file's coordinates.
     """
     coordinates = {c.name for c in problem.coordinates}
     demanded = tuple(d for s in always for d in _after(s, coordinates))
@@ -88,12 +94,12 @@ def struck_instant(
     ledger = setup.ledger
     for symbol, unit in arriving.items():
         ledger.letters.append(symbol)
-        ledger.symbols[symbol.name] = symbol
-        ledger.units[symbol] = _unit(unit)
+        ledger.adopt(symbol, parse_unit(unit), Role(Kind.STATE))
     for q in ledger.coordinates:
         rate, _ = setup.motions[q]
         if isinstance(rate, sp.Symbol):
-            after = known.get(rate.name) or ledger.fresh(f"{rate.name}{mark}", ledger.units[rate].text)
+            role = Role(Kind.SPEED, q)
+            after = rates.get(rate) or ledger.fresh(f"{rate.name}{mark}", ledger.units[rate].text, role=role)
             setup.motions[q] = (rate, after)
         else:
             setup.motions[q] = (sp.S.Zero, rate)
@@ -102,12 +108,6 @@ def struck_instant(
     scene.before = {b: Twist(scene.center(b), v, spin) for b, (v, spin) in before.items()}
     scene.open_names = {}
     return Struck(setup, known, mark)
-
-
-def _unit(text: str) -> Any:
-    from planar_cli.units import parse_unit
-
-    return parse_unit(text)
 
 
 def _after(statement: Statement, coordinates: set[str]) -> tuple[Statement, ...]:

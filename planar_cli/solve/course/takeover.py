@@ -12,7 +12,7 @@ import sympy as sp
 
 from planar_cli.equation.displacement import Coordinate
 from planar_cli.equation.plain import simplified
-from planar_cli.solve.course.equations import Equation, is_speed
+from planar_cli.solve.course.equations import Equation
 from planar_cli.solve.course.general import General
 from planar_cli.solve.course.handing import edges_of, handed
 from planar_cli.solve.course.regime import Regime
@@ -70,10 +70,10 @@ def resting_equations(regime: Regime, since: Stop, stop: Stop, handing: Handing)
         if letter in own:
             continue
         if handing.get(letter, sp.S.Zero) != 0:
-            words = "the same motion" if is_speed(letter) else "the same place"
+            words = "the same motion" if letter in stop.speeds else "the same place"
             yield Equation(end - stop.at(handing[letter]), "handed", words, stop.name, since.name)
             continue
-        residual = end - since.letters[letter] if not is_speed(letter) else end
+        residual = end - since.letters[letter] if letter not in stop.speeds else end
         yield Equation(residual, "link", "it rests meanwhile", stop.name, since.name)
 
 

@@ -55,7 +55,7 @@ class Throughout:
     def _by(self, fixed: set[sp.Symbol], wanted: set[sp.Symbol]) -> Route | None:
         """The letters wanted as functions of the fixed ones."""
         course, regime = self.course, self.course.regimes[0]
-        now = Stop("", (), {s: s for s in regime.letters})
+        now = Stop("", (), {s: s for s in regime.letters}, regime.time)
         equations: list[Equation] = [
             *law_equations(course.laws[0], course.first, now, regime, regime.general.value),
             *link_equations(course.laws[0], course.first, now, regime),

@@ -11,7 +11,7 @@ import sympy as sp
 from planar_cli.equation.conditions import gap, vector_or_jet
 from planar_cli.equation.evaluate import Evaluator, refuse
 from planar_cli.equation.jets import Jet, constant
-from planar_cli.equation.ledger import Ledger
+from planar_cli.equation.ledger import Kind, Ledger, Role
 from planar_cli.equation.plain import simplified
 from planar_cli.equation.polar import vector_equations
 from planar_cli.equation.quantities import Quantities
@@ -40,15 +40,19 @@ from planar_cli.solve.roads import SPANNED
 
 @dataclass(frozen=True, slots=True)
 class Stop:
-    """One state with its letters: by the letter of the general position, the one of this state. `turning`: put in by
-    us, where something comes to rest or begins to act otherwise.
-    """
+    """One state with its letters."""
 
     name: str
     relations: tuple[Statement, ...]
     letters: Mapping[sp.Symbol, sp.Symbol]
+    """By the letter of the general position, the one of this state."""
+    time: sp.Symbol
+    """The letter of the general position that is the time."""
+    speeds: frozenset[sp.Symbol] = frozenset()
+    """The letters of the general position that are velocities."""
     mark: Mark = NOWHERE
     turning: bool = False
+    """Put in by us, where something comes to rest or begins to act otherwise."""
 
     def at(self, expr: sp.Expr) -> sp.Expr:
         """A formula of the general position at this state."""
@@ -56,7 +60,7 @@ class Stop:
 
     @property
     def t(self) -> sp.Symbol:
-        return next(v for k, v in self.letters.items() if k.name == "t")
+        return self.letters[self.time]
 
 
 @dataclass(frozen=True, slots=True)
@@ -314,14 +318,15 @@ def stop_of(
     mark: Mark,
     letters: Iterable[sp.Symbol],
     ledger: Ledger,
-    made: dict[tuple[int, str], sp.Symbol],
+    made: dict[tuple[int, sp.Symbol, str], sp.Symbol],
 ) -> Stop:
     """A state with letters of its own, named after it: x_2, v_x_2, t_2. `made`: those of earlier plots."""
     own = {}
     for s in letters:
-        title = f"{s.name}__{name}" if name else s.name + "__1"
-        key = (id(ledger), title)
+        key = (id(ledger), s, name)
         if key not in made:
-            made[key] = ledger.fresh(title, ledger.units[s].text)
+            title = f"{s.name}__{name}" if name else s.name + "__1"
+            made[key] = ledger.fresh(title, ledger.units[s].text, role=Role(Kind.STATE, s, name))
         own[s] = made[key]
-    return Stop(name, relations, own, mark)
+    time = next(s for s in own if ledger.roles[s].kind is Kind.TIME)
+    return Stop(name, relations, own, time, frozenset(s for s in own if ledger.is_speed(s)), mark)
