@@ -136,8 +136,12 @@ class Ledger:
         return symbol
 
     def adopt(self, symbol: sp.Symbol, unit: Unit, role: Role) -> None:
-        """A symbol of ours that another ledger of the same problem has made."""
+        """A symbol that another ledger of the same problem has made; its name is taken here."""
         self.symbols.setdefault(symbol.name, symbol)
+        self.know(symbol, unit, role)
+
+    def know(self, symbol: sp.Symbol, unit: Unit, role: Role) -> None:
+        """What a symbol is that another ledger of the same problem has made."""
         self.units.setdefault(symbol, unit)
         self.roles.setdefault(symbol, role)
 

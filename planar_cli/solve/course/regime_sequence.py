@@ -115,7 +115,7 @@ def regime_sequence(problem: Problem, plot: Plot, workshop: Workshop) -> RegimeS
     for regime in every:
         own = regime.general.instant.scene.ledger
         for s in regime.letters:
-            ledger.adopt(s, own.units[s], own.roles[s])
+            ledger.know(s, own.units[s], own.roles[s])
     stops = {
         state.name: stop_of(state.name, state.relations, state.mark, letters, ledger, workshop.letters)
         for state in (*plot.states, *(s for s, _ in apart))
