@@ -48,7 +48,9 @@ def _along(scene: Scene, push: Push, pivots: dict[str, Vec], tracks: dict[str, V
 
 
 def _turned(push: Push, along: Vec) -> Push:
-    first = push.name.endswith("_x")
+    acting = push.actions[0].force
+    assert acting is not None
+    first = acting.y == 0
     direction = along if first else along.turned()
     sign = {a.body: 1 if i == 0 else -1 for i, a in enumerate(push.actions)}
     actions = tuple(Action(a.body, a.point, direction * sign[a.body], a.couple) for a in push.actions)

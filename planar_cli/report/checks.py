@@ -7,6 +7,7 @@ from decimal import Decimal
 import sympy as sp
 
 from planar_cli.equation.exact import ZERO
+from planar_cli.equation.system import System
 from planar_cli.problem.facts import Test
 from planar_cli.report.blocks import Check, Line, Math, Relation, Value, line
 from planar_cli.report.words import Phrases
@@ -53,12 +54,18 @@ def _friction(instant: InstantSolution, phrases: Phrases) -> list[Line]:
     """|F| against its limit where a contact sticks: the decision of the exercise."""
     outcome, found = instant.trial.outcomes[0], []
     for mode in instant.trial.system.modes.values():
-        limits = [t for t in mode.tests if not t.strict and any(n.startswith("F_") for n, _ in t.pushes)]
+        limits = [t for t in mode.tests if not t.strict and friction_in(instant.trial.system, t) is not None]
         if mode.name == "stick" and limits:
             compared = friction_against_limit(instant.trial, limits[0], phrases)
             if compared and outcome.value is not None:
                 found.append(compared)
     return found
+
+
+def friction_in(system: System, test: Test) -> str | None:
+    """The name of the friction that a test is about; None: it is about something else."""
+    frictions = {p.name for p in system.pushes if p.kind == "friction"}
+    return next((n for n, _ in test.pushes if n in frictions), None)
 
 
 def friction_against_limit(trial: Trial, test: Test, phrases: Phrases) -> Line:
@@ -67,7 +74,9 @@ def friction_against_limit(trial: Trial, test: Test, phrases: Phrases) -> Line:
     values = {name: outcome.push(name) for name, _ in test.pushes}
     if any(v is None for v in values.values()):
         return ()
-    name = next(n for n, _ in test.pushes if n.startswith("F_"))
+    name = friction_in(trial.system, test)
+    if name is None:
+        return ()
     size = abs(values[name] or ZERO)
     limit = outcome.value(sp.sympify(test.constant))
     formula = sp.sympify(test.constant)

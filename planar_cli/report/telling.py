@@ -10,7 +10,7 @@ import sympy as sp
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.registry import members
 from planar_cli.report.blocks import Block, Equation, Heading, Line, Math, Name, Note, Paragraph, Text, line
-from planar_cli.report.checks import friction_against_limit
+from planar_cli.report.checks import friction_against_limit, friction_in
 from planar_cli.report.forces import force_rows
 from planar_cli.report.words import Phrases
 from planar_cli.solve.algebra import Line as SolvedLine
@@ -113,7 +113,7 @@ class Telling:
         """What the failed test compares: friction with its limit, or the push that should press."""
         if self.phrases.symbolic or not test.pushes:
             return ()
-        if len(test.pushes) == 2 and any(n.startswith("F_") for n, _ in test.pushes):
+        if len(test.pushes) == 2 and friction_in(trial.system, test) is not None:
             compared = friction_against_limit(trial, test, self.phrases)
             return line(" (", compared, ")") if compared else ()
         name = test.pushes[0][0]

@@ -161,7 +161,8 @@ def si_text(unit: Unit) -> str:
 def answer_line(found: Found, phrases: Phrases) -> Line:
     """The answer of a find: its value with unit and direction, its formula, or its word."""
     if found.curve is not None:
-        return curve_line(found.curve, phrases)
+        what = found.find.found.what if found.find is not None else None
+        return curve_line(found.curve, phrases, isinstance(what, Quantity) and what.word == "hodograph")
     if found.word:
         return (Text(answer_word(found)),)
     if found.values is None:
@@ -191,8 +192,10 @@ def _unit_of_formula(found: Found, phrases: Phrases) -> Line:
     return (Text(f" (in {_unit_only(si_text(found.unit))}{', t in s' if timed else ''})"),)
 
 
-def curve_line(curve: Curve, phrases: Phrases) -> Line:
-    """The name of a curve, its equation with the units of its numbers, and where that holds."""
+def curve_line(curve: Curve, phrases: Phrases, hodograph: bool = False) -> Line:
+    """The name of a curve, its equation with the units of its numbers, and where that holds. `hodograph`: it is one of
+    velocities.
+    """
     from planar_cli.report.notation import plain
 
     parts: list[Any] = [Text(curve.told(plain))]
@@ -202,7 +205,6 @@ def curve_line(curve: Curve, phrases: Phrases) -> Line:
         if plain_numbers is not None:
             parts += [Text(", that is "), plain_numbers]
         if not phrases.letters:
-            hodograph = any(s.name.startswith("v") for s in curve.equation.free_symbols)
             parts.append(Text(" (in m/s)" if hodograph else " (in m)"))
     if curve.holds:
         parts.append(Text(f", {curve.holds}"))

@@ -68,7 +68,7 @@ def at_dead_centre(instant: Instant, trial: Trial, mark: Mark) -> Diagnostic | N
     if found is None:
         return None
     names = [n for m in found.motions for n in moved_velocities(instant, trial.system, m)]
-    turning = [n for n in names if n.startswith("omega")] or names
+    turning = [n for n in names if n.startswith("omega(")] or names
     left = left_of(found.relation)
     text = f"dead centre: as drawn, {left} is 0 whatever {listed(turning)} {'is' if len(turning) == 1 else 'are'}"
     if any(v.conflict is not None for v in trial.velocities):

@@ -15,6 +15,7 @@ from planar_cli.calculus.curve_words import CIRCLE, POINT, Curve
 from planar_cli.calculus.curves import curve_of
 from planar_cli.equation.evaluate import refuse
 from planar_cli.equation.exact import Valuation
+from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.plain import simplified
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.geometry import Vec
@@ -33,11 +34,14 @@ PLAIN_NAMES = {"v_x": "vx", "v_y": "vy"}
 
 @dataclass(frozen=True, slots=True)
 class Single:
-    """A place in one parameter; `functions`: how the other coordinates depend on it."""
+    """A place in one parameter."""
 
     parameter: sp.Symbol
     functions: Functions
+    """How the other coordinates depend on it."""
     place: Vec
+    coordinate: sp.Symbol | None = None
+    """For which the parameter stands, where the file calls that like an axis."""
 
 
 @dataclass(slots=True)
@@ -56,7 +60,7 @@ class CurveReader:
         place = self.place(q)
         axes, polar = HODOGRAPH if q.word == "hodograph" else PATH
         scene = self.regime.general.instant.scene
-        single = _apart(self._single(q, place), axes)
+        single = _apart(self._single(q, place), axes, self.regime.general.instant.scene.ledger)
         if isinstance(single, Single):
             letters = frozenset(s for s in scene.ledger.letters if s != single.parameter)
             at, value = single.place, scene.valuations[0]
@@ -227,8 +231,8 @@ class CurveReader:
         """What a coordinate is that the file does not name."""
         parameter, exprs = single.parameter, single.place
         scene = self.regime.general.instant.scene
-        if parameter not in self.regime.letters:
-            return f", `{parameter.name}` the coordinate {parameter.name.removesuffix('_0')}:"
+        if single.coordinate is not None:
+            return f", `{parameter.name}` the coordinate {single.coordinate.name}:"
         own = next((c for c in self.regime.coordinates if c.symbol == parameter), None)
         if own is None or parameter in scene.ledger.coordinates or own.words[:5] in ("x of ", "y of "):
             return ":"
@@ -252,15 +256,15 @@ class CurveReader:
         return (*rows, *shown) if curve.kind == POINT else (*rows, *shown, *steps)
 
 
-def _apart(single: Single | list[sp.Symbol], axes: tuple[str, str]) -> Single | list[sp.Symbol]:
+def _apart(single: Single | list[sp.Symbol], axes: tuple[str, str], ledger: Ledger) -> Single | list[sp.Symbol]:
     """The parameter under another name where the file calls a coordinate like an axis, and it is not that axis."""
     if not isinstance(single, Single) or single.parameter.name not in axes:
         return single
     p, at = single.parameter, single.place
     if (at.x, at.y)[axes.index(p.name)] == p:
         return single
-    other = sp.Symbol(f"{p.name}_0", real=True)
-    return Single(other, single.functions, Vec(at.x.xreplace({p: other}), at.y.xreplace({p: other})))
+    other = ledger.once(f"{p.name}_0", ledger.units[p].text, p)
+    return Single(other, single.functions, Vec(at.x.xreplace({p: other}), at.y.xreplace({p: other})), p)
 
 
 def _same(step: object, shown: sp.Eq) -> bool:
