@@ -16,19 +16,24 @@ def write(text: str, output: str | None) -> None:
     if output in (None, "-"):
         click.echo(text, nl=False)
         return
-    _replace(Path(output or ""), text)
+    _replace(Path(output or ""), text.encode())
 
 
-def _replace(target: Path, text: str) -> None:
-    """The text goes to a new file beside the target first: a planted link is replaced, never followed."""
+def write_bytes(data: bytes, output: str) -> None:
+    """Write to the file `output`."""
+    _replace(Path(output), data)
+
+
+def _replace(target: Path, data: bytes) -> None:
+    """The data go to a new file beside the target first: a planted link is replaced, never followed."""
     try:
         # mkstemp creates with O_EXCL and O_NOFOLLOW, readable by the owner alone until the mode is set.
         handle, name = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name[:40]}-", suffix=".part")
     except OSError as error:
         raise PlanarError(f"cannot write {target}: {error.strerror}") from error
     try:
-        with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as stream:
-            stream.write(text)
+        with os.fdopen(handle, "wb") as stream:
+            stream.write(data)
             stream.flush()
             os.fsync(stream.fileno())
         os.chmod(name, 0o666 & ~_umask())

@@ -143,7 +143,12 @@ class Follower:
         end = self._end()
         try:
             if self._rests(regime) and self.automaton.autonomous:
-                self._stay(regime, end)
+                lasts = self.resting_at is None
+                still = self.waiting.at_rest(regime, self.choice, self.t, self.y) if lasts else None
+                if still is not None:
+                    self._reach(still)
+                else:
+                    self._stay(regime, end)
                 return
             run = self._run(regime, end, taken)
         except StepTooSmall as stuck:

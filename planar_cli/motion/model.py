@@ -133,6 +133,7 @@ class Model:
                 scales=self.scales,
                 held=held,
                 drives=self.drives,
+                wrenches=tuple(w for x in acting for w in self.wrenches[x]),
                 loads=self.layout.of_actions(w for x in acting for w in self.wrenches[x]),
                 wasting=self.layout.of_actions(wasting),
                 potential=potential,

@@ -9,7 +9,7 @@ from planar_cli.motion.carried import Carried
 from planar_cli.motion.places import unit_vector
 from planar_cli.motion.sides import Sides, refuse
 from planar_cli.motion.terms import Term
-from planar_cli.problem.expression import Name, Part, PointPair, Quantity, Relation
+from planar_cli.problem.expression import Name, Part, PointPair, Quantity, Relation, Side
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.reactions import Reactions
 from planar_cli.problem.scene import GROUND
@@ -28,12 +28,14 @@ class Quantities:
     """The second derivative behind each rate of the state; empty where they are not known yet."""
     reactions: Reactions | None = None
     """What joints and loads do; None where it is not known yet."""
+    elsewhere: Callable[[str, Side], Term] | None = None
+    """What stands before `@ state`; None: nothing may."""
 
     @property
     def sides(self) -> Sides:
         """Formulas in which these quantities may stand."""
         sides = self.scene.sides
-        return Sides(sides.graph, sides.constants, sides.variables, self.scalar, sides.elsewhere)
+        return Sides(sides.graph, sides.constants, sides.variables, self.scalar, self.elsewhere or sides.elsewhere)
 
     def scalar(self, q: Quantity) -> Term:
         """The quantity as a number. FileProblem when it is a vector without a part."""

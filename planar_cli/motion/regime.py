@@ -22,7 +22,7 @@ from planar_cli.motion.routine import Routine, System, Unknowns
 from planar_cli.motion.scales import Scales
 from planar_cli.motion.source import Code, compiled
 from planar_cli.motion.terms import Term
-from planar_cli.problem.facts import Push
+from planar_cli.problem.facts import Push, Wrench
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,8 +34,10 @@ class Parts:
     held: tuple[Held, ...]
     drives: tuple[Constraint, ...]
     """What the file prescribes of places, velocities and accelerations."""
+    wrenches: tuple[Wrench, ...]
+    """Of all loads that act."""
     loads: Column
-    """The generalized force of all loads that act."""
+    """Their generalized force."""
     wasting: Column
     """That of the loads without a potential."""
     potential: Term

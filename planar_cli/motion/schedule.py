@@ -28,6 +28,21 @@ class Crossing:
 
 
 @dataclass(frozen=True, slots=True)
+class Reached:
+    """A state of the schedule that was reached."""
+
+    name: str
+    t: float
+    """When [s]."""
+    y: tuple[float, ...]
+    """The state as it arrives."""
+    choice: Choice
+    """The modes as it arrives."""
+    segment: int
+    """In which segment, counted from 0."""
+
+
+@dataclass(frozen=True, slots=True)
 class Event:
     """A state of the file after the first one."""
 
@@ -68,6 +83,8 @@ class Schedule:
     spans: tuple[Span, ...] = ()
     breakpoints: tuple[float, ...] = ()
     """Times at which loads jump or have a kink [s]."""
+    heard: Callable[[Reached], None] | None = None
+    """Told of every state that is reached, as it is reached."""
 
     def acting(self, member: str, reached: Sequence[str]) -> bool:
         """Does a joint or load act once these states have been reached?"""

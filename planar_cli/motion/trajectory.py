@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from planar_cli.motion.automaton import Choice
+from planar_cli.motion.schedule import Reached
 from planar_cli.motion.segment import Segment
 
 
@@ -39,21 +40,6 @@ class Transition:
     """In an impact: what was assumed, where more than one contact takes part."""
     count: float = 1
     """How many impacts it stands for; infinite for the limit of a sequence."""
-
-
-@dataclass(frozen=True, slots=True)
-class Reached:
-    """A state of the schedule that was reached."""
-
-    name: str
-    t: float
-    """When [s]."""
-    y: tuple[float, ...]
-    """The state as it arrives."""
-    choice: Choice
-    """The modes as it arrives."""
-    segment: int
-    """In which segment, counted from 0."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from planar_cli.motion.automaton import Automaton, Choice, Regime
-from planar_cli.motion.schedule import Event, Schedule
-from planar_cli.motion.trajectory import Reached
+from planar_cli.motion.schedule import Event, Reached, Schedule
 
 NEAR = 1e-9
 """A number below this part of its scale is zero."""
@@ -52,7 +51,10 @@ class Waiting:
 
     def arrive(self, event: Event, t: float, y: Sequence[float], choice: Choice, segment: int) -> None:
         """A state has been reached."""
-        self.reached.append(Reached(event.name, t, tuple(y), choice, segment))
+        reached = Reached(event.name, t, tuple(y), choice, segment)
+        self.reached.append(reached)
+        if self.schedule.heard is not None:
+            self.schedule.heard(reached)
         self.last = t
         (self.timed if event.time is not None else self.ordered).remove(event)
 
@@ -64,6 +66,13 @@ class Waiting:
         value = event.crossing.value(regime, choice, t, y)
         near = abs(value) <= NEAR * event.crossing.scale
         return event if near and fits(event, regime, choice, t, y) else None
+
+    def at_rest(self, regime: Regime, choice: Choice, t: float, y: tuple[float, ...]) -> Event | None:
+        """The next state, if it is the one at which nothing moves any more."""
+        event = self.next()
+        if event is None or not event.rest or event.crossing is not None or t <= self.last:
+            return None
+        return event if fits(event, regime, choice, t, y) else None
 
     def due(self, t: float) -> list[Event]:
         """The states whose time has come."""

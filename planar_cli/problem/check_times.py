@@ -65,16 +65,15 @@ def _words(tree: Tree) -> Iterator[Diagnostic]:
 
 
 def blows_have_spans(scope: Scope) -> Iterator[Diagnostic]:
-    """Impacts and impulses say between which states they happen; the second is `just after` the first. An impact that
-    does not say so happens in every blow; in a file that asks nothing, whenever the bodies meet in its motion.
+    """Impulses say between which states they happen; the second is `just after` the first. An impact that does not say
+    so happens whenever its bodies strike each other; at one instant nothing does.
     """
     p = scope.problem
-    asks = bool(p.find or p.cases)
     after = {s.name: r.state for s in p.states for r in s.relations if isinstance(r, JustAfter)}
     for member in members_of(p):
         if not member.strikes:
             continue
-        if member.during is None and not (isinstance(member, Joint) and (after or not asks)):
+        if member.during is None and (not isinstance(member, Joint) or p.instant is not None):
             yield Diagnostic(
                 member.mark, "PL433", f"the {member.kind} does not say when it happens", "write `during: 1->2`"
             )

@@ -55,6 +55,11 @@ _ENGINE = {
         "is not shown. Ask for a smaller `--tolerance`; if that does not help, it is a fault of the program: please "
         "report it with the file."
     ),
+    "PL711": (
+        "An option of the command line can not be read, or names something that the scene does not have: a time is "
+        "written `10 s`, a number for a letter `m=2 kg`, a quantity as in `find`, an effect as `planar simulate "
+        "--effects` lists it."
+    ),
 }
 
 CODES_ENGINE: Mapping[str, str] = MappingProxyType(_ENGINE)

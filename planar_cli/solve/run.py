@@ -13,6 +13,7 @@ from planar_cli.equation.exact import Unvalued
 from planar_cli.equation.setup import Earlier, first_unit
 from planar_cli.equation.system import System
 from planar_cli.errors import FileProblem, Mark, NoSolution, Undecided
+from planar_cli.problem.expression import JustAfter
 from planar_cli.problem.scene import Find, Problem
 from planar_cli.registry import members
 from planar_cli.solve.diagnose import OPEN, explain_failure, place, singular_position
@@ -93,6 +94,7 @@ def _told(problem: Problem, case: str, units: dict[str, str], earlier: dict[str,
 
 def solve_part(problem: Problem, case: str, units: dict[str, str], earlier: dict[str, Earlier]) -> PartSolution:
     """One part: formulas and curves; a motion over time; or instants that are each complete in themselves."""
+    demand_named(problem)
     if in_general(problem):
         return _formulas(problem, case, units, earlier)
     if is_kinematic(problem):
@@ -129,6 +131,16 @@ def solve_part(problem: Problem, case: str, units: dict[str, str], earlier: dict
             raise
         return _formulas(problem, case, units, earlier)
     return PartSolution(case, (solution,), tuple(found))
+
+
+def demand_named(problem: Problem) -> None:
+    """FileProblem: an impact happens at no state of the file, so that no equation relates what is before and after."""
+    if any(isinstance(r, JustAfter) for state in problem.states for r in state.relations):
+        return
+    for joint in problem.joints:
+        if joint.strikes and joint.during is None:
+            hint = "write `during: 1->2`, and `2: [just after 1]`; or follow the motion with `planar simulate`"
+            raise refuse(joint.mark, "PL433", f"the {joint.kind} does not say when it happens", hint)
 
 
 def _formulas(problem: Problem, case: str, units: dict[str, str], earlier: dict[str, Earlier]) -> PartSolution:

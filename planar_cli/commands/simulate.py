@@ -1,0 +1,103 @@
+"""Follow the motion of scenes step by step, and print it as a table.
+
+FILES are problem files, or - for standard input; a scene without `find` will do. The motion begins in the first state
+(or the instant) of the file; later states are looked for on the way. What the file asks is answered with an estimated
+error. The exit status is 0 when every motion was followed to its end, 1 when it contradicts itself or has no unique
+continuation, 2 for wrong usage or a bad file, 3 when it could not be followed, 4 for a fault of planar.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from planar_cli import cli
+from planar_cli.commands._limit import time_limit
+from planar_cli.commands._output import write, write_bytes
+from planar_cli.errors import FileProblem, PlanarError
+from planar_cli.registry import modules
+
+if TYPE_CHECKING:
+    from planar_cli.problem.scene import Problem
+    from planar_cli.simulate.request import Request
+
+STATUS = {"followed": cli.SOLVED, "contradicted": cli.DISAGREES, "not followed": cli.UNDECIDED}
+OUTPUTS = ("table", "csv", "json", "npz")
+
+
+@click.command(help=__doc__)
+@click.argument("files", nargs=-1, required=True)
+@click.option("--until", metavar="TIME", help="Where the motion ends: `10 s`, `2 min`, or seconds.")
+@click.option("--stop", "stops", multiple=True, metavar="RELATION", help="End where this holds: `y(ball) = 0`.")
+@click.option("-q", "--quantity", "quantities", multiple=True, metavar="[NAME=]QUANTITY", help="A column of the table.")
+@click.option("--at", "times", multiple=True, metavar="TIME", help="A row at this time; may be repeated.")
+@click.option("--rows", type=click.IntRange(2, 1_000_000), help="How many rows; 21 in a table, else 201.")
+@click.option("--tolerance", type=click.FloatRange(1e-14, 0.1), default=1e-9, show_default=True, help="Of one step.")
+@click.option("--integrator", type=click.Choice(["auto", *modules("integrators")]), default="auto", help="The method.")
+@click.option("--step", metavar="TIME", help="A fixed step instead of one that follows the tolerance.")
+@click.option("--set", "values", multiple=True, metavar="NAME=VALUE", help="A number for a letter: `m=2 kg`.")
+@click.option("--case", "case", metavar="NAME", help="Only this case of the file.")
+@click.option("--without", multiple=True, metavar="EFFECT", help="Run without it too, and compare: friction, drag ...")
+@click.option("--effects", is_flag=True, help="Print which effects the scene calls for, and what they cost.")
+@click.option("--output", type=click.Choice(OUTPUTS), default="table", help="How to print.")
+@click.option("-o", "--file", "file", metavar="FILE", help="Write to FILE instead of standard output.")
+@click.option("--timeout", type=click.FloatRange(0), default=60, show_default=True, help="Seconds a file; 0: none.")
+def command(files: tuple[str, ...], file: str | None, timeout: float, **options: Any) -> int:
+    """Simulate each file; one that fails does not keep the others from being followed."""
+    from planar_cli.simulate.request import request_of
+
+    if options["output"] == "npz" and (file is None or len(files) > 1):
+        raise click.UsageError("npz holds numbers for programs: simulate one file, and write `-o motion.npz`")
+    request = request_of(**options)
+    status, pieces = cli.SOLVED, []
+    for path in files:
+        try:
+            with time_limit(timeout):
+                more, piece = _simulated(path, request)
+        except PlanarError as error:
+            more, piece = cli.tell(error), None
+        status = max(status, more)
+        if piece is not None:
+            pieces.append(piece)
+    _put(pieces, request, file)
+    return status
+
+
+def _simulated(path: str, request: Request) -> tuple[int, Any]:
+    """One file as text, or as data for JSON and npz."""
+    from planar_cli.problem.structure import load
+    from planar_cli.simulate.report import told
+
+    problem, wrong, _ = load(path)
+    if wrong or problem is None:
+        raise FileProblem(wrong)
+    ended, piece = told(problem, request, _progress(problem))
+    return STATUS[ended], piece
+
+
+def _progress(problem: Problem) -> Callable[[float, float], None] | None:
+    """A bar on standard error for long runs, if somebody looks at it."""
+    if not sys.stderr.isatty():
+        return None
+    from planar_cli.commands._progress import Bar
+
+    return Bar(problem.title or problem.file).show
+
+
+def _put(pieces: list[Any], request: Request, file: str | None) -> None:
+    """All results as one output."""
+    if request.output == "npz":
+        from planar_cli.simulate.arrays import npz
+
+        if pieces:
+            write_bytes(npz(pieces[0]), file or "")
+    elif request.output == "json":
+        from planar_cli.formats.json import dumps
+
+        if pieces:
+            write(dumps(pieces[0] if len(pieces) == 1 else {"simulations": pieces}), file)
+    elif pieces:
+        write("\n".join(pieces), file)

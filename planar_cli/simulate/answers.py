@@ -1,0 +1,206 @@
+"""What a file asks, answered from a motion that was followed, each number with an estimate of its error."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from planar_cli.errors import FileProblem, Undecided
+from planar_cli.motion.functions import FUNCTIONS
+from planar_cli.motion.trajectory import Trajectory
+from planar_cli.problem.check_dimensions import Kinds
+from planar_cli.problem.dimensions import dimension_of
+from planar_cli.problem.expression import (
+    Binary,
+    Function,
+    Grouped,
+    Name,
+    Negate,
+    Quantity,
+    Relation,
+    Scaled,
+    Side,
+)
+from planar_cli.problem.scene import Find, Problem
+from planar_cli.problem.scope import Scope
+from planar_cli.simulate.measures import START, Measures, Moment
+from planar_cli.simulate.spans import Spans
+from planar_cli.simulate.timetable import mode_of
+from planar_cli.units import PURE, Unit, default_unit, parse_unit
+
+NOT_FOLLOWED = {
+    "path": "a curve has an equation, which no step method gives",
+    "hodograph": "a curve has an equation, which no step method gives",
+    "period": "small oscillations are about an equilibrium, not along a motion",
+    "frequency": "small oscillations are about an equilibrium, not along a motion",
+    "stable": "small oscillations are about an equilibrium, not along a motion",
+}
+NO_UNIT = parse_unit("1")
+EQUAL = 1e-9
+"""Two sides that differ by less than this part of them are equal."""
+
+
+@dataclass(frozen=True, slots=True)
+class Answered:
+    """One find."""
+
+    name: str
+    values: tuple[float, ...] = ()
+    """SI: one number, or the two components of a vector; none of a word or where there is no answer."""
+    word: str = ""
+    """true, false, or a mode."""
+    unit: Unit = NO_UNIT
+    """In which it is shown."""
+    error: float | None = None
+    """The estimated error [SI]; None where there is none."""
+    why: str = ""
+    """Why there is no answer."""
+
+    @property
+    def shown(self) -> tuple[float, ...]:
+        """The values in the unit."""
+        return tuple(v / in_si(self.unit) for v in self.values)
+
+
+def in_si(unit: Unit) -> float:
+    """What one of a unit is in SI units."""
+    return float(unit.factor) * math.pi**unit.pi_power
+
+
+class Answers:
+    """Answers the finds of one problem."""
+
+    def __init__(self, problem: Problem, measures: Measures, trajectory: Trajectory, units: Mapping[str, str]) -> None:
+        """`units`: those of the stated answers, by find."""
+        self.problem, self.measures, self.trajectory, self.units = problem, measures, trajectory, units
+        self.scope = Scope(problem, ())
+        self.kinds = Kinds(self.scope)
+        self.spans = Spans(measures, trajectory, self.scope)
+
+    def all(self) -> tuple[Answered, ...]:
+        """Every find of the problem."""
+        return tuple(self.answer(f) for f in self.problem.find)
+
+    def answer(self, find: Find) -> Answered:
+        """One find; `why` tells what keeps it from having an answer."""
+        try:
+            return self._answer(find)
+        except Undecided as error:
+            return Answered(find.name, why=str(error).partition(": ")[2] or str(error))
+        except FileProblem as error:
+            if any(d.code not in ("PL590", "PL704", "PL705") for d in error.diagnostics):
+                raise
+            return Answered(find.name, why=error.diagnostics[0].message)
+
+    def _answer(self, find: Find) -> Answered:
+        what = find.found.what
+        if isinstance(what, Relation):
+            return Answered(find.name, word="true" if self._holds(what) else "false")
+        if isinstance(what, Quantity) and what.word == "reached":
+            return Answered(find.name, word="true" if self._reached(what) else "false")
+        if isinstance(what, Quantity) and what.word == "mode":
+            return Answered(find.name, word=self._mode(what.things[0], what.at))
+        return Answered(find.name, self.value(what), unit=self.unit(find))
+
+    # --- values ------------------------------------------------------------------------------------------------------
+
+    def value(self, side: Side) -> tuple[float, ...]:
+        """A side in numbers: every quantity at its state or over its span."""
+        match side:
+            case Quantity() if side.word in NOT_FOLLOWED:
+                raise Undecided(f"{side.mark.file}:{side.mark.line}: {NOT_FOLLOWED[side.word]}")
+            case Quantity() if isinstance(side.at, tuple):
+                return self.spans.value(side)
+            case Quantity() | Name() | Grouped():
+                return self._leaf(side)
+            case Negate():
+                return tuple(-v for v in self.value(side.operand))
+            case Scaled():
+                factor = side.sense * in_si(parse_unit(side.unit))
+                return tuple(v * factor for v in self.value(side.operand))
+            case Binary():
+                return self._binary(side)
+            case Function() if side.at is None:
+                (argument,) = self.value(side.argument)
+                return (FUNCTIONS[side.name](argument),)
+            case Function():
+                assert side.at is not None
+                return self.measures.elsewhere(side.at, Function(side.name, side.argument, None, side.mark))
+        return (self.measures.model.scene.sides.value(side).value,)
+
+    def _leaf(self, side: Quantity | Name | Grouped) -> tuple[float, ...]:
+        if isinstance(side, Grouped):
+            return self.measures.elsewhere(side.at, side.operand)
+        state = side.at
+        assert not isinstance(state, tuple)
+        if isinstance(side, Name):
+            bare: Side = Name(side.name, None, side.mark)
+        else:
+            bare = Quantity(side.word, side.things, side.argument, side.parts, None, side.mark)
+        if state is not None:
+            return self.measures.elsewhere(state, bare)
+        if isinstance(side, Name) and side.name not in self.measures.model.scene.coordinates and side.name != "t":
+            return self.measures.at(side, self._start())
+        if self.problem.instant is not None or not self.problem.states:
+            return self.measures.at(bare, self._start())
+        raise Undecided(f"{side.mark.file}:{side.mark.line}: it varies; say at which state")
+
+    def _start(self) -> Moment:
+        """The moment at which the motion begins."""
+        return self.measures.moments[START]
+
+    def _binary(self, side: Binary) -> tuple[float, ...]:
+        left, right = self.value(side.left), self.value(side.right)
+        match side.operator:
+            case "+":
+                return tuple(a + b for a, b in zip(left, right, strict=True))
+            case "-":
+                return tuple(a - b for a, b in zip(left, right, strict=True))
+            case "*" if len(left) == 1:
+                return tuple(left[0] * b for b in right)
+            case "*":
+                return tuple(a * right[0] for a in left)
+            case "/":
+                return tuple(a / right[0] for a in left)
+        return (left[0] ** right[0],)
+
+    # --- truths ------------------------------------------------------------------------------------------------------
+
+    def _holds(self, relation: Relation) -> bool:
+        stated = mode_of(relation)
+        if stated is not None:
+            side = relation.left if isinstance(relation.left, Quantity) else relation.right
+            assert isinstance(side, Quantity)
+            return self._mode(stated[0], side.at) == stated[1]
+        left, right = self.value(relation.left), self.value(relation.right)
+        if relation.operator == "=":
+            size = max((abs(v) for v in (*left, *right)), default=0.0)
+            return all(abs(a - b) <= EQUAL * size for a, b in zip(left, right, strict=True))
+        less = left[0] < right[0] if relation.operator in ("<", ">=") else left[0] > right[0]
+        return less if relation.operator in ("<", ">") else not less
+
+    def _reached(self, q: Quantity) -> bool:
+        state = q.argument.name if isinstance(q.argument, Name) else q.things[0]
+        return state in self.measures.moments
+
+    def _mode(self, joint: str, at: object) -> str:
+        state = at if isinstance(at, str) else START
+        moment = self.measures.moments.get(state)
+        if moment is None:
+            raise Undecided(f"{self.problem.file}: the state {state} is not reached, so {joint} has no mode there")
+        if joint not in moment.modes:
+            raise Undecided(f"{self.problem.file}: {joint} has one mode only")
+        return moment.modes[joint]
+
+    # --- units -------------------------------------------------------------------------------------------------------
+
+    def unit(self, find: Find) -> Unit:
+        """As the find says, else as its stated answer, else the usual one."""
+        if find.found.unit is not None:
+            return parse_unit(find.found.unit)
+        if find.name in self.units:
+            return parse_unit(self.units[find.name])
+        assert not isinstance(find.found.what, Relation)
+        kind = dimension_of(find.found.what, self.kinds.of)
+        return default_unit(kind.dimension or PURE, kind.angle, self.problem.us)

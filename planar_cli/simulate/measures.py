@@ -1,0 +1,199 @@
+"""What is asked of a motion at one moment, as numbers: quantities, sides and relations of the language.
+
+What varies is compiled once for every regime; what stands behind `@ state` is a number as soon as that state has been
+reached.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import TypeVar
+
+from planar_cli.errors import Diagnostic, FileProblem, Mark, Undecided
+from planar_cli.motion.model import Model, distinct
+from planar_cli.motion.quantities import Quantities
+from planar_cli.motion.regime import Regime
+from planar_cli.motion.routine import Routine
+from planar_cli.motion.terms import Term
+from planar_cli.motion.trajectory import Trajectory
+from planar_cli.problem.expression import Function, Grouped, Name, Quantity, Relation, Side
+from planar_cli.problem.geometry import Vec
+from planar_cli.problem.reactions import Reactions
+from planar_cli.problem.walk import walk
+
+Asked = TypeVar("Asked", bound=Side | Relation)
+
+
+START = ""
+"""The name under which the beginning of the motion is kept, beside that of the first state."""
+LATER = frozenset(
+    ("a", "alpha", "coriolis", "N", "friction", "reaction", "moment", "tension", "force", "power", "ddot")
+)
+"""Where something changes, these have the value just after; places and velocities are those that arrive."""
+
+
+@dataclass(frozen=True, slots=True)
+class Moment:
+    """An instant of the motion."""
+
+    regime: Regime
+    """What acts as it arrives."""
+    modes: Mapping[str, str]
+    """The modes just after, of the joints that have several, by the joint's name in the file."""
+    t: float
+    """s."""
+    y: tuple[float, ...]
+    """The state as it arrives."""
+    after: tuple[Regime, tuple[float, ...]] | None = None
+    """What acts just after, and the state then, where the motion goes on."""
+
+    def instant(self, what: Side) -> tuple[Regime, tuple[float, ...]]:
+        """The regime and the state in which something that is asked has its value."""
+        words = {node.word for node in walk(what) if isinstance(node, Quantity)}
+        return self.after if self.after is not None and words & LATER else (self.regime, self.y)
+
+
+@dataclass(slots=True)
+class Measures:
+    """Numbers of one model's motion."""
+
+    model: Model
+    moments: dict[str, Moment] = field(default_factory=dict)
+    """The states of the file that have been reached, by name."""
+    _accelerations: list[Term] = field(default_factory=list)
+    _pushes: dict[str, Term] = field(default_factory=dict)
+    _routines: dict[tuple[Regime, str, Side | Relation], Routine] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        graph = self.model.graph
+        self._accelerations = [graph.variable(f"acceleration{i}", 0.0) for i in range(self.model.layout.count)]
+
+    # --- numbers -----------------------------------------------------------------------------------------------------
+
+    def at(self, what: Side, moment: Moment) -> tuple[float, ...]:
+        """A number, or the two components of a vector, in SI units."""
+        regime, y = moment.instant(what)
+        return tuple(self.function(what, regime)(moment.t, y))
+
+    def number(self, what: Side, moment: Moment) -> float:
+        """A number."""
+        found = self.at(what, moment)
+        if len(found) != 1:
+            text = "this is a vector"
+            raise FileProblem([Diagnostic(_mark(what), "PL550", text, "ask for a part: .x .y .mag .angle")])
+        return found[0]
+
+    def function(self, what: Side, regime: Regime) -> Callable[[float, Sequence[float]], list[float]]:
+        """A side as a function of time and state in one regime."""
+        return self.routine("value", what, regime, lambda side, r: self.terms(side, self.quantities(r)))
+
+    def gap(self, relation: Relation, regime: Regime) -> Callable[[float, Sequence[float]], list[float]]:
+        """Left less right side."""
+
+        def less(what: Relation, regime: Regime) -> list[Term]:
+            quantities = self.quantities(regime)
+            left, right = self.terms(what.left, quantities), self.terms(what.right, quantities)
+            if len(left) != len(right):
+                text = f"'{what.text}' compares a vector with a number"
+                raise FileProblem([Diagnostic(what.mark, "PL550", text, "compare .x and .y, or .mag")])
+            return [a - b for a, b in zip(left, right, strict=True)]
+
+        return self.routine("gap", relation, regime, less)
+
+    def rate(self, what: Side, regime: Regime) -> Callable[[float, Sequence[float]], list[float]]:
+        """The time derivative of a side that holds no accelerations or forces."""
+
+        def derived(side: Side, regime: Regime) -> list[Term]:
+            quantities = self.quantities(regime)
+            return [quantities.rate(term) for term in self.terms(side, quantities)]
+
+        return self.routine("rate", what, regime, derived)
+
+    # --- terms -------------------------------------------------------------------------------------------------------
+
+    def terms(self, what: Side, quantities: Quantities) -> list[Term]:
+        """A side as one term, or two of a vector."""
+        found: Term | Vec
+        if isinstance(what, Quantity):
+            found = quantities.any(what)
+        elif isinstance(what, Grouped):
+            return [quantities.scene.graph.number(v) for v in self.elsewhere(what.at, what.operand)]
+        else:
+            found = quantities.sides.value(what)
+        return [found.x, found.y] if isinstance(found, Vec) else [found]
+
+    def elsewhere(self, state: str, side: Side) -> tuple[float, ...]:
+        """What stands before `@ state`. Undecided: that state has not been reached."""
+        moment = self.moments.get(state)
+        if moment is None:
+            mark = _mark(side)
+            raise Undecided(f"{mark.file}:{mark.line}: the state {state} is not reached, so this has no value")
+        return self.at(side, moment)
+
+    def quantities(self, regime: Regime) -> Quantities:
+        """The quantities of the language in one regime."""
+        model = self.model
+        graph = model.graph
+        accelerations = dict(zip(model.layout.speeds, self._accelerations, strict=True))
+        pushes = tuple((p, self._push(p.name)) for p in regime.reactions)
+        written = model.scene.problem.joints
+        names = {ours.name: theirs.name for ours, theirs in zip(distinct(written), written, strict=True)}
+        reactions = Reactions(pushes, regime.parts.wrenches, names, graph.number(0.0))
+        scene = model.scene
+
+        def numbers(state: str, side: Side) -> Term:
+            return graph.number(self.elsewhere(state, side)[0])
+
+        return Quantities(scene, scene.stored_energy, accelerations, reactions, numbers)
+
+    def _push(self, name: str) -> Term:
+        if name not in self._pushes:
+            self._pushes[name] = self.model.graph.variable(f"push_{len(self._pushes)}", 0.0)
+        return self._pushes[name]
+
+    def routine(self, kind: str, what: Asked, regime: Regime, made: Callable[[Asked, Regime], list[Term]]) -> Routine:
+        """What is `made` of something asked for, compiled once for each regime; `kind` tells what is made of it."""
+        key = (regime, kind, what)
+        if key not in self._routines:
+            unknowns = [*self._accelerations, *(self._push(p.name) for p in regime.reactions)]
+            self._routines[key] = regime.routine(made(what, regime), unknowns)
+        return self._routines[key]
+
+
+def names_of_states(tree: Side | Relation) -> set[str]:
+    """All states that stand behind an `@`."""
+    found: set[str] = set()
+    for node in walk(tree):
+        at = getattr(node, "at", None) if isinstance(node, Quantity | Name | Grouped | Function) else None
+        found |= {at} if isinstance(at, str) else set(at or ())
+    return found
+
+
+def modes_of(regime: Regime) -> dict[str, str]:
+    """The modes of its joints, by name."""
+    return {held.joint: held.mode.name for held in regime.parts.held if held.mode.name}
+
+
+def moments_of(
+    trajectory: Trajectory,
+    moments: Mapping[str, Moment],
+    settled: Callable[[Moment], tuple[Regime, tuple[float, ...]] | None],
+) -> dict[str, Moment]:
+    """The moments with what acts just after each of them; `settled` finds that where the motion ends."""
+    found = {}
+    for name, moment in moments.items():
+        segment = next((s for s in trajectory.segments if s.t0 == moment.t), None)
+        segment = segment or next((s for s in trajectory.segments if s.t0 < moment.t < s.t1), None)
+        after: tuple[Regime, tuple[float, ...]] | None = None
+        if segment is None:
+            after = settled(moment) if moment.t >= trajectory.t1 else None
+        elif isinstance(segment.regime, Regime):
+            after = segment.regime, segment.start if segment.t0 == moment.t else moment.y
+        regime = moment.regime if after is None else after[0]
+        found[name] = replace(moment, modes=modes_of(regime), after=after)
+    return found
+
+
+def _mark(side: Side) -> Mark:
+    return side.mark

@@ -1,0 +1,204 @@
+"""A problem simulated: its scene followed from its first state, and what the file asks answered from that.
+
+    Problem -> MovingScene -> Model -> Trajectory -> answers
+
+The run is made twice, the second time with a tighter tolerance: how far the two are apart estimates the error of what
+has come of all steps (motion/estimate.py).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+
+from planar_cli.errors import Diagnostic, FileProblem, Mark
+from planar_cli.integrators.base import Setting
+from planar_cli.motion.automaton import Start
+from planar_cli.motion.drive import AUTOMATIC
+from planar_cli.motion.estimate import tighter
+from planar_cli.motion.follow import Follower
+from planar_cli.motion.model import Model
+from planar_cli.motion.regime import Regime
+from planar_cli.motion.scene import MovingScene
+from planar_cli.motion.schedule import Reached, Schedule
+from planar_cli.motion.stages import SceneStages
+from planar_cli.motion.start import start_of
+from planar_cli.motion.trajectory import Trajectory
+from planar_cli.motion.transition import Moment as Instant
+from planar_cli.motion.transition import Resolved, resolve
+from planar_cli.problem.expression import Quantity, Relation, Side
+from planar_cli.problem.scene import Answer, Problem
+from planar_cli.simulate.answers import Answered, Answers
+from planar_cli.simulate.measures import START, Measures, Moment, moments_of
+from planar_cli.simulate.stops import first_stop
+from planar_cli.simulate.timetable import breakpoints_of, schedule_of
+
+TOLERANCE = 1e-9
+FREE_TIMES, SEARCHED_TIMES = 20.0, 2000.0
+"""Without an end a scene is followed for so many of its characteristic times; to find a state, for so many at most."""
+BEGINNING = 1e-6
+"""So many characteristic times are the first moments."""
+ROUND = (1.0, 2.0, 5.0, 10.0)
+
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """How to simulate."""
+
+    until: float | None = None
+    """The end of the motion [s]; None: the last state of the file, else some characteristic times."""
+    tolerance: float = TOLERANCE
+    """Of one step, in parts of the scene's scales."""
+    integrator: str = AUTOMATIC
+    """A member of the shelf of integrators, or `auto`."""
+    step: float | None = None
+    """A fixed step [s]."""
+    values: Mapping[str, float] = field(default_factory=dict)
+    """Numbers for letters and unknowns [SI], by name."""
+    times: float | None = None
+    """How many characteristic times a scene is followed that nobody gave an end; None: FREE_TIMES."""
+    stops: tuple[Relation, ...] = ()
+    """The motion ends where one of these comes to hold."""
+    estimate: bool = True
+    """Run twice, to estimate the error?"""
+    progress: Callable[[float, float], None] | None = None
+    """Told how far the motion has been followed, and to where it goes [s]."""
+
+
+@dataclass(frozen=True, slots=True)
+class Run:
+    """One motion that was followed."""
+
+    problem: Problem
+    model: Model
+    measures: Measures
+    schedule: Schedule
+    trajectory: Trajectory
+    settings: Settings
+    until: float
+    """To where it was to be followed [s]."""
+
+
+@dataclass(frozen=True, slots=True)
+class Simulation:
+    """A motion with what was asked of it."""
+
+    run: Run
+    answers: tuple[Answered, ...]
+    compared: bool
+    """Were two runs compared, so that errors are estimated?"""
+
+
+def simulate(problem: Problem, settings: Settings, answers: Sequence[Answer] = ()) -> Simulation:
+    """Follow a scene and answer its finds. `answers`: the stated ones, for their units.
+
+    Raises FileProblem or NoSolution where the file does not say how the motion begins, Undecided where it can not be
+    followed.
+    """
+    units = {a.name: unit for a in answers if (unit := _unit(a.value)) is not None}
+    first = _to_stop(follow(problem, settings))
+    settings = first.settings
+    found = Answers(problem, first.measures, first.trajectory, units).all()
+    if not settings.estimate:
+        return Simulation(first, found, False)
+    step = None if settings.step is None else settings.step / 2
+    second = follow(problem, replace(settings, tolerance=tighter(settings.tolerance), step=step))
+    better = Answers(problem, second.measures, second.trajectory, units).all()
+    pairs = zip(found, better, strict=True)
+    return Simulation(first, tuple(_with_error(a, b) for a, b in pairs), True)
+
+
+def _to_stop(run: Run) -> Run:
+    """The run as far as to where it is to end."""
+    time = first_stop(run.settings.stops, run.measures, run.trajectory)
+    if time is None:
+        return run
+    return follow(run.problem, replace(run.settings, until=time, stops=()))
+
+
+def begin(problem: Problem) -> Run:
+    """The first moments of a motion."""
+    return follow(replace(problem, states=problem.states[:1]), Settings(tolerance=1e-3, times=BEGINNING))
+
+
+def follow(problem: Problem, settings: Settings) -> Run:
+    """One run."""
+    scene = MovingScene(problem, settings.values)
+    stages = SceneStages(scene)
+    first = problem.states[0].name if problem.states else ""
+    model = stages.automaton((first,)).model
+    measures = Measures(model)
+    schedule = schedule_of(problem, measures, breakpoints_of(scene))
+    begun = start_of(model)
+    start = Start(begun.time, begun.state)
+    until = settings.until if settings.until is not None else _end(schedule, model, start.t, settings)
+    if until <= start.t:
+        text = f"the motion begins at t = {start.t:g} s, so it can not end at t = {until:g} s"
+        raise FileProblem([Diagnostic(Mark(problem.file, 1, 1), "PL704", text, "write a later time behind --until")])
+    names = [first]
+
+    def heard(reached: Reached) -> None:
+        names.append(reached.name)
+        regime = stages.automaton(tuple(names)).model.regime(reached.choice)
+        measures.moments[reached.name] = Moment(regime, {}, reached.t, reached.y)
+
+    def settled(moment: Moment) -> tuple[Regime, tuple[float, ...]] | None:
+        automaton = stages.automaton(tuple(names))
+        choice = trajectory.segments[-1].choice if trajectory.segments else automaton.model.natural
+        found = resolve(Instant(automaton, moment.t, moment.y, choice, "", settings.tolerance))
+        return (automaton.model.regime(found.choice), found.state) if isinstance(found, Resolved) else None
+
+    measures.moments[first] = measures.moments[START] = Moment(model.regime(), {}, start.t, start.y)
+
+    shown = settings.progress
+    setting = Setting(scale=model.scale, tolerance=settings.tolerance, step=settings.step)
+    follower = Follower(
+        stages,
+        start,
+        replace(schedule, heard=heard),
+        until,
+        setting,
+        settings.integrator,
+        None if shown is None else lambda t: shown(t, until),
+        rest_ends=settings.until is None and not any(e.time is not None for e in schedule.events),
+    )
+    trajectory = follower.trajectory()
+    measures.moments |= moments_of(trajectory, measures.moments, settled)
+    return Run(problem, model, measures, schedule, trajectory, settings, until)
+
+
+def _end(schedule: Schedule, model: Model, t0: float, settings: Settings) -> float:
+    """To where a motion is followed that nobody gave an end."""
+    times = [e.time for e in schedule.events if e.time is not None]
+    if schedule.events and len(times) == len(schedule.events):
+        return max(times)
+    many = settings.times or (SEARCHED_TIMES if schedule.events or settings.stops else FREE_TIMES)
+    return max([t0 + rounded(many * model.time_scale), *times])
+
+
+def rounded(time: float) -> float:
+    """1, 2 or 5 times a power of ten, not below this time."""
+    power = 10.0 ** math.floor(math.log10(time))
+    return next(power * r for r in ROUND if power * r >= time * (1 - 1e-12))
+
+
+def _with_error(first: Answered, second: Answered) -> Answered:
+    """The answer with what it is off from that of the finer run."""
+    if len(first.values) != len(second.values) or not second.values:
+        return first
+    return replace(first, error=math.hypot(*(a - b for a, b in zip(first.values, second.values, strict=True))))
+
+
+def _unit(value: Side | tuple[Side, Side] | bool | str) -> str | None:
+    from planar_cli.problem.walk import walk
+
+    sides = value if isinstance(value, tuple) else (value,)
+    for side in sides:
+        if isinstance(side, bool | str):
+            continue
+        for node in walk(side):
+            unit = getattr(node, "unit", None)
+            if unit is not None and not isinstance(node, Quantity):
+                return str(unit)
+    return None

@@ -1,0 +1,234 @@
+"""Quantities over a span of a motion: integrals over its segments, and what impacts add in between.
+
+    work ∫ F · v dt,   impulse ∫ F dt,   path length ∫ |v| dt,   mean ∫ x dt / T,   heat of friction -∫ F · v dt
+
+Gauss's rule with five points in every step of the integrator, which is halved where that is not exact.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
+
+from planar_cli.errors import Diagnostic, FileProblem, Undecided
+from planar_cli.integrators.base import Step
+from planar_cli.motion.regime import Regime
+from planar_cli.motion.segment import Segment
+from planar_cli.motion.terms import Term
+from planar_cli.motion.trajectory import Trajectory
+from planar_cli.problem.expression import Quantity, Relation
+from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scope import Scope
+from planar_cli.simulate.measures import Measures
+
+NODES = (
+    (0.5, 0.5688888888888889),
+    (0.23076534494715845, 0.47862867049936647),
+    (0.7692346550528415, 0.47862867049936647),
+    (0.04691007703066802, 0.23692688505618908),
+    (0.9530899229693319, 0.23692688505618908),
+)
+"""Points and weights (their sum is 2) of Gauss's rule on (0, 1)."""
+CLOSE, DEEPEST = 1e-13, 24
+"""A step is halved until the rule agrees with itself to this part, at most so many times."""
+Function = Callable[[float, Sequence[float]], Sequence[float]]
+
+
+@dataclass(frozen=True, slots=True)
+class Stretch:
+    """A part of a segment."""
+
+    segment: Segment
+    t0: float
+    t1: float
+
+    def pieces(self) -> Iterator[tuple[float, float, Step | None]]:
+        """From step to step; at rest one piece without a step."""
+        if not self.segment.steps:
+            yield self.t0, self.t1, None
+        for step in self.segment.steps:
+            a, b = max(step.t0, self.t0), min(step.t1, self.t1)
+            if b > a:
+                yield a, b, step
+
+    def integral(self, of: Function) -> list[float]:
+        """∫ of dt."""
+        total: list[float] = []
+        for a, b, step in self.pieces():
+            part = _refined(_along(of, step, self.segment.start), a, b, DEEPEST)
+            total = [x + p for x, p in zip(total, part, strict=True)] if total else part
+        return total
+
+
+def _along(of: Function, step: Step | None, still: Sequence[float]) -> Callable[[float], Sequence[float]]:
+    """As a function of time alone; without a step the state stays as it is."""
+
+    def value(t: float) -> Sequence[float]:
+        return of(t, still if step is None else step.at(t))
+
+    return value
+
+
+def _gauss(of: Callable[[float], Sequence[float]], a: float, b: float) -> list[float]:
+    values = [[weight * v for v in of(a + x * (b - a))] for x, weight in NODES]
+    return [0.5 * (b - a) * sum(column) for column in zip(*values, strict=True)]
+
+
+def _refined(of: Callable[[float], Sequence[float]], a: float, b: float, depth: int) -> list[float]:
+    """Halved where the rule and its halves differ: a speed has a corner where a point turns round."""
+    whole, middle = _gauss(of, a, b), 0.5 * (a + b)
+    halves = [_gauss(of, a, middle), _gauss(of, middle, b)]
+    both = [x + y for x, y in zip(*halves, strict=True)]
+    size = max(abs(x) + abs(y) for x, y in zip(*halves, strict=True))
+    if depth == 0 or all(abs(x - y) <= CLOSE * size for x, y in zip(whole, both, strict=True)):
+        return both
+    parts = [_refined(of, a, middle, depth - 1), _refined(of, middle, b, depth - 1)]
+    return [x + y for x, y in zip(*parts, strict=True)]
+
+
+class Spans:
+    """Quantities over spans of one trajectory."""
+
+    def __init__(self, measures: Measures, trajectory: Trajectory, scope: Scope) -> None:
+        self.measures, self.trajectory, self.scope = measures, trajectory, scope
+
+    def value(self, q: Quantity) -> tuple[float, ...]:
+        """The quantity over its span, with its parts."""
+        assert isinstance(q.at, tuple)
+        found = self._whole(q, *(self._time(name, q) for name in q.at))
+        for part in q.parts:
+            found = _part(found, part.kind, q)
+        return found
+
+    def _time(self, state: str, q: Quantity) -> float:
+        moment = self.measures.moments.get(state)
+        if moment is None:
+            raise Undecided(f"{q.mark.file}:{q.mark.line}: the state {state} is not reached, so this has no value")
+        return moment.t
+
+    def _whole(self, q: Quantity, t0: float, t1: float) -> tuple[float, ...]:
+        match q.word:
+            case "mean":
+                total = self._integral(q, t0, t1, self._argument)
+                return tuple(v / (t1 - t0) for v in total)
+            case "count":
+                return (float(self._count(q, t0, t1)),)
+            case "path_length":
+                return self._integral(q, t0, t1, self._speed)
+            case "impulse":
+                return self._impulse(q, t0, t1)
+            case "work":
+                return self._integral(q, t0, t1, self._power)
+        heat = self._integral(q, t0, t1, self._power)
+        return (-heat[0],)
+
+    def stretches(self, t0: float, t1: float) -> Iterator[Stretch]:
+        """The parts of the segments in a span."""
+        for segment in self.trajectory.segments:
+            a, b = max(segment.t0, t0), min(segment.t1, t1)
+            if b > a:
+                yield Stretch(segment, a, b)
+
+    def _integral(
+        self, q: Quantity, t0: float, t1: float, made: Callable[[Quantity, Regime], list[Term]]
+    ) -> tuple[float, ...]:
+        total: list[float] = []
+        for stretch in self.stretches(t0, t1):
+            regime = stretch.segment.regime
+            assert isinstance(regime, Regime)
+            more = stretch.integral(self.measures.routine("span", q, regime, made))
+            total = [a + b for a, b in zip(total, more, strict=True)] if total else more
+        return tuple(total) or (0.0,)
+
+    # --- integrands --------------------------------------------------------------------------------------------------
+
+    def _argument(self, q: Quantity, regime: Regime) -> list[Term]:
+        assert q.argument is not None
+        assert not isinstance(q.argument, Relation)
+        return self.measures.terms(q.argument, self.measures.quantities(regime))
+
+    def _speed(self, q: Quantity, regime: Regime) -> list[Term]:
+        found = self.measures.terms(replace(q, word="v", at=None, parts=()), self.measures.quantities(regime))
+        x, y = found
+        return [self.measures.model.graph.call("sqrt", x * x + y * y + math.ulp(0.0))]
+
+    def _power(self, q: Quantity, regime: Regime) -> list[Term]:
+        return self.measures.terms(replace(q, word="power", at=None, parts=()), self.measures.quantities(regime))
+
+    def _force(self, q: Quantity, regime: Regime) -> list[Term]:
+        """The resultant on the body, and its moment about the point behind the stroke."""
+        quantities = self.measures.quantities(regime)
+        reactions = quantities.reactions
+        assert reactions is not None
+        graph = self.measures.model.graph
+        about = self._about(q)
+        bare = q if about is None else replace(q, things=q.things[:1])
+        wrenches = [w for w in reactions.upon(bare) if w.body != "ground"]
+        if len(q.things) == 1 and q.things[0] not in self.scope.bodies and q.things[0] != "all":
+            wrenches = [w for w in wrenches if w.body == wrenches[0].body]
+        total, moment = Vec(graph.number(0.0), graph.number(0.0)), graph.number(0.0)
+        for w in wrenches:
+            moment = moment + w.couple
+            if w.force is not None:
+                total = total + w.force
+                if about is not None:
+                    moment = moment + (w.point - self.measures.model.scene.point(about)).cross(w.force)
+        return [graph.of(total.x), graph.of(total.y)] if about is None else [graph.of(moment)]
+
+    def _about(self, q: Quantity) -> str | None:
+        """The point behind the stroke, if it is one."""
+        from planar_cli.problem.check_dimensions import about
+
+        return about(q, self.scope)
+
+    def _impulse(self, q: Quantity, t0: float, t1: float) -> tuple[float, ...]:
+        """∫ F dt; where impacts lie in the span the impulse on a body is its change of momentum."""
+        struck = [x for x in self.trajectory.transitions if x.kind == "impact" and t0 <= x.t <= t1]
+        if not struck:
+            return self._integral(q, t0, t1, self._force)
+        body = q.things[-1]
+        if self._about(q) is not None or body not in self.scope.bodies or len(q.things) > 1:
+            text = "impacts in this span: the impulse of one joint or load alone is not told"
+            raise Undecided(f"{q.mark.file}:{q.mark.line}: {text}; ask for that on a body")
+        model = self.measures.model
+        frame, count = model.layout.frames[body], model.layout.count
+        ends = [self.measures.moments[s] for s in q.at or () if isinstance(s, str)]
+        mass = model.scene.places[body].mass.value
+        return tuple(mass * (ends[1].y[count + i] - ends[0].y[count + i]) for i in (frame.x, frame.y))
+
+    def _count(self, q: Quantity, t0: float, t1: float) -> int:
+        """How often a relation comes to hold."""
+        relation = q.argument
+        assert isinstance(relation, Relation)
+        found, before = 0, None
+        for stretch in self.stretches(t0, t1):
+            regime = stretch.segment.regime
+            assert isinstance(regime, Regime)
+            gap = self.measures.gap(relation, regime)
+            for a, b, step in stretch.pieces():
+                for x in (0.0, 0.25, 0.5, 0.75, 1.0):
+                    t = a + x * (b - a)
+                    now = gap(t, stretch.segment.start if step is None else step.at(t))[0]
+                    if before is not None and now * before < 0:
+                        rises = relation.operator in ("=", ">", ">=") and now > 0
+                        falls = relation.operator in ("=", "<", "<=") and now < 0
+                        found += rises or falls
+                    before = now or before
+        return found
+
+
+def _part(found: tuple[float, ...], kind: str, q: Quantity) -> tuple[float, ...]:
+    if len(found) != 2:
+        raise FileProblem([Diagnostic(q.mark, "PL551", f".{kind} of a number", "only a vector has parts")])
+    x, y = found
+    match kind:
+        case "x":
+            return (x,)
+        case "y":
+            return (y,)
+        case "mag":
+            return (math.hypot(x, y),)
+        case "angle":
+            return (math.atan2(y, x),)
+    raise FileProblem([Diagnostic(q.mark, "PL551", f".{kind} of what is taken over a span", "ask for .x .y .mag")])

@@ -1,0 +1,113 @@
+"""A motion as rows of numbers: the quantities that were asked for, or where every body is, at times in between."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from planar_cli.errors import Mark
+from planar_cli.motion.regime import Regime
+from planar_cli.problem.check_dimensions import Kinds
+from planar_cli.problem.dimensions import dimension_of
+from planar_cli.problem.expression import Found, Name, Quantity, Relation, Side
+from planar_cli.problem.scene import Find, Problem
+from planar_cli.problem.scope import Scope
+from planar_cli.problem.walk import walk
+from planar_cli.simulate.answers import in_si
+from planar_cli.simulate.run import Run
+from planar_cli.units import PURE, Unit, default_unit, parse_unit
+
+HERE = Mark("<table>", 1, 1)
+
+
+@dataclass(frozen=True, slots=True)
+class Column:
+    """One quantity over time."""
+
+    name: str
+    unit: Unit
+    """In which its numbers are."""
+    side: Side
+
+
+@dataclass(frozen=True, slots=True)
+class Table:
+    """Numbers over time; the first column is the time [s]."""
+
+    names: tuple[str, ...]
+    units: tuple[str, ...]
+    rows: tuple[tuple[float, ...], ...]
+
+
+def table_of(run: Run, asked: Sequence[Find], times: Sequence[float], count: int) -> Table:
+    """The rows at these times, or `count` of them evenly spread over the motion."""
+    columns = _columns(run.problem, asked)
+    names, units, widths = ["t"], ["s"], []
+    trajectory = run.trajectory
+    t0, t1 = trajectory.t0, trajectory.t1
+    chosen = [t for t in times if t0 <= t <= t1] or _spread(t0, t1, count)
+    rows = [tuple(_row(run, columns, t)) for t in chosen] if trajectory.segments else []
+    first = next(iter(trajectory.segments), None)
+    for column in columns:
+        regime = first.regime if first is not None else None
+        width = 1
+        if first is not None and isinstance(regime, Regime):
+            width = len(run.measures.function(column.side, regime)(first.t0, first.start))
+        widths.append(width)
+        names += [column.name] if width == 1 else [f"{column.name}.{part}" for part in "xy"]
+        units += [column.unit.text] * width
+    return Table(tuple(names), tuple(units), tuple(rows))
+
+
+def _spread(t0: float, t1: float, count: int) -> list[float]:
+    return [t0 + (t1 - t0) * i / (count - 1) for i in range(count - 1)] + [t1] if t1 > t0 else [t0]
+
+
+def _row(run: Run, columns: Sequence[Column], t: float) -> Iterator[float]:
+    segment = run.trajectory.segment_at(t)
+    y, regime = segment.at(t), segment.regime
+    assert isinstance(regime, Regime)
+    yield t
+    for column in columns:
+        factor = in_si(column.unit)
+        yield from (v / factor for v in run.measures.function(column.side, regime)(t, y))
+
+
+def _columns(problem: Problem, asked: Sequence[Find]) -> tuple[Column, ...]:
+    """What is asked for; else the finds that hold throughout; else the coordinates of all bodies."""
+    kinds = Kinds(Scope(problem, ()))
+    found = [(f.name, f.found) for f in asked] or [(f.name, f.found) for f in problem.find if _throughout(f.found)]
+    found = found or list(_places(problem))
+    made = []
+    for name, what in found:
+        if isinstance(what.what, Relation):
+            continue
+        kind = dimension_of(what.what, kinds.of)
+        unit = (
+            parse_unit(what.unit)
+            if what.unit is not None
+            else default_unit(kind.dimension or PURE, kind.angle, problem.us)
+        )
+        made.append(Column(name, unit, what.what))
+    return tuple(made)
+
+
+def _throughout(found: Found) -> bool:
+    """Does it vary and have a value at all times?"""
+    nodes = list(walk(found.what))
+    quantities = [n for n in nodes if isinstance(n, Quantity)]
+    words = {q.word for q in quantities}
+    late = words & {"path", "hodograph", "period", "frequency", "stable", "reached", "mode", "work", "impulse", "mean"}
+    return bool(quantities) and not late and not any(getattr(n, "at", None) for n in nodes)
+
+
+def _places(problem: Problem) -> Iterator[tuple[str, Found]]:
+    """The coordinates of the file, then x, y of every body's mass centre and its angle."""
+    for symbol in problem.coordinates:
+        yield symbol.name, Found(Name(symbol.name, None, HERE), symbol.unit, symbol.name, HERE)
+    for body in problem.bodies:
+        turns = type(body.shape).__name__ != "Particle"
+        for word in ("x", "y", "theta") if turns else ("x", "y"):
+            text = f"{word}({body.name})"
+            unit = "deg" if word == "theta" else None
+            yield text, Found(Quantity(word, (body.name,), None, (), None, HERE), unit, text, HERE)

@@ -1,0 +1,190 @@
+"""The states of a file as the schedule of a motion: what tells, in numbers, that each of them has been reached."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from planar_cli.errors import Diagnostic, FileProblem, Mark
+from planar_cli.loads.base import mode_key
+from planar_cli.motion.automaton import Choice
+from planar_cli.motion.automaton import Regime as AnyRegime
+from planar_cli.motion.regime import Regime
+from planar_cli.motion.scene import MovingScene
+from planar_cli.motion.schedule import Condition, Crossing, Event, Schedule, Span
+from planar_cli.problem.check_dimensions import Kinds
+from planar_cli.problem.dimensions import dimension_of
+from planar_cli.problem.expression import (
+    AtRest,
+    Equilibrium,
+    Extreme,
+    JustAfter,
+    Name,
+    Quantity,
+    Relation,
+    Side,
+    Statement,
+    Word,
+)
+from planar_cli.problem.scene import Problem, State
+from planar_cli.problem.scope import Scope
+from planar_cli.problem.walk import walk
+from planar_cli.simulate.measures import Measures
+
+NEAR = 1e-7
+"""Where one relation of a state holds, the others hold if they are off by less than this part of their scale."""
+SLACK = 1e-9
+"""An inequality may be missed by this part of its scale: what was set equal lies on its edge."""
+
+
+def schedule_of(problem: Problem, measures: Measures, breakpoints: Sequence[float]) -> Schedule:
+    """What the file says of time. FileProblem: a state that a motion followed step by step can not look for."""
+    if not problem.states:
+        return Schedule("", (), (), tuple(breakpoints))
+    reader = Timetable(problem, measures)
+    events = tuple(reader.event(state) for state in problem.states[1:])
+    return Schedule(problem.states[0].name, events, spans_of(problem), tuple(breakpoints))
+
+
+def spans_of(problem: Problem) -> tuple[Span, ...]:
+    """Joints and loads that act only between two states."""
+    keys = [(j.name, j.during) for j in problem.joints if not j.strikes]
+    keys += [(mode_key(x.name), x.during) for x in problem.loads if not x.strikes]
+    return tuple(Span(key, *during) for key, during in keys if during is not None)
+
+
+class Timetable:
+    """Reads the relations of states."""
+
+    def __init__(self, problem: Problem, measures: Measures) -> None:
+        self.problem, self.measures = problem, measures
+        self.kinds = Kinds(Scope(problem, ()))
+
+    def event(self, state: State) -> Event:
+        """One state after the first."""
+        crossing: Crossing | None = None
+        time, after, rest = None, "", False
+        modes: list[tuple[str, str]] = []
+        conditions: list[Condition] = []
+        for statement in state.relations:
+            match statement:
+                case JustAfter():
+                    after = statement.state
+                case Equilibrium() if statement.body is None:
+                    rest = True
+                case AtRest() | Equilibrium():
+                    crossing = crossing or self._slowest(statement.body, statement.mark)
+                    conditions.append(self._still(statement.body, statement.mark))
+                case Extreme():
+                    crossing = self._extreme(statement)
+                case Relation() if (mode := mode_of(statement)) is not None:
+                    modes.append(mode)
+                case Relation() if is_time(statement) and time is None:
+                    time = self._time(statement)
+                case Relation() if statement.operator == "=" and crossing is None and time is None:
+                    crossing = self._crossing(statement)
+                case Relation():
+                    conditions.append(self._condition(statement))
+        return Event(state.name, time, crossing, tuple(modes), tuple(conditions), after, rest)
+
+    # --- what tells it -----------------------------------------------------------------------------------------------
+
+    def _time(self, relation: Relation) -> float:
+        side = relation.right if isinstance(relation.left, Name) and relation.left.name == "t" else relation.left
+        return self.measures.model.scene.sides.value(side).value
+
+    def _crossing(self, relation: Relation) -> Crossing:
+        def value(regime: AnyRegime, choice: Choice, t: float, y: Sequence[float]) -> float:
+            assert isinstance(regime, Regime)
+            found = self.measures.gap(relation, regime)(t, y)
+            return found[0]
+
+        return Crossing(value, self.scale(relation.left, relation.right))
+
+    def _extreme(self, extreme: Extreme) -> Crossing:
+        """The rate falls through zero where something is largest, and rises where it is smallest."""
+
+        def rate(regime: AnyRegime, choice: Choice, t: float, y: Sequence[float]) -> float:
+            assert isinstance(regime, Regime)
+            return self.measures.rate(extreme.side, regime)(t, y)[0]
+
+        scale = self.scale(extreme.side) / self.measures.model.scales.time
+        return Crossing(rate, scale, -extreme.sense)
+
+    def _condition(self, relation: Relation) -> Condition:
+        scale = self.scale(relation.left, relation.right)
+
+        def holds(regime: AnyRegime, choice: Choice, t: float, y: Sequence[float]) -> bool:
+            assert isinstance(regime, Regime)
+            off = self.measures.gap(relation, regime)(t, y)
+            if relation.operator == "=":
+                return all(abs(v) <= NEAR * scale for v in off)
+            slack = SLACK * scale
+            return off[0] < slack if relation.operator in ("<", "<=") else off[0] > -slack
+
+        return holds
+
+    def _moving(self, body: str | None, mark: Mark) -> list[int]:
+        """The numbers of a body's coordinates, or of all."""
+        layout = self.measures.model.layout
+        if body is None:
+            return list(range(layout.count))
+        frame = layout.frames.get(body)
+        if frame is None:
+            raise FileProblem([Diagnostic(mark, "PL553", f"{body} is no body that moves")])
+        return [n for n in (frame.x, frame.y, frame.theta) if n is not None]
+
+    def _slowest(self, body: str | None, mark: Mark) -> Crossing:
+        """The rate of Σ (v/scale)²/2, which rises through zero where everything is slowest."""
+        model = self.measures.model
+        numbers, count = self._moving(body, mark), model.layout.count
+
+        def rate(regime: AnyRegime, choice: Choice, t: float, y: Sequence[float]) -> float:
+            rates = regime.rates(t, y)
+            return sum(y[count + n] * rates[count + n] / model.scale[count + n] ** 2 for n in numbers)
+
+        return Crossing(rate, 1.0 / model.time_scale, 1)
+
+    def _still(self, body: str | None, mark: Mark) -> Condition:
+        """A body, or everything, at rest."""
+        model = self.measures.model
+        numbers, count = self._moving(body, mark), model.layout.count
+
+        def still(regime: AnyRegime, choice: Choice, t: float, y: Sequence[float]) -> bool:
+            return all(abs(y[count + n]) <= NEAR * model.scale[count + n] for n in numbers)
+
+        return still
+
+    def scale(self, *sides: Side) -> float:
+        """The usual size of what these sides measure."""
+        for side in sides:
+            kind = dimension_of(side, self.kinds.of)
+            if kind.dimension is not None:
+                d, scales = kind.dimension, self.measures.model.scales
+                return float(
+                    scales.length ** float(d.length) * scales.mass ** float(d.mass) * scales.time ** float(d.time)
+                )
+        return 1.0
+
+
+def mode_of(relation: Relation) -> tuple[str, str] | None:
+    """The joint and the mode of `mode(C) = stick`."""
+    for side, other in ((relation.left, relation.right), (relation.right, relation.left)):
+        if isinstance(side, Quantity) and side.word == "mode" and isinstance(other, Word) and relation.operator == "=":
+            return side.things[0], other.word
+    return None
+
+
+def is_time(statement: Statement) -> bool:
+    """Does a statement give the time itself?"""
+    if not isinstance(statement, Relation) or statement.operator != "=":
+        return False
+    for side, other in ((statement.left, statement.right), (statement.right, statement.left)):
+        if isinstance(side, Name) and side.name == "t" and side.at is None:
+            inner = [n for n in walk(other) if isinstance(n, Quantity) or (isinstance(n, Name) and n.name == "t")]
+            return not inner
+    return False
+
+
+def breakpoints_of(scene: MovingScene) -> tuple[float, ...]:
+    """Times at which a table jumps or has a kink."""
+    return tuple(sorted({x for table in scene.graph.tables.values() for x, _ in table.points}))

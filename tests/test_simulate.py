@@ -1,0 +1,163 @@
+"""`planar simulate`: what it prints, in every output, and what it refuses."""
+
+from __future__ import annotations
+
+import io
+import json
+import math
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from test_cli import imported
+
+from planar_cli import cli
+
+ROD = """\
+title: Rod let go level
+plane: vertical
+points: {O: [0, 0], A: [1 m, 0]}
+bodies: {rod: {rod: [O, A], mass: 2 kg}}
+joints:
+  - pin: {at: O, between: [ground, rod]}
+states:
+  1: [t = 0, at rest]
+  2: [theta(rod) = -90 deg]
+find: {t_2: t @ 2, omega: omega(rod) @ 2, R: reaction(O) @ 2, way: path_length(A) @ 1->2, low: y(A) @ 2 < -0.9 m}
+"""
+CRATE = """\
+title: Crate on a rough floor
+plane: vertical
+given: {mu: 0.3, v_0: 3 m/s, c: 2 N*s/m}
+points: {C: [0, 0]}
+surfaces: {floor: {through: C, angle: 0 deg}}
+bodies: {crate: {particle: C, mass: 10 kg}}
+joints:
+  - contact: {between: [crate, floor], at: C, mu: mu}
+loads:
+  - drag: {body: crate, magnitude: c*v(crate).mag}
+states:
+  1: [t = 0, v(crate).x = v_0]
+  2: [at rest]
+find: {s: x(crate) @ 2 - x(crate) @ 1, held: mode(C) @ 2, W: work(C) @ 1->2}
+"""
+
+
+@pytest.fixture
+def rod(tmp_path: Path) -> str:
+    return written(tmp_path, ROD)
+
+
+def written(folder: Path, text: str) -> str:
+    path = folder / "scene.yaml"
+    path.write_text(text, encoding="utf-8")
+    return str(path)
+
+
+def run(capsys: pytest.CaptureFixture[str], *args: str, status: int = 0) -> str:
+    assert cli.run(["simulate", *args]) == status, capsys.readouterr().err
+    return capsys.readouterr().out
+
+
+def data(capsys: pytest.CaptureFixture[str], *args: str, status: int = 0) -> dict[str, Any]:
+    found: dict[str, Any] = json.loads(run(capsys, *args, "--output", "json", status=status))
+    return found["motions"][0]
+
+
+def test_a_rod_that_swings_down(rod: str, capsys: pytest.CaptureFixture[str]) -> None:
+    answers = data(capsys, rod)["answers"]
+    omega = math.sqrt(3 * 9.81)
+    assert answers["omega"]["value"] == pytest.approx(-omega, rel=1e-9)
+    assert abs(answers["omega"]["value"] + omega) <= answers["omega"]["error"]
+    assert answers["R"]["value"] == pytest.approx([0, 2.5 * 2 * 9.81], abs=1e-7)
+    assert answers["way"]["value"] == pytest.approx(math.pi / 2, rel=1e-9)
+    assert answers["low"]["value"] is True
+
+
+def test_the_table_has_what_is_asked_for(rod: str, capsys: pytest.CaptureFixture[str]) -> None:
+    shown = run(capsys, rod, "-q", "v(A).mag in km/h", "-q", "E=KE(rod) + PE(rod)", "--rows", "3")
+    assert "v(A).mag in km/h [km/h]" in shown
+    assert shown.index("E [N·m]") < shown.index("Answer")
+
+
+def test_numbers_for_programs(rod: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    lines = run(capsys, rod, "--output", "csv", "--rows", "5").splitlines()
+    assert lines[0] == "t [s],x(rod) [m],y(rod) [m],theta(rod) [deg]"
+    assert len(lines) == 6
+    target = tmp_path / "motion.npz"
+    run(capsys, rod, "--output", "npz", "-o", str(target), "--rows", "5")
+    arrays = np.load(io.BytesIO(target.read_bytes()))
+    assert arrays["y(rod) [m]"][-1] == pytest.approx(-0.5)
+
+
+def test_it_ends_where_it_is_told_to(rod: str, capsys: pytest.CaptureFixture[str]) -> None:
+    found = data(capsys, rod, "--stop", "y(A) = -0.5 m", status=cli.UNDECIDED)
+    assert found["rows"][-1][2] == pytest.approx(-0.25)
+    assert "2" not in found["states"]
+    found = data(capsys, rod, "--until", "0.1 s", status=cli.UNDECIDED)
+    assert found["rows"][-1][0] == pytest.approx(0.1)
+    assert found["missed"] == ["2"]
+
+
+def test_without_friction_it_goes_on(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = written(tmp_path, CRATE)
+    found = data(capsys, path, "--without", "drag")
+    deceleration, drag = 0.3 * 9.81, 0.2
+    # v' = -mu g - c v/m
+    stop = math.log(1 + drag * 3 / deceleration) / drag
+    way = 3 / drag - deceleration / drag * stop
+    assert found["answers"]["s"]["value"] == pytest.approx(way, rel=1e-8)
+    assert found["answers"]["held"]["value"] == "stick"
+    assert found["answers"]["W"]["value"] == pytest.approx(-10 * deceleration * way, rel=1e-8)
+    assert found["without"]["s"]["value"] == pytest.approx(9 / (2 * deceleration), rel=1e-8)
+
+
+def test_the_ledger_names_the_lines(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    shown = run(capsys, written(tmp_path, CRATE), "--effects")
+    for words, line in (("drag", 10), ("friction", 8), ("weight", 6)):
+        assert any(words in row and row.endswith(f"line {line}") for row in shown.splitlines())
+    assert "Not in this scene:" in shown
+    absent = shown.partition("Not in this scene:")[2]
+    assert "spring" in absent
+
+
+def test_what_is_not_there_costs_nothing(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    def operations(text: str) -> int:
+        shown = json.loads(run(capsys, written(tmp_path, text), "--effects", "--output", "json"))
+        found: int = shown["effects"][0]["operations"]
+        return found
+
+    bare = CRATE.replace("loads:\n  - drag: {body: crate, magnitude: c*v(crate).mag}\n", "")
+    assert operations(bare) < operations(CRATE)
+    assert operations(bare.replace(", c: 2 N*s/m", "")) == operations(bare)
+
+
+@pytest.mark.parametrize(
+    ("args", "said"),
+    [
+        (["--without", "drafg"], "no effect 'drafg'"),
+        (["--until", "3 kg"], "is no time"),
+        (["--case", "other"], "there is no case other"),
+        (["-q", "v(Q).x"], "Q"),
+        (["--set", "3"], "no name with a value"),
+        (["--stop", "y(A) ="], "--stop:1"),
+    ],
+)
+def test_options_that_can_not_be_meant(
+    rod: str, args: list[str], said: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert cli.run(["simulate", rod, *args]) == cli.BAD
+    assert said in capsys.readouterr().err
+
+
+def test_letters_get_numbers(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    text = ROD.replace("plane:", "symbols: {m: kg}\nplane:").replace("mass: 2 kg", "mass: m")
+    path = written(tmp_path, text)
+    assert cli.run(["simulate", path]) == cli.BAD
+    assert "PL705" in capsys.readouterr().err
+    assert data(capsys, path, "--set", "m=2 kg")["answers"]["R"]["value"][1] == pytest.approx(49.05)
+
+
+def test_it_needs_no_algebra(rod: str) -> None:
+    assert not imported("simulate", rod) & {"sympy", "numpy", "scipy", "mpmath"}
