@@ -94,7 +94,7 @@ class Spring(Load):
         stretch = self._stretch(scene, length)
         if scene.vanishes(stretch):
             return ()
-        if scene.is_zero(length):
+        if scene.vanishes(length):
             raise scene.refuse(self.mark, "PL541", f"the ends of {self.name} coincide: the spring has no direction")
         tension = scene.value(self.stiffness) * stretch
         along = (end - start) / length

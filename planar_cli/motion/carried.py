@@ -7,6 +7,7 @@ configuration is the one that the file draws at its first state or instant.
 from __future__ import annotations
 
 import math
+import sys
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -23,6 +24,8 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND, Line, Problem, Surface
 from planar_cli.problem.shapes import own_points
 
+TINIEST = sys.float_info.min
+"""Added to a square under a root, so that what is just zero does not divide zero by zero."""
 EXACT = 1e-14
 """A part of an arm below this part of it is the rounding of a right angle."""
 
@@ -289,7 +292,10 @@ class Carried:
         return unit_vector(self.graph, self.value(angle))
 
     def length(self, v: Vec) -> Term:
-        """|v|."""
+        """|v|; where it is zero as drawn, it has a direction from there on."""
+        square = self.graph.of(v.dot(v))
+        if square.zero and not square.constant:
+            return self.graph.call("sqrt", square + TINIEST)
         return length_of(self.graph, v)
 
     def root(self, square: Any) -> Term:

@@ -53,8 +53,11 @@ class Model:
         """The modes of every joint and load that has several, the natural one first."""
         self.wrenches: dict[Load, tuple[Wrench, ...]] = {x: x.wrenches(scene) for x in self.loads}
         self.asked = asked_of(scene, self.layout)
-        self.drives = self._drives()
+        ties = tuple(of_places(self.layout, "", tie.title, tie.residual) for tie in scene.ties)
+        self.drives = (*drives_of(scene, self.asked), *ties)
+        """What the file prescribes, and what keeps points where they are written."""
         self.scales = self._scales()
+        self.drives = (*self.drives[: -len(ties) or None], *self._beside_joints(ties))
         self._regimes: dict[Choice, Regime] = {}
         self._held: dict[tuple[str, int], Held] = {}
         self._independent: dict[tuple[str, ...], Independent] = {}
@@ -220,10 +223,18 @@ class Model:
 
     # --- the whole ---------------------------------------------------------------------------------------------------
 
-    def _drives(self) -> tuple[Constraint, ...]:
-        """What the file prescribes, and what keeps points where they are written."""
-        ties = [of_places(self.layout, "", tie.title, tie.residual) for tie in self.scene.ties]
-        return (*drives_of(self.scene, self.asked), *ties)
+    def _beside_joints(self, ties: Sequence[Constraint]) -> list[Constraint]:
+        """Of what keeps points where they are written: what no joint says.
+
+        Where a joint keeps a point on its line, the line ends when the joint lets go of it.
+        """
+        said: list[Constraint] = []
+        for joint in self.joints if ties else ():
+            modes = self.modes[joint.name]
+            loosest = next((m for m in modes if m.name not in ("stick", "tip") and not m.parted), modes[0])
+            said += [of_places(self.layout, joint.name, *place) for place in self.places(joint, loosest)]
+        kept = independent(self.layout, [*said, *ties], self.scales).kept
+        return [ties[k - len(said)] for k in kept if k >= len(said)]
 
     def _demanded(self, drive: Constraint) -> float:
         """The speed that a drive demands as drawn [m/s]."""

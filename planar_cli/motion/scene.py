@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Mapping
 from dataclasses import fields
 from functools import cached_property
@@ -12,7 +11,7 @@ from typing import Any
 from planar_cli.errors import Mark
 from planar_cli.joints.base import Joint
 from planar_cli.loads.base import Load
-from planar_cli.motion.carried import Carried
+from planar_cli.motion.carried import TINIEST, Carried
 from planar_cli.motion.coordinates import Coordinates, Tie
 from planar_cli.motion.feet import Foot, feet_of
 from planar_cli.motion.gaps import Gap, gaps_of
@@ -30,9 +29,6 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.problem.keys import Table
 from planar_cli.problem.scene import GROUND, Line, Plate, Problem, Round
 from planar_cli.units import parse_unit
-
-TINIEST = sys.float_info.min
-"""Added to a square under a root, so that a speed that is just zero does not divide zero by zero."""
 
 
 class MovingScene(Carried):
