@@ -61,8 +61,8 @@ class Method(ABC):
         return 0.0
 
     @abstractmethod
-    def renew(self, y: Vector) -> None:
-        """Take up that components may have grown; called from time to time."""
+    def renew(self, y: Vector, ahead: float) -> None:
+        """Take up that components may have grown; called now and then. `ahead`: about so many steps are left."""
 
 
 class Adaptive(Integrator):
@@ -118,6 +118,7 @@ class _Control:
     def __init__(self, method: Method, setting: Setting, counts: Counts, t0: float, t1: float) -> None:
         self.method, self.counts = method, counts
         self.fixed, self.longest, self.most_steps = setting.step is not None, setting.longest, setting.most_steps
+        self.t0 = t0
         self.h, self.run, self.direction = 0.0, abs(t1 - t0), math.copysign(1.0, t1 - t0)
         self.again, self.calmed = True, False
         self.done = 0
@@ -153,6 +154,6 @@ class _Control:
                 self.h = max(made, CALM / fastest)
         self.again = self.calmed = False
         if self.done % RENEWED == 0:
-            method.renew(y)
+            method.renew(y, (self.run - abs(t - self.t0)) / self.h)
         if self.counts.steps > self.most_steps:
             raise StepTooSmall(f"more than {self.most_steps} steps until t = {t:.9g} s", t, y)

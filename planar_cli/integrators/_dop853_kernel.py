@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from functools import cache
+from typing import Any
 
 from planar_cli.integrators._dop853_tableau import DENSE, ERROR_3, ERROR_5, NODES, STAGES
 from planar_cli.integrators.base import Rates, Vector
@@ -20,6 +21,10 @@ EXTRA = (13, 14, 15)
 """The stages that are evaluated for dense output alone."""
 
 Kept = tuple[Vector, ...]
+Coefficients = list[tuple[float, float, float, float, float, float, float]]
+Dense = Callable[[Rates, float, Vector, float, Vector, Kept, Vector], Coefficients]
+"""(f, t, y, h, new state, rates of KEPT, rates at the end) to F0 … F6 for each component: the solution a part x of the
+step after its start is y + x (F0 + (1 - x) (F1 + x (F2 + (1 - x) (F3 + …))))."""
 Trial = Callable[[Rates, float, Vector, Vector, float, Vector], tuple[Vector, float, float, Vector, Kept]]
 """(f, t, y, rates there, h, weights) to: the new state; the sums of squares of both errors, in parts of what is
 allowed; the state of the last stage; the rates of KEPT."""
@@ -28,44 +33,28 @@ allowed; the state of the last stage; the rates of KEPT."""
 @cache
 def written_out(n: int) -> Trial:
     """The trial step for n components, without loops."""
-    return _compiled(_written_out(n))
+    found: Trial = _compiled(_written_out(n), "trial")
+    return found
 
 
 @cache
 def with_loops() -> Trial:
     """The trial step for any number of components."""
-    return _compiled(_with_loops())
+    found: Trial = _compiled(_with_loops(), "trial")
+    return found
 
 
-def dense_rates(f: Rates, t: float, y: Vector, h: float, kept: Kept, end: Vector) -> dict[int, Vector]:
-    """The rates of all stages that dense output needs; three of them are evaluated here."""
-    rates = dict(zip(KEPT, kept, strict=True))
-    rates[LAST] = end
-    for i in EXTRA:
-        inner = _weighted(STAGES[i], rates, len(y))
-        rates[i] = f(t + NODES[i] * h, [a + h * b for a, b in zip(y, inner, strict=True)])
-    return rates
+@cache
+def dense() -> Dense:
+    """The coefficients of dense output, for any number of components."""
+    found: Dense = _compiled(_dense(), "coefficients")
+    return found
 
 
-def dense_coefficients(rates: Mapping[int, Vector], h: float, y: Vector, new: Vector) -> list[Vector]:
-    """The coefficients of dense output: y + x (F0 + (1 - x) (F1 + x (F2 + (1 - x) (F3 + …))))."""
-    first = [b - a for a, b in zip(y, new, strict=True)]
-    second = [h * k - d for k, d in zip(rates[0], first, strict=True)]
-    third = [2.0 * d - h * (k + m) for d, k, m in zip(first, rates[0], rates[LAST], strict=True)]
-    return [first, second, third, *([h * v for v in _weighted(row, rates, len(y))] for row in DENSE)]
-
-
-def _weighted(weights: Mapping[int, float], rates: Mapping[int, Vector], n: int) -> Vector:
-    total = [0.0] * n
-    for stage, weight in weights.items():
-        total = [a + weight * b for a, b in zip(total, rates[stage], strict=True)]
-    return total
-
-
-def _compiled(source: str) -> Trial:
-    space: dict[str, Trial] = {}
-    exec(compile(source, "<one trial step of dop853>", "exec"), {}, space)
-    return space["trial"]
+def _compiled(source: str, name: str) -> Any:
+    space: dict[str, Any] = {}
+    exec(compile(source, f"<dop853: {name}>", "exec"), {}, space)
+    return space[name]
 
 
 def _sum(weights: Mapping[int, float], suffix: str = "") -> str:
@@ -119,3 +108,19 @@ def _with_loops() -> str:
         total = " + ".join(f"{a!r}*a{j}" for j, a in weights.items())
         lines.append(f"    {name} = sum([(({total})*p)**2 for p, {items} in zip(w, {names})])")
     return "\n".join([*lines, _RETURN])
+
+
+def _dense() -> str:
+    """Three more stages, and the coefficients by their definition."""
+    lines = ["def coefficients(f, t, y, h, new, kept, k12):", f"    {', '.join(f'k{j}' for j in KEPT)}, = kept"]
+    for i in EXTRA:
+        row = STAGES[i]
+        names, items = ", ".join(f"k{j}" for j in row), ", ".join(f"a{j}" for j in row)
+        total = " + ".join(f"{a!r}*a{j}" for j, a in row.items())
+        lines.append(f"    k{i} = f(t + {NODES[i]!r}*h, [v + h*({total}) for v, {items} in zip(y, {names})])")
+    every = (*KEPT, LAST, *EXTRA)
+    names, items = ", ".join(f"k{j}" for j in every), ", ".join(f"a{j}" for j in every)
+    higher = ", ".join("h*(" + " + ".join(f"{w!r}*a{j}" for j, w in row.items()) + ")" for row in DENSE)
+    lines.append(f"    return [(d := b - v, h*a0 - d, 2.0*d - h*(a0 + a{LAST}), {higher})")
+    lines.append(f"            for v, b, {items} in zip(y, new, {names})]")
+    return "\n".join(lines)

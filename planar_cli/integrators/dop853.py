@@ -8,20 +8,20 @@ from typing import ClassVar, final
 
 from planar_cli.integrators._adaptive import RENEWED, Adaptive, Method
 from planar_cli.integrators._dop853_kernel import (
-    KEPT,
+    EXTRA,
+    Coefficients,
     Kept,
     Trial,
-    dense_coefficients,
-    dense_rates,
+    dense,
     with_loops,
     written_out,
 )
 from planar_cli.integrators.base import OUTSIDE, Counts, Rates, Setting, StepTooSmall, Vector, shortest_step
 
-FEW = 16
+FEW = 4
 """So few components are written out at once."""
-WORTH = 400
-"""After so many steps any number of components is."""
+WORTH = 350
+"""So many steps, behind or ahead, pay for writing out any number of components."""
 
 
 @final
@@ -87,7 +87,7 @@ class _Steps(Method):
         return new, math.inf if math.isnan(error) else error
 
     def inside(self, new: Vector, after: Vector) -> Inside:
-        return Inside(self.f, self.t, self.y, self.h, new, self.kept, after)
+        return Inside(self.f, self.counts, self.t, self.y, self.h, new, self.kept, after)
 
     def fastest(self, new: Vector, after: Vector) -> float:
         h, (then, known) = abs(self.h), self.measured
@@ -96,31 +96,34 @@ class _Steps(Method):
         self.measured = h, _fastest(self.kept[-1], self.last, after, new, self.setting.scale)
         return self.measured[1]
 
-    def renew(self, y: Vector) -> None:
+    def renew(self, y: Vector, ahead: float) -> None:
         self.weights = self.setting.weights(y)
-        if self.done > WORTH:
+        if max(self.done, ahead) > WORTH:
             self.formula = written_out(len(y))
 
 
 class Inside:
     """Dense output of one step, of order 7. Its three evaluations are made when it is first asked for."""
 
-    __slots__ = ("_coefficients", "_made_of")
+    __slots__ = ("_coefficients", "_counts", "_made_of")
 
-    def __init__(self, f: Rates, t: float, y: Vector, h: float, new: Vector, kept: Kept, end: Vector) -> None:
+    def __init__(
+        self, f: Rates, counts: Counts, t: float, y: Vector, h: float, new: Vector, kept: Kept, end: Vector
+    ) -> None:
+        self._counts = counts
         self._made_of = (f, t, y, h, new, kept, end)
-        self._coefficients: list[Vector] = []
+        self._coefficients: Coefficients = []
 
     def __call__(self, t: float) -> Vector:
         f, start, y, h, new, kept, end = self._made_of
         if not self._coefficients:
-            assert len(kept) == len(KEPT)
-            self._coefficients = dense_coefficients(dense_rates(f, start, y, h, kept, end), h, y, new)
+            self._counts.evaluations += len(EXTRA)
+            self._coefficients = dense()(f, start, y, h, new, kept, end)
         x = (t - start) / h
         z = 1.0 - x
         return [
             v + x * (a + z * (b + x * (c + z * (d + x * (e + z * (g + x * i))))))
-            for v, a, b, c, d, e, g, i in zip(y, *self._coefficients, strict=True)
+            for v, (a, b, c, d, e, g, i) in zip(y, self._coefficients, strict=True)
         ]
 
 

@@ -113,7 +113,7 @@ class _Steps(Method):
         self.t, self.y, self.rates = t, y, rates
         self.fresh = False
 
-    def renew(self, y: Vector) -> None:
+    def renew(self, y: Vector, ahead: float) -> None:
         self.weights = self.setting.weights(y)
 
     def trial(self, h: float, again: bool) -> tuple[Vector, float]:
