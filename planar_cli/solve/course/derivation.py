@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 import sympy as sp
@@ -32,12 +33,13 @@ class Leg:
     datum: bool
 
 
-@dataclass(slots=True)
+@dataclass(frozen=True, slots=True)
 class Route:
-    """The way to the targets: legs in order; `formulas` of all that was derived; `plain`: data that are put in at once
-    (zeros and names of the file).
-    """
+    """The way to the targets."""
 
     legs: tuple[Leg, ...]
-    formulas: dict[sp.Symbol, sp.Expr]
-    plain: dict[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    """Derivations in their order."""
+    formulas: Mapping[sp.Symbol, sp.Expr]
+    """Everything that was derived."""
+    plain: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    """Data that are put in at once: zeros and names of the file."""

@@ -9,7 +9,9 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.exact import Valuation
+from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.motion import Edge
+from planar_cli.equation.scene import Scene
 from planar_cli.problem.scene import Problem, State
 from planar_cli.solve.course.after import asked_after
 from planar_cli.solve.course.handing import edges_of
@@ -51,12 +53,13 @@ class RegimeSequence:
         return next(iter(self.stops.values()))
 
     @property
-    def scene(self) -> Any:
+    def scene(self) -> Scene:
         """The scene of the first regime."""
         return next(iter(self.readers.values())).regime.general.instant.scene
 
     @property
-    def ledger(self) -> Any:
+    def ledger(self) -> Ledger:
+        """Units and titles of all symbols."""
         return self.scene.ledger
 
     def distinct_readers(self) -> list[Reader]:
