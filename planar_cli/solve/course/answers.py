@@ -105,7 +105,9 @@ class Answering:
     @staticmethod
     def _number(expr: sp.Expr, closed: sp.Expr, value: Valuation) -> Settled:
         """Undecided: a denominator vanishes there, so that no number is one."""
-        if any(p.exp.could_extract_minus_sign() and value.is_zero(p.base) for p in expr.atoms(sp.Pow)):
+        # Not one inside an integral, over whose variable it varies.
+        powers = (p for p in expr.atoms(sp.Pow) if p.free_symbols <= expr.free_symbols)
+        if any(p.exp.could_extract_minus_sign() and value.is_zero(p.base) for p in powers):
             raise Undecided("what is asked becomes 0/0 in the letters of this motion: it is not told")
         return value.settled(expr, closed)
 
