@@ -82,6 +82,9 @@ class Scene:
             self.made[choice] = self.laws(choice)
         return self.made[choice]
 
+    def undetermined(self, choice: Choice, t: float, y: Sequence[float]) -> tuple[str, ...]:
+        return ()
+
     def misfits(self, choice: Choice, t: float, y: Sequence[float]) -> Mapping[str, float]:
         mended = self.regime(choice).project(t, y)
         return {"": max(abs(a - b) / s for a, b, s in zip(mended, y, self.scale, strict=True))}

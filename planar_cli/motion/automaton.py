@@ -93,6 +93,9 @@ class Automaton(Protocol):
     def regime(self, choice: Choice) -> Regime:
         """The regime of a choice."""
 
+    def undetermined(self, choice: Choice, t: float, y: Sequence[float]) -> Sequence[str]:
+        """Bodies without mass that may move in this choice as nothing tells: forces do not determine their motion."""
+
     def misfits(self, choice: Choice, t: float, y: Sequence[float]) -> Mapping[str, float]:
         """By how much a state misses what each joint of a choice demands of places and velocities, in parts of the
         scales; "" where it can not be told which.

@@ -99,6 +99,15 @@ class Follower:
         self.waiting = Waiting(self.schedule, self.t)
         if not self._blow(self.schedule.start) and self.outcome is None:
             self._settle("the motion begins")
+        if self.outcome is None:
+            self._determined()
+
+    def _determined(self) -> None:
+        """Do forces tell how everything moves?"""
+        loose = self.automaton.undetermined(self.choice, self.t, self.y)
+        if loose:
+            words = f"nothing tells how {', '.join(loose)} will move: without mass forces do not"
+            self.outcome = Outcome("singular", words, self.t, loose[0], "PL702")
 
     def _blow(self, state: str) -> bool:
         """What strikes, takes hold or lets go when a state has been reached; False where nothing does."""

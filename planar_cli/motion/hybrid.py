@@ -6,17 +6,19 @@ places stands as long as the partners touch, along it only the velocities are he
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from planar_cli.joints.base import Joint
 from planar_cli.motion.constraints import Constraint, of_places, of_velocities
+from planar_cli.motion.drives import constraints_of
 from planar_cli.motion.encounters import Encounter, encounters_of
 from planar_cli.motion.guards import Measured, speed_of
 from planar_cli.motion.held import Held
 from planar_cli.motion.model import Member, Model, always
 from planar_cli.motion.scene import MovingScene
 from planar_cli.motion.terms import Term
+from planar_cli.problem.expression import Law
 from planar_cli.problem.facts import Mode, Row
 from planar_cli.problem.geometry import Vec
 
@@ -34,8 +36,13 @@ class End:
 class HybridModel(Model):
     """One scene with all its modes."""
 
-    def __init__(self, scene: MovingScene, acts: Callable[[Member], bool] = always) -> None:
+    def __init__(
+        self, scene: MovingScene, acts: Callable[[Member], bool] = always, passing: Sequence[Law] = ()
+    ) -> None:
+        """`passing`: the relations of `motion` that hold for some time, and now."""
         super().__init__(scene, acts)
+        for relation in self.asked.said(law.statement for law in passing):
+            self.drives = (*self.drives, *constraints_of(self.asked, relation.text, relation.residuals))
         for name, modes in self.modes.items():
             self.modes[name] = tuple(self._carried(m) if m.name == "tip" else m for m in modes)
         self.impacts = [j for j in self.joints if j.strikes]

@@ -25,6 +25,8 @@ PARTS = (1e-3, 0.03, 1.0)
 """Trial steps of these parts of the longest one are taken: what is short may be over before that has ended."""
 SAME = 1e-7
 """Rates that agree to this part of their scale are the same motion."""
+PLACES = ("gap", "stretch", "tips", "mass")
+"""Kinds of guards that look at places alone."""
 MOST_TRIED = 2000
 """So many choices are tried at most."""
 MOST_COMPARED = 64
@@ -54,6 +56,8 @@ class Verdict:
     """By how much that moved it, in parts of the scale."""
     rates: tuple[float, ...]
     violations: tuple[Violation, ...]
+    idle: bool = False
+    """Does something that is apart stay where it touches: does nothing but another constraint keep it there?"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -126,11 +130,15 @@ class Chooser:
             failed = Violation(singular.joint, "its forces are not determined", False)
             return Verdict(choice, tuple(state), moved, (), (failed,))
         broken = [
-            Violation(guard.joint, guard.words, guard.kind in ("gap", "stretch", "tips", "mass", "slips"))
+            Violation(guard.joint, guard.words, guard.kind in (*PLACES, "slips"))
             for guard, now, changes in zip(regime.guards, values, later, strict=True)
             if not self._holds(guard, now, changes)
         ]
-        return Verdict(choice, tuple(state), moved, tuple(rates), tuple(broken))
+        idle = any(
+            guard.kind in PLACES and abs(now) <= self.near * guard.scale and not self._changes(guard, changes)
+            for guard, now, changes in zip(regime.guards, values, later, strict=True)
+        )
+        return Verdict(choice, tuple(state), moved, tuple(rates), tuple(broken), idle)
 
     def _holds(self, guard: Guard, now: float, changes: Sequence[float]) -> bool:
         size = guard.scale
@@ -138,9 +146,12 @@ class Chooser:
             return True
         if now < -self.near * size:
             return False
-        # The shortest step in which something changes tells what happens first.
-        change = next((c for c in changes if abs(c) > STILL * size), 0.0)
+        change = self._changes(guard, changes)
         return change > 0 or (change == 0 and not guard.strict)
+
+    def _changes(self, guard: Guard, changes: Sequence[float]) -> float:
+        """The first change: in the shortest step in which there is one; 0 where there is none."""
+        return next((c for c in changes if abs(c) > STILL * guard.scale), 0.0)
 
     def _later(
         self, regime: Regime, y: Sequence[float], rates: Sequence[float], values: Sequence[float]
@@ -215,6 +226,8 @@ class Chooser:
             verdict = self.verdict(choice)
             if verdict is not found and not verdict.violations and verdict.moved <= max(NEAR, found.moved):
                 consistent.append(verdict)
+        if not all(v.idle for v in consistent):
+            consistent = [v for v in consistent if not v.idle]
         kept = [v for v in consistent if not any(self._sticking(v) < self._sticking(w) for w in consistent)]
         distinct: list[Verdict] = []
         for verdict in kept:

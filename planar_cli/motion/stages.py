@@ -7,6 +7,7 @@ from functools import cached_property
 
 from planar_cli.motion.automaton import Choice, Start
 from planar_cli.motion.constraints import Constraint
+from planar_cli.motion.dense import null_space
 from planar_cli.motion.hybrid import HybridModel
 from planar_cli.motion.impact import Struck
 from planar_cli.motion.model import Member, Model
@@ -16,6 +17,7 @@ from planar_cli.motion.source import Code, compiled
 from planar_cli.motion.start import start_of
 from planar_cli.motion.struck import Strikes, strikes_of
 from planar_cli.motion.terms import Term, ordered
+from planar_cli.problem.expression import Law
 from planar_cli.problem.facts import Mode
 
 
@@ -68,6 +70,34 @@ class SceneAutomaton:
             found[joint] = max(found.get(joint, 0.0), abs(value) / size)
         return found
 
+    def undetermined(self, choice: Choice, t: float, y: Sequence[float]) -> tuple[str, ...]:
+        """Bodies without mass that some motion moves which no constraint forbids and no mass resists.
+
+        A round body that only spins so does nothing that matters.
+        """
+        model, indices = self.model, self.model.chosen(choice)
+        layout = model.layout
+        held = [c for j in model.joints for c in model.held(j, indices[j.name]).constraints]
+        constraints = [*held, *model.drives]
+        masses = [s.mass for s in layout.slots]
+        terms = [*masses, *(x for c in constraints for x in c.row.values())]
+        numbers = iter(compiled(terms, layout.state, layout.time).function(t, y))
+        rows = [
+            [m if i == k else 0.0 for k in range(layout.count)] for i, m in enumerate(next(numbers) for _ in masses)
+        ]
+        for constraint in constraints:
+            row = [0.0] * layout.count
+            for i in constraint.row:
+                row[i] = next(numbers)
+            rows.append(row)
+        found: set[str] = set()
+        for vector in null_space([r for r in rows if any(r)], layout.count):
+            largest = max(map(abs, vector))
+            moves = [s for s, v in zip(layout.slots, vector, strict=True) if abs(v) > 1e-9 * largest]
+            if any(s.kind in ("x", "y") for s in moves):
+                found |= {s.body for s in moves}
+        return tuple(sorted(found))
+
     def note(self, t: float, y: Sequence[float]) -> None:
         """Angles that go on over many turns and directions of sliding count from this state."""
         self.model.note(t, y)
@@ -113,14 +143,17 @@ class SceneStages:
         self.scene = scene
         self.passing: list[Member] = list(_passing([*scene.problem.joints, *scene.loads()]))
         """What acts between some states only."""
+        self.laws: list[Law] = [law for law in scene.problem.motion if law.during is not None]
+        """What `motion` prescribes between some states only."""
         self._made: dict[tuple[bool, ...], SceneAutomaton] = {}
 
     def automaton(self, reached: Sequence[str]) -> SceneAutomaton:
         """The scene once these states have been reached."""
-        acting = tuple(self._acts(m, reached) for m in self.passing)
+        acting = tuple(self._acts(m, reached) for m in (*self.passing, *self.laws))
         if acting not in self._made:
             idle = self._idle(reached)
-            self._made[acting] = SceneAutomaton(HybridModel(self.scene, lambda m: m not in idle))
+            laws = [law for law in self.laws if self._acts(law, reached)]
+            self._made[acting] = SceneAutomaton(HybridModel(self.scene, lambda m: m not in idle, laws))
         return self._made[acting]
 
     def start(self) -> Start:
@@ -149,7 +182,7 @@ class SceneStages:
             total[i] = x
         return tuple(total)
 
-    def _acts(self, member: Member, reached: Sequence[str]) -> bool:
+    def _acts(self, member: Member | Law, reached: Sequence[str]) -> bool:
         """Has the state been reached from which it acts, and not yet that until which it does?"""
         if member.during is None:
             return True
