@@ -26,6 +26,8 @@ CLOSED = 1e-12
 Choose = Callable[[tuple[Mode, ...]], int]
 AGREES = 1e-9
 """Relations that are met to this part of their scale agree with each other."""
+NOISE = 1e-13
+"""What is left of a row's largest coefficient below this is rounding."""
 MOST_ROUNDS, MOST_IDLE = 60, 12
 """So many steps of Newton's method are made, and so many that do not halve what is left."""
 
@@ -140,10 +142,14 @@ class _Search:
         firm += self._relations(VELOCITIES)
         firm += [e for s in self.statements if isinstance(s, AtRest) and s.body is not None for e in self._resting(s)]
         self._newton(firm, numbers, guesses=True)
-        for softer in (self._touching(), self._sticking()):
-            for group in softer:
+        for group in self._touching():
+            self._add(firm, group, numbers)
+        at_rest = any(isinstance(s, AtRest | Equilibrium) and s.body is None for s in self.statements)
+        for group in self._sticking():
+            # What is said to be at rest is not yet carried along by a running belt.
+            if not (at_rest and self._run(group)):
                 self._add(firm, group, numbers)
-        if any(isinstance(s, AtRest | Equilibrium) and s.body is None for s in self.statements):
+        if at_rest:
             return ()
         free = null_space(self._matrix(firm, numbers), self.half)
         moving = self._moved(free)
@@ -199,6 +205,14 @@ class _Search:
         else:
             self.state = before
 
+    def _run(self, group: Sequence[Equation]) -> bool:
+        """Do these relations demand a speed of what is at rest?"""
+        before = self.state[:]
+        self.state[self.half :] = [0.0] * self.half
+        runs = any(abs(v) > AGREES * e.size for v, e in zip(self._values(group), group, strict=True))
+        self.state = before
+        return runs
+
     def _of_velocity(self, constraint: Constraint) -> Equation:
         assert constraint.rate is not None
         turns = all(self.layout.slots[i].kind == "theta" for i in constraint.row)
@@ -245,7 +259,9 @@ class _Search:
             line = [0.0] * len(numbers)
             for i in row:
                 line[i] = next(values) / equation.size
-            found.append(line)
+            # What is nothing but the rounding of a row must not be solved for.
+            largest = max(map(abs, line), default=0.0)
+            found.append([0.0 if abs(x) <= NOISE * largest else x for x in line])
         return found
 
     def _newton(self, equations: Sequence[Equation], numbers: range, guesses: bool = False) -> None:
