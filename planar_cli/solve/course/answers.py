@@ -33,7 +33,7 @@ CLOSED_OPS, LONGEST = 90, 600
 
 
 @dataclass(frozen=True, slots=True)
-class Answer:
+class AnsweredFind:
     """The answer of one find."""
 
     found: Found
@@ -59,22 +59,22 @@ class Answering:
     throughout: Throughout
     """What holds throughout the motion."""
 
-    def answer(self, asked: AskedFind) -> Answer:
+    def answer(self, asked: AskedFind) -> AnsweredFind:
         """One find."""
         value = self.value
         find, what = asked.find, asked.find.found.what
         pure = parse_unit("1")
         mode = self._mode(what, asked)
         if mode is not None:
-            return Answer(Found(find.name, mode[0], pure, None, None, mode[1], find))
+            return AnsweredFind(Found(find.name, mode[0], pure, None, None, mode[1], find))
         if isinstance(what, Quantity) and what.word in TRUTHS:
             word = "true" if _is_true(self.course, what, value) else "false"
-            return Answer(Found(find.name, "truth", pure, None, None, word, find))
+            return AnsweredFind(Found(find.name, "truth", pure, None, None, word, find))
         if is_curve(what):
             known = self.throughout.start
             starts = started(self.course, asked.reader.regime, lambda s: known.get(s, s), value)
             found, passage = CurveReader(asked.reader.regime, starts).answer(find)
-            return Answer(found, passage=passage)
+            return AnsweredFind(found, passage=passage)
         parts = list(asked.parts())
         if isinstance(what, Quantity) and what.word == "frequency" and asked.unit is not None and asked.unit.angle:
             parts = [2 * sp.pi * p for p in parts]
@@ -87,7 +87,7 @@ class Answering:
         if isinstance(what, Relation):
             truth = holds(find, what.operator, told, closed, by, self.course.scene.everywhere())
             said = "true" if truth else "false"
-            return Answer(Found(find.name, "truth", pure, None, None, said, find), passing)
+            return AnsweredFind(Found(find.name, "truth", pure, None, None, said, find), passing)
         letters = self.course.parameters() | self._varying()
         symbolic = any(letters & c.free_symbols for c in closed)
         values = None if symbolic else tuple(self._number(p, c, by) for p, c in zip(told, closed, strict=True))
@@ -97,7 +97,7 @@ class Answering:
         assert asked.unit is not None
         formulas = closed if symbolic or short else None
         found = Found(find.name, kind, asked.unit, values, formulas, "", find, energy, tuple(parts))
-        return Answer(found, passing)
+        return AnsweredFind(found, passing)
 
     def _varying(self) -> set[sp.Symbol]:
         return {s for r in self.course.distinct_regimes() for s in r.letters}

@@ -9,7 +9,7 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.exact import Valuation
-from planar_cli.solve.course.answers import Answer
+from planar_cli.solve.course.answers import AnsweredFind
 from planar_cli.solve.course.blow import Blow
 from planar_cli.solve.course.derivation import Leg, Route
 from planar_cli.solve.course.equations import DATA, Equation
@@ -42,7 +42,7 @@ from planar_cli.solve.write import Written
 def motion_trace(
     found: SolvedMotion,
     route: Route,
-    answers: Sequence[Answer],
+    answers: Sequence[AnsweredFind],
     presumed: tuple[sp.Expr, ...],
     instants: tuple[InstantSolution, ...],
 ) -> MotionTrace:
