@@ -58,5 +58,13 @@ class NoSolution(PlanarError):
         super().__init__("; ".join(d.message for d in self.diagnostics))
 
 
+class NoValue(ArithmeticError):
+    """A formula has no real number at a place: 1/0, the root of a negative number, an integral that does not exist."""
+
+
+class NotReached(NoValue):
+    """A numerical method stops before its goal; the message says where."""
+
+
 class Undecided(PlanarError):
     """Not decided within the limits; the message says what was tried."""

@@ -17,6 +17,8 @@ from typing import Any
 
 import mpmath
 
+from planar_cli.errors import NoValue
+
 Rates = Callable[[Any, Sequence[Any]], list[Any]]
 
 FLOAT_DIGITS = 13
@@ -96,10 +98,10 @@ class Stepper:
         try:
             found = self.rhs(t, y)
         except ValueError as e:
-            raise ArithmeticError(str(e)) from e
+            raise NoValue(str(e)) from e
         for v in found:
             if isinstance(v, UNREAL) or v - v != 0:
-                raise ArithmeticError("the rates have no real value")
+                raise NoValue("the rates have no real value")
         return found
 
     def scales(self, t: Any, y: Sequence[Any], f: Sequence[Any], step: Any) -> list[float]:

@@ -15,6 +15,7 @@ from dataclasses import dataclass
 
 from planar_cli.calculus.panels import EPS, Panel, Scan, period_of
 from planar_cli.calculus.polish import polish, polish_extreme
+from planar_cli.errors import NotReached
 
 __all__ = [
     "Extreme",
@@ -143,9 +144,9 @@ def roots(
             return
     yield from walk.finish()
     if not walk.clear and not walk.holes:
-        raise ArithmeticError("the values of the function are rounding noise: the size of its terms is needed")
+        raise NotReached("the values of the function are rounding noise: the size of its terms is needed")
     if scan.exhausted and horizon is not None:
-        raise ArithmeticError(f"the function changes too fast: not searched beyond {walk.reached}")
+        raise NotReached(f"the function changes too fast: not searched beyond {walk.reached}")
 
 
 class _Walk:
@@ -339,9 +340,9 @@ def first_extreme(
             last = Extreme(-math.inf, math.inf, math.inf, math.inf, "limit")
             break
     if not highest:
-        raise ArithmeticError("the function has no value in the time asked for")
+        raise NotReached("the function has no value in the time asked for")
     if scan.exhausted and until is not None:
-        raise ArithmeticError(f"the function changes too fast: not searched beyond {last.at}")
+        raise NotReached(f"the function changes too fast: not searched beyond {last.at}")
     found = next(e for e in highest if e.value >= best - TIE * scan.largest)
     if until is None and not _attained(found, after, last):
         return _limit(g, after, last.at, scan.largest)

@@ -6,6 +6,8 @@ import decimal
 from collections.abc import Callable
 from decimal import Decimal
 
+from planar_cli.errors import NotReached
+
 Exact = Callable[[Decimal], Decimal]
 
 GUARD = 15
@@ -33,7 +35,7 @@ def polish(g: Exact, lo: float | Decimal, hi: float | Decimal, digits: int = 50)
             if across:
                 b, fb = t, value
             else:
-                raise ArithmeticError(f"no root between {lo} and {hi}: the nearest value to zero is {value:.6e}")
+                raise NotReached(f"no root between {lo} and {hi}: the nearest value to zero is {value:.6e}")
         return _narrow(g, a, b, fa, fb, digits)
 
 
@@ -57,7 +59,7 @@ def _extreme(g: Exact, a: Decimal, b: Decimal, digits: int) -> tuple[Decimal, De
     lo, hi = a + 5 * step, b - 5 * step
     da, db = rate(lo), rate(hi)
     if da and db and (da > 0) == (db > 0):
-        raise ArithmeticError(f"no root and no extreme between {a} and {b}")
+        raise NotReached(f"no root and no extreme between {a} and {b}")
     t = lo if not da else hi if not db else _narrow(rate, lo, hi, da, db, digits)
     return t, g(t)
 

@@ -18,6 +18,7 @@ import mpmath
 import sympy as sp
 
 from planar_cli.equation.quadrature import breaks, quad
+from planar_cli.errors import NoValue
 
 DIGITS = 60
 CERTAIN = Decimal(10) ** -40
@@ -151,12 +152,15 @@ class Valuation:
         return Settled(ZERO if number and self.is_zero(expr) else number)
 
     def __call__(self, expr: Any) -> Decimal:
-        """The value of an expression. Unvalued: a symbol has none; ArithmeticError: it has no real value."""
+        """The value of an expression. Unvalued: a symbol has none; NoValue: it has no real value."""
         if isinstance(expr, int):
             return Decimal(expr)
         known = self._known.get(expr)
         if known is None:
-            known = self._known[expr] = self._evaluate(expr)
+            try:
+                known = self._known[expr] = self._evaluate(expr)
+            except decimal.DecimalException as error:
+                raise NoValue("a formula has no real value here") from error
         return known
 
     def _evaluate(self, expr: Any) -> Decimal:
@@ -183,7 +187,7 @@ class Valuation:
                 return self(next((e for e, c in expr.args if self.holds(c)), sp.nan))
             if isinstance(expr, sp.Integral):
                 return integral(expr, self)
-            raise ArithmeticError(f"{expr.func.__name__} has no real value here")
+            raise NoValue(f"{expr.func.__name__} has no real value here")
         return function(*(self(a) for a in expr.args))
 
     def _symbol(self, symbol: sp.Symbol) -> Decimal:
@@ -205,7 +209,7 @@ class Valuation:
             return not self.holds(condition.args[0])
         compare = COMPARISONS.get(condition.func)
         if compare is None:
-            raise ArithmeticError(f"{condition} is no comparison")
+            raise NoValue(f"{condition} is no comparison")
         return compare(self(condition.lhs), self(condition.rhs))
 
     def size(self, expr: Any) -> Decimal:
@@ -286,10 +290,10 @@ def power(base: Decimal, exponent: Any, value: Valuation) -> Decimal:
         if base < 0:
             if abs(base) < CERTAIN:
                 return ZERO
-            raise ArithmeticError("square root of a negative number")
+            raise NoValue("square root of a negative number")
         return base.sqrt() ** int(exponent.p)
     if base < 0:
-        raise ArithmeticError("root of a negative number")
+        raise NoValue("root of a negative number")
     return base ** value(exponent)
 
 
@@ -299,7 +303,7 @@ def integral(expr: sp.Integral, value: Valuation) -> Decimal:
     A root has a corner where what stands under it touches zero: among the places where that is stationary.
     """
     if len(expr.limits) != 1 or len(expr.limits[0]) != 3:
-        raise ArithmeticError("an integral without two limits")
+        raise NoValue("an integral without two limits")
     x, start, end = expr.limits[0]
     inside = {s: value(s) for s in expr.function.free_symbols - {x}}
 

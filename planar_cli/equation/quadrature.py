@@ -14,6 +14,8 @@ from typing import Any
 
 import mpmath
 
+from planar_cli.errors import NoValue
+
 Mpf = Any
 """mpmath.mpf: the package carries no types."""
 FIRST_LEVEL, LAST_LEVEL = 3, 7
@@ -39,7 +41,7 @@ def quad(f: Callable[[Mpf], Mpf], a: Any, b: Any, digits: int = 30) -> Decimal:
     with mpmath.workdps(2 * digits + 10):
         low, high = mpmath.mpf(str(a)), mpmath.mpf(str(b))
         if not (mpmath.isfinite(low) and mpmath.isfinite(high)):
-            raise ArithmeticError("an integral with an infinite limit")
+            raise NoValue("an integral with an infinite limit")
         if low == high:
             return Decimal(0)
         left = VALUES_PER_DIGIT * digits
@@ -79,7 +81,7 @@ def _whole(f: Callable[[Mpf], Mpf], a: Mpf, b: Mpf, digits: int) -> tuple[Mpf, M
         total, size = total + new, size + new_size
         value, scale = half * step * total, abs(half) * step * size
         if tail * abs(half) * step > mpmath.sqrt(certain) * scale:
-            raise ArithmeticError("an integral that does not exist at one of its ends")
+            raise NoValue("an integral that does not exist at one of its ends")
         if last is not None:
             before, change = change, abs(value - last)
             near = before is not None and before <= mpmath.cbrt(certain) * scale
@@ -110,13 +112,13 @@ def _at(f: Callable[[Mpf], Mpf], x: Mpf, gap: Mpf, digits: int) -> Mpf | None:
     try:
         y = f(x)
         if isinstance(y, mpmath.mpc) or not mpmath.isfinite(y):
-            raise ArithmeticError("no real value inside the interval of an integral")
+            raise NoValue("no real value inside the interval of an integral")
     except Unsettled:
         raise
     except (ArithmeticError, ValueError) as wrong:
         if gap < mpmath.mpf(10) ** -(3 * digits // 2):
             return None
-        raise ArithmeticError("no real value inside the interval of an integral") from wrong
+        raise NoValue("no real value inside the interval of an integral") from wrong
     return y
 
 

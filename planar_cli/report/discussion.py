@@ -6,7 +6,9 @@ from decimal import Decimal
 
 import sympy as sp
 
+from planar_cli.equation.exact import Unvalued
 from planar_cli.equation.plain import longer
+from planar_cli.errors import NoValue
 from planar_cli.report.blocks import Line, Math, Name, Relation, Value, line
 from planar_cli.report.words import Phrases
 from planar_cli.solve.roots import linear_or_square_roots
@@ -57,7 +59,7 @@ def _remark(answer: Found, symbol: sp.Symbol, root: sp.Expr, turning: sp.Expr, p
     try:
         value = phrases.value(root)
         rises = phrases.value(sp.diff(turning, symbol).subs(symbol, root))
-    except (ArithmeticError, LookupError):
+    except (NoValue, Unvalued):
         return None
     if value <= 0 or not rises or root.has(sp.I):
         return None

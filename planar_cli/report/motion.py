@@ -8,8 +8,10 @@ from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.exact import Unvalued
 from planar_cli.equation.ledger import Kind, display
 from planar_cli.equation.plain import longer, simplified
+from planar_cli.errors import NoValue
 from planar_cli.problem.check_dimensions import Kinds
 from planar_cli.problem.scope import Scope
 from planar_cli.report.between import BetweenTelling
@@ -105,7 +107,7 @@ class MotionTelling:
         def sense(a: sp.Expr) -> int:
             try:
                 return int(self.found.value(sp.sign(a)))
-            except (ArithmeticError, LookupError):
+            except (NoValue, Unvalued):
                 return 0
 
         def put(x: Any) -> Any:

@@ -12,7 +12,7 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.exact import Valuation
+from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.equation.form import Nonlinear, linear_form
 from planar_cli.equation.plain import longer, tidy
 from planar_cli.solve.plan import Block
@@ -127,7 +127,7 @@ class Algebra:
     def _counts(self, term: sp.Expr) -> bool:
         try:
             return not self.value.is_zero(term)
-        except LookupError:
+        except Unvalued:
             return True
 
     def _single(self, equation: Written, x: sp.Symbol) -> Line:

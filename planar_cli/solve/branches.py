@@ -8,9 +8,9 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.exact import Valuation
+from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.equation.form import Nonlinear, linear_form
-from planar_cli.errors import Undecided
+from planar_cli.errors import NoValue, Undecided
 from planar_cli.solve.algebra import Algebra, Line, SolvedBlock
 from planar_cli.solve.elimination import Pending, alone, closes, combined, eliminate
 from planar_cli.solve.plan import Block
@@ -186,7 +186,7 @@ def vanishes(residual: sp.Expr, x: sp.Symbol, value: Valuation) -> bool:
     tried = (value.extended({x: Decimal(n)}) for n in ("0.73205", "1.31607", "0.27915"))
     try:
         return all(v.is_zero(residual) for v in tried)
-    except (ArithmeticError, LookupError):
+    except (NoValue, Unvalued):
         return False
 
 

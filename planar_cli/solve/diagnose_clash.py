@@ -12,7 +12,7 @@ from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.equation.jets import Jet
 from planar_cli.equation.quantities import Quantities
 from planar_cli.equation.setup import Setup
-from planar_cli.errors import NOWHERE, Diagnostic, Mark, NoSolution, PlanarError
+from planar_cli.errors import NOWHERE, Diagnostic, Mark, NoSolution, NoValue, PlanarError
 from planar_cli.problem.expression import Relation
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.polar import TOGETHER
@@ -82,7 +82,7 @@ def _left_out(instant: Instant, trial: Trial, relation: Relation, others: list[s
         twin = Instant(Setup(instant.scene.problem, statements, instant.setup.earlier, False))
         twin.drivers = instant.drivers
         found = _by_velocities(twin, trial, relation) if level else _by_motion(twin, trial, relation)
-    except (PlanarError, Unvalued, ArithmeticError, KeyError):
+    except (PlanarError, Unvalued, NoValue):
         return None
     if found is None:
         return None

@@ -12,7 +12,7 @@ import sympy as sp
 from planar_cli.equation.conditions import vector_or_jet
 from planar_cli.equation.exact import ZERO, Unvalued, Valuation
 from planar_cli.equation.motion import Edge
-from planar_cli.errors import Diagnostic, Mark, NoSolution
+from planar_cli.errors import Diagnostic, Mark, NoSolution, NoValue
 from planar_cli.problem.expression import Quantity, Relation
 from planar_cli.problem.facts import Push
 from planar_cli.problem.geometry import Vec
@@ -172,7 +172,7 @@ def _depends(instant: Instant, trial: Trial, find: Find, null: list[Decimal]) ->
         exprs = [p.value for v in values for p in ((v.x, v.y) if isinstance(v, Vec) else (v,)) if p.value is not None]
         before, after = (_with(instant, trial, outcome, step, null) for step in (ZERO, Decimal("1.37")))
         return any(abs(after(e) - before(e)) > FAINT * (abs(before(e)) + 1) for e in exprs)
-    except (Unvalued, ArithmeticError, ValueError, KeyError):
+    except (Unvalued, NoValue):
         return False
 
 

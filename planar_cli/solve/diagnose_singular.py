@@ -16,7 +16,7 @@ from decimal import Decimal
 import sympy as sp
 
 from planar_cli.equation.conditions import ACCELERATION, VELOCITY, Condition, joint_conditions, stated
-from planar_cli.equation.exact import CERTAIN, ONE, ZERO, Valuation
+from planar_cli.equation.exact import CERTAIN, ONE, ZERO, Unvalued, Valuation
 from planar_cli.equation.form import Nonlinear, linear_form
 from planar_cli.equation.motion import Tree
 from planar_cli.equation.system import System
@@ -178,7 +178,7 @@ def dead_centre(instant: Instant, system: System) -> DeadCentre | None:
         conditions = stated([(relation, True)], quantities, quantities.evaluator, names, VELOCITY)
         try:
             silent = bool(conditions) and all(_silent(joints, e) for c in conditions for e in c.rows())
-        except (Nonlinear, LookupError):
+        except (Nonlinear, Unvalued):
             continue
         if silent and any(_changes(joints, relation, names, v) for v in _mixed(joints.null)):
             return DeadCentre(relation, tuple(joints.as_motion(v) for v in joints.null))

@@ -12,7 +12,7 @@ from planar_cli.equation.evaluate import refuse
 from planar_cli.equation.exact import Unvalued
 from planar_cli.equation.setup import Earlier, first_unit
 from planar_cli.equation.system import System
-from planar_cli.errors import FileProblem, Mark, NoSolution, Undecided
+from planar_cli.errors import Mark, NoSolution, NotReached, Undecided
 from planar_cli.problem.expression import JustAfter
 from planar_cli.problem.scene import Find, Problem
 from planar_cli.registry import members
@@ -27,7 +27,7 @@ from planar_cli.solve.roads import in_general, is_curve, is_kinematic, runs_in_t
 from planar_cli.solve.seek import seek
 from planar_cli.solve.solution import Found, InstantSolution
 from planar_cli.solve.solved_problem import PartSolution, Solution
-from planar_cli.solve.states import solve_states
+from planar_cli.solve.states import solve_states, stand_at_states
 from planar_cli.solve.verify import Disagreement
 
 
@@ -52,9 +52,9 @@ def solve_problem(problem: Problem, method: str | None = None) -> Solution:
     earlier: dict[str, Earlier] = {}
     parts: list[PartSolution] = []
     if problem.find:
-        parts.append(_told(problem, "", units, {}))
+        parts.append(_part(problem, "", units, {}))
     for case in problem.cases:
-        part = _told(case.problem, case.name, units, earlier)
+        part = _part(case.problem, case.name, units, earlier)
         parts.append(part)
         for found in part.found:
             if found.values is not None and len(found.values) == 1:
@@ -78,16 +78,17 @@ def _by(problem: Problem, method: str | None) -> Problem:
     return replace(problem, method=method, cases=cases)
 
 
-def _told(problem: Problem, case: str, units: dict[str, str], earlier: dict[str, Earlier]) -> PartSolution:
-    """One part; where numbers give out that nothing else has told, that is said of what is asked first."""
+def _part(problem: Problem, case: str, units: dict[str, str], earlier: dict[str, Earlier]) -> PartSolution:
+    """One part. Undecided: a numerical method stops before its goal."""
     try:
         return solve_part(problem, case, units, earlier)
-    except (ArithmeticError, Unvalued, AssertionError) as error:
+    except NotReached as error:
+        asked = ", ".join(f"`{f.name}`" for f in problem.find)
         mark = problem.find[0].mark
         text = (
-            f"{mark.file}:{mark.line}: the numbers do not settle what is asked here, so that nothing is told; it may "
-            "help to write places with `coordinates` that follow the motion (r and phi of an orbit), to give a rope "
-            "`along: 90 deg` where its parts stay parallel, or to ask at one instant"
+            f"{mark.file}:{mark.line}: {asked}: not decided, {error}; it may help to write places with `coordinates` "
+            "that follow the motion (r and phi of an orbit), to give a rope `along: 90 deg` where its parts stay "
+            "parallel, or to ask at one instant"
         )
         raise Undecided(text) from error
 
@@ -100,7 +101,7 @@ def solve_part(problem: Problem, case: str, units: dict[str, str], earlier: dict
     if is_kinematic(problem):
         try:
             return _formulas(problem, case, units, earlier)
-        except (NoSolution, Unvalued):
+        except NoSolution:
             pass
     if runs_in_time(problem):
         return _in_time(problem, case, units, earlier)
@@ -108,6 +109,8 @@ def solve_part(problem: Problem, case: str, units: dict[str, str], earlier: dict
     if curves:
         return _with_curves(problem, curves, case, units, earlier)
     always = tuple(law.statement for law in problem.motion)
+    if problem.states and not stand_at_states(problem):
+        return _in_time(problem, case, units, earlier)
     if problem.states:
         try:
             return solve_states(problem, case, always, units, earlier, solve_instant)
@@ -118,10 +121,6 @@ def solve_part(problem: Problem, case: str, units: dict[str, str], earlier: dict
                 return _in_time(problem, case, units, earlier)
             except NoSolution:
                 raise error from None
-        except FileProblem as error:
-            if any(d.code != "PL560" for d in error.diagnostics):
-                raise
-            return _in_time(problem, case, units, earlier)
     try:
         solution, found = solve_instant(
             problem, always, problem.instant or (), problem.find, units, earlier, problem.instant is None

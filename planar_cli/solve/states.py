@@ -8,10 +8,8 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.equation.evaluate import refuse
 from planar_cli.equation.plain import simplified
 from planar_cli.equation.setup import Earlier
-from planar_cli.errors import FileProblem
 from planar_cli.problem.expression import (
     Binary,
     Found,
@@ -19,6 +17,7 @@ from planar_cli.problem.expression import (
     Grouped,
     Name,
     Negate,
+    Number,
     Quantity,
     Relation,
     Scaled,
@@ -31,6 +30,29 @@ from planar_cli.solve.solved_problem import PartSolution
 from planar_cli.units import Unit
 
 Solver = Callable[..., tuple[InstantSolution, list[Answered]]]
+
+
+def stand_at_states(problem: Problem) -> bool:
+    """Does every find consist of quantities at states of the file, joined by arithmetic?"""
+    names = {s.name for s in problem.states}
+    return all(_stands(find.found.what, names) for find in problem.find)
+
+
+def _stands(what: Any, states: set[str]) -> bool:
+    match what:
+        case Number():
+            return True
+        case Name() if what.at is None:
+            return what.name == "pi"
+        case Quantity() | Name() | Grouped():
+            return what.at in states
+        case Function():
+            return what.at in states if what.at is not None else _stands(what.argument, states)
+        case Negate() | Scaled():
+            return _stands(what.operand, states)
+        case Binary():
+            return _stands(what.left, states) and _stands(what.right, states)
+    return False
 
 
 def solve_states(
@@ -64,17 +86,14 @@ def solve_states(
 def _split(find: Find, what: Any, pieces: dict[str, list[Find]], problem: Problem) -> Any:
     """Replace each part that stands at a state by the name of a piece asked there."""
 
-    def piece(side: Side, state: str | None) -> Name:
-        if state is None or state not in pieces:
-            names = ", ".join(pieces)
-            raise refuse(find.mark, "PL560", f"{find.name}: say at which state", f"write `@` and one of: {names}")
+    def piece(side: Side, state: str) -> Name:
         name = f"{find.name}#{len(pieces[state])}"
         pieces[state].append(Find(name, Found(side, find.found.unit, find.found.text, find.found.mark), find.mark))
         return Name(name, None, find.mark)
 
     match what:
         case Quantity():
-            return piece(replace(what, at=None), what.at if isinstance(what.at, str) else None)
+            return piece(replace(what, at=None), str(what.at))
         case Name() if what.at is not None:
             return piece(replace(what, at=None), what.at)
         case Grouped():
@@ -132,7 +151,6 @@ def _combine(what: Any, solved: dict[str, Answered], index: int) -> sp.Expr:
 
     from planar_cli.equation.evaluate import FUNCTIONS
     from planar_cli.equation.ledger import exact
-    from planar_cli.problem.expression import Number
     from planar_cli.units import parse_unit
 
     match what:
@@ -162,4 +180,4 @@ def _combine(what: Any, solved: dict[str, Answered], index: int) -> sp.Expr:
                 "/": a / b if b != 0 else sp.nan,
                 "^": a**b if what.operator == "^" else a,
             }[what.operator]
-    raise FileProblem([])
+    raise TypeError(f"{what} is no arithmetic over quantities at states")

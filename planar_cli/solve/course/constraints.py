@@ -21,6 +21,7 @@ from planar_cli.equation.plain import simplified
 from planar_cli.equation.pose import HERE, Pose
 from planar_cli.equation.sample import anywhere
 from planar_cli.equation.scene import Scene
+from planar_cli.errors import NotReached
 from planar_cli.joints.base import Joint
 from planar_cli.loads.base import Load
 from planar_cli.problem.facts import Mode, Outline
@@ -214,7 +215,7 @@ def project(
             at = {x: at[x] - Decimal(mpmath.nstr(step[i], DIGITS)) for i, x in enumerate(unknowns)}
             if max(abs(s) for s in step) < mpmath.mpf(str(SMALL)):
                 return at
-    raise ArithmeticError("the positions do not close")
+    raise NotReached("the positions do not close")
 
 
 def fixed_by(

@@ -10,6 +10,7 @@ import mpmath
 import sympy as sp
 
 from planar_cli.equation.exact import DIGITS, Valuation
+from planar_cli.errors import NotReached
 from planar_cli.solve.course.chain import Branch
 from planar_cli.solve.course.motion_equations import MotionEquations
 
@@ -59,13 +60,13 @@ def refined(
                 break
     for x in used:
         if abs(at[x] - Decimal(repr(truth[x]))) > Decimal("1e-5") * sizes[x]:
-            raise ArithmeticError("Newton's method does not stay where the motion was")
+            raise NotReached("Newton's method does not stay where the motion was")
     return {x: at[x] for i, x in enumerate(used) if i not in loose}
 
 
 def _number(value: Decimal) -> Any:
     if not value.is_finite():
-        raise ArithmeticError("infinite")
+        raise NotReached("infinite")
     return mpmath.mpf(str(value))
 
 

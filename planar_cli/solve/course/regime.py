@@ -21,6 +21,7 @@ from planar_cli.equation.displacement import Coordinate
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.equation.sample import anywhere
+from planar_cli.errors import NoValue
 from planar_cli.problem.facts import Test
 from planar_cli.solve.course.balance import balance_of
 from planar_cli.solve.course.general import General, loose_tree
@@ -262,7 +263,7 @@ def number_function(
         try:
             return [float(x) for x in made(*arguments)]
         except ValueError as error:
-            raise ArithmeticError("a formula has no real value here") from error
+            raise NoValue("a formula has no real value here") from error
 
     return call
 
