@@ -108,7 +108,7 @@ class Unfolder(Choosing):
             return self.resting
 
     def _unfold(self, course: MotionEquations, finds: tuple[AskedFind, ...]) -> SolvedMotion | Plot:
-        """The course unfolded, or another plot to try."""
+        """The motion solved, or another plot to try."""
         course, start = self._start(course)
         if start is Start.CONTRADICTS:
             try:
