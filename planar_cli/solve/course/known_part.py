@@ -13,12 +13,12 @@ from decimal import Decimal
 import sympy as sp
 
 from planar_cli.equation.exact import Unvalued
+from planar_cli.solve.course.branch_order import ranked
 from planar_cli.solve.course.chain import Branch
 from planar_cli.solve.course.equations import Equation
 from planar_cli.solve.course.idle import ONLY_TIMES
 from planar_cli.solve.course.motion_equations import MotionEquations
 from planar_cli.solve.course.newton import refined_left
-from planar_cli.solve.course.ranking import ranked
 from planar_cli.solve.course.simulate import Followed, Follower
 from planar_cli.solve.course.starts import told_start
 from planar_cli.solve.course.stated_motion import StatedMotion

@@ -23,6 +23,7 @@ from planar_cli.solve.course.astray import (
     never,
     passed_before,
 )
+from planar_cli.solve.course.branch_order import candidates
 from planar_cli.solve.course.carried import carried_branch
 from planar_cli.solve.course.chain import Branch
 from planar_cli.solve.course.choosing import Choosing, assumed, at_a_top
@@ -38,7 +39,6 @@ from planar_cli.solve.course.methods import by_method
 from planar_cli.solve.course.motion_equations import MotionEquations, all_equations, first_equations
 from planar_cli.solve.course.newton import refined_left
 from planar_cli.solve.course.plot import Plot
-from planar_cli.solve.course.ranking import candidates
 from planar_cli.solve.course.reached import asked_about
 from planar_cli.solve.course.regime_sequence import RegimeSequence, regime_sequence
 from planar_cli.solve.course.simulate import Followed, Follower, leaning
