@@ -13,6 +13,7 @@ from planar_cli.problem.scene import Problem
 from planar_cli.solve.course.agree import compared
 from planar_cli.solve.course.answers import Answering, closed_formula
 from planar_cli.solve.course.asked_finds import asked_letters
+from planar_cli.solve.course.assumptions import presumed
 from planar_cli.solve.course.astray import missing
 from planar_cli.solve.course.blow_checks import blow_checks
 from planar_cli.solve.course.by_numbers import ByNumbers, by_numbers
@@ -24,7 +25,6 @@ from planar_cli.solve.course.masses import demand_mass
 from planar_cli.solve.course.methods import by_method, demand_reached, follows
 from planar_cli.solve.course.motion_trace import motion_trace
 from planar_cli.solve.course.plot import Workshop
-from planar_cli.solve.course.presumed import presumed
 from planar_cli.solve.course.reached import reaching
 from planar_cli.solve.course.regime_sequence import RegimeSequence
 from planar_cli.solve.course.route import Router
