@@ -20,8 +20,8 @@ from planar_cli.equation.system import Statements
 from planar_cli.problem.scene import Problem
 from planar_cli.solve.course.constraints import Constraint, constraints_of, project
 from planar_cli.solve.course.drawing import ranges
-from planar_cli.solve.course.parting import Parted, parted_joints, parted_modes
 from planar_cli.solve.course.places import held_places
+from planar_cli.solve.course.separation import Parted, parted_joints, parted_modes
 from planar_cli.solve.finish import Finisher
 from planar_cli.solve.instant import Instant, Trial
 from planar_cli.solve.solution import InstantSolution
