@@ -26,6 +26,7 @@ from planar_cli.problem.reactions import Reactions
 from planar_cli.problem.scene import Answer, Find, Problem
 from planar_cli.problem.structure import load
 from planar_cli.problem.walk import walk
+from planar_cli.simulate.run import Settings, simulate
 from planar_cli.units import parse_unit
 
 FOLDERS = sorted({p.parent for p in (ROOT / "problems").rglob("*.yaml")})
@@ -113,3 +114,10 @@ def test_the_engine_of_motion_finds_the_stated_answers(folder: Path) -> None:
             if stated is not None:
                 size = max(abs(s) for s in stated)
                 assert instant.values(find.found.what) == pytest.approx(stated, rel=0.01, abs=0.01 * size + 1e-9), name
+
+
+def test_a_ball_that_leaves_a_dome_does_not_press_on_its_inside() -> None:
+    problem, wrong, _ = load(str(ROOT / "problems" / "energy" / "ball-leaving-a-dome.yaml"))
+    assert problem is not None, wrong
+    found = {a.name: a.values for a in simulate(problem, Settings(estimate=False)).answers}
+    assert found["x_3"] == pytest.approx((2.285984,), rel=1e-5)

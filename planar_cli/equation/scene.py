@@ -294,6 +294,10 @@ class Scene(Decided):
         """At how many points the same two partners press on each other."""
         return sum(set(getattr(j, "between", ())) == {a, b} and j.unilateral for j in self.problem.joints)
 
+    def pressed(self, joint: str) -> int:
+        """Nothing is known of it at one instant."""
+        return 0
+
     def heaviness(self, body: str) -> sp.Expr:
         """m g of a body, also in a horizontal plane, where it presses on what it lies on."""
         return self.bodies[body].mass * self.ledger.symbols["g"]

@@ -262,11 +262,15 @@ class Touching:
     # --- modes -------------------------------------------------------------------------------------------------------
 
     def modes(self) -> tuple[Mode, ...]:
-        found = self._pressing()
-        if self.either_side:
-            self._face(-self.outward)
-            found += self._pressing()
-            self._face(-self.outward)
+        if not self.either_side:
+            return (*self._pressing(), self._apart())
+        told = self.scene.pressed(self.name)
+        sides = (told,) if told else (self.outward, -self.outward)
+        found = []
+        for side in sides:
+            self._face(side)
+            found += [replace(mode, side=side) for mode in self._pressing()]
+        self._face(sides[0])
         return (*found, self._apart())
 
     def _pressing(self) -> list[Mode]:

@@ -120,7 +120,8 @@ class Coordinates:
     def _of_point(self, point: Point, drawing: Drawing) -> list[_Handle]:
         scene, place, name = self.scene, point.place, point.name
         title, moving = f"the place of {name} follows its formula", scene.point(name)
-        if isinstance(place, Polar) and (scene.owner(place.origin) != GROUND or not self._follows_named(place.origin)):
+        # From a point that no body is drawn by (a point of contact), the whole formula counts.
+        if isinstance(place, Polar) and (place.origin in scene.own_points or not self._follows_named(place.origin)):
             sides, body = drawing.sides, scene.owner(name)
             angle, distance = sides.value(place.angle), sides.value(place.distance)
             theta = scene.places[body].theta

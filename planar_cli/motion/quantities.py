@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
-from planar_cli.motion.carried import Carried
+from planar_cli.motion.carried import TINIEST, Carried
 from planar_cli.motion.places import unit_vector
 from planar_cli.motion.sides import Sides, refuse
 from planar_cli.motion.terms import Term
@@ -237,7 +237,7 @@ class Quantities:
 
     def magnitude(self, v: Vec) -> Term:
         """|v|."""
-        return self.scene.graph.call("sqrt", v.dot(v))
+        return self.scene.graph.call("sqrt", v.dot(v) + TINIEST)
 
     def _part(self, v: Vec, part: Part, q: Quantity) -> Term:
         graph = self.scene.graph

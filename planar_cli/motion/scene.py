@@ -38,9 +38,14 @@ class MovingScene(Carried):
     zeros is decided as drawn, everything else holds wherever the bodies are.
     """
 
-    def __init__(self, problem: Problem, values: Mapping[str, float] | None = None) -> None:
-        """`values`: numbers for letters, unknowns and coordinates, by name, in SI units."""
+    def __init__(
+        self, problem: Problem, values: Mapping[str, float] | None = None, sides: Mapping[str, int] | None = None
+    ) -> None:
+        """`values`: numbers for letters, unknowns and coordinates, by name, in SI units. `sides`: on which side
+        contacts press that the drawing leaves open, by joint (Mode.side).
+        """
         super().__init__(problem, values)
+        self._sides = sides or {}
         self.feet: dict[tuple[str, str], Foot] = feet_of(self)
         self._points |= spots_of(self, self.feet)
         self._outlines: dict[tuple[str, Vec], Outline] = {}
@@ -104,6 +109,10 @@ class MovingScene(Carried):
 
     def mass(self, body: str) -> Term:
         return self.places[body].mass
+
+    def pressed(self, joint: str) -> int:
+        """On which side a contact presses that the drawing leaves open; 0: not known."""
+        return self._sides.get(joint, 0)
 
     def heaviness(self, body: str) -> Term:
         """m g of a body, also in a horizontal plane, where it presses on what it lies on."""

@@ -10,6 +10,7 @@ from planar_cli.motion.constraints import Constraint
 from planar_cli.motion.dense import null_space
 from planar_cli.motion.hybrid import HybridModel
 from planar_cli.motion.impact import Struck
+from planar_cli.motion.mode import Chooser, Chosen
 from planar_cli.motion.model import Member, Model
 from planar_cli.motion.regime import Regime
 from planar_cli.motion.scene import MovingScene
@@ -19,6 +20,7 @@ from planar_cli.motion.struck import Strikes, strikes_of
 from planar_cli.motion.terms import Term, ordered
 from planar_cli.problem.expression import Law
 from planar_cli.problem.facts import Mode
+from planar_cli.problem.scene import Problem
 
 
 class SceneAutomaton:
@@ -188,6 +190,25 @@ class SceneStages:
             return True
         start, end = member.during
         return start in reached and end not in reached
+
+
+def stages_of(problem: Problem, values: Mapping[str, float]) -> SceneStages:
+    """The scene of a problem. Where the drawing leaves open on which side a body presses, it presses where it does at
+    the start; once it has left that side it does not press on the other. `values`: numbers for letters, by name.
+    """
+    stages = SceneStages(MovingScene(problem, values))
+    automaton = stages.automaton((problem.states[0].name,) if problem.states else ())
+    open_sides = {name for name, modes in automaton.choices.items() if any(m.side for m in modes)}
+    if not open_sides:
+        return stages
+    start = start_of(automaton.model)
+    automaton.note(start.time, start.state)
+    found = Chooser(automaton, start.time, start.state).choose(automaton.model.natural)
+    if not isinstance(found, Chosen):
+        return stages
+    chosen = zip(automaton.choices.items(), found.choice, strict=True)
+    sides = {name: modes[i].side for (name, modes), i in chosen if modes[i].side}
+    return SceneStages(MovingScene(problem, values, sides))
 
 
 def _passing(members: Sequence[Member]) -> Iterator[Member]:

@@ -219,7 +219,8 @@ class Mode:
     `name`: stick, slip, apart, tip, taut, slack, or "" where there is only one. `sliding`: the row that measures the
     speed of slip; `direction`: 0 when it must be zero, ±1 the sign that it has or is about to take. `words`: the
     assumption as a sentence. `touching`: what still holds of the velocities at this instant where a contact is about to
-    part, a face to tip, a rope to slacken.
+    part, a face to tip, a rope to slacken. `side`: where the drawing leaves it open on which side of its partner a body
+    presses, +1 or -1 for the side of this mode; else 0.
     """
 
     name: str
@@ -229,6 +230,7 @@ class Mode:
     sliding: Row | None = None
     direction: int = 0
     touching: Facts = Facts()
+    side: int = 0
 
     @property
     def parted(self) -> bool:

@@ -20,9 +20,8 @@ from planar_cli.motion.estimate import tighter
 from planar_cli.motion.follow import Follower
 from planar_cli.motion.model import Model
 from planar_cli.motion.regime import Regime
-from planar_cli.motion.scene import MovingScene
 from planar_cli.motion.schedule import Reached, Schedule
-from planar_cli.motion.stages import SceneStages
+from planar_cli.motion.stages import stages_of
 from planar_cli.motion.start import start_of
 from planar_cli.motion.trajectory import Trajectory
 from planar_cli.motion.transition import Moment as Instant
@@ -124,8 +123,8 @@ def begin(problem: Problem) -> Run:
 
 def follow(problem: Problem, settings: Settings) -> Run:
     """One run."""
-    scene = MovingScene(problem, settings.values)
-    stages = SceneStages(scene)
+    stages = stages_of(problem, settings.values)
+    scene = stages.scene
     first = problem.states[0].name if problem.states else ""
     model = stages.automaton((first,)).model
     measures = Measures(model)
