@@ -7,6 +7,7 @@ whether it grows, of whatever order its first derivative is that does not vanish
 
 from __future__ import annotations
 
+import math
 from collections import deque
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -144,7 +145,7 @@ class Chooser:
         size = guard.scale
         if now > self.near * size:
             return True
-        if now < -self.near * size:
+        if now < -self.near * size or math.isnan(now):
             return False
         change = self._changes(guard, changes)
         return change > 0 or (change == 0 and not guard.strict)
