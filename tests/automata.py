@@ -40,6 +40,10 @@ class Law:
     def guards(self) -> tuple[Condition, ...]:
         return self.conditions
 
+    @property
+    def conservative(self) -> bool:
+        return False
+
     def rates(self, t: float, y: Sequence[float]) -> list[float]:
         return [*y[len(y) // 2 :], *self.accelerations(t, y)]
 
@@ -81,6 +85,9 @@ class Scene:
         if choice not in self.made:
             self.made[choice] = self.laws(choice)
         return self.made[choice]
+
+    def outside(self, choice: Choice) -> None:
+        return None
 
     def undetermined(self, choice: Choice, t: float, y: Sequence[float]) -> tuple[str, ...]:
         return ()

@@ -14,6 +14,7 @@ from planar_cli.motion.scene import MovingScene
 from planar_cli.motion.schedule import Schedule
 from planar_cli.motion.stages import SceneStages
 from planar_cli.motion.trajectory import Trajectory
+from planar_cli.motion.unstable import departing
 from planar_cli.problem.structure import load_text
 
 GRAVITY = 9.81
@@ -25,6 +26,7 @@ def follow(
     until: float,
     places: Mapping[str, float] | None = None,
     tolerance: float = 1e-9,
+    momenta: bool = False,
 ) -> Trajectory:
     """`rates`, `places`: by body and coordinate, `block.x`; what is not given is as drawn, or at rest."""
     problem, wrong = load_text("plane: vertical\ntitle: a motion\n" + text)
@@ -39,7 +41,7 @@ def follow(
     for name, place in (places or {}).items():
         y[names.index(name)] = place
     setting = Setting(automaton.scale, tolerance)
-    return Follower(stages, Start(t, tuple(y)), Schedule(), until, setting).trajectory()
+    return Follower(stages, Start(t, tuple(y)), Schedule(), until, setting, momenta=momenta).trajectory()
 
 
 def kinds(found: Trajectory) -> list[str]:
@@ -183,6 +185,33 @@ joints:
     assert f"{math.sqrt(1 / GRAVITY):.6g} s" in found.notes[0]
 
 
+def test_a_pendulum_leaves_its_unstable_equilibrium_where_that_is_asked() -> None:
+    """Along the deviation that grows, δ rad have become 0.1 rad after ln(0.1/δ)/√(g/L)."""
+    problem, _ = load_text(
+        """
+title: a pendulum
+plane: vertical
+points: {O: [0, 0], P: [0, 1 m]}
+bodies: {ball: {particle: P, mass: 2 kg}}
+joints:
+  - link: {between: [O, P]}
+"""
+    )
+    assert problem is not None
+    stages = SceneStages(MovingScene(problem))
+    automaton = stages.automaton(())
+    t, y = automaton.model.reference
+    delta = 1e-6
+    off = departing(automaton, automaton.regime(()), t, y, delta)
+    assert off is not None
+    angle = math.atan2(off[0], off[1])
+    span = math.log(0.1 / abs(angle)) / math.sqrt(GRAVITY)
+    setting = Setting(automaton.scale, 1e-11)
+    found = Follower(stages, Start(t, off), Schedule(), span, setting).trajectory()
+    end = found.at(span)
+    assert abs(math.atan2(end[0], end[1])) == pytest.approx(0.1, rel=2e-3)
+
+
 def test_a_ball_bounces_to_rest_on_the_floor() -> None:
     text = """
 points: {O: [0, 0], P: [0, 1 m]}
@@ -241,3 +270,45 @@ def test_balls_in_a_row_strike_at_once_or_one_after_the_other(place: str, after:
     impact = next(x for x in found.transitions if x.kind == "impact")
     assert law in impact.law
     assert bool(impact.law) == bool(law)
+
+
+def test_energy_and_momentum_add_up_over_segments_and_impacts() -> None:
+    text = """
+points: {O: [0, 0], P: [0, 1 m], A: [0.15 m, 1 m], B: [0.65 m, 1.2 m]}
+surfaces: {floor: {through: O, angle: 0 deg}}
+bodies:
+  box: {plate: P, width: 0.4 m, height: 0.3 m, angle: 20 deg, mass: 2 kg, points: [A]}
+  rod: {rod: [A, B], mass: 1 kg}
+joints:
+  - pin: {at: A, between: [box, rod]}
+  - impact: {between: [box, floor], restitution: 0.3, mu: 0.3}
+  - impact: {between: [rod, floor], restitution: 0.3, mu: 0.3}
+loads:
+  - drag: {body: rod, magnitude: (0.2 N*s/m) * v(rod).mag}
+"""
+    found = follow(text, {"box.x": 0.3, "rod.x": 0.3}, 2.0, momenta=True)
+    assert not found.outcome.refused
+    impacts = [x for x in found.transitions if x.kind == "impact"]
+    assert len(impacts) > 5
+    assert max(x.unbalanced for x in impacts) < 1e-12
+    for segment in found.segments:
+        assert segment.balance is not None
+        assert len(segment.balance.momentum) == 3
+        assert segment.balance.off < 1e-7
+
+
+@pytest.mark.parametrize(("delta", "kinds_found"), [(1e-6, ["impact"]), (0.0, ["graze"]), (-1e-6, [])])
+def test_a_ball_just_reaches_the_ceiling(delta: float, kinds_found: list[str]) -> None:
+    """Thrown up at 4.905 m/s below a ceiling at v²/2g - δ: the speed of the impact is √(2 g δ)."""
+    text = f"""
+points: {{O: [0, {1.22625 - delta:.12g} m], P: [0, 0]}}
+surfaces: {{ceiling: {{through: O, angle: 0 deg}}}}
+bodies: {{ball: {{particle: P, mass: 2 kg}}}}
+joints:
+  - impact: {{between: [ball, ceiling], restitution: 0.5}}
+"""
+    found = follow(text, {"ball.y": 4.905}, 0.9, tolerance=1e-11)
+    assert kinds(found) == kinds_found
+    if kinds_found == ["impact"]:
+        assert found.transitions[0].before[3] == pytest.approx(math.sqrt(2 * GRAVITY * delta), rel=1e-6)
+        assert found.transitions[0].after[3] == pytest.approx(-math.sqrt(2 * GRAVITY * delta) / 2, rel=1e-6)

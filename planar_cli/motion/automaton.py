@@ -6,13 +6,15 @@ A regime is one choice of modes with its ordinary differential equations; its gu
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
 from planar_cli.motion.impact import Struck
 from planar_cli.problem.facts import Mode
 
+Resultant = Callable[[float, Sequence[float]], tuple[float, float, float]]
+"""Force x, y [N] and moment about the origin [N m] at a time in a state."""
 Choice = tuple[int, ...]
 """For every joint of `Automaton.choices`, in its order, the index of its mode."""
 
@@ -63,6 +65,10 @@ class Regime(Protocol):
     def power(self, t: float, y: Sequence[float]) -> float:
         """What feeds or drains it [W]."""
 
+    @property
+    def conservative(self) -> bool:
+        """Is there nothing that feeds or drains it?"""
+
     def momentum(self, t: float, y: Sequence[float]) -> Sequence[float]:
         """Linear momentum x, y [N s] and angular momentum about the origin [N m s]."""
 
@@ -92,6 +98,9 @@ class Automaton(Protocol):
 
     def regime(self, choice: Choice) -> Regime:
         """The regime of a choice."""
+
+    def outside(self, choice: Choice) -> Resultant | None:
+        """What acts from outside in a choice: force x, y [N] and moment about the origin [N m]; None: not known."""
 
     def undetermined(self, choice: Choice, t: float, y: Sequence[float]) -> Sequence[str]:
         """Bodies without mass that may move in this choice as nothing tells: forces do not determine their motion."""

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from planar_cli.integrators.base import Step
-from planar_cli.motion.automaton import Regime
+from planar_cli.motion.automaton import Regime, Resultant
 
 NODES = (
     (-0.9061798459386640, 0.2369268850561891),
@@ -38,6 +38,16 @@ class Balance:
     """The largest of each."""
 
     @property
+    def told(self) -> str:
+        """What does not add up, in words."""
+        found = [(abs(self.energy), self.energy_scale, "energy", "J")]
+        kinds = (("linear momentum along x", "N s"), ("linear momentum along y", "N s"), ("angular momentum", "N m s"))
+        for value, scale, (name, unit) in zip(self.momentum, self.momentum_scale, kinds, strict=False):
+            found.append((abs(value), scale, name, unit))
+        value, scale, name, unit = max(found, key=lambda f: f[0] / f[1] if f[1] else 0.0)
+        return f"{name} does not add up: {value:.3g} {unit} of {scale:.3g} {unit}"
+
+    @property
     def off(self) -> float:
         """The largest part of its scale by which one of them is off."""
         parts = [abs(self.energy) / self.energy_scale if self.energy_scale else 0.0]
@@ -46,20 +56,54 @@ class Balance:
 
 
 def balance_of(
-    regime: Regime, t0: float, y0: Sequence[float], t1: float, y1: Sequence[float], steps: Sequence[Step], least: float
+    regime: Regime,
+    t0: float,
+    y0: Sequence[float],
+    t1: float,
+    y1: Sequence[float],
+    steps: Sequence[Step],
+    least: float,
+    outside: Resultant | None = None,
 ) -> Balance:
-    """The balance of a segment; `least`: an energy that counts as usual in this scene [J]."""
+    """The balance of a segment; `least`: an energy that counts as usual in this scene [J]. `outside`: what acts from
+    outside, where momentum is to be looked at too.
+    """
     before, after = regime.energy(t0, y0), regime.energy(t1, y1)
-    work = size = swing = 0.0
+    work, size = (0.0, 0.0) if regime.conservative else _work(regime, t1, steps)
+    swing = max((abs(regime.energy(s.t1, s.y1) - before) for s in steps[:-1]), default=0.0)
+    scale = max(abs(after - before), size, swing, least)
+    if outside is None:
+        return Balance(after - before - work, scale, (), ())
+    sums, sizes = _impulses(outside, t1, steps)
+    old, new = regime.momentum(t0, y0), regime.momentum(t1, y1)
+    off = tuple(b - a - s for a, b, s in zip(old, new, sums, strict=True))
+    largest = tuple(max(abs(a), abs(b), s) for a, b, s in zip(old, new, sizes, strict=True))
+    return Balance(after - before - work, scale, off, largest)
+
+
+def _impulses(outside: Resultant, t1: float, steps: Sequence[Step]) -> tuple[list[float], list[float]]:
+    """The impulses that come in until t1, and the same without signs."""
+    sums, sizes = [0.0] * 3, [0.0] * 3
     for step in steps:
         end = min(step.t1, t1)
         half, middle = (end - step.t0) / 2, (end + step.t0) / 2
         for x, weight in NODES:
             t = middle + half * x
-            y = step.at(t)
-            power = regime.power(t, y)
-            work += half * weight * power
-            size += abs(half * weight * power)
-        swing = max(swing, abs(regime.energy(end, step.at(end)) - before))
-    scale = max(abs(after - before), size, swing, least)
-    return Balance(after - before - work, scale, (), ())
+            for k, value in enumerate(outside(t, step.at(t))):
+                sums[k] += half * weight * value
+                sizes[k] += abs(half * weight * value)
+    return sums, sizes
+
+
+def _work(regime: Regime, t1: float, steps: Sequence[Step]) -> tuple[float, float]:
+    """The work that comes in until t1, and the same without signs [J]."""
+    work = size = 0.0
+    for step in steps:
+        end = min(step.t1, t1)
+        half, middle = (end - step.t0) / 2, (end + step.t0) / 2
+        for x, weight in NODES:
+            t = middle + half * x
+            part = half * weight * regime.power(t, step.at(t))
+            work += part
+            size += abs(part)
+    return work, size

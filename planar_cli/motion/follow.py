@@ -57,7 +57,9 @@ class Follower:
     rest_ends: bool = True
     """May the run end early where nothing will ever move again?"""
     check: bool = True
-    """Is a balance of energy that does not add up a failure?"""
+    """Is a balance that does not add up a failure?"""
+    momenta: bool = False
+    """Is the balance of momentum looked at over every segment too? It costs as much as the motion."""
 
     t: float = 0.0
     y: tuple[float, ...] = ()
@@ -254,15 +256,13 @@ class Follower:
     def _close(self, regime: Regime, end: float, y: tuple[float, ...], steps: Sequence[Step]) -> None:
         """The segment that ends here."""
         if end > self.t:
-            balance = balance_of(regime, self.t, self.y, end, y, steps, self.automaton.energy_scale)
+            outside = self.automaton.outside(self.choice) if self.momenta else None
+            balance = balance_of(regime, self.t, self.y, end, y, steps, self.automaton.energy_scale, outside)
             segment = Segment(self.choice, regime, self.t, end, self.y, y, tuple(steps), balance)
             self.segments.append(segment)
             self.at_once = 0
             if balance.off > max(ALLOWED * self.setting.tolerance, LEAST_ALLOWED) and self.check:
-                words = (
-                    f"between t = {self.t:.9g} s and t = {end:.9g} s energy does not add up: "
-                    f"{balance.energy:.3g} J of {balance.energy_scale:.3g} J"
-                )
+                words = f"between t = {self.t:.9g} s and t = {end:.9g} s {balance.told}"
                 self.outcome = Outcome("unbalanced", words, end, "", "PL710")
         self.t, self.y = end, y
 
@@ -273,6 +273,11 @@ class Follower:
         number = len(regime.guards)
         fallen = [c.index for c in run.crossings if c.index < number and c.way == "falls"]
         event = self.waiting.next()
+        grazed = [c.index for c in run.crossings if c.index < number and c.way == "grazes"]
+        for guard in (regime.guards[i] for i in grazed if regime.guards[i].kind == "gap"):
+            words = f"only just touched: {guard.joint}"
+            graze = Transition(self.t, "graze", words, (guard.joint,), self.y, self.y, self.choice, self.choice)
+            self.transitions.append(graze)
         for crossing in run.crossings:
             if crossing.index == number and event is not None and _meant(event, crossing.way):
                 if fits(event, regime, self.choice, self.t, self.y):

@@ -123,6 +123,21 @@ def strike(struck: Struck) -> Outgoing:
     return Outgoing(first.velocities, first.bonds, first.normals, first.frictions, unique, others)
 
 
+def unbalanced(struck: Struck, found: Outgoing) -> float:
+    """The largest part of a usual impulse by which the momentum of any coordinate does not add up."""
+    unit, worst = _impulse_unit(struck), 0.0
+    for i, mass in enumerate(struck.masses):
+        if not mass:
+            continue
+        total = struck.applied[i] if struck.applied else 0.0
+        total += sum((b.push or b.row)[i] * x for b, x in zip(struck.bonds, found.bonds, strict=True))
+        for contact, normal, friction in zip(struck.contacts, found.normals, found.frictions, strict=True):
+            total += contact.normal[i] * normal + (contact.tangent[i] * friction if contact.tangent else 0.0)
+        change = mass * (found.velocities[i] - struck.velocities[i])
+        worst = max(worst, abs(change - total) / max(unit, abs(change)))
+    return worst
+
+
 def closing(struck: Struck, contact: StruckContact) -> float:
     """The speed of separation just before, negative where the partners approach."""
     return _dot(contact.normal, struck.velocities) + contact.normal_rate

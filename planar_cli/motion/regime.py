@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 from planar_cli.motion.constraints import Constraint
 from planar_cli.motion.guards import Guard, Measured
@@ -111,6 +112,12 @@ class Regime:
     def power(self, t: float, y: Sequence[float]) -> float:
         """Of loads without potential, of drives and of friction [W]."""
         return self._power(t, y)[0]
+
+    @cached_property
+    def conservative(self) -> bool:
+        """Does its energy stay the same: is there nothing that feeds or drains it?"""
+        (power,) = self._powers(self._system.stand_ins())
+        return power.constant and power.value == 0
 
     @property
     def operations(self) -> int:

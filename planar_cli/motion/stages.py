@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 
-from planar_cli.motion.automaton import Choice, Start
+from planar_cli.motion.automaton import Choice, Resultant, Start
 from planar_cli.motion.constraints import Constraint
 from planar_cli.motion.dense import null_space
 from planar_cli.motion.hybrid import HybridModel
 from planar_cli.motion.impact import Struck
 from planar_cli.motion.mode import Chooser, Chosen
 from planar_cli.motion.model import Member, Model
+from planar_cli.motion.outside import outside_of
 from planar_cli.motion.regime import Regime
 from planar_cli.motion.scene import MovingScene
 from planar_cli.motion.source import Code, compiled
@@ -31,6 +32,7 @@ class SceneAutomaton:
         self.scale = model.scale
         self.time_scale = model.time_scale
         self.energy_scale = model.scales.energy
+        self._outside: dict[Choice, Resultant | None] = {}
         self._missed: dict[Choice, tuple[list[str], list[float], Code]] = {}
 
     @property
@@ -71,6 +73,12 @@ class SceneAutomaton:
         for joint, size, value in zip(joints, sizes, code.function(t, y), strict=True):
             found[joint] = max(found.get(joint, 0.0), abs(value) / size)
         return found
+
+    def outside(self, choice: Choice) -> Resultant | None:
+        """What acts from outside in a choice."""
+        if choice not in self._outside:
+            self._outside[choice] = outside_of(self.model, self.regime(choice))
+        return self._outside[choice]
 
     def undetermined(self, choice: Choice, t: float, y: Sequence[float]) -> tuple[str, ...]:
         """Bodies without mass that some motion moves which no constraint forbids and no mass resists.

@@ -38,6 +38,8 @@ class Transition:
     """The kinetic energy that was lost [J]."""
     law: str = ""
     """In an impact: what was assumed, where more than one contact takes part."""
+    unbalanced: float = 0.0
+    """In an impact: the largest part of a usual impulse by which a momentum, linear or angular, does not add up."""
     count: float = 1
     """How many impacts it stands for; infinite for the limit of a sequence."""
 

@@ -19,12 +19,15 @@ from planar_cli.motion.impact import (
     closing,
     kinetic_energy,
     strike,
+    unbalanced,
 )
 from planar_cli.motion.mode import Chooser, Chosen, NoMode, SeveralModes, Verdict
 from planar_cli.motion.trajectory import Outcome, Transition
 
 MOST_IMPACTS = 30
 """So many impacts may follow each other at one instant."""
+UNBALANCED = 1e-7
+"""In parts of a usual impulse, by how much momentum may be off after an impact."""
 SIMULTANEOUS = "all contacts at once, Newton's law of restitution at every one of them"
 
 
@@ -143,7 +146,11 @@ def _impact(moment: Moment, struck: Struck, y: tuple[float, ...], choice: Choice
         bonds=tuple((b.joint, x) for b, x in zip(struck.bonds, found.bonds, strict=True)),
         lost=lost,
         law=SIMULTANEOUS if len(joints) > 1 else "",
+        unbalanced=unbalanced(struck, found),
     )
+    if transition.unbalanced > UNBALANCED:
+        words = f"in the impact at t = {moment.t:.9g} s momentum does not add up"
+        return Outcome("unbalanced", words, moment.t, joints[0] if joints else "", "PL710")
     return transition, note
 
 

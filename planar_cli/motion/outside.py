@@ -1,0 +1,70 @@
+"""What acts on a scene from outside, as one force and one moment about the origin: for the balance of its momentum.
+
+    p' = Σ F,   H' = Σ M        of all loads, and of what the joints do to the ground, reversed
+
+What bodies do to each other does not count: whether it cancels is what the balance shows.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from planar_cli.motion.automaton import Resultant
+from planar_cli.motion.hybrid import HybridModel
+from planar_cli.motion.regime import Regime
+from planar_cli.motion.source import compiled
+from planar_cli.motion.terms import Term
+from planar_cli.problem.facts import Action
+from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scene import GROUND
+
+
+def outside_of(model: HybridModel, regime: Regime) -> Resultant | None:
+    """The resultant of what acts from outside in a regime; None where drives exert forces that have no place."""
+    if model.drives:
+        return None
+    layout, graph = model.layout, model.graph
+    loads: dict[int, Term] = dict(regime.parts.loads)
+    for held in regime.parts.held:
+        for i, term in held.loads.items():
+            loads[i] = loads[i] + term if i in loads else term
+    terms = list(_of_column(model, loads))
+    for push in regime.reactions:
+        terms += _on_ground(model, [a for a in push.actions if a.body == GROUND])
+    code = compiled([graph.of(t) for t in terms], layout.state, layout.time)
+    count = len(regime.reactions)
+
+    def resultant(t: float, y: Sequence[float]) -> tuple[float, float, float]:
+        numbers = code.function(t, y)
+        total = numbers[:3]
+        if count:
+            for k, size in enumerate(regime.forces(t, y)):
+                total = [a - size * b for a, b in zip(total, numbers[3 * k + 3 : 3 * k + 6], strict=True)]
+        return total[0], total[1], total[2]
+
+    return resultant
+
+
+def _of_column(model: HybridModel, column: Mapping[int, Term]) -> tuple[Term, Term, Term]:
+    """The resultant of a generalized force."""
+    layout, zero = model.layout, model.graph.number(0.0)
+    force_x, force_y, moment = zero, zero, zero
+    for frame in layout.frames.values():
+        x, y = column.get(frame.x, zero), column.get(frame.y, zero)
+        force_x, force_y = force_x + x, force_y + y
+        moment = moment + layout.slots[frame.x].coordinate * y - layout.slots[frame.y].coordinate * x
+        if frame.theta is not None:
+            moment = moment + column.get(frame.theta, zero)
+    return force_x, force_y, moment
+
+
+def _on_ground(model: HybridModel, actions: Sequence[Action]) -> tuple[Term, Term, Term]:
+    """What a unit of a push does to the ground."""
+    graph = model.graph
+    force, moment = Vec(graph.number(0.0), graph.number(0.0)), graph.number(0.0)
+    for action in actions:
+        moment = moment + graph.of(action.couple)
+        if action.force is not None:
+            force = force + action.force
+            moment = moment + graph.of(action.point.cross(action.force))
+    return graph.of(force.x), graph.of(force.y), graph.of(moment)
