@@ -157,6 +157,12 @@ class SceneStages:
         """What `motion` prescribes between some states only."""
         self._made: dict[tuple[bool, ...], SceneAutomaton] = {}
 
+    def begin(self, t: float, y: Sequence[float]) -> None:
+        """A motion begins anew: turns and directions of sliding count from this state."""
+        for automaton in self._made.values():
+            automaton.model.begin()
+            automaton.note(t, y)
+
     def automaton(self, reached: Sequence[str]) -> SceneAutomaton:
         """The scene once these states have been reached."""
         acting = tuple(self._acts(m, reached) for m in (*self.passing, *self.laws))

@@ -9,6 +9,7 @@ has come of all steps (motion/estimate.py).
 from __future__ import annotations
 
 import math
+import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
@@ -16,7 +17,7 @@ from planar_cli.errors import Diagnostic, FileProblem, Mark
 from planar_cli.integrators.base import Setting
 from planar_cli.motion.automaton import Start
 from planar_cli.motion.drive import AUTOMATIC
-from planar_cli.motion.estimate import tighter
+from planar_cli.motion.estimate import shifts, tighter
 from planar_cli.motion.follow import Follower
 from planar_cli.motion.model import Model
 from planar_cli.motion.regime import Regime
@@ -66,9 +67,31 @@ class Settings:
 
 
 @dataclass(frozen=True, slots=True)
+class Prepared:
+    """A scene ready to be followed: what all runs of it share, the generated code above all."""
+
+    problem: Problem
+    scene: MovingScene
+    stages: SceneStages
+    model: Model
+    """Of the first stage."""
+    start: Start
+
+    def begin(self, shift: float) -> Start:
+        """Forget earlier runs. `shift`: the start is displaced by this part of the scales, as far as joints allow."""
+        t, y = self.start.t, self.start.y
+        if shift:
+            moved = [a + b for a, b in zip(y, shifts(self.model.scale, shift), strict=True)]
+            y = tuple(self.model.regime().project(t, moved))
+        self.stages.begin(t, y)
+        return Start(t, y)
+
+
+@dataclass(frozen=True, slots=True)
 class Run:
     """One motion that was followed."""
 
+    prepared: Prepared
     problem: Problem
     model: Model
     measures: Measures
@@ -77,6 +100,8 @@ class Run:
     settings: Settings
     until: float
     """To where it was to be followed [s]."""
+    seconds: float
+    """What the following took, without the preparation."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -96,13 +121,14 @@ def simulate(problem: Problem, settings: Settings, answers: Sequence[Answer] = (
     followed.
     """
     units = {a.name: unit for a in answers if (unit := _unit(a.value)) is not None}
-    first = _to_stop(follow(problem, settings))
+    scene = prepared(problem, settings.values)
+    first = _to_stop(followed(scene, settings))
     settings = first.settings
     found = Answers(problem, first.measures, first.trajectory, units).all()
     if not settings.estimate:
         return Simulation(first, found, False)
     step = None if settings.step is None else settings.step / 2
-    second = follow(problem, replace(settings, tolerance=tighter(settings.tolerance), step=step))
+    second = followed(scene, replace(settings, tolerance=tighter(settings.tolerance), step=step))
     better = Answers(problem, second.measures, second.trajectory, units).all()
     pairs = zip(found, better, strict=True)
     return Simulation(first, tuple(_with_error(a, b) for a, b in pairs), True)
@@ -110,10 +136,10 @@ def simulate(problem: Problem, settings: Settings, answers: Sequence[Answer] = (
 
 def _to_stop(run: Run) -> Run:
     """The run as far as to where it is to end."""
-    time = first_stop(run.settings.stops, run.measures, run.trajectory)
-    if time is None:
+    end = first_stop(run.settings.stops, run.measures, run.trajectory)
+    if end is None:
         return run
-    return follow(run.problem, replace(run.settings, until=time, stops=()))
+    return followed(run.prepared, replace(run.settings, until=end, stops=()))
 
 
 def begin(problem: Problem) -> Run:
@@ -123,14 +149,28 @@ def begin(problem: Problem) -> Run:
 
 def follow(problem: Problem, settings: Settings) -> Run:
     """One run."""
-    stages = stages_of(problem, settings.values)
-    scene = stages.scene
-    first = problem.states[0].name if problem.states else ""
-    model = stages.automaton((first,)).model
-    measures = Measures(model)
-    schedule = schedule_of(problem, measures, breakpoints_of(scene))
+    return followed(prepared(problem, settings.values), settings)
+
+
+def prepared(problem: Problem, values: Mapping[str, float]) -> Prepared:
+    """The scene, and where its motion begins. `values`: numbers for letters and unknowns [SI]."""
+    stages = stages_of(problem, values)
+    model = stages.automaton((_first(problem),)).model
     begun = start_of(model)
-    start = Start(begun.time, begun.state)
+    return Prepared(problem, stages.scene, stages, model, Start(begun.time, begun.state))
+
+
+def _first(problem: Problem) -> str:
+    """The name of the first state."""
+    return problem.states[0].name if problem.states else ""
+
+
+def followed(scene: Prepared, settings: Settings, shift: float = 0.0) -> Run:
+    """One run. `shift`: from a start that is displaced by this part of the scales."""
+    problem, stages, model, first = scene.problem, scene.stages, scene.model, _first(scene.problem)
+    measures = Measures(model)
+    schedule = schedule_of(problem, measures, breakpoints_of(scene.scene))
+    start = scene.begin(shift)
     until = settings.until if settings.until is not None else _end(schedule, model, start.t, settings)
     if until <= start.t:
         text = f"the motion begins at t = {start.t:g} s, so it can not end at t = {until:g} s"
@@ -162,9 +202,11 @@ def follow(problem: Problem, settings: Settings) -> Run:
         None if shown is None else lambda t: shown(t, until),
         rest_ends=settings.until is None and not any(e.time is not None for e in schedule.events),
     )
+    began = time.perf_counter()
     trajectory = follower.trajectory()
+    seconds = time.perf_counter() - began
     measures.moments |= moments_of(trajectory, measures.moments, settled)
-    return Run(problem, model, measures, schedule, trajectory, settings, until)
+    return Run(scene, problem, model, measures, schedule, trajectory, settings, until, seconds)
 
 
 def _end(schedule: Schedule, model: Model, t0: float, settings: Settings) -> float:
