@@ -19,7 +19,7 @@ from planar_cli.integrators.base import Setting
 from planar_cli.motion.drive import drive
 from planar_cli.motion.estimate import shifts
 from planar_cli.simulate.accuracy import Ran, Study, Wanted, study
-from planar_cli.simulate.accuracy_report import as_csv, as_data, as_markdown, as_text
+from planar_cli.simulate.accuracy_report import Told, as_csv, as_data, as_markdown, as_text
 from planar_cli.simulate.diagram import HEIGHT, picture
 
 
@@ -91,7 +91,7 @@ def test_settings_are_recommended(swing: Study) -> None:
 def test_the_horizon_of_a_chaotic_motion() -> None:
     found = study(Plain(motions.double_pendulum()), Wanted(("dop853",), tolerances=(1e-6,)))
     assert found.growth.factor > 1e5
-    assert "mean nothing beyond" in as_text("double pendulum", found)
+    assert "mean nothing beyond" in as_text(Told("double pendulum", found))
 
 
 def test_a_method_beyond_its_budget_is_not_refined() -> None:
@@ -107,7 +107,7 @@ def test_what_can_not_be_followed_is_a_row_with_its_reason() -> None:
 
 
 def test_as_text(swing: Study) -> None:
-    text = as_text("Pendulum", swing)
+    text = as_text(Told("Pendulum", swing))
     lines = text.splitlines()
     assert lines[0] == "Pendulum"
     assert len([line for line in lines if " |" in line]) == HEIGHT + 1
@@ -116,15 +116,15 @@ def test_as_text(swing: Study) -> None:
 
 
 def test_as_markdown(swing: Study) -> None:
-    rows = [line for line in as_markdown("Pendulum", swing).splitlines() if line.startswith("|")]
+    rows = [line for line in as_markdown(Told("Pendulum", swing)).splitlines() if line.startswith("|")]
     assert len(rows) == 2 + len(swing.rows)
     assert len({row.count("|") for row in rows}) == 1
 
 
 def test_as_csv_and_json(swing: Study) -> None:
-    rows = list(csv.DictReader(io.StringIO(as_csv([("Pendulum", swing)]))))
+    rows = list(csv.DictReader(io.StringIO(as_csv([Told("Pendulum", swing)]))))
     assert [float(r["error"]) for r in rows] == [r.error for r in swing.rows]
-    data = json.loads(json.dumps(as_data("Pendulum", swing), allow_nan=False))
+    data = json.loads(json.dumps(as_data(Told("Pendulum", swing)), allow_nan=False))
     assert [r["integrator"] for r in data["rows"]] == [r.integrator for r in swing.rows]
     assert [a["digits"] for a in data["recommended"]] == [3, 6, 10]
 

@@ -27,6 +27,8 @@ from planar_cli.registry import member
 
 AUTOMATIC, EXPLICIT, STIFF = "auto", "dop853", "radau"
 """The choice by the scene, and what it chooses from."""
+IMPLICIT = "the implicit method goes on"
+"""In words."""
 UNSTABLE, IDLE, TIMES = 2.0, 0.02, 20
 """Stability holds the steps down where step · fastest is above the first and the error below the second part of what is
 allowed, so many times in a row."""
@@ -51,6 +53,14 @@ class Changed:
     """How fast the fastest motion goes [1/s]."""
     unresolved: bool
     """Has that motion velocities above the tolerance, though its displacement is below? They are no longer followed."""
+
+
+    @property
+    def words(self) -> str:
+        """As a sentence."""
+        text = f"stiff from t = {self.t:.3g} s on: {IMPLICIT}, for a motion with a rate of {self.fastest:.2g} 1/s"
+        lost = " whose displacement is below the tolerance; its velocity, which is not, is left to die out"
+        return text + lost if self.unresolved else text
 
 
 @dataclass(frozen=True, slots=True)

@@ -201,6 +201,8 @@ class Follower:
             band=self._band(regime),
             on_step=seen,
         )
+        if run.changed is not None:
+            self.notes.append(run.changed.words)
         done, work = run.counts, self.work
         self.work = Work(
             work.steps + done.steps, work.rejected + done.rejected, work.evaluations + done.evaluations, work.choices

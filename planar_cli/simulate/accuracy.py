@@ -21,6 +21,8 @@ from planar_cli.motion.estimate import Growth, growth, tighter
 from planar_cli.registry import members
 
 TOLERANCES = (1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13)
+BRIEF_TOLERANCES = (1e-3, 1e-6, 1e-9, 1e-11)
+"""Where a line is told of every scene."""
 STEPS = (0.1, 0.03, 0.01, 0.003, 0.001, 0.0003)
 """Of methods with equal steps, in parts of the scene's time scale."""
 FINEST, CHECK = 1e-14, 2e-15
@@ -162,6 +164,8 @@ def study(subject: Subject, wanted: Wanted) -> Study:
             if row.seconds > wanted.budget:
                 break
     own = [r for r in rows if not peer_of(r.integrator)]
+    if wanted.progress is not None:
+        wanted.progress("")
     return Study(tuple(rows), reference, _growth(subject, ran), tuple(_advice(own, d, reference) for d in DIGITS), ran)
 
 

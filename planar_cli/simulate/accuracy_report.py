@@ -6,12 +6,19 @@ import csv
 import io
 import math
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 from planar_cli.simulate.accuracy import Advice, Row, Study
 from planar_cli.simulate.diagram import diagram
+from planar_cli.simulate.solving import Solved
 
 HEADS = ("integrator", "tolerance or step", "error", "estimated", "energy", "drift", "evaluations", "time")
+SUMMARY = ("scene", "error", "estimated", "energy", "drift", "time", "6 digits in", "ended", "horizon")
+LEFT = (0, 7)
+"""The columns that hold texts."""
+MIDDLE, SIX, LONGEST = 1e-9, 6, 48
+"""The tolerance, the digits, and the longest text of a line."""
 CSV_HEADS = (
     "integrator",
     "tolerance",
@@ -27,48 +34,106 @@ CSV_HEADS = (
 )
 
 
-def as_text(title: str, study: Study) -> str:
+@dataclass(frozen=True, slots=True)
+class Told:
+    """What was found out about one file."""
+
+    title: str
+    study: Study | None = None
+    """None where its motion can not be followed."""
+    solved: Solved | None = None
+    """None where it was not solved: it asks nothing, or it is one of several."""
+    failed: str = ""
+    """Why there is no study."""
+
+
+def as_text(told: Told) -> str:
     """For a terminal: the table, the diagram, and what follows from them."""
+    study = told.study
+    if study is None:
+        return "\n".join([told.title, "", *_endings(told), ""])
     rows = [_cells(row) for row in study.rows]
     widths = [max(len(r[i]) for r in (HEADS, *rows)) for i in range(len(HEADS))]
-    lines = [title, "", *_head(study), ""]
+    lines = [told.title, "", *_head(study), ""]
     for row, cells in zip((None, *study.rows), (HEADS, *rows), strict=True):
         line = "  ".join(
             c.ljust(w) if i < 2 else c.rjust(w) for i, (c, w) in enumerate(zip(cells, widths, strict=True))
         )
         lines.append("  " + line.rstrip() + (f"   {row.note}" if row is not None and row.note else ""))
-    lines += ["", *diagram(study), "", *_conclusions(study), ""]
+    lines += ["", *diagram(study), "", *_conclusions(study), *_endings(told), ""]
     return "\n".join(lines)
 
 
-def as_markdown(title: str, study: Study) -> str:
+def as_markdown(told: Told) -> str:
     """The same as a table of Markdown."""
-    lines = [f"## {title}", "", *(f"{line}  " for line in _head(study)), ""]
+    study = told.study
+    if study is None:
+        return "\n".join([f"## {told.title}", "", *(f"- {line}" for line in _endings(told)), ""])
+    lines = [f"## {told.title}", "", *(f"{line}  " for line in _head(study)), ""]
     lines += ["| " + " | ".join(HEADS) + " |", "|" + " --- |" * 2 + " ---: |" * (len(HEADS) - 2)]
     for row in study.rows:
         cells = _cells(row)
         lines.append("| " + " | ".join((*cells[:2], row.note or cells[2], *cells[3:])) + " |")
-    return "\n".join([*lines, "", *(f"- {line.strip()}" for line in _conclusions(study)), ""])
+    return "\n".join([*lines, "", *(f"- {line}" for line in (*_conclusions(study), *_endings(told))), ""])
 
 
-def as_csv(studies: Sequence[tuple[str, Study]]) -> str:
+def as_summary(told: Sequence[Told]) -> str:
+    """A line for every scene, at the tolerance nearest to MIDDLE, and why others could not be studied."""
+    cells = [SUMMARY, *(_line(one.title, one.study) for one in told if one.study is not None)]
+    widths = [max(len(c[i]) for c in cells) for i in range(len(SUMMARY))]
+    lines = [
+        "  ".join(c.ljust(w) if i in LEFT else c.rjust(w) for i, (c, w) in enumerate(zip(row, widths, strict=True)))
+        for row in cells
+    ]
+    missing = [f"{one.title}: {one.failed}" for one in told if one.study is None]
+    return "\n".join([*(line.rstrip() for line in lines), *([""] if missing else []), *missing, ""])
+
+
+def _line(title: str, study: Study) -> tuple[str, ...]:
+    by_tolerance = [(abs(math.log(r.tolerance / MIDDLE)), r) for r in study.rows if r.tolerance]
+    row = min(by_tolerance, key=lambda found: found[0])[1] if by_tolerance else None
+    six = next((a.row for a in study.advice if a.digits == SIX), None)
+    horizon = "-" if study.growth.horizon is None else f"{study.growth.horizon:.3g} s"
+    ended = study.ran.refused or (row.note if row is not None else "") or f"{len(study.ran.met) - 1} events"
+    figures = ("-",) * 5
+    if row is not None:
+        cells = _cells(row)
+        figures = (cells[2], cells[3], cells[4], cells[5], cells[7])
+    return (_cut(title), *figures, "-" if six is None else _time(six.seconds), _cut(ended), horizon)
+
+
+def _cut(text: str) -> str:
+    return text if len(text) <= LONGEST else text[: LONGEST - 1] + "…"
+
+
+def as_csv(told: Sequence[Told]) -> str:
     """All rows of all studies; the first column says of which one."""
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")
     writer.writerow(("problem", *CSV_HEADS))
-    for title, study in studies:
-        for r in study.rows:
+    for one in told:
+        for r in one.study.rows if one.study is not None else ():
             numbers = (r.tolerance, r.step, r.error, r.estimated, _finite(r.energy), _finite(r.drift))
-            told = ["" if v is None else repr(v) for v in numbers]
-            writer.writerow((title, r.integrator, *told, r.steps, r.evaluations, f"{r.seconds:.6g}", r.note))
+            cells = ["" if v is None else repr(v) for v in numbers]
+            writer.writerow((one.title, r.integrator, *cells, r.steps, r.evaluations, f"{r.seconds:.6g}", r.note))
     return out.getvalue()
 
 
-def as_data(title: str, study: Study) -> dict[str, Any]:
+def as_data(told: Told) -> dict[str, Any]:
     """For JSON."""
+    data: dict[str, Any] = {"problem": told.title}
+    if told.study is not None:
+        data |= _study_data(told.study)
+    if told.failed:
+        data["failed"] = told.failed
+    if told.solved is not None:
+        data["solve"] = {"digits": told.solved.digits, "seconds": told.solved.seconds, "why": told.solved.why}
+    return data
+
+
+def _study_data(study: Study) -> dict[str, Any]:
     grown = study.growth
     return {
-        "problem": title,
         "reference": {"words": study.reference.words, "uncertainty": _finite(study.reference.uncertainty)},
         "rows": [
             {
@@ -119,6 +184,13 @@ def _conclusions(study: Study) -> Iterator[str]:
     else:
         how = "If differences go on growing like that, digits" if grown.extrapolated else "Digits"
         yield f"{how} mean nothing beyond t = {grown.horizon:.3g} s."
+
+
+def _endings(told: Told) -> Iterator[str]:
+    if told.failed:
+        yield f"The motion can not be followed: {told.failed}"
+    if told.solved is not None:
+        yield told.solved.words
 
 
 def _cells(row: Row) -> tuple[str, ...]:

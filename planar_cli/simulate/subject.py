@@ -1,0 +1,83 @@
+"""A problem's scene as the subject of a study of accuracy."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+from planar_cli.motion.drive import IMPLICIT
+from planar_cli.motion.regime import Regime
+from planar_cli.motion.trajectory import Trajectory
+from planar_cli.problem.scene import Problem
+from planar_cli.simulate.accuracy import Ran
+from planar_cli.simulate.run import Prepared, Run, Settings, followed, prepared
+
+
+class SceneSubject:
+    """Runs of one scene; it is prepared once."""
+
+    def __init__(self, problem: Problem, until: float | None = None, values: Mapping[str, float] | None = None) -> None:
+        self.scene: Prepared = prepared(problem, values or {})
+        self.settings = Settings(until=until, estimate=False)
+
+    @property
+    def time_scale(self) -> float:
+        """The time in which things change [s]."""
+        return self.scene.model.time_scale
+
+    def run(self, kind: str, tolerance: float, step: float | None = None, shift: float = 0.0) -> Ran:
+        """One run."""
+        settings = replace(self.settings, tolerance=tolerance, integrator=kind, step=step)
+        run = followed(self.scene, settings, shift)
+        trajectory, model = run.trajectory, self.scene.model
+
+        def path(t: float) -> Sequence[float]:
+            return [a / s for a, s in zip(trajectory.at(t), model.scale, strict=True)]
+
+        return Ran(
+            values=self._compared(trajectory),
+            path=path,
+            t0=trajectory.t0,
+            t1=trajectory.t1,
+            met=_met(trajectory),
+            energy=max((s.balance.off for s in trajectory.segments if s.balance is not None), default=0.0),
+            drift=_drift(run),
+            steps=trajectory.work.steps,
+            evaluations=trajectory.work.evaluations,
+            seconds=run.seconds,
+            refused=trajectory.outcome.words if trajectory.outcome.refused else "",
+            changed=any(IMPLICIT in note for note in trajectory.notes),
+        )
+
+    def exact(self) -> tuple[float, ...] | None:
+        """None: a file states single answers, not the whole state."""
+        return None
+
+    def _compared(self, trajectory: Trajectory) -> tuple[float, ...]:
+        """Time and state of every state of the file, and of the end."""
+        scale, time_scale = self.scene.model.scale, self.time_scale
+        instants = [(e.t, e.y) for e in trajectory.events]
+        instants.append((trajectory.t1, tuple(trajectory.at(trajectory.t1))))
+        found: list[float] = []
+        for t, y in instants:
+            found += [t / time_scale, *(a / s for a, s in zip(y, scale, strict=True))]
+        return tuple(found)
+
+
+def _met(trajectory: Trajectory) -> tuple[str, ...]:
+    """Impacts, changes of mode and states in their order, and how it ended."""
+    happened = [(x.t, f"{x.kind} {' '.join(x.joints)}") for x in trajectory.transitions]
+    happened += [(e.t, e.name) for e in trajectory.events]
+    return (*(words for _, words in sorted(happened)), trajectory.outcome.kind)
+
+
+def _drift(run: Run) -> float:
+    """The largest residual of the joints at the end of a step, in parts of the scales."""
+    largest = 0.0
+    for segment in run.trajectory.segments:
+        assert isinstance(segment.regime, Regime)
+        for step in segment.steps:
+            if step.t1 <= segment.t1:
+                left = segment.regime.residuals(step.t1, step.y1)
+                largest = max([largest, *map(abs, left)])
+    return largest
