@@ -22,7 +22,7 @@ from planar_cli.motion.follow import Follower
 from planar_cli.motion.model import Model
 from planar_cli.motion.regime import Regime
 from planar_cli.motion.schedule import Reached, Schedule
-from planar_cli.motion.stages import stages_of
+from planar_cli.motion.stages import SceneStages, stages_of
 from planar_cli.motion.start import start_of
 from planar_cli.motion.trajectory import Trajectory
 from planar_cli.motion.transition import Moment as Instant
@@ -71,7 +71,6 @@ class Prepared:
     """A scene ready to be followed: what all runs of it share, the generated code above all."""
 
     problem: Problem
-    scene: MovingScene
     stages: SceneStages
     model: Model
     """Of the first stage."""
@@ -157,7 +156,7 @@ def prepared(problem: Problem, values: Mapping[str, float]) -> Prepared:
     stages = stages_of(problem, values)
     model = stages.automaton((_first(problem),)).model
     begun = start_of(model)
-    return Prepared(problem, stages.scene, stages, model, Start(begun.time, begun.state))
+    return Prepared(problem, stages, model, Start(begun.time, begun.state))
 
 
 def _first(problem: Problem) -> str:
@@ -169,7 +168,7 @@ def followed(scene: Prepared, settings: Settings, shift: float = 0.0) -> Run:
     """One run. `shift`: from a start that is displaced by this part of the scales."""
     problem, stages, model, first = scene.problem, scene.stages, scene.model, _first(scene.problem)
     measures = Measures(model)
-    schedule = schedule_of(problem, measures, breakpoints_of(scene.scene))
+    schedule = schedule_of(problem, measures, breakpoints_of(stages.scene))
     start = scene.begin(shift)
     until = settings.until if settings.until is not None else _end(schedule, model, start.t, settings)
     if until <= start.t:
