@@ -125,6 +125,14 @@ class System:
         """Bodies that slide on something flat."""
         return tuple(s for mode in self.modes.values() for s in mode.facts.skids)
 
+    def rates(self) -> dict[sp.Symbol, sp.Symbol]:
+        """Every velocity unknown of the tree, and the rates of coordinates, with the acceleration that is its rate."""
+        pairs: list[tuple[sp.Expr | None, sp.Expr | None]] = []
+        for e in self.tree.edges:
+            pairs += [(e.slide, e.slide_rate), (e.rise, e.rise_rate), (e.spin, e.spin_rate)]
+        pairs += self.scene.evaluator.motions.values()
+        return {v: a for v, a in pairs if isinstance(v, sp.Symbol) and isinstance(a, sp.Symbol)}
+
     def idle(self) -> tuple[str, ...]:
         """Loads that do not act in these modes, by the keys of their modes."""
         return tuple(k for mode in self.modes.values() for k in mode.facts.idle)

@@ -1,37 +1,219 @@
-"""The contract of the shelf of principles: how the equations of kinetics are put on paper.
+"""The contract of the shelf of principles: what each says of a scene, as equations that it offers.
 
-All principles at one instant are the same families of equations (equation/, solve/offers.py): every force direction and
-moment centre of every group of bodies. Between two states each has equations of its own, all written side by side; the
-plan takes the shortest way through them. A principle says whether it applies, on which side of the equation inertia
-stands, what is drawn, and which laws between states are its own. A member is one file with one final class; its
-docstring is its manual page.
+A member is one file with one final class; its docstring is its manual page. It offers equations
+
+- at an instant (`at_instant`), in accelerations and reactions: families of equations of one body (`BodyFamily`), from
+  which the plan chooses directions and moment centres for bodies and groups, or single equations (`Single`);
+- over any stretch of time in one regime (`over`): balances of an amount between its ends (`Balance`), or what comes of
+  its equations at an instant when they are integrated (`Integrated`, `Impulses`);
+- across a sudden change (`across`), in the velocities after it and in impulses: families as at an instant.
+
+The plan compares what all of them offer and takes the shortest way; `method:` leaves one of them alone. Every offer
+bears its cost and the words in which it is told. A principle that offers nothing answers nothing.
 """
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
-from typing import Any, ClassVar
+from abc import ABC
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, ClassVar
+
+if TYPE_CHECKING:
+    import sympy as sp
+
+    from planar_cli.equation.displacement import Coordinate
+    from planar_cli.equation.exact import Valuation
+    from planar_cli.equation.motion import Motion
+    from planar_cli.equation.system import System
+
+
+@dataclass(frozen=True, slots=True)
+class Position:
+    """A scene in one choice of modes, its velocities settled: what a principle may ask."""
+
+    system: System
+    """All unknowns and conditions, reactions and wrenches."""
+    motion: Motion
+    """Velocities and accelerations of bodies and of their points."""
+    value: Valuation
+    """Numbers of everything, for questions of sign and of zero."""
+    coordinates: tuple[Coordinate, ...] = ()
+    """What varies in a general position; empty in a position as drawn."""
+    rates: tuple[tuple[sp.Symbol, sp.Symbol], ...] = ()
+    """Every velocity unknown with the acceleration unknown that is its rate."""
+
+    @property
+    def time(self) -> sp.Symbol:
+        """The letter t."""
+        time: sp.Symbol = self.system.scene.ledger.symbols["t"]
+        return time
+
+
+# --- at an instant, across a sudden change ---------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class BodyFamily:
+    """All equations of one body: any combination of three residuals that vanish."""
+
+    body: str
+    x: sp.Expr
+    """Along x [N]."""
+    y: sp.Expr
+    """Along y [N]."""
+    moment: sp.Expr
+    """About the origin [N m]."""
+
+
+@dataclass(frozen=True, slots=True)
+class Premise:
+    """A line that stands before an equation: what something in it is."""
+
+    name: str
+    """What it is called, in mathematical notation: T."""
+    formula: sp.Expr
+    words: str
+
+
+@dataclass(frozen=True, slots=True)
+class Single:
+    """One equation of a whole scene, left = right."""
+
+    left: sp.Expr
+    right: sp.Expr
+    words: str
+    """Its heading."""
+    lead: str
+    """What is equated, in mathematical notation, before the formulas; "" for nothing."""
+    cost: float
+    """Beside equations of bodies, of which one along an axis costs 1."""
+    premises: tuple[Premise, ...] = ()
+
+
+Family = BodyFamily | Single
+
+
+# --- over a stretch of time ------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class Source:
+    """What changes an amount, at a rate, in the unknowns of the general position."""
+
+    words: str
+    rate: sp.Expr
+    function: sp.Expr | None = None
+    """A function of place and time of which the rate is the derivative; None: it is looked for."""
+
+
+@dataclass(frozen=True, slots=True)
+class Balance:
+    """amount at the end - amount at the beginning = Σ what the sources bring, over any stretch of time."""
+
+    words: str
+    """The law by name: work and kinetic energy."""
+    name: str
+    """What it balances, in mathematical notation, before the equation: H_O. "": nothing."""
+    amounts: tuple[tuple[str, sp.Expr], ...]
+    """The amount, by body, in the unknowns of the general position."""
+    sources: tuple[Source, ...]
+    cost: float
+    """Beside a law of motion, of which q(t) costs 1."""
+    bodies: tuple[str, ...] = ()
+    """Whose amount it is, in the heading; empty: of the whole system."""
+    heading: str = ""
+    """The law in the heading of an equation; "": its name."""
+    kept: str = ""
+    """The same where no source brings anything: conservation of momentum; "": as ever."""
+    about: str = ""
+    """The point it is taken about, the end of the heading."""
+    letter: str = ""
+    """The letter of the amount: then amounts and what sources bring are told one by one, T_1 + U = T_2."""
+    bring: str = ""
+    """The letter of what a source brings."""
+    lead: str = ""
+    """What stands before the equation: → ↑ ↺."""
+    idle: tuple[sp.Symbol, ...] = ()
+    """Reactions that bring nothing, which is told."""
+    adds: bool = False
+    """Does it run on through regimes that follow each other?"""
+    timeless: bool = False
+    """Is it only put on paper where no time enters it?"""
+    longest: int = 300
+    """With more operations an amount, or what a source brings, is not put on paper."""
+
+
+@dataclass(frozen=True, slots=True)
+class Integrated:
+    """The equations of motion that follow from those at an instant, integrated from state to state."""
+
+
+@dataclass(frozen=True, slots=True)
+class Impulses:
+    """Every equation of bodies at an instant whose coefficients are constant, integrated over time, with letters for
+    the impulses of reactions.
+    """
+
+    words: str
+    """The law by name."""
+    cost: float
+    """As that of a balance."""
+
+
+Over = Balance | Integrated | Impulses
 
 
 class Principle(ABC):
-    """`kind`: the word of `method:` and `--method`. `diagram`: what is drawn, as the heading of step 2 says it. `laws`:
-    the kinds of law between two states that it uses (solve/course/equations.py).
-    """
+    """What a principle says of itself, and what it offers. Everything that it does not offer stays empty."""
 
     kind: ClassVar[str]
-    diagram: ClassVar[str]
-    laws: ClassVar[frozenset[str]]
+    """The word of `method:` and `--method`."""
+    title: ClassVar[str] = ""
+    """Its name in a JSON document; "": its kind."""
+    diagram: ClassVar[str] = ""
+    """What is drawn, as the heading of the kinetic analysis says it."""
+    usual: ClassVar[bool] = False
+    """Is it taken at an instant where nobody names another that has equations there?"""
     inertia_as_force: ClassVar[bool] = False
+    """Does inertia stand among the forces of the diagram?"""
+    general: ClassVar[bool] = False
+    """Does it need the coordinates of a general position, also at an instant?"""
+    alone: ClassVar[str] = ""
+    """What relates states even where no motion leads from one to the other, in words; "": nothing of it does."""
 
-    @abstractmethod
+    def at_instant(self, position: Position) -> Iterable[Family]:
+        """Equations between accelerations and forces."""
+        return ()
+
+    def over(self, position: Position, chosen: bool) -> Iterable[Over]:
+        """Equations between the ends of a stretch of time. `chosen`: no other principle may take part."""
+        return ()
+
+    def across(self, position: Position) -> Iterable[Family]:
+        """Equations between velocities after a sudden change and impulses; the accelerations and forces of `position`
+        are these, and its wrenches hold the momenta before.
+        """
+        return ()
+
+    @classmethod
+    def offers(cls, when: str) -> bool:
+        """Has it equations of this kind: `at_instant`, `over`, `across`?"""
+        return getattr(cls, when) is not getattr(Principle, when)
+
     def objection(self, problem: Any) -> str:
-        """Why the principle can not answer this problem; "" when it can. `problem`: a problem.scene.Problem."""
-
-    @staticmethod
-    def relates_states(problem: Any) -> bool:
-        """Does the problem, or a case of it, have two states between which something happens?"""
-        return any(len(p.states) > 1 for p in (problem, *(case.problem for case in problem.cases)))
+        """Why the principle can not answer this problem; "" when it may. `problem`: a problem.scene.Problem."""
+        if not any(self.offers(when) for when in ("at_instant", "over", "across")):
+            return "it offers no equation"
+        if not self.offers("at_instant") and not relates_states(problem):
+            return "it relates two states, and this problem asks about one instant"
+        return ""
 
     def sides(self, left: Any, right: Any) -> tuple[Any, Any]:
         """The equation's sides, from Σ forces (left) and inertia (right)."""
         return left, right
+
+
+def relates_states(problem: Any) -> bool:
+    """Does the problem, or a case of it, have two states between which something happens?"""
+    return any(len(p.states) > 1 for p in (problem, *(case.problem for case in problem.cases)))

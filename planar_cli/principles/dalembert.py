@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Any, ClassVar, final
 
-from planar_cli.principles.base import Principle
+from planar_cli.principles._bodies import body_families
+from planar_cli.principles.base import BodyFamily, Integrated, Position, Principle
 
 
 @final
@@ -35,12 +37,15 @@ class DAlembert(Principle):
     """
 
     kind: ClassVar[str] = "dalembert"
-    laws: ClassVar[frozenset[str]] = frozenset(("q(t)", "v(t)", "v(q)", "t(v)", "q(v)", "t(q)"))
+    title: ClassVar[str] = "d'alembert"
     diagram: ClassVar[str] = "free-body diagram with inertial forces: equilibrium"
     inertia_as_force: ClassVar[bool] = True
 
-    def objection(self, problem: Any) -> str:
-        return ""
+    def at_instant(self, position: Position) -> Iterator[BodyFamily]:
+        return body_families(position)
+
+    def over(self, position: Position, chosen: bool) -> tuple[Integrated]:
+        return (Integrated(),)
 
     def sides(self, left: Any, right: Any) -> tuple[Any, Any]:
         return left - right, 0

@@ -2,9 +2,20 @@
 
 from __future__ import annotations
 
-from typing import Any, ClassVar, final
+from collections.abc import Iterator
+from typing import ClassVar, final
 
-from planar_cli.principles.base import Principle
+import sympy as sp
+
+from planar_cli.equation.motion import Motion
+from planar_cli.equation.moving import Moving
+from planar_cli.principles.base import Balance, Position, Principle, Source
+from planar_cli.problem.acting import acting_loads
+from planar_cli.problem.facts import Wrench
+from planar_cli.problem.geometry import Vec
+
+FRICTION = "friction at {}"
+"""What does work where no load does: what slips."""
 
 
 @final
@@ -50,10 +61,82 @@ class WorkEnergy(Principle):
     """
 
     kind: ClassVar[str] = "energy"
-    laws: ClassVar[frozenset[str]] = frozenset(("energy",))
-    diagram: ClassVar[str] = "two states"
+    title: ClassVar[str] = "work-energy"
+    alone: ClassVar[str] = "the balance of energy"
 
-    def objection(self, problem: Any) -> str:
-        if self.relates_states(problem):
-            return ""
-        return "it relates two states, and this problem asks about one instant"
+    def over(self, position: Position, chosen: bool) -> Iterator[Balance]:
+        """T_1 + U_1-2 = T_2, unless something unknown drives the scene, or a support moves."""
+        if not _closed(position):
+            return
+        scene, motion = position.system.scene, position.motion
+        kinetic = []
+        for name, body in scene.bodies.items():
+            v, omega = motion.velocity(body.center, name), motion.velocities[name].angular
+            kinetic.append((name, body.mass * v.dot(v) / 2 + body.inertia * omega**2 / 2))
+        yield Balance(
+            words="work and kinetic energy",
+            name="",
+            amounts=tuple((name, energy) for name, energy in kinetic if energy != 0),
+            sources=tuple(_sources(position)),
+            cost=0.9,
+            letter="T",
+            bring="U",
+            idle=_idle(position),
+            adds=True,
+            timeless=True,
+            longest=500,
+        )
+
+
+def _closed(position: Position) -> bool:
+    """Is there mass, none of it coming or going, and is all that does work in the scene?"""
+    system, scene = position.system, position.system.scene
+    if not any(b.mass != 0 for b in scene.bodies.values()):
+        return False
+    if any(b.varies(position.time) for b in scene.bodies.values()):
+        return False
+    if any(p.kind == "drive" for p in system.pushes) or any(
+        c.kind == "given" for c in system.acceleration_conditions()
+    ):
+        return False
+    facts = [mode.facts for mode in system.modes.values()]
+    if any(j.drift is not None for f in facts for j in f.joinings) or any(r.rate != 0 for f in facts for r in f.rows):
+        return False
+    carried = [t.linear for t in position.motion.velocities.values()]
+    return not any(position.time in v.x.free_symbols | v.y.free_symbols for v in carried)
+
+
+def _sources(position: Position) -> Iterator[Source]:
+    """Weights first, then loads one by one, then the friction of what slips."""
+    system, motion = position.system, position.motion
+    assert system.reactions is not None
+    named: dict[tuple[str, str], list[Wrench]] = {}
+    for w in system.wrenches:
+        named.setdefault((w.kind, w.name), []).append(w)
+    loads = {(x.kind, x.name): x for x in acting_loads(system.scene.problem)}
+    setting = Moving(system.scene, motion, position.value)
+    for (kind, name), wrenches in named.items():
+        power = sp.Add(*(_power(w, motion) for w in wrenches))
+        load = loads.get((kind, name))
+        stored = None if load is None else load.potential(setting)
+        working = FRICTION if load is None else load.working or f"{kind} {{}}"
+        yield Source(working.format(name), power, None if stored is None else -sp.sympify(stored))
+    followers = {law.push for law in system.laws}
+    for push, value in system.reactions.pushes:
+        if push.name not in followers or value == 0:
+            continue
+        parts = [a.force.dot(motion.velocity(a.point, a.body)) for a in push.actions if a.force is not None]
+        parts += [a.couple * motion.velocities[a.body].angular for a in push.actions]
+        yield Source(FRICTION.format(push.place), sp.Add(*parts) * value)
+
+
+def _power(w: Wrench, motion: Motion) -> sp.Expr:
+    force = w.force or Vec(sp.S.Zero, sp.S.Zero)
+    return force.dot(motion.velocity(w.point, w.body)) + w.couple * motion.velocities[w.body].angular
+
+
+def _idle(position: Position) -> tuple[sp.Symbol, ...]:
+    """The reactions that do no work."""
+    system = position.system
+    followers = {law.push for law in system.laws}
+    return tuple(system.symbols[p.name] for p in system.pushes if p.name not in followers and p.kind != "drive")

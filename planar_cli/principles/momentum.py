@@ -2,9 +2,22 @@
 
 from __future__ import annotations
 
-from typing import Any, ClassVar, final
+from collections.abc import Iterator
+from typing import ClassVar, final
 
-from planar_cli.principles.base import Principle
+import sympy as sp
+
+from planar_cli.equation.plain import simplified
+from planar_cli.equation.scene import Scene
+from planar_cli.principles._bodies import body_families
+from planar_cli.principles.base import Balance, BodyFamily, Impulses, Position, Principle, Source
+from planar_cli.problem.facts import Wrench
+from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scene import GROUND
+
+WORDS, COST = "impulse and momentum", 1.25
+MOST_BODIES = 6
+"""So many bodies are taken one by one; of more only all together."""
 
 
 @final
@@ -49,10 +62,108 @@ class ImpulseMomentum(Principle):
     """
 
     kind: ClassVar[str] = "momentum"
-    laws: ClassVar[frozenset[str]] = frozenset(("momentum",))
-    diagram: ClassVar[str] = "two states"
+    title: ClassVar[str] = "impulse-momentum"
 
-    def objection(self, problem: Any) -> str:
-        if self.relates_states(problem):
-            return ""
-        return "it relates two states, and this problem asks about one instant"
+    def across(self, position: Position) -> Iterator[BodyFamily]:
+        """Momentum before + impulses = momentum after, of every body."""
+        return body_families(position)
+
+    def over(self, position: Position, chosen: bool) -> Iterator[Balance | Impulses]:
+        """For every body and the whole system, along x and y, about every fixed point O, and about a point C of one
+        body that stays where it is to the mass centre (C need not be fixed: v_C and v_G are equal then, and the extra
+        term v_C × m v_G vanishes): what no unknown reaction enters. By itself also what such reactions enter.
+        """
+        yield from _balances(position)
+        if chosen:
+            yield Impulses(WORDS, COST)
+
+
+def _balances(position: Position) -> Iterator[Balance]:
+    system, scene = position.system, position.system.scene
+    if system.reactions is None or any(p.kind == "drive" for p in system.pushes):
+        return
+    if any(b.varies(position.time) for b in scene.bodies.values()):
+        return
+    followers = {law.push for law in system.laws}
+    loose = {system.symbols[p.name] for p in system.pushes if p.name not in followers}
+    acting = [w for w in system.reactions.acting("all") if w.body != GROUND]
+    fixed = {n: p for n, p in scene.points.items() if not (scene.owners.get(n) or ()) or _still(p)}
+    for group in _groups(scene):
+        if all(scene.bodies[b].mass == 0 for b in group):
+            continue
+        outer = [w for w in acting if w.body in group]
+        for d, arrow in ((Vec(sp.S.One, sp.S.Zero), "→ "), (Vec(sp.S.Zero, sp.S.One), "↑ ")):
+            rate = sp.expand(sp.Add(*(w.force.dot(d) for w in outer if w.force is not None)))
+            if not rate.free_symbols & loose:
+                yield from _balance(group, _linear(position, group, d), rate, arrow, "")
+        centres = {**fixed, **(_own_points(position, group[0]) if len(group) == 1 else {})}
+        for name, center in centres.items():
+            rate = simplified(sp.expand(sp.Add(*(_moment(w, center) for w in outer))))
+            if not rate.free_symbols & loose:
+                yield from _balance(group, _angular(position, group, center), rate, "↺ ", name)
+
+
+def _balance(
+    group: tuple[str, ...], parts: dict[str, sp.Expr], rate: sp.Expr, arrow: str, about: str
+) -> Iterator[Balance]:
+    if sp.Add(*parts.values()) == 0:
+        return
+    heading, kept = "", "conservation of momentum"
+    if about:
+        heading, kept = "angular impulse and momentum about ", "conservation of angular momentum about "
+    yield Balance(
+        words=WORDS,
+        name=f"H_{about}" if about else "",
+        amounts=tuple(parts.items()),
+        sources=(Source("", rate),),
+        cost=COST,
+        bodies=group,
+        heading=heading,
+        kept=kept,
+        about=about,
+        lead=arrow,
+    )
+
+
+def _still(place: Vec) -> bool:
+    return not (place.x.free_symbols | place.y.free_symbols)
+
+
+def _groups(scene: Scene) -> list[tuple[str, ...]]:
+    """Every body alone, and all together."""
+    bodies = tuple(scene.bodies)
+    single: list[tuple[str, ...]] = [(b,) for b in bodies[:MOST_BODIES]]
+    return [*single, bodies] if len(bodies) > 1 else single
+
+
+def _own_points(position: Position, body: str) -> dict[str, Vec]:
+    """Points that keep their place beside the mass centre of a body that may turn."""
+    scene = position.system.scene
+    center = scene.center(body)
+    letters = {c.symbol for c in position.coordinates}
+    found = {}
+    for name, place in scene.points.items():
+        arm = place - center
+        if not (simplified(arm.x).free_symbols | simplified(arm.y).free_symbols) & letters:
+            found[name] = place
+    return found
+
+
+def _moment(w: Wrench, center: Vec) -> sp.Expr:
+    turning = (w.point - center).cross(w.force) if w.force is not None else sp.S.Zero
+    return turning + w.couple
+
+
+def _linear(position: Position, group: tuple[str, ...], d: Vec) -> dict[str, sp.Expr]:
+    scene, motion = position.system.scene, position.motion
+    return {b: scene.bodies[b].mass * motion.velocity(scene.center(b), b).dot(d) for b in group}
+
+
+def _angular(position: Position, group: tuple[str, ...], center: Vec) -> dict[str, sp.Expr]:
+    scene, motion = position.system.scene, position.motion
+    parts = {}
+    for b in group:
+        body = scene.bodies[b]
+        arm, v = body.center - center, motion.velocity(body.center, b)
+        parts[b] = body.mass * arm.cross(v) + body.inertia * motion.velocities[b].angular
+    return parts

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Any, ClassVar, final
+from collections.abc import Iterator
+from typing import ClassVar, final
 
-from planar_cli.principles.base import Principle
+from planar_cli.principles._bodies import body_families
+from planar_cli.principles.base import BodyFamily, Integrated, Position, Principle
 
 
 @final
@@ -34,8 +36,12 @@ class Newton(Principle):
     """
 
     kind: ClassVar[str] = "newton"
-    laws: ClassVar[frozenset[str]] = frozenset(("q(t)", "v(t)", "v(q)", "t(v)", "q(v)", "t(q)"))
+    title: ClassVar[str] = "newton-euler"
+    usual: ClassVar[bool] = True
     diagram: ClassVar[str] = "free-body diagram = kinetic diagram"
 
-    def objection(self, problem: Any) -> str:
-        return ""
+    def at_instant(self, position: Position) -> Iterator[BodyFamily]:
+        return body_families(position)
+
+    def over(self, position: Position, chosen: bool) -> tuple[Integrated]:
+        return (Integrated(),)

@@ -13,7 +13,6 @@ from planar_cli.problem.walk import walk
 from planar_cli.units import UnitError, parse_unit
 
 PLANES = ("vertical", "horizontal")
-METHODS = ("newton", "dalembert", "energy", "momentum")
 ANSWER_KEYS = ("value", "tolerance")
 RANGE_KEYS = ("from", "to", "step")
 FIGURE_KEYS = ("hide",)

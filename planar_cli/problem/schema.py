@@ -27,10 +27,10 @@ from planar_cli.problem.keys import (
     keys_of,
 )
 from planar_cli.problem.read_points import SIDES
-from planar_cli.problem.read_sections import METHODS, PLANES
+from planar_cli.problem.read_sections import PLANES
 from planar_cli.problem.schema_bodies import BODY
 from planar_cli.problem.schema_parts import NAME, SIDE, TEXT, group, listing, named, record, ref
-from planar_cli.registry import members
+from planar_cli.registry import members, modules
 
 Schema = dict[str, Any]
 
@@ -104,7 +104,7 @@ def _own() -> Schema:
         "find": ref("finds"),
         "answers": named(answer, "what a key says, by find name"),
         "tolerance": ref("side"),
-        "method": {"enum": list(METHODS)},
+        "method": {"enum": list(modules("principles"))},
         "variants": named(variant, "ranges or lists of given values"),
         "figure": record({"hide": listing(ref("name"), 0)}, []),
     }

@@ -22,6 +22,7 @@ from planar_cli.problem.read_points import read_points, read_surfaces
 from planar_cli.problem.read_values import Names
 from planar_cli.problem.reading import Report
 from planar_cli.problem.scene import Body, Case, Point, Problem, Surface
+from planar_cli.registry import modules
 
 Scene = tuple[tuple[Point, ...], tuple[Surface, ...], tuple[Body, ...], tuple[Joint, ...], tuple[Load, ...]]
 
@@ -160,7 +161,7 @@ def _read(file: str, whole: Fields) -> Problem:
         cases=(),
         answers=(),
         tolerance=whole.side("tolerance"),
-        method=sections.one_of(whole, "method", sections.METHODS),
+        method=sections.one_of(whole, "method", modules("principles")),
         us=sections.is_us(given),
     )
 

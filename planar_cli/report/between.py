@@ -1,4 +1,4 @@
-"""Laws between two states told: work and kinetic energy, impulse and momentum, and blows."""
+"""Laws between two states told: balances of an amount, and blows."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from planar_cli.equation.plain import longer, simplified
 from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Paragraph, line
 from planar_cli.report.forces import force_rows
 from planar_cli.report.words import Phrases
-from planar_cli.solve.course.trace import EnergyBalance, Impact, ImpactEquation, MomentumBalance
+from planar_cli.solve.course.trace import BalanceTrace, Impact, ImpactEquation
 
 LONGEST, MOST_NAMED = 60, 8
 AT_ONCE = "each with its own restitution: Newton's law at every contact. One after the other they would end otherwise."
@@ -28,12 +28,10 @@ class BetweenTelling:
     plain: Mapping[sp.Symbol, sp.Expr]
     told: set[str] = field(default_factory=set)
 
-    def blocks(self, source: EnergyBalance | MomentumBalance | ImpactEquation, number: int) -> Iterator[Block]:
+    def blocks(self, source: BalanceTrace | ImpactEquation, number: int) -> Iterator[Block]:
         """One equation with its heading; `source`: what it was planned from."""
-        if isinstance(source, EnergyBalance):
-            yield from self._energy(source, number)
-        elif isinstance(source, MomentumBalance):
-            yield from self._momentum(source, number)
+        if isinstance(source, BalanceTrace):
+            yield from self._balance(source, number)
         else:
             yield from self._drawn(source.impact)
             yield from self._impact(source, number)
@@ -42,49 +40,38 @@ class BetweenTelling:
         put = sp.sympify(expr).xreplace(dict(self.plain))
         return put if longer(put, LONGEST) else simplified(put)
 
-    # --- work and energy ---------------------------------------------------------------------------------------------
+    # --- balances ----------------------------------------------------------------------------------------------------
 
-    def _energy(self, b: EnergyBalance, number: int) -> Iterator[Block]:
-        head = f"From {b.since} to {b.stop}, work and kinetic energy"
-        yield Paragraph(line(head, *self._idle(b), ":"))
-        before = self._put(b.before)
-        first, last = f"T_{b.since}", f"T_{b.stop}"
+    def _balance(self, b: BalanceTrace, number: int) -> Iterator[Block]:
+        """An amount at two states, and what is brought between them."""
+        law = b.law
+        lead = line(law.lead, Name(law.name), ":") if law.name else line(law.lead)
+        before, after = self._put(b.before), self._put(b.after)
+        yield Paragraph(self._heading(b))
+        if not law.letter:
+            yield Equation((self.phrases.math(before + self._put(b.gain)), self.phrases.math(after)), number, lead)
+            return
+        first, last = f"{law.letter}_{b.since}", f"{law.letter}_{b.stop}"
         yield Equation((line(Name(first)), self.phrases.math(before)))
-        for body, kinetic in b.kinetic if len(b.kinetic) > 1 else ():
-            put = self._put(kinetic)
+        for body, amount in b.amounts if len(b.amounts) > 1 else ():
+            put = self._put(amount)
             if put != 0:
                 yield Equation((line(Name(last), f" of {body}"), self.phrases.math(put)))
-        after = self._put(b.after)
         yield Equation((line(Name(last)), self.phrases.math(after)))
-        works = [(words, put) for words, work in b.works if (put := self._put(work)) != 0]
-        for words, put in works:
-            yield Equation((line(Name("U"), f" of the {words}"), self.phrases.math(put)))
-        work = sp.Add(*(w for _, w in works))
-        lead = line(Name(first), " + ", Name("U"), " = ", Name(last), ":")
-        yield Equation((self.phrases.math(before + work), self.phrases.math(after)), number, lead)
+        brought = [(words, put) for words, e in b.brought if (put := self._put(e)) != 0]
+        for words, put in brought:
+            yield Equation((line(Name(law.bring), f" of the {words}"), self.phrases.math(put)))
+        gain = sp.Add(*(put for _, put in brought))
+        lead = line(Name(first), " + ", Name(law.bring), " = ", Name(last), ":")
+        yield Equation((self.phrases.math(before + gain), self.phrases.math(after)), number, lead)
 
     @staticmethod
-    def _idle(b: EnergyBalance) -> list[Any]:
-        """Which reactions do no work."""
-        if len(b.idle) > MOST_NAMED:
-            return ["; the reactions of all ideal joints do no work"]
-        named = [part for i, s in enumerate(b.idle) for part in (", " if i else "; ", Math(s))]
-        return [*named, " do no work" if len(b.idle) > 1 else " does no work"] if named else []
-
-    # --- impulse and momentum ----------------------------------------------------------------------------------------
-
-    def _momentum(self, m: MomentumBalance, number: int) -> Iterator[Block]:
-        group = ", ".join(m.bodies)
-        kept = m.impulse == 0
-        law = "conservation of momentum" if kept and not m.about else "impulse and momentum"
-        if m.about:
-            law = f"{'conservation of angular' if kept else 'angular impulse and'} momentum about "
-        head = line(f"From {m.since} to {m.stop}, {group}: {law}", Name(m.about) if m.about else "", ":")
-        yield Paragraph(head)
-        before, after = self._put(m.before), self._put(m.after)
-        lead = line("↺ ", Name(f"H_{m.about}"), ":") if m.about else line(m.arrow)
-        left = before + self._put(m.impulse)
-        yield Equation((self.phrases.math(left), self.phrases.math(after)), number, lead)
+    def _heading(b: BalanceTrace) -> Line:
+        law = b.law
+        group = f"{', '.join(law.bodies)}: " if law.bodies else ""
+        words = (law.kept if b.gain == 0 else "") or law.heading or law.words
+        head = f"From {b.since} to {b.stop}, {group}{words}"
+        return line(head, Name(law.about) if law.about else "", *_idle(law.idle), ":")
 
     # --- blows -------------------------------------------------------------------------------------------------------
 
@@ -137,6 +124,14 @@ class BetweenTelling:
         if through:
             parts += [", where ", self.phrases.math(through[0]), " and ", self.phrases.math(through[1]), " meet"]
         return line(*parts)
+
+
+def _idle(reactions: tuple[sp.Symbol, ...]) -> list[Any]:
+    """Which reactions do no work."""
+    if len(reactions) > MOST_NAMED:
+        return ["; the reactions of all ideal joints do no work"]
+    named = [part for i, s in enumerate(reactions) for part in (", " if i else "; ", Math(s))]
+    return [*named, " do no work" if len(reactions) > 1 else " does no work"] if named else []
 
 
 def _lead(e: ImpactEquation) -> Line:

@@ -19,12 +19,11 @@ from planar_cli.report.narrate import phrases_of
 from planar_cli.report.words import answer_text, rounded, si_text, told_unit
 from planar_cli.solve.algebra import Line
 from planar_cli.solve.instant import Trial
+from planar_cli.solve.principled import principle_of, usual
 from planar_cli.solve.solution import Found, InstantSolution
 from planar_cli.solve.solved_problem import PartSolution, Solution
 from planar_cli.solve.stages import Stage
-from planar_cli.solve.write import Explicit, Written
-
-METHODS = {"newton": "newton-euler", "dalembert": "d'alembert", "energy": "work-energy", "momentum": "impulse-momentum"}
+from planar_cli.solve.written import Explicit, Written
 
 STEP_DIGITS = 12
 """Numbers put in for long formulas are given to so many figures."""
@@ -133,9 +132,10 @@ def _verdict(verdict: Verdict) -> dict[str, Any]:
 def _plan(solution: Solution, method: str | None) -> dict[str, Any]:
     """Numbers of equations to be solved; lines that only name something are not counted."""
     blocks = [b for part in solution.parts for i in part.instants for s in i.stages for b in s.blocks]
-    chosen = method or solution.problem.method or "newton"
+    named = method or solution.problem.method
+    chosen = usual() if named is None else principle_of(named)
     return {
-        "method": METHODS.get(chosen, chosen),
+        "method": chosen.title or chosen.kind,
         "equations": sum(len(b.equations) for b in blocks),
         "largest_block": max((len(b.unknowns) for b in blocks), default=0),
         "tear": max((len(b.letters) for b in blocks), default=0),

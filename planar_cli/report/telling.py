@@ -8,7 +8,6 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.plain import longer, simplified
-from planar_cli.registry import members
 from planar_cli.report.blocks import Block, Equation, Heading, Line, Math, Name, Note, Paragraph, Text, line
 from planar_cli.report.checks import friction_against_limit, friction_in
 from planar_cli.report.forces import force_rows
@@ -18,7 +17,7 @@ from planar_cli.solve.algebra import SolvedBlock
 from planar_cli.solve.solution import InstantSolution
 from planar_cli.solve.stages import Stage
 from planar_cli.solve.used import used_blocks
-from planar_cli.solve.write import Explicit, Written
+from planar_cli.solve.written import Explicit, Written
 
 LONG_FORMULA = 16
 """A named intermediate with a longer formula is given by its value alone, except in a lesson."""
@@ -45,8 +44,9 @@ class Telling:
         self.system = instant.trial.system
         self.scene = instant.instant.scene
         self.stages = used_blocks(instant.stages, wanted)
-        self.principle = members("principles")[instant.method]()
+        self.principle = instant.instant.principle
         self._numbers: dict[tuple[int, int], int] = {}
+        self._premised: set[str] = set()
 
     def number(self, stage: Stage, own: int) -> int:
         """The printed number of an equation or line of a stage."""
@@ -209,6 +209,8 @@ class Telling:
         sides = (self.phrases.math(w.left), self.phrases.math(w.right))
         if w.law == "relation":
             return [Paragraph(self._named(self._relation_words(w))), Equation(sides, number)]
+        if w.law == "single":
+            return [*self._premises(w), Paragraph(line(f"{w.words}:")), Equation(sides, number, self._lead(w))]
         left, right = self.principle.sides(w.left, w.right)
         sides = (self.phrases.math(left), self.phrases.math(right))
         group = ", ".join(w.bodies)
@@ -223,6 +225,19 @@ class Telling:
             Paragraph(self._named(f"{group}:" if w.lead else f"{group}, {w.words}:")),
             Equation(sides, number, lead),
         ]
+
+    def _premises(self, w: Written) -> list[Block]:
+        """What stands in equations of a whole scene, each once."""
+        blocks: list[Block] = []
+        for p in w.premises:
+            if p.name not in self._premised:
+                self._premised.add(p.name)
+                blocks.append(Equation((line(Name(p.name)), self.phrases.math(p.formula)), None, line(f"{p.words}:")))
+        return blocks
+
+    @staticmethod
+    def _lead(w: Written) -> Line:
+        return line(w.lead, ":") if w.lead else ()
 
     def _named(self, words: str) -> Line:
         """Words in which the names of symbols are set as mathematics."""

@@ -27,7 +27,7 @@ def adjoint_candidates(offers: Offers, targets: list[int]) -> tuple[list[Candida
     and of the loops that take part: a set that determines the targets.
     """
     system, numbers = offers.system, offers.numbers
-    bodies = list(system.scene.bodies)
+    bodies = offers.bodies
     single = {b: offers.body_rows(b) for b in bodies}
     rows = offers.base_rows()
     found: list[Candidate] = []

@@ -16,7 +16,7 @@ from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.equation.form import Nonlinear, linear_form
 from planar_cli.equation.plain import longer, tidy
 from planar_cli.solve.plan import Block
-from planar_cli.solve.write import Written
+from planar_cli.solve.written import Written
 
 NAMED = 24
 """A longer coefficient gets a name where several letters are carried."""

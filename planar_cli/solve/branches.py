@@ -15,7 +15,7 @@ from planar_cli.solve.algebra import Algebra, Line, SolvedBlock
 from planar_cli.solve.elimination import Pending, alone, closes, combined, eliminate
 from planar_cli.solve.plan import Block
 from planar_cli.solve.roots import Root, real_roots
-from planar_cli.solve.write import Written
+from planar_cli.solve.written import Written
 
 
 @dataclass(frozen=True, slots=True)

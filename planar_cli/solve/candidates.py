@@ -15,6 +15,7 @@ import sympy as sp
 
 from planar_cli.equation.conditions import Condition
 from planar_cli.equation.exact import CERTAIN, ONE, ZERO
+from planar_cli.principles.base import Single
 from planar_cli.problem.geometry import Vec
 from planar_cli.solve.linear import Row, clean, scaled
 
@@ -46,7 +47,9 @@ class Choice:
 
 @dataclass(frozen=True, slots=True)
 class Candidate:
-    """One equation that could be written. `mask`: bit j set when it contains unknown j; `row`: its numbers."""
+    """One equation that could be written. `mask`: bit j set when it contains unknown j; `row`: its numbers. `single`:
+    the equation itself, where a principle offers it as a whole.
+    """
 
     bodies: tuple[str, ...]
     condition: Condition | None
@@ -54,6 +57,7 @@ class Candidate:
     row: Row
     mask: int
     cost: float
+    single: Single | None = None
 
 
 def mask_of(row: Row) -> int:
@@ -62,7 +66,12 @@ def mask_of(row: Row) -> int:
 
 
 def priced(
-    bodies: tuple[str, ...], condition: Condition | None, choice: Choice | None, row: Row, form: float
+    bodies: tuple[str, ...],
+    condition: Condition | None,
+    choice: Choice | None,
+    row: Row,
+    form: float,
+    single: Single | None = None,
 ) -> Candidate | None:
     """A candidate with its cost; None when nothing is left of it."""
     row = scaled([c if abs(c) > CERTAIN * 10**6 * size else ZERO for c, size in zip(row, _sizes(row), strict=True)])
@@ -70,7 +79,7 @@ def priced(
     if not mask and not row[-1]:
         return None
     cost = form + PER_BODY * max(len(bodies) - 1, 0) + PER_UNKNOWN * mask.bit_count()
-    return Candidate(bodies, condition, choice, row, mask, cost)
+    return Candidate(bodies, condition, choice, row, mask, cost, single)
 
 
 def _sizes(row: Row) -> list[Decimal]:
@@ -97,7 +106,7 @@ def cheapest(candidates: Iterable[Candidate | None]) -> list[Candidate]:
     for c in candidates:
         if c is None:
             continue
-        key = (c.bodies or id(c.condition), c.mask)
+        key = (c.bodies or id(c.condition or c.single), c.mask)
         if key not in best or c.cost < best[key].cost:
             best[key] = c
     return sorted(best.values(), key=lambda c: c.cost)

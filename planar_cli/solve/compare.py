@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 
 from planar_cli.errors import FileProblem
 from planar_cli.problem.scene import Problem
-from planar_cli.registry import members
+from planar_cli.solve.principled import every_principle, principle_of
 from planar_cli.solve.run import solve_problem
 from planar_cli.solve.solved_problem import PartSolution
 from planar_cli.solve.used import used_blocks
@@ -28,10 +28,11 @@ class Row:
 def compare_methods(problem: Problem) -> tuple[Row, ...]:
     """One row for each principle of the shelf, the shortest plan first."""
     rows = []
-    for kind, principle in members("principles").items():
-        objection = principle().objection(problem)
+    for principle in every_principle():
+        objection = principle.objection(problem)
+        kind = principle.kind
         rows.append(Row(kind, 0, 0, (), objection) if objection else _row(problem, kind))
-    return tuple(sorted(rows, key=lambda r: (bool(r.objection), r.equations, r.method != "newton")))
+    return tuple(sorted(rows, key=lambda r: (bool(r.objection), r.equations, not principle_of(r.method).usual)))
 
 
 def _row(problem: Problem, kind: str) -> Row:

@@ -7,13 +7,13 @@ import sympy as sp
 from planar_cli.equation.conditions import Condition
 from planar_cli.equation.exact import Unvalued
 from planar_cli.equation.form import Nonlinear, linear_form
+from planar_cli.equation.kinetics import body_residuals
 from planar_cli.errors import Diagnostic
 from planar_cli.solve.candidates import Candidate
 from planar_cli.solve.diagnose_open import demand
 from planar_cli.solve.diagnose_words import listed, one_of, unknown_name
 from planar_cli.solve.instant import Instant, Trial
 from planar_cli.solve.linear import solve
-from planar_cli.solve.offers import body_residuals
 from planar_cli.solve.plan import Planner
 from planar_cli.solve.seeker import LOOSE, Seeker
 

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 import sympy as sp
 
 from planar_cli.equation.conditions import vector_or_jet
+from planar_cli.equation.displacement import Coordinate
 from planar_cli.equation.evaluate import refuse
 from planar_cli.equation.exact import Sample, Valuation
 from planar_cli.equation.plain import longer, rounded_inside, simplified
@@ -48,6 +49,7 @@ class Finisher:
         self.answer_units = answer_units
         self.symbolic = self.ledger.symbolic
         self.letters: frozenset[sp.Symbol] = frozenset()
+        self.coordinates: tuple[Coordinate, ...] = ()
         self.most = MOST_OPS
 
     def solve(self, finds: tuple[Find, ...]) -> tuple[InstantSolution, list[Found]]:
@@ -61,12 +63,13 @@ class Finisher:
         """The stages that expressions need, carried out and checked."""
         base = self.trial.outcomes[0].value
         unknowns = set(acceleration_unknowns(self.system))
-        kinetics = self._has_forces()
         maker = StageMaker(self.system, base, self.symbolic)
+        if self._has_forces():
+            maker.families = self.instant.families(self.system, base, self.coordinates)
         targets = needed(exprs, unknowns) | (self._test_targets(unknowns) if self._asks_forces(exprs) else set())
         self.demand_unique(needed(exprs, unknowns), finds)
         maker.value = self._drop(base, unknowns)
-        acceleration = maker.accelerations(targets, kinetics) if targets else None
+        acceleration = maker.accelerations(targets) if targets else None
         stages = self._with_velocities(maker, exprs, acceleration)
         value = self._values(stages)
         lines = tuple(line for s in stages for line in s.lines)

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from decimal import Decimal
 from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.displacement import Coordinate
 from planar_cli.equation.driving import driving_pushes
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.equation.ledger import Ledger
@@ -19,11 +20,13 @@ from planar_cli.equation.system import Statements, System, make_system
 from planar_cli.errors import Undecided
 from planar_cli.joints.base import Joint
 from planar_cli.loads.base import Load, mode_key
+from planar_cli.principles.base import Family, Principle
 from planar_cli.problem.facts import Mode, Push, Test
 from planar_cli.problem.keys import Flow, keys_of
 from planar_cli.problem.polar import TOGETHER
 from planar_cli.problem.scene import Problem
 from planar_cli.solve.asked import names_anywhere, quantities_in
+from planar_cli.solve.principled import at_instants, position_of
 from planar_cli.solve.study import Outcome, Velocities, accelerate, solve_velocities
 from planar_cli.solve.worked import unknowns_of
 
@@ -67,6 +70,15 @@ class Instant:
         self.free = Motion(apart.build((), hang=False), self.scene.center, {})
         self.drivers: tuple[Push, ...] = ()
         self.plain = asked_by_axis(self.scene.problem, self.joints)
+
+    @property
+    def principle(self) -> Principle:
+        """What tells accelerations and forces here."""
+        return at_instants(self.scene.problem.method)
+
+    def families(self, system: System, value: Valuation, coordinates: Iterable[Coordinate] = ()) -> tuple[Family, ...]:
+        """The equations that the principle offers. `coordinates`: of a general position."""
+        return tuple(self.principle.at_instant(position_of(system, value, coordinates)))
 
     def modes_of(self, joint: Joint) -> tuple[Mode, ...]:
         """The ways in which a joint may act; of one that has parted, as drawn."""

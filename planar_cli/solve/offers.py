@@ -8,6 +8,7 @@ cross product of two wrenches.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from decimal import Decimal
 from functools import cached_property, partial
@@ -18,6 +19,7 @@ from planar_cli.equation.conditions import Condition
 from planar_cli.equation.exact import CERTAIN, ONE, ZERO
 from planar_cli.equation.plain import longer, tidy
 from planar_cli.equation.system import System
+from planar_cli.principles.base import BodyFamily, Family, Single
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
 from planar_cli.solve import candidates as c
@@ -44,12 +46,19 @@ class Group:
 
 
 class Offers:
-    """Makes all candidates of a system. `kinetics` False: only relations of motion; `constructed`: centres as well."""
+    """Makes all candidates of a system. `families`: what a principle offers, beside the relations of motion;
+    `constructed`: centres as well.
+    """
 
     constructed = True
 
-    def __init__(self, system: System, numbers: Numbers, conditions: list[Condition], kinetics: bool) -> None:
-        self.system, self.numbers, self.conditions, self.kinetics = system, numbers, conditions, kinetics
+    def __init__(
+        self, system: System, numbers: Numbers, conditions: list[Condition], families: Iterable[Family]
+    ) -> None:
+        self.system, self.numbers, self.conditions = system, numbers, conditions
+        every = list(families)
+        self.families = {f.body: f for f in every if isinstance(f, BodyFamily)}
+        self.singles = [f for f in every if isinstance(f, Single)]
         self.scene = system.scene
         self.index = {x: j for j, x in enumerate(numbers.unknowns)}
         self._residuals: dict[str, tuple[Row, Row, Row]] = {}
@@ -61,9 +70,11 @@ class Offers:
         found: list[Candidate] = []
         for condition in self.conditions:
             found += self.of_condition(condition)
-        if self.kinetics:
-            for group in self.groups():
-                found += self.of_group(group)
+        for single in self.singles:
+            row = self.numbers.row(single.left - single.right)
+            found += c.cheapest([priced((), None, None, row, single.cost, single)])
+        for group in self.groups() if self.families else ():
+            found += self.of_group(group)
         return found
 
     # --- relations of motion -----------------------------------------------------------------------------------------
@@ -113,13 +124,13 @@ class Offers:
     def groups(self) -> list[Group]:
         """Connected groups, the smallest first; all of them where they are few."""
         neighbours = self.neighbours()
-        bodies = list(self.scene.bodies)
+        bodies = self.bodies
         found: list[frozenset[str]] = [frozenset([b]) for b in bodies]
         seen, layer = set(found), list(found)
         while layer and len(found) < MOST_GROUPS:
             grown = []
             for group in layer:
-                for body in sorted(set().union(*(neighbours[b] for b in group)) - group):
+                for body in sorted((set().union(*(neighbours[b] for b in group)) & set(bodies)) - group):
                     larger = group | {body}
                     if larger not in seen:
                         seen.add(larger)
@@ -144,17 +155,31 @@ class Offers:
             found[wrench.body] |= (others & set(found)) - {wrench.body}
         return found
 
+    @property
+    def bodies(self) -> list[str]:
+        """The bodies of which there are families, in the order of the file."""
+        return [b for b in self.scene.bodies if b in self.families]
+
     def body_rows(self, body: str) -> tuple[Row, Row, Row]:
-        """Σ F_x - m a_x, Σ F_y - m a_y, Σ M_O - (r_G × m a_G + I α) of one body, about the origin."""
+        """The family of one body, in numbers."""
         if body not in self._residuals:
-            x, y, m = body_residuals(self.system, body)
-            self._residuals[body] = (self.numbers.row(x), self.numbers.row(y), self.numbers.row(m))
+            family = self.families[body]
+            self._residuals[body] = (
+                self.numbers.row(family.x),
+                self.numbers.row(family.y),
+                self.numbers.row(family.moment),
+            )
         return self._residuals[body]
 
     def base_rows(self) -> list[Row]:
-        """The rows of which all candidates are made: three of each body in turn, then the relations of motion."""
-        rows = [row for b in self.scene.bodies for row in self.body_rows(b)] if self.kinetics else []
-        return [*rows, *(self.numbers.row(expr) for condition in self.conditions for expr in condition.rows())]
+        """The rows of which all candidates are made: three of each body in turn, then the other equations."""
+        rows = [row for b in self.bodies for row in self.body_rows(b)]
+        singles = (self.numbers.row(s.left - s.right) for s in self.singles)
+        return [
+            *rows,
+            *singles,
+            *(self.numbers.row(expr) for condition in self.conditions for expr in condition.rows()),
+        ]
 
     def _group(self, bodies: tuple[str, ...], single: dict[str, tuple[Row, Row, Row]]) -> Group:
         ones = [ONE] * len(bodies)
@@ -363,35 +388,3 @@ def _inertia_line(system: System, bodies: tuple[str, ...], symbol: sp.Symbol, nu
         if direction.x != 0 or direction.y != 0:
             return center, direction
     raise LookupError(symbol.name)
-
-
-def body_residuals(system: System, body: str) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
-    """Force and moment residuals of one body about the origin: Σ F - m a, Σ M - (r × m a + I α)."""
-    assert system.motion is not None
-    assert system.reactions is not None
-    model = system.scene.bodies[body]
-    x: list[sp.Expr] = []
-    y: list[sp.Expr] = []
-    moment: list[sp.Expr] = []
-
-    def act(point: Vec, force: Vec | None, couple: sp.Expr, factor: sp.Expr) -> None:
-        if force is not None:
-            x.append(factor * force.x)
-            y.append(factor * force.y)
-            moment.append(factor * point.cross(force))
-        if couple != 0:
-            moment.append(factor * couple)
-
-    for push, expr in system.reactions.pushes:
-        for action in push.actions:
-            if action.body == body:
-                act(action.point, action.force, action.couple, expr)
-    for wrench in system.wrenches:
-        if wrench.body == body:
-            act(wrench.point, wrench.force, wrench.couple, sp.S.One)
-    if model.mass != 0:
-        a = system.motion.acceleration(model.center, body)
-        act(model.center, a, sp.S.Zero, -model.mass)
-    if model.inertia != 0:
-        moment.append(-model.inertia * system.motion.accelerations[body].angular)
-    return sp.Add(*x), sp.Add(*y), sp.Add(*moment)

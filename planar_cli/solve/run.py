@@ -15,7 +15,6 @@ from planar_cli.equation.system import System
 from planar_cli.errors import Mark, NoSolution, NotReached, Undecided
 from planar_cli.problem.expression import JustAfter
 from planar_cli.problem.scene import Find, Problem
-from planar_cli.registry import members
 from planar_cli.solve.diagnose import OPEN, explain_failure, place, singular_position
 from planar_cli.solve.diagnose_cases import demand_cancelled, several, several_cases
 from planar_cli.solve.diagnose_clash import check_positions, demand_drawn
@@ -23,6 +22,7 @@ from planar_cli.solve.diagnose_open import demand_determined, demand_passable
 from planar_cli.solve.finish import Finisher
 from planar_cli.solve.instant import Instant, Trial, make_instant, search_modes
 from planar_cli.solve.passages import Tale
+from planar_cli.solve.principled import instant_words, principle_of
 from planar_cli.solve.roads import in_general, is_curve, is_kinematic, runs_in_time, without
 from planar_cli.solve.seek import seek
 from planar_cli.solve.solution import Found, InstantSolution
@@ -32,22 +32,17 @@ from planar_cli.solve.verify import Disagreement
 
 
 def solve_problem(problem: Problem, method: str | None = None) -> Solution:
-    """All finds of a problem, told by a method (None: the file's own, else newton). Raises FileProblem, NoSolution or
-    Undecided.
+    """All finds of a problem, told by a method (None: the file's own, else the plan chooses). Raises FileProblem,
+    NoSolution or Undecided.
     """
     started = time.perf_counter()
     if not problem.find and not any(case.problem.find for case in problem.cases):
         raise refuse(Mark(problem.file, 1, 1), "PL571", "nothing is asked", "write `find: {a: a(G)}`")
-    problem = _by(problem, method)
-    chosen = problem.method or "newton"
-    objection = members("principles")[chosen]().objection(problem)
+    problem = _by(problem, method or problem.method)
+    objection = "" if problem.method is None else principle_of(problem.method).objection(problem)
     if objection:
-        raise refuse(
-            Mark(problem.file, 1, 1),
-            "PL570",
-            f"method {chosen}: {objection}",
-            "leave `method` out, or write newton or dalembert",
-        )
+        hint = f"leave `method` out, or write {instant_words()}"
+        raise refuse(Mark(problem.file, 1, 1), "PL570", f"method {problem.method}: {objection}", hint)
     units = {a.name: u for a in problem.answers if (u := _answer_unit(a.value)) is not None}
     earlier: dict[str, Earlier] = {}
     parts: list[PartSolution] = []
@@ -64,9 +59,6 @@ def solve_problem(problem: Problem, method: str | None = None) -> Solution:
                     else sp.Rational(str(found.values[0]))
                 )
                 earlier[f"{case.name}.{found.name}"] = Earlier(exact, found.unit.text)
-    for part in parts:
-        for instant in part.instants:
-            instant.method = chosen if members("principles")[chosen]().inertia_as_force else "newton"
     return Solution(problem, tuple(parts), {"solve": time.perf_counter() - started})
 
 

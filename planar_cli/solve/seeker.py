@@ -17,6 +17,7 @@ import sympy as sp
 from planar_cli.equation.conditions import POSITION, Condition, stated
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.form import Nonlinear, linear_form
+from planar_cli.equation.kinetics import body_residuals
 from planar_cli.equation.moving import all_wrenches
 from planar_cli.equation.sample import fraction, generator
 from planar_cli.equation.system import System
@@ -27,7 +28,7 @@ from planar_cli.solve.candidates import Candidate
 from planar_cli.solve.diagnose_words import listed
 from planar_cli.solve.instant import Instant, Trial
 from planar_cli.solve.numbers import Numbers
-from planar_cli.solve.offers import Offers, body_residuals
+from planar_cli.solve.offers import Offers
 from planar_cli.solve.plan import Plan, Planner
 from planar_cli.solve.stages import acceleration_unknowns, with_zeros
 from planar_cli.solve.study import solve_velocities
@@ -140,9 +141,10 @@ class Seeker:
         """All candidates; what vanishes at sight leaves first."""
         unknowns, value = list(self.unknowns), self.value
         kinetics = any(b.mass != 0 for b in self.scene.bodies.values()) or bool(self.system.wrenches)
+        families = self.instant.families(self.system, self.value) if kinetics else ()
         while True:
             numbers = Numbers(tuple(unknowns), self.linear & set(unknowns), value)
-            found = Offers(self.system, numbers, [*self.conditions, *limits], kinetics).all()
+            found = Offers(self.system, numbers, [*self.conditions, *limits], families).all()
             idle = set()
             for c in found:
                 if c.mask.bit_count() == 1 and not c.row[-1]:

@@ -12,7 +12,7 @@ from planar_cli.equation.exact import Settled, Valuation
 from planar_cli.problem.scene import Find
 from planar_cli.solve.instant import Instant, Trial
 from planar_cli.solve.stages import Stage
-from planar_cli.solve.write import Explicit
+from planar_cli.solve.written import Explicit
 from planar_cli.units import Unit
 
 
@@ -43,7 +43,7 @@ class InstantSolution:
     """One instant worked out. `rejected`: the first assumption and others, with why they fail. `value`: numbers of all.
 
     `sought`: the branch taken where constants, speeds or extremes were sought; `left_out`: those that were not.
-    `method`: how inertia is told, newton or dalembert. `quiet`: it only tells velocities at a blow.
+    `quiet`: it only tells velocities at a blow.
     """
 
     state: str
@@ -56,5 +56,4 @@ class InstantSolution:
     checks: dict[str, Any] = field(default_factory=dict)
     sought: Any = None
     left_out: tuple[Any, ...] = ()
-    method: str = "newton"
     quiet: bool = False

@@ -12,6 +12,7 @@ from planar_cli.equation.conditions import Condition
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.form import mentions
 from planar_cli.equation.system import System
+from planar_cli.principles.base import Family
 from planar_cli.problem.geometry import Vec
 from planar_cli.solve.adjoint import adjoint_candidates
 from planar_cli.solve.algebra import Algebra, SolvedBlock
@@ -20,7 +21,8 @@ from planar_cli.solve.linear import rank, scaled
 from planar_cli.solve.numbers import Numbers
 from planar_cli.solve.offers import Offers
 from planar_cli.solve.plan import Plan, Planner
-from planar_cli.solve.write import Explicit, Writer
+from planar_cli.solve.write import Writer
+from planar_cli.solve.written import Explicit
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,6 +48,7 @@ class StageMaker:
     """Makes a stage of one system. `value`: numbers of everything that is known before it. `letters`: velocities that
     stay letters, as in a position that is left general. `constructed`: may moment centres be intersections of lines?
     `whole`: inertia of every body in an equation is put on paper, also where its moment needs no centre of mass.
+    `families`: what a principle offers of accelerations and forces.
     """
 
     system: System
@@ -55,6 +58,7 @@ class StageMaker:
     letters: frozenset[sp.Symbol] = frozenset()
     constructed: bool = True
     whole: bool = False
+    families: tuple[Family, ...] = ()
 
     def velocities(self, targets: set[sp.Symbol], known: dict[sp.Symbol, Decimal]) -> Stage:
         """The velocities that are needed; `known`: those that are zero."""
@@ -67,16 +71,15 @@ class StageMaker:
         conditions = self.system.velocity_conditions()
         zero = dict.fromkeys(known, sp.S.Zero)
         conditions = [with_zeros(c, zero) for c in conditions]
-        return self._make("velocity", unknowns, conditions, targets, kinetics=False)
+        return self._make("velocity", unknowns, conditions, targets, ())
 
     def _sought_speeds(self) -> list[sp.Symbol]:
         return [s for s in self.system.scene.ledger.sought if s not in self.value.values]
 
-    def accelerations(self, targets: set[sp.Symbol], kinetics: bool) -> Stage:
+    def accelerations(self, targets: set[sp.Symbol]) -> Stage:
         """Accelerations and pushes."""
-        return self._make(
-            "acceleration", acceleration_unknowns(self.system), self.system.acceleration_conditions(), targets, kinetics
-        )
+        unknowns, conditions = acceleration_unknowns(self.system), self.system.acceleration_conditions()
+        return self._make("acceleration", unknowns, conditions, targets, self.families)
 
     def _make(
         self,
@@ -84,9 +87,9 @@ class StageMaker:
         unknowns: list[sp.Symbol],
         conditions: list[Condition],
         targets: set[sp.Symbol],
-        kinetics: bool,
+        families: tuple[Family, ...],
     ) -> Stage:
-        offers, candidates, zero = self._offers(unknowns, conditions, targets, kinetics)
+        offers, candidates, zero = self._offers(unknowns, conditions, targets, families)
         columns = offers.numbers
         index = {x: j for j, x in enumerate(columns.unknowns)}
         wanted = sum(1 << index[t] for t in targets if t in index)
@@ -95,7 +98,7 @@ class StageMaker:
         missing = [t for t in targets if t in index and not fixed & (1 << index[t])]
         wanted &= ~sum(1 << index[t] for t in missing)
         planner.fixed = fixed
-        if kinetics and self.constructed:
+        if offers.families and self.constructed:
             wanted_columns = [index[t] for t in targets if t in index and t not in missing]
             extra, seed = adjoint_candidates(offers, wanted_columns)
             candidates += extra
@@ -128,13 +131,17 @@ class StageMaker:
         return sum(1 << index[s] for s in self.system.tree.acceleration_unknowns() if s in index)
 
     def _offers(
-        self, unknowns: list[sp.Symbol], conditions: list[Condition], targets: set[sp.Symbol], kinetics: bool
+        self,
+        unknowns: list[sp.Symbol],
+        conditions: list[Condition],
+        targets: set[sp.Symbol],
+        families: tuple[Family, ...],
     ) -> tuple[Offers, list[Candidate], list[sp.Symbol]]:
         """All candidates; unknowns that an equation of their own says are zero leave first."""
         zero: list[sp.Symbol] = []
         columns = Numbers(tuple(unknowns), frozenset(unknowns), self.value)
         while True:
-            offers = Offers(self.system, columns, conditions, kinetics)
+            offers = Offers(self.system, columns, conditions, families)
             offers.constructed = self.constructed
             found = offers.all()
             single = {c.mask for c in found if c.mask.bit_count() == 1 and not c.row[-1]}

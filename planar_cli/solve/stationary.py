@@ -16,9 +16,9 @@ import sympy as sp
 from planar_cli.equation.conditions import Condition
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.equation.form import Nonlinear, linear_form
+from planar_cli.equation.kinetics import body_residuals
 from planar_cli.errors import Undecided
 from planar_cli.problem.expression import Extreme
-from planar_cli.solve.offers import body_residuals
 from planar_cli.solve.seeker import Seeker, Sought
 from planar_cli.solve.stationary_point import eliminated
 

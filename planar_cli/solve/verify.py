@@ -10,11 +10,11 @@ from decimal import Decimal
 import sympy as sp
 
 from planar_cli.equation.exact import ZERO, Unvalued, Valuation
+from planar_cli.equation.kinetics import body_residuals
 from planar_cli.equation.system import System
 from planar_cli.errors import Undecided
 from planar_cli.solve.instant import Trial
 from planar_cli.solve.multibody import Agreement, second_road
-from planar_cli.solve.offers import body_residuals
 from planar_cli.solve.study import Outcome
 from planar_cli.solve.worked import Worked, unknowns_of
 

@@ -12,50 +12,19 @@ from planar_cli.equation.conditions import Condition
 from planar_cli.equation.motion import Motion
 from planar_cli.equation.plain import longer, rounded_inside, tidy, trigonometric
 from planar_cli.equation.system import System
+from planar_cli.principles.base import Single
 from planar_cli.problem.facts import Wrench
 from planar_cli.problem.geometry import Vec
 from planar_cli.solve.candidates import Candidate, Choice
 from planar_cli.solve.numbers import Numbers
 from planar_cli.solve.offers import line_of
 from planar_cli.solve.plan import bits
+from planar_cli.solve.written import Explicit, Written
 
 LETTERS = "CKQSWZHJ"
 SMALL = Decimal("1e-30")
 LONGEST = 8
 """A coefficient of more operations than this is printed as a number."""
-
-
-@dataclass(frozen=True, slots=True)
-class Written:
-    """One numbered equation, left = right.
-
-    `law`: relation, force or moment. `bodies`: the group. `lead`: what is equated, such as ("moment", "C"). `words`:
-    why this one. `unknowns`: the symbols still unknown in it.
-    """
-
-    number: int
-    law: str
-    bodies: tuple[str, ...]
-    lead: str
-    words: str
-    left: sp.Expr
-    right: sp.Expr
-    source: str
-    given: bool = False
-
-    @property
-    def residual(self) -> sp.Expr:
-        return self.left - self.right
-
-
-@dataclass(frozen=True, slots=True)
-class Explicit:
-    """A line that only names something: symbol = expression (acceleration of a mass centre, moment of inertia)."""
-
-    number: int
-    symbol: sp.Symbol
-    expression: sp.Expr
-    words: str
 
 
 @dataclass(slots=True)
@@ -220,12 +189,28 @@ class Writer:
     def write(self, candidate: Candidate) -> Written:
         """The equation of a candidate; unknowns that it frees itself of are not written."""
         self.allowed = {self.numbers.unknowns[j] for j in bits(candidate.mask)}
+        if candidate.single is not None:
+            return self._single(candidate.single)
         if candidate.condition is not None:
             return self._relation(candidate.condition, candidate.choice)
         assert candidate.choice is not None
         if candidate.choice.moment:
             return self._moment(candidate.bodies, candidate.choice)
         return self._force(candidate.bodies, candidate.choice)
+
+    def _single(self, single: Single) -> Written:
+        """An equation that a principle offers as a whole."""
+        return Written(
+            self.number(),
+            "single",
+            (),
+            single.lead,
+            single.words,
+            single.left,
+            single.right,
+            "kinetics",
+            premises=single.premises,
+        )
 
     def _force(self, bodies: tuple[str, ...], choice: Choice) -> Written:
         d = choice.vector

@@ -30,7 +30,7 @@
   cases              name: any keys above, laid over the file: planar explain cases
   answers            what a key says, by find name: planar explain answers
   tolerance          the relative tolerance of the answers: 0.01
-  method             the method to use: newton, dalembert, energy or momentum
+  method             the principle to use, and no other: planar explain methods
   variants           values for variants: {m: {from: 1 kg, to: 5 kg, step: 0.5 kg}, l: [3 m, 4 m]}
   figure             {hide: [W]}: names that the figure does not show
 

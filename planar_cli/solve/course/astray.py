@@ -19,6 +19,7 @@ from planar_cli.equation.sample import anywhere
 from planar_cli.errors import NOWHERE, Diagnostic, Mark, NoSolution, Undecided
 from planar_cli.problem.scene import Problem
 from planar_cli.solve.course.asked_finds import AskedFind, asked_letters
+from planar_cli.solve.course.balances import StateBalance
 from planar_cli.solve.course.equations import Equation
 from planar_cli.solve.course.events import Leg, events, is_zero, scale_of
 from planar_cli.solve.course.motion_equations import MotionEquations
@@ -42,17 +43,18 @@ BEFORE = 1e-6
 # --- a datum is missing ----------------------------------------------------------------------------------------------
 
 
-REPEATING = ("energy", "momentum")
-
-
 def loose_letters(course: MotionEquations) -> list[sp.Symbol]:
     """Letters of states and sought constants that the equations do not fix."""
     unknowns = sorted(course.chain().unknowns, key=lambda s: s.name)
     value = course.base().extended({x: anywhere(i) for i, x in enumerate(unknowns)})
     rows = []
     places = [s.name for s in course.states]
-    # Where laws of motion tell everything, those of energy and momentum say nothing new.
-    laws = [e for e in course.equations if e.kind not in REPEATING or course.laws[places.index(e.stop) - 1].loose]
+    # Where laws of motion tell everything, balances say nothing new.
+    laws = [
+        e
+        for e in course.equations
+        if not isinstance(e.source, StateBalance) or course.laws[places.index(e.stop) - 1].loose
+    ]
     for e in _independent(laws):
         try:
             row = [value(sp.diff(e.residual, x)) if e.residual.has(x) else Decimal(0) for x in unknowns]

@@ -33,6 +33,7 @@ from planar_cli.solve.course.regime_sequence import RegimeSequence
 from planar_cli.solve.course.struck import Struck, struck_instant
 from planar_cli.solve.course.timeline import Stop
 from planar_cli.solve.instant import Trial
+from planar_cli.solve.principled import families_across, position_of
 from planar_cli.solve.stages import Stage, StageMaker, acceleration_unknowns
 from planar_cli.solve.worked import unknowns_of
 
@@ -113,7 +114,8 @@ class Blow:
         base = self.trial.outcomes[0].value
         value = base.without(unknowns)
         maker = StageMaker(self.system, value, True, constructed=self.scene.displacement is None, whole=True)
-        self.stage = maker.accelerations(targets, kinetics=True)
+        maker.families = families_across(self.scene.problem.method, position_of(self.system, value))
+        self.stage = maker.accelerations(targets)
         self.equations = [*self._same_place(), *self._planned(self.stage), *self._zero(self.stage)]
         for u, expr in handing:
             words = "the velocities after the blow"

@@ -26,7 +26,7 @@ from planar_cli.solve.course.timeline import Demand, Stop
 from planar_cli.solve.course.trace import Law
 
 COSTS = {"given": 0.1, "turn": 0.2, "drawn": 0.1, "start": 0.1, "motion": 0.5, "link": 0.6, "loop": 1.2, "extreme": 0.8}
-COSTS |= {"followed": 5.0, "blow": 1.0, "handed": 0.3, "energy": 0.9, "momentum": 1.25}
+COSTS |= {"followed": 5.0, "blow": 1.0, "handed": 0.3}
 PER_EQUATION, OVER_TIME, NO_MASS = 0.2, 0.3, 0.5
 """What a law of motion costs for each equation of kinetics behind it, and where a force grows with time; and what a law
 of energy or momentum costs where the file gives no mass.
@@ -43,7 +43,9 @@ DATA = ("given", "drawn", "start", "turn", "motion", "followed")
 class Equation:
     """`residual` vanishes. `kind`: given, drawn, start, motion, link, loop, extreme, that of a span, or followed: in
     numbers alone. `family`: of which only `rank` are independent. `stop`: the state at its end, `since` the one at its
-    beginning. `source`: what it was planned from. `surcharge`: what it costs beside its kind.
+    beginning. `source`: what it was planned from. `surcharge`: what it costs beside its kind (a balance,
+    whose kind is the word of its principle, costs nothing else). `offered`: the principles of which it is a law, by
+    their words; none for data, geometry and blows.
     """
 
     residual: sp.Expr
@@ -59,12 +61,13 @@ class Equation:
     trend: sp.Expr | None = None
     source: Any = None
     surcharge: float = 0.0
+    offered: frozenset[str] = frozenset()
 
     @property
     def cost(self) -> float:
         extra = 1.0 if self.span is not None and self.span.unevaluated else 0.0
         extra += self.law.effort if self.law is not None else 0.0
-        return COSTS[self.kind] + extra + self.surcharge
+        return COSTS.get(self.kind, 0.0) + extra + self.surcharge
 
 
 @dataclass(frozen=True, slots=True)

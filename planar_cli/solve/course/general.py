@@ -71,11 +71,9 @@ class General:
 
     def rate_of(self, speed: sp.Symbol) -> sp.Expr:
         """The acceleration unknown that goes with a velocity unknown."""
-        tree = self.trial.system.tree
-        for e in tree.edges:
-            for velocity, rate in ((e.slide, e.slide_rate), (e.rise, e.rise_rate), (e.spin, e.spin_rate)):
-                if velocity == speed and rate is not None:
-                    return rate
+        own = self.trial.system.rates().get(speed)
+        if own is not None:
+            return own
         return next(a for r, a in self.instant.scene.evaluator.motions.values() if r == speed and a is not None)
 
     def unique(self, expr: sp.Expr) -> bool:
@@ -106,6 +104,7 @@ class General:
         """Work out everything that these expressions need."""
         finisher = Finisher(self.instant, self.trial, (), {})
         finisher.letters = frozenset(self.free)
+        finisher.coordinates = self.coordinates
         if self.constraints:
             finisher.most = IN_LOOPS
         self.finisher = finisher

@@ -12,21 +12,27 @@ import sympy as sp
 
 from planar_cli.equation.form import Nonlinear, linear_form
 from planar_cli.equation.plain import simplified
+from planar_cli.principles.base import Balance, Impulses
+from planar_cli.solve.course.balances import StateBalance
 from planar_cli.solve.course.equations import Equation
-from planar_cli.solve.course.impulse_momentum import ARROWS, Momentum
 from planar_cli.solve.course.potential import potential
 from planar_cli.solve.course.regime import Regime
 from planar_cli.solve.course.regime_sequence import RegimeSequence
 from planar_cli.solve.course.timeline import Stop
-from planar_cli.solve.write import Written
+from planar_cli.solve.written import Written
 
 ImpulseLetter = Callable[[sp.Symbol, Stop, Stop, str], sp.Symbol]
 """The letter for the impulse of a reaction between two states, in a unit."""
+ARROWS = {"x": "→ ", "y": "↑ "}
 UNITS = {"N": "N*s", "N*m": "N*m*s"}
 
 
-def impulse_equations(course: RegimeSequence, letter_of: ImpulseLetter, k: int) -> Iterator[Equation]:
-    """The equations between state k and the one before it. `letter_of`: the letter for the impulse of a reaction."""
+def impulse_equations(
+    course: RegimeSequence, principle: str, offer: Impulses, letter_of: ImpulseLetter, k: int
+) -> Iterator[Equation]:
+    """The equations between state k and the one before it, which a principle offers. `letter_of`: the letter for the
+    impulse of a reaction.
+    """
     if k < 1 or course.is_impulsive(k - 1) or not course.regimes[k - 1].runs:
         return
     regime = course.regimes[k - 1]
@@ -36,18 +42,34 @@ def impulse_equations(course: RegimeSequence, letter_of: ImpulseLetter, k: int) 
     for block in stage.blocks if stage is not None else ():
         for w in block.equations:
             if w.law in ("force", "moment"):
-                told = _integrated(letter_of, regime, w, explicit, a, b)
+                told = _integrated(offer, letter_of, regime, w, explicit, a, b)
                 if told is not None:
-                    residual = sp.expand(told.after - told.before - told.impulse)
-                    yield Equation(residual, "momentum", "impulse and momentum", b.name, a.name, source=told)
+                    residual = sp.expand(told.after - told.before - told.gain)
+                    whose = frozenset((principle,))
+                    yield Equation(
+                        residual,
+                        principle,
+                        offer.words,
+                        b.name,
+                        a.name,
+                        source=told,
+                        surcharge=offer.cost,
+                        offered=whose,
+                    )
 
 
 def _integrated(
-    letter_of: ImpulseLetter, regime: Regime, w: Written, explicit: Mapping[sp.Symbol, sp.Expr], a: Stop, b: Stop
-) -> Momentum | None:
+    offer: Impulses,
+    letter_of: ImpulseLetter,
+    regime: Regime,
+    w: Written,
+    explicit: Mapping[sp.Symbol, sp.Expr],
+    a: Stop,
+    b: Stop,
+) -> StateBalance | None:
     """One equation integrated; None: some coefficient varies, or a force is no function of place and time."""
     system = regime.general.trial.system
-    rates = _rates(regime)
+    rates = {rate: speed for speed, rate in system.rates().items()}
     pushes = {system.symbols[p.name]: p for p in system.pushes}
     sides = [e.xreplace(dict(explicit)) for e in (w.left, w.right)]
     try:
@@ -67,11 +89,15 @@ def _integrated(
         impulse += c * letter_of(symbol, a, b, UNITS[pushes[symbol].unit])
     before, after = (sp.Add(*(c * s.at(regime.closed(rates[x])) for x, c in inertia.terms.items())) for s in (a, b))
     about = w.lead if w.law == "moment" else ""
-    return Momentum(a, b, w.bodies, about, ARROWS.get(w.lead, "↗ "), before, after, impulse)
-
-
-def _rates(regime: Regime) -> dict[sp.Symbol, sp.Expr]:
-    """Acceleration unknowns with the velocities of which they are the rates."""
-    edges = regime.general.trial.system.tree.edges
-    pairs = [p for e in edges for p in ((e.slide, e.slide_rate), (e.rise, e.rise_rate), (e.spin, e.spin_rate))]
-    return {rate: speed for speed, rate in pairs if speed is not None and rate is not None}
+    law = Balance(
+        words=offer.words,
+        name=f"H_{about}" if about else "",
+        amounts=(),
+        sources=(),
+        cost=offer.cost,
+        bodies=w.bodies,
+        heading=f"angular {offer.words} about " if about else "",
+        about=about,
+        lead="↺ " if about else ARROWS.get(w.lead, "↗ "),
+    )
+    return StateBalance(law, a, b, before, after, (("", impulse),))

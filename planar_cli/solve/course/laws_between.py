@@ -1,4 +1,4 @@
-"""The laws of energy and momentum of all regimes of a motion, and their equations between its states."""
+"""What all principles offer over the stretches of a motion, and their equations between its states."""
 
 from __future__ import annotations
 
@@ -9,54 +9,63 @@ from typing import Any
 
 import sympy as sp
 
+from planar_cli.principles.base import Balance, Impulses, Integrated
+from planar_cli.solve.course.balances import Closed, Offered, balance_equations, closed_balances
 from planar_cli.solve.course.equations import Equation
-from planar_cli.solve.course.impulse_momentum import (
-    Candidate,
-    Integrated,
-    candidates_of,
-    integrated,
-    momentum_equations,
-)
+from planar_cli.solve.course.general import General
 from planar_cli.solve.course.impulses import impulse_equations
 from planar_cli.solve.course.regime import Regime
 from planar_cli.solve.course.regime_sequence import RegimeSequence
 from planar_cli.solve.course.timeline import Stop
-from planar_cli.solve.course.work_energy import Closed, Energies, closed_energies, energies_of, energy_equations
+from planar_cli.solve.principled import every_principle, position_of
 
 
 @dataclass(slots=True)
 class LawsBetween:
-    """`energies`, `momenta`: of every regime, in the unknowns of its general position, by its id. `closed`,
-    `integrated`: the same worked out, stretch by stretch. `impulses`: letters of reactions, by push and states.
-    """
+    """What is offered; then the same worked out, stretch by stretch."""
 
-    energies: dict[int, Energies | None] = field(default_factory=dict)
-    momenta: dict[int, list[Candidate]] = field(default_factory=dict)
-    closed: list[Closed | None] = field(default_factory=list)
-    integrated: list[list[Integrated]] = field(default_factory=list)
+    offered: dict[int, list[Offered]] = field(default_factory=dict)
+    """The balances of every regime, by its id."""
+    integrating: dict[str, None] = field(default_factory=dict)
+    """The principles whose equations of motion are integrated from state to state, by their words."""
+    impulsive: dict[str, Impulses] = field(default_factory=dict)
+    """The principles that take equations of an instant with the impulses of reactions, by their words."""
+    closed: list[list[Closed]] = field(default_factory=list)
+    """The balances in closed formulas, stretch by stretch."""
     impulses: dict[tuple[str, str, str], sp.Symbol] = field(default_factory=dict)
+    """The letters for impulses of reactions, by push and states."""
 
     def exprs(self, regime: Regime) -> list[sp.Expr]:
         """What a regime has to work out for them; made once."""
-        key = id(regime)
-        if key not in self.energies:
-            self.energies[key] = energies_of(regime.general)
-            self.momenta[key] = candidates_of(regime.general)
-        energies = self.energies[key]
-        found = [] if energies is None else energies.exprs()
-        return [*found, *(e for c in self.momenta[key] for e in (c.momentum, c.rate))]
+        if id(regime) not in self.offered:
+            self.offered[id(regime)] = list(self._ask(regime.general))
+        return [e for offered in self.offered[id(regime)] for e in offered.exprs()]
+
+    def _ask(self, general: General) -> Iterator[Offered]:
+        system = general.trial.system
+        if system.reactions is None:
+            return
+        position = position_of(system, general.value, general.coordinates)
+        method = general.instant.scene.problem.method
+        for principle in every_principle():
+            for offer in principle.over(position, principle.kind == method):
+                match offer:
+                    case Balance():
+                        yield Offered(principle.kind, offer)
+                    case Integrated():
+                        self.integrating[principle.kind] = None
+                    case Impulses():
+                        self.impulsive[principle.kind] = offer
 
     def close(self, regimes: Sequence[Regime]) -> None:
-        """Closed formulas, once the regimes are worked out; None or nothing where no time passes."""
-        self.closed = [closed_energies(r, self.energies.get(id(r))) for r in regimes]
-        self.integrated = [integrated(r, self.momenta.get(id(r), [])) for r in regimes]
+        """Closed formulas, once the regimes are worked out; nothing where no time passes."""
+        self.closed = [closed_balances(r, self.offered.get(id(r), [])) for r in regimes]
 
     def equations(self, course: RegimeSequence, k: int) -> Iterator[Equation]:
         """All that end at state k."""
-        yield from energy_equations(course, self.closed, k)
-        yield from momentum_equations(course, self.integrated, k)
-        if course.problem.method == "momentum":
-            yield from impulse_equations(course, partial(self.impulse_letter, course.ledger), k)
+        yield from balance_equations(course, self.closed, k)
+        for kind, offer in self.impulsive.items():
+            yield from impulse_equations(course, kind, offer, partial(self.impulse_letter, course.ledger), k)
 
     def impulse_letter(self, ledger: Any, push: sp.Symbol, since: Stop, stop: Stop, unit: str) -> sp.Symbol:
         """The letter for the impulse of a reaction between two states."""

@@ -172,7 +172,8 @@ def _moving(motion: StatedMotion) -> list[Equation]:
             since = i - 1
         start = motion.stops[motion.states[since].name]
         laws = motion.laws[i - 1]
-        found += list(law_equations(laws, start, stop, regime, regime.general.value))
+        by_laws = law_equations(laws, start, stop, regime, regime.general.value)
+        found += [replace(e, offered=frozenset(motion.between.integrating)) for e in by_laws]
         found += list(link_equations(laws, start, stop, regime))
         found += list(kept_equations(regime, start, stop))
         found += list(motion.between.equations(motion, i))

@@ -10,20 +10,19 @@ import sympy as sp
 
 from planar_cli.equation.exact import Valuation
 from planar_cli.solve.course.answers import AnsweredFind
+from planar_cli.solve.course.balances import StateBalance
 from planar_cli.solve.course.blow import Blow
 from planar_cli.solve.course.derivation import Leg, Route
 from planar_cli.solve.course.equations import DATA, Equation
-from planar_cli.solve.course.impulse_momentum import Momentum
 from planar_cli.solve.course.needed import wanted_of
 from planar_cli.solve.course.oscillation import Oscillation, roots_of, stability
 from planar_cli.solve.course.regime_sequence import RegimeSequence
 from planar_cli.solve.course.solved_motion import SolvedMotion
 from planar_cli.solve.course.trace import (
+    BalanceTrace,
     Centre,
-    EnergyBalance,
     Impact,
     ImpactEquation,
-    MomentumBalance,
     MotionTrace,
     OscillationTrace,
     RegimeTrace,
@@ -33,10 +32,9 @@ from planar_cli.solve.course.trace import (
     RouteTrace,
     Turning,
 )
-from planar_cli.solve.course.work_energy import Balance
 from planar_cli.solve.solution import InstantSolution
 from planar_cli.solve.stages import Stage
-from planar_cli.solve.write import Written
+from planar_cli.solve.written import Written
 
 
 def motion_trace(
@@ -123,19 +121,14 @@ class _Tracer:
 
     def _relation(self, e: Equation) -> Relation:
         source = self._source(e.source)
-        return Relation(e.residual, e.kind, e.words, e.stop, e.since, e.kind in DATA, e.span, e.law, source)
+        return Relation(e.residual, e.kind, e.words, e.stop, e.since, e.kind in DATA, e.span, e.law, source, e.offered)
 
-    def _source(self, source: Any) -> EnergyBalance | MomentumBalance | ImpactEquation | None:
+    def _source(self, source: Any) -> BalanceTrace | ImpactEquation | None:
         if source is None:
             return None
-        if isinstance(source, Balance):
+        if isinstance(source, StateBalance):
             b = source
-            works = tuple((w.words, w.value) for w in b.works)
-            return EnergyBalance(b.since.name, b.stop.name, b.before, b.after, works, b.kinetic, b.idle)
-        if isinstance(source, Momentum):
-            m = source
-            states = (m.since.name, m.stop.name)
-            return MomentumBalance(*states, m.bodies, m.about, m.arrow, m.before, m.after, m.impulse)
+            return BalanceTrace(b.law, b.since.name, b.stop.name, b.before, b.after, b.brought, b.amounts)
         blow, written = source
         return self._impact_equation(blow, written)
 

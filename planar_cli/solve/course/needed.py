@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import sympy as sp
 
+from planar_cli.solve.course.balances import StateBalance
 from planar_cli.solve.course.derivation import Route
-from planar_cli.solve.course.impulse_momentum import Momentum
 from planar_cli.solve.course.regime import Regime
 from planar_cli.solve.course.regime_sequence import RegimeSequence
 from planar_cli.solve.course.stated_motion import StatedMotion
-from planar_cli.solve.course.work_energy import Balance
 from planar_cli.solve.solution import InstantSolution
 from planar_cli.solve.stages import acceleration_unknowns
 
@@ -29,21 +28,19 @@ def wanted_of(course: StatedMotion, route: Route, instant: InstantSolution) -> f
         for e in leg.derivation.equations:
             if e.law is not None and id(e.law) in own and e.law.f != 0:
                 names |= {regime.general.rate_of(u).name for u in regime.free}
-            if isinstance(e.source, Balance | Momentum) and _acts(course, regime, e.source):
+            if isinstance(e.source, StateBalance) and _acts(course, regime, e.source):
                 names |= _speeds(course, regime)
     names |= {s.name for s in used & set(system.tree.velocity_unknowns())}
     return frozenset(names)
 
 
-def _acts(course: RegimeSequence, regime: Regime, source: Balance | Momentum) -> bool:
+def _acts(course: RegimeSequence, regime: Regime, source: StateBalance) -> bool:
     """Does a law end in this regime?"""
     states = [s.name for s in course.states]
     return course.regimes[states.index(source.stop.name) - 1] is regime
 
 
 def _speeds(course: StatedMotion, regime: Regime) -> set[str]:
-    """The velocities of which kinetic energies and momenta are made."""
-    raw = course.between.energies.get(id(regime))
-    exprs = [] if raw is None else [e for _, e in raw.kinetic]
-    exprs += [c.momentum for c in course.between.momenta.get(id(regime), ())]
-    return {s.name for e in exprs for s in e.free_symbols}
+    """The velocities of which the amounts of balances are made."""
+    offered = course.between.offered.get(id(regime), [])
+    return {s.name for o in offered for _, e in o.balance.amounts for s in e.free_symbols}

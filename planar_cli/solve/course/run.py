@@ -22,7 +22,7 @@ from planar_cli.solve.course.derivation import Route
 from planar_cli.solve.course.formulas import at_given_time
 from planar_cli.solve.course.independence import rests_on
 from planar_cli.solve.course.masses import demand_mass
-from planar_cli.solve.course.methods import by_method, demand_reached, follows
+from planar_cli.solve.course.methods import by_method, demand_reached
 from planar_cli.solve.course.motion_trace import motion_trace
 from planar_cli.solve.course.plot import Workshop
 from planar_cli.solve.course.reached import reaching
@@ -77,13 +77,14 @@ def _route(found: SolvedMotion) -> tuple[Router, Route]:
     steps = tuple(s for s in found.branch.steps if len(by_method(s.equations, method)) == len(s.equations))
     lettered = rests_on(course, found.value)
     followed = ByNumbers() if lettered else by_numbers(course, found.guessed, found.value)
-    by_steps = followed if follows(method) else None
+    follows = method is None or method in course.between.integrating
+    by_steps = followed if follows else None
     router = Router(allowed, unknowns, found.value, course.symbolic, steps, by_steps)
     wanted = _in_order(course, asked_letters(found.finds) & unknowns)
     route = router.route(wanted)
     if method is not None:
         free = Router(course.equations, unknowns, found.value, course.symbolic, found.branch.steps, followed)
-        demand_reached(course.problem, route, wanted, lambda: free.route(wanted))
+        demand_reached(course.problem, follows, route, wanted, lambda: free.route(wanted))
     return router, route
 
 

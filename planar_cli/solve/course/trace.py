@@ -16,6 +16,7 @@ from planar_cli.calculus.spans import Span
 from planar_cli.equation.displacement import Coordinate
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.ledger import Ledger
+from planar_cli.principles.base import Balance
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.scene import Find, Problem
 from planar_cli.solve.roots import Root
@@ -46,45 +47,28 @@ class Law:
 
 
 @dataclass(frozen=True, slots=True)
-class EnergyBalance:
-    """Work and kinetic energy between two states, J."""
+class BalanceTrace:
+    """One balance of a principle between two states, in SI units."""
 
+    law: Balance
+    """The law, with the words in which it is told."""
     since: str
     """The state at the beginning."""
     stop: str
     """The state at the end."""
     before: sp.Expr
-    """The kinetic energy at the beginning."""
+    """The amount at the beginning."""
     after: sp.Expr
-    """The kinetic energy at the end."""
-    works: tuple[tuple[str, sp.Expr], ...]
-    """What does work, in words, with its work."""
-    kinetic: tuple[tuple[str, sp.Expr], ...]
-    """The kinetic energy of every body at the end."""
-    idle: tuple[sp.Symbol, ...]
-    """The reactions that do no work."""
+    """The amount at the end."""
+    brought: tuple[tuple[str, sp.Expr], ...]
+    """What sources bring meanwhile, by their words; those that bring nothing are left out."""
+    amounts: tuple[tuple[str, sp.Expr], ...]
+    """The amount at the end, by body."""
 
-
-@dataclass(frozen=True, slots=True)
-class MomentumBalance:
-    """Impulse and momentum between two states, N·s or N·m·s."""
-
-    since: str
-    """The state at the beginning."""
-    stop: str
-    """The state at the end."""
-    bodies: tuple[str, ...]
-    """The group whose momentum it is."""
-    about: str
-    """The point of an angular momentum; "" of a linear one."""
-    arrow: str
-    """The sense in which a linear one counts."""
-    before: sp.Expr
-    """The momentum at the beginning."""
-    after: sp.Expr
-    """The momentum at the end."""
-    impulse: sp.Expr
-    """The impulse meanwhile."""
+    @property
+    def gain(self) -> sp.Expr:
+        """What all sources bring."""
+        return sp.Add(*(e for _, e in self.brought))
 
 
 @dataclass(frozen=True, slots=True)
@@ -153,8 +137,10 @@ class Relation:
     """The integral of a law that it is, with its limits."""
     law: Law | None = None
     """The law of motion of which it is an integral."""
-    source: EnergyBalance | MomentumBalance | ImpactEquation | None = None
+    source: BalanceTrace | ImpactEquation | None = None
     """What it was planned from, where that is written out."""
+    offered: frozenset[str] = frozenset()
+    """The principles of which it is a law, by their words; none for data, geometry and blows."""
 
 
 # --- the route -------------------------------------------------------------------------------------------------------

@@ -47,6 +47,7 @@ from planar_cli.solve.course.starts import Start, balanced, certain_start, resti
 from planar_cli.solve.course.stated_motion import StatedMotion, stated_motion
 from planar_cli.solve.course.touch import TOUCHED, touch_of
 from planar_cli.solve.course.unbounded_times import Endless, demand_no_times, without_times
+from planar_cli.solve.principled import principle_of
 
 CHANGES, BLOW, SLACK = 40, " blow", Decimal("1e-9")
 NOTHING = 1e-13
@@ -139,7 +140,7 @@ class Unfolder(Choosing):
             self.resting, self.idle = course.plot, still
         self.stays = self.stays or bool(kept)
         if still - course.plot.stretches[0].still:
-            if self.loose is None and self.problem.method == "energy":
+            if self.loose is None and self._alone:
                 self.loose = self._relate(course, finds), finds
             return course.plot.stilled(still | course.plot.stretches[0].still)
         return self._followed(course, finds, start)
@@ -208,13 +209,18 @@ class Unfolder(Choosing):
         later = tuple(f"{text}: the first time; later it is more so" for text in dict.fromkeys(followed.growing))
         return SolvedMotion(course, finds, branch, followed, value, frozenset(guessed), checks=later)
 
+    @property
+    def _alone(self) -> str:
+        """The law of the file's method that relates states even where no motion joins them; "" for none."""
+        return "" if self.problem.method is None else principle_of(self.problem.method).alone
+
     def _related(self, course: MotionEquations, finds: tuple[AskedFind, ...], missed: str) -> SolvedMotion | None:
-        """States related by the balance of energy alone, where the file asks for that method and no motion leads there;
-        the speed that goes the way from state to state comes first.
+        """States related by one law alone, where the file asks for a method that does so and no motion leads there; the
+        speed that goes the way from state to state comes first.
         """
-        if course.problem.method != "energy":
+        if not self._alone:
             return None
-        course = replace(course, equations=by_method(course.equations, "energy"))
+        course = replace(course, equations=by_method(course.equations, course.problem.method))
         letters = asked_letters(finds)
         needed = letters & course.chain().unknowns
         branches = [b for b in candidates(course) if needed <= set(b.values)]
@@ -223,7 +229,7 @@ class Unfolder(Choosing):
         branch = max(branches, key=lambda b: onward(course, b))
         if not assumed(course, course.base().extended(branch.values)):
             return None
-        told = f"no motion leads to state {missed} by itself: the balance of energy alone relates the states"
+        told = f"no motion leads to state {missed} by itself: {self._alone} alone relates the states"
         return SolvedMotion(course, finds, branch, None, course.base().extended(branch.values), checks=(told,))
 
     def _changed(self, course: StatedMotion, followed: Followed) -> Plot | None:

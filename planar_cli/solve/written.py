@@ -1,0 +1,43 @@
+"""An equation on paper: its sides in symbols, its law, its words; and lines that only name something."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+from planar_cli.principles.base import Premise
+
+
+@dataclass(frozen=True, slots=True)
+class Written:
+    """One numbered equation, left = right.
+
+    `law`: relation, force, moment, or single: as a principle offers it, after its `premises`. `bodies`: the group.
+    `lead`: what is equated. `words`: why this one.
+    """
+
+    number: int
+    law: str
+    bodies: tuple[str, ...]
+    lead: str
+    words: str
+    left: sp.Expr
+    right: sp.Expr
+    source: str
+    given: bool = False
+    premises: tuple[Premise, ...] = ()
+
+    @property
+    def residual(self) -> sp.Expr:
+        return self.left - self.right
+
+
+@dataclass(frozen=True, slots=True)
+class Explicit:
+    """A line that only names something: symbol = expression (acceleration of a mass centre, moment of inertia)."""
+
+    number: int
+    symbol: sp.Symbol
+    expression: sp.Expr
+    words: str
