@@ -10,9 +10,11 @@ from pathlib import Path
 import pytest
 from answered import assert_close
 
+from planar_cli.errors import FileProblem
 from planar_cli.problem.structure import load_text
 from planar_cli.registry import extended, members
 from planar_cli.report.effects import effects
+from planar_cli.solve.compare import compare_methods
 from planar_cli.solve.run import solve_problem
 from planar_cli.solve.solved_problem import Solution
 
@@ -55,6 +57,134 @@ MAGNET = '''
             start, end = (scene.point(p) for p in self.between)
             return -scene.value(self.strength) / scene.length(end - start)
 '''
+
+MESH = '''
+    """Meshing wheels."""
+
+    from __future__ import annotations
+
+    from dataclasses import dataclass
+    from typing import Any, ClassVar
+
+    from planar_cli.joints.base import Joint
+    from planar_cli.problem.expression import Side
+    from planar_cli.problem.facts import Action, Facts, Mode, Push, Row
+    from planar_cli.problem.keys import PartnersKey, SideKey, key
+    from planar_cli.problem.residuals import Residual
+    from planar_cli.problem.setting import Setting
+
+
+    @dataclass(frozen=True, slots=True, kw_only=True)
+    class Mesh(Joint):
+        """Two wheels of a train turn in a given ratio."""
+
+        kind: ClassVar[str] = "mesh"
+
+        between: tuple[str, ...] = key(PartnersKey(), "the wheels")
+        ratio: Side = key(SideKey("1"), "turns of the first for one of the second")
+
+        def modes(self, scene: Setting) -> tuple[Mode, ...]:
+            (a, b), ratio = self.between, scene.value(self.ratio)
+            row = Row(self.name, f"{a} and {b} turn together", spins=((a, 1), (b, -ratio)))
+            actions = (Action(a, scene.center(a), None, 1), Action(b, scene.center(b), None, -ratio))
+            push = Push(f"M_{self.name}", "couple", self.name, self.name, actions, "N*m")
+            return (Mode("", "", Facts(rows=(row,), pushes=(push,))),)
+
+        def residuals(self, scene: Setting, mode: Mode) -> tuple[Residual, ...]:
+            (a, b), ratio = self.between, scene.value(self.ratio)
+
+            def creep(poses: Any) -> Any:
+                return poses.angle(a) - poses.angle(b) * poses.number(ratio)
+
+            return (Residual(f"{self.name}: arcs on both rims", creep),)
+'''
+
+POWER = '''
+    """The power of all forces."""
+
+    from __future__ import annotations
+
+    from collections.abc import Iterator
+    from typing import ClassVar, final
+
+    import sympy as sp
+
+    from planar_cli.principles.base import Balance, Position, Principle, Single, Source
+
+
+    @final
+    class Power(Principle):
+        """The power of all forces is the rate of the kinetic energy."""
+
+        kind: ClassVar[str] = "power"
+        diagram: ClassVar[str] = "power of all forces"
+
+        def at_instant(self, position: Position) -> Iterator[Single]:
+            scene, motion = position.system.scene, position.motion
+            gain = []
+            for name, body in scene.bodies.items():
+                v, a = motion.velocity(body.center, name), motion.acceleration(body.center, name)
+                turn = motion.velocities[name].angular * motion.accelerations[name].angular
+                gain.append(body.mass * v.dot(a) + body.inertia * turn)
+            left = sp.Add(*(power for _, power in powers(position)))
+            yield Single(left, sp.Add(*gain), "The power of all forces", "P", cost=0.5)
+
+        def over(self, position: Position, chosen: bool) -> Iterator[Balance]:
+            scene, motion = position.system.scene, position.motion
+            amounts = []
+            for name, body in scene.bodies.items():
+                v, spin = motion.velocity(body.center, name), motion.velocities[name].angular
+                amounts.append((name, body.mass * v.dot(v) / 2 + body.inertia * spin**2 / 2))
+            sources = tuple(Source(name, power) for name, power in powers(position))
+            yield Balance(
+                words="power, integrated",
+                name="",
+                amounts=tuple(amounts),
+                sources=sources,
+                cost=2.0,
+                letter="E",
+                bring="P",
+                timeless=True,
+            )
+
+
+    def powers(position: Position) -> Iterator[tuple[str, sp.Expr]]:
+        motion = position.motion
+        for w in position.system.wrenches:
+            moved = sp.S.Zero if w.force is None else w.force.dot(motion.velocity(w.point, w.body))
+            yield f"{w.kind} {w.name}", moved + w.couple * motion.velocities[w.body].angular
+'''
+
+NAMED_ONLY = '''
+    """A name."""
+
+    from typing import ClassVar, final
+
+    from planar_cli.principles.base import Principle
+
+
+    @final
+    class Least(Principle):
+        """Of all motions the real one has the least action."""
+
+        kind: ClassVar[str] = "least"
+'''
+
+TRAIN = """
+title: Two wheels of a train
+plane: horizontal
+given: {I_1: 2 kg*m^2, I_2: 3 kg*m^2, M: 10 N*m}
+points: {A: [0, 0], B: [1 m, 0]}
+bodies:
+  one: {disk: A, radius: 0.2 m, mass: 5 kg, inertia: I_1}
+  two: {disk: B, radius: 0.4 m, mass: 8 kg, inertia: I_2}
+joints:
+  - pin: {at: A, between: [ground, one]}
+  - pin: {at: B, between: [ground, two]}
+  - mesh: {between: [one, two], ratio: -2, name: teeth}
+loads:
+  - torque: {body: one, moment: M}
+"""
 
 PULLED = """
 title: Pulled by a magnet
@@ -124,3 +254,71 @@ def test_the_potential_of_an_added_load_relates_states(put: Put) -> None:
     # m v²/2 = k (1/0.5 - 1/1)
     assert_close(part.found[0], 2.0**0.5)
     assert "energy" in {e.kind for step in part.motion.route.steps for e in step.relations}
+
+
+# --- a joint ---------------------------------------------------------------------------------------------------------
+
+
+def test_an_added_joint_at_an_instant(put: Put) -> None:
+    put("joints", "mesh", MESH)
+    (part,) = solution_of(TRAIN + "instant: [at rest]\nfind: {a: alpha(two), M: moment(teeth/one)}\n").parts
+    by_name = {f.name: f for f in part.found}
+    # (I_2 + 4 I_1) alpha_2 = -2 M, and M + M_teeth = I_1 alpha_1
+    assert_close(by_name["a"], -20 / 11)
+    assert_close(by_name["M"], 80 / 11 - 10)
+
+
+@pytest.mark.parametrize("method", ["newton", "energy"])
+def test_an_added_joint_between_states(put: Put, method: str) -> None:
+    put("joints", "mesh", MESH)
+    states = f"states: {{1: [at rest], 2: [theta(one) = 3 rad]}}\nmethod: {method}\nfind: {{w: omega(two) @ 2}}\n"
+    (part,) = solution_of(TRAIN + states).parts
+    # (I_2 + 4 I_1) omega_2²/2 = M θ_1
+    assert_close(part.found[0], -((60 / 11) ** 0.5))
+
+
+# --- a principle -----------------------------------------------------------------------------------------------------
+
+FALLING = """
+title: Rod that falls
+plane: vertical
+given: {l: 2 m, m: 3 kg}
+points: {O: [0, 0], B: [l, 0]}
+bodies: {rod: {rod: [O, B], mass: m}}
+joints:
+  - pin: {at: O, between: [ground, rod]}
+"""
+G = 9.81
+
+
+def test_an_added_principle_at_an_instant(put: Put) -> None:
+    put("principles", "power", POWER)
+    text = FALLING + "instant: [omega(rod) = 2 rad/s]\nmethod: power\nfind: {alpha: alpha(rod)}\n"
+    (part,) = solution_of(text).parts
+    assert_close(part.found[0], -3 * G / 4)
+    (kinetic,) = (w for s in part.instants[0].stages for b in s.blocks for w in b.equations if w.law != "relation")
+    assert kinetic.words == "The power of all forces"
+
+
+def test_an_added_principle_between_states(put: Put) -> None:
+    put("principles", "power", POWER)
+    states = "states: {1: [at rest], 2: [theta(rod) = -90 deg]}\nmethod: power\nfind: {w: omega(rod) @ 2}\n"
+    (part,) = solution_of(FALLING + states).parts
+    assert_close(part.found[0], -((3 * G / 2) ** 0.5))
+    used = {e.kind for step in part.motion.route.steps for e in step.relations if e.offered}
+    assert used == {"power"}
+
+
+def test_an_added_principle_is_one_of_those_compared(put: Put) -> None:
+    put("principles", "power", POWER)
+    problem, _ = load_text(FALLING + "instant: [omega(rod) = 2 rad/s]\nfind: {alpha: alpha(rod)}\n")
+    assert problem is not None
+    rows = {row.method: row for row in compare_methods(problem)}
+    assert rows["power"].answers == ("alpha",)
+    assert rows["power"].objection == ""
+
+
+def test_a_principle_that_has_only_a_name_answers_nothing(put: Put) -> None:
+    put("principles", "least", NAMED_ONLY)
+    with pytest.raises(FileProblem, match="method least: it offers no equation"):
+        solution_of(FALLING + "instant: [at rest]\nmethod: least\nfind: {alpha: alpha(rod)}\n")

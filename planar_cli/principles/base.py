@@ -85,7 +85,7 @@ class Single:
     words: str
     """Its heading."""
     lead: str
-    """What is equated, in mathematical notation, before the formulas; "" for nothing."""
+    """What is equated, before the formulas, names of symbols between backquotes; "" for nothing."""
     cost: float
     """Beside equations of bodies, of which one along an axis costs 1."""
     premises: tuple[Premise, ...] = ()

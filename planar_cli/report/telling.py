@@ -237,7 +237,9 @@ class Telling:
 
     @staticmethod
     def _lead(w: Written) -> Line:
-        return line(w.lead, ":") if w.lead else ()
+        """What is equated; every other piece between backquotes is a name."""
+        pieces = w.lead.split("`")
+        return line(*(Name(p) if i % 2 else p for i, p in enumerate(pieces) if p), ":") if w.lead else ()
 
     def _named(self, words: str) -> Line:
         """Words in which the names of symbols are set as mathematics."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
 import sympy as sp
 
@@ -13,7 +13,7 @@ from planar_cli.equation.exact import Sample, Valuation
 from planar_cli.equation.plain import longer, rounded_inside, simplified
 from planar_cli.equation.quantities import Quantities
 from planar_cli.equation.system import System, mode_of
-from planar_cli.errors import Diagnostic, NoSolution
+from planar_cli.errors import Diagnostic, FileProblem, Mark, NoSolution
 from planar_cli.problem.dimensions import Kind, dimension_of
 from planar_cli.problem.expression import Quantity, Relation, Side
 from planar_cli.problem.geometry import Vec
@@ -50,13 +50,16 @@ class Finisher:
         self.symbolic = self.ledger.symbolic
         self.letters: frozenset[sp.Symbol] = frozenset()
         self.coordinates: tuple[Coordinate, ...] = ()
+        self.principle = instant.principle
         self.most = MOST_OPS
 
     def solve(self, finds: tuple[Find, ...]) -> tuple[InstantSolution, list[Found]]:
         """The stages, and the answers of these finds."""
         quantities = self.system.quantities()
         sides = {f.name: self._expressions(f, quantities) for f in finds}
-        solution, stages, value = self.work([e for es in sides.values() for e in es], finds)
+        exprs = [e for es in sides.values() for e in es]
+        solution, stages, value = self.work(exprs, finds)
+        self._demand_reached(unreached(stages, exprs), finds)
         return solution, [self._found(f, sides[f.name], value, stages, quantities) for f in finds]
 
     def work(self, exprs: list[sp.Expr], finds: tuple[Find, ...]) -> tuple[InstantSolution, list[Stage], Valuation]:
@@ -65,7 +68,9 @@ class Finisher:
         unknowns = set(acceleration_unknowns(self.system))
         maker = StageMaker(self.system, base, self.symbolic)
         if self._has_forces():
-            maker.families = self.instant.families(self.system, base, self.coordinates)
+            maker.families = self.instant.families(
+                self.principle, self.system, base, self.trial.choice, self.coordinates
+            )
         targets = needed(exprs, unknowns) | (self._test_targets(unknowns) if self._asks_forces(exprs) else set())
         self.demand_unique(needed(exprs, unknowns), finds)
         maker.value = self._drop(base, unknowns)
@@ -76,6 +81,11 @@ class Finisher:
         solution = InstantSolution(self.state, self.instant, self.trial, self.rejected, tuple(stages), lines, value)
         solution.checks = verify(self.trial, value.values).report()
         return solution, stages, value
+
+    def _demand_reached(self, missing: list[sp.Symbol], finds: tuple[Find, ...]) -> None:
+        """FileProblem: the principle that was named has no equations that lead to these."""
+        if missing:
+            raise not_reached(self.scene.problem.method, [s.name for s in missing], finds[0].mark)
 
     def sought_targets(self, finds: tuple[Find, ...]) -> set[sp.Symbol]:
         """The symbols that stand in the finds."""
@@ -276,3 +286,16 @@ class Finisher:
         if not self.symbolic:
             return expr if longer(expr, 199) else sp.factor_terms(expr)
         return simplified(expr)
+
+
+def unreached(stages: Iterable[Stage], exprs: list[sp.Expr]) -> list[sp.Symbol]:
+    """What these expressions need and no equation of the stages tells."""
+    inside = set().union(*(sp.sympify(e).free_symbols for e in exprs)) if exprs else set()
+    return sorted({s for stage in stages for s in stage.undetermined} & inside, key=lambda s: s.name)
+
+
+def not_reached(method: str | None, names: Iterable[str], mark: Mark) -> FileProblem:
+    """A method that was named does not lead to something that is asked."""
+    text = f"method {method} alone does not reach {', '.join(names)}"
+    hint = "leave `method` out: the plan then takes the laws that lead there; `--compare` lists what each reaches"
+    return refuse(mark, "PL570", text, hint)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from decimal import Decimal
 from typing import Any
@@ -49,8 +49,14 @@ class Trial:
     tests: tuple[tuple[Test, Any], ...] = ()
 
 
+Lift = Callable[[Principle, System, tuple[int, ...]], tuple[Family, ...]]
+"""What a principle that needs a general position offers in one choice of modes, in the unknowns of the instant."""
+
+
 class Instant:
-    """The scene of one instant and its modes."""
+    """The scene of one instant and its modes. `principle`: what tells accelerations and forces; `lift`: how it gets a
+    general position, where it needs one.
+    """
 
     def __init__(self, setup: Setup) -> None:
         self.setup, self.scene, self.statements = setup, setup.scene, setup.statements
@@ -70,15 +76,21 @@ class Instant:
         self.free = Motion(apart.build((), hang=False), self.scene.center, {})
         self.drivers: tuple[Push, ...] = ()
         self.plain = asked_by_axis(self.scene.problem, self.joints)
+        self.principle = at_instants(self.scene.problem.method)
+        self.lift: Lift | None = None
 
-    @property
-    def principle(self) -> Principle:
-        """What tells accelerations and forces here."""
-        return at_instants(self.scene.problem.method)
-
-    def families(self, system: System, value: Valuation, coordinates: Iterable[Coordinate] = ()) -> tuple[Family, ...]:
-        """The equations that the principle offers. `coordinates`: of a general position."""
-        return tuple(self.principle.at_instant(position_of(system, value, coordinates)))
+    def families(
+        self,
+        principle: Principle,
+        system: System,
+        value: Valuation,
+        choice: tuple[int, ...],
+        coordinates: tuple[Coordinate, ...] = (),
+    ) -> tuple[Family, ...]:
+        """The equations that a principle offers. `coordinates`: of a general position."""
+        if principle.general and self.scene.displacement is None:
+            return () if self.lift is None else self.lift(principle, system, choice)
+        return tuple(principle.at_instant(position_of(system, value, coordinates)))
 
     def modes_of(self, joint: Joint) -> tuple[Mode, ...]:
         """The ways in which a joint may act; of one that has parted, as drawn."""

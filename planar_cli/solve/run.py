@@ -19,10 +19,10 @@ from planar_cli.solve.diagnose import OPEN, explain_failure, place, singular_pos
 from planar_cli.solve.diagnose_cases import demand_cancelled, several, several_cases
 from planar_cli.solve.diagnose_clash import check_positions, demand_drawn
 from planar_cli.solve.diagnose_open import demand_determined, demand_passable
-from planar_cli.solve.finish import Finisher
-from planar_cli.solve.instant import Instant, Trial, make_instant, search_modes
+from planar_cli.solve.finish import Finisher, not_reached
+from planar_cli.solve.instant import Instant, Lift, Trial, make_instant, search_modes
 from planar_cli.solve.passages import Tale
-from planar_cli.solve.principled import instant_words, principle_of
+from planar_cli.solve.principled import instant_words, principle_of, usual
 from planar_cli.solve.roads import in_general, is_curve, is_kinematic, runs_in_time, without
 from planar_cli.solve.seek import seek
 from planar_cli.solve.solution import Found, InstantSolution
@@ -178,12 +178,21 @@ def solve_instant(
 ) -> tuple[InstantSolution, list[Found]]:
     """One instant."""
     instant = make_instant(problem, always, now, earlier, open_form)
+    if instant.principle.general:
+        instant.lift = _lift(problem, always, earlier)
     try:
         return _solve(instant, finds, units, state)
     except NoSolution:
         if not instant.add_drivers():
             raise
     return _solve(instant, finds, units, state)
+
+
+def _lift(problem: Problem, always: tuple[Any, ...], earlier: dict[str, Earlier]) -> Lift:
+    """How a principle gets a general position of this problem; imported when needed."""
+    from planar_cli.solve.course.lifted import Lift as Lifting
+
+    return Lifting(problem, always, earlier)
 
 
 def _solve(
@@ -236,7 +245,18 @@ def _seek(
     def targets(system: System) -> set[sp.Symbol]:
         return Finisher(instant, Trial((), system, (), (), ""), (), units, state).sought_targets(finds)
 
-    sought, rejected = seek(instant, targets)
+    try:
+        sought, rejected = seek(instant, targets)
+    except (NoSolution, Unvalued):
+        if not instant.principle.general:
+            raise
+        # What the named principle does not lead to may be there all the same: then it is the method that fails.
+        named, instant.principle = instant.principle, usual()
+        try:
+            seek(instant, targets)
+        finally:
+            instant.principle = named
+        raise not_reached(instant.scene.problem.method, [f.name for f in finds], finds[0].mark) from None
     solution, found = Finisher(instant, sought.trial, (), units, state).solve_sought(sought, finds)
     solution.left_out = (*rejected, *sought.others)
     return solution, found

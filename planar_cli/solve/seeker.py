@@ -141,7 +141,9 @@ class Seeker:
         """All candidates; what vanishes at sight leaves first."""
         unknowns, value = list(self.unknowns), self.value
         kinetics = any(b.mass != 0 for b in self.scene.bodies.values()) or bool(self.system.wrenches)
-        families = self.instant.families(self.system, self.value) if kinetics else ()
+        families = (
+            self.instant.families(self.instant.principle, self.system, self.value, self.choice) if kinetics else ()
+        )
         while True:
             numbers = Numbers(tuple(unknowns), self.linear & set(unknowns), value)
             found = Offers(self.system, numbers, [*self.conditions, *limits], families).all()

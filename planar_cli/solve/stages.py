@@ -14,7 +14,7 @@ from planar_cli.equation.form import mentions
 from planar_cli.equation.system import System
 from planar_cli.principles.base import Family
 from planar_cli.problem.geometry import Vec
-from planar_cli.solve.adjoint import adjoint_candidates
+from planar_cli.solve.adjoint import adjoint_candidates, sum_masks
 from planar_cli.solve.algebra import Algebra, SolvedBlock
 from planar_cli.solve.candidates import Candidate
 from planar_cli.solve.linear import rank, scaled
@@ -103,6 +103,9 @@ class StageMaker:
             extra, seed = adjoint_candidates(offers, wanted_columns)
             candidates += extra
             planner = Planner(candidates, 0, (seed, self._motion_bits(index)), fixed)
+        elif offers.singles:
+            inside = sum_masks(candidate.mask for candidate in candidates)
+            planner = Planner(candidates, 0, (inside, self._motion_bits(index)), fixed)
         plan = planner.plan(wanted) or Plan(())
         writer = Writer(self.system, columns, self.next_number)
         numbered = [tuple(writer.write(e) for e in block.equations) for block in plan.blocks]

@@ -23,6 +23,8 @@ from planar_cli.solve.written import Explicit, Written
 
 LETTERS = "CKQSWZHJ"
 SMALL = Decimal("1e-30")
+MOST_READ = 60
+"""A premise of more operations than this is not told."""
 LONGEST = 8
 """A coefficient of more operations than this is printed as a number."""
 
@@ -199,18 +201,18 @@ class Writer:
         return self._force(candidate.bodies, candidate.choice)
 
     def _single(self, single: Single) -> Written:
-        """An equation that a principle offers as a whole."""
-        return Written(
-            self.number(),
-            "single",
-            (),
-            single.lead,
-            single.words,
-            single.left,
-            single.right,
-            "kinetics",
-            premises=single.premises,
-        )
+        """An equation that a principle offers as a whole; premises too long to read are left out."""
+        left, right = (self._one_side(e) for e in (single.left, single.right))
+        premises = tuple(p for p in single.premises if not longer(p.formula, MOST_READ))
+        number, lead, words = self.number(), single.lead, single.words
+        return Written(number, "single", (), lead, words, left, right, "kinetics", premises=premises)
+
+    def _one_side(self, expr: sp.Expr) -> sp.Expr:
+        """With short coefficients, without unknowns of which it is free."""
+        form = self.numbers.form(expr)
+        terms = [self.short(c) * x for x, c in form.terms.items() if not self.numbers.value.is_zero(c)]
+        constant = form.constant
+        return sp.Add(*terms, sp.S.Zero if self.vanishes(constant) else self.shortened(constant))
 
     def _force(self, bodies: tuple[str, ...], choice: Choice) -> Written:
         d = choice.vector

@@ -22,8 +22,9 @@ from planar_cli.solve.course.constraints import Constraint, constraints_of, proj
 from planar_cli.solve.course.drawing import ranges
 from planar_cli.solve.course.places import held_places
 from planar_cli.solve.course.separation import Parted, parted_joints, parted_modes
-from planar_cli.solve.finish import Finisher
+from planar_cli.solve.finish import Finisher, unreached
 from planar_cli.solve.instant import Instant, Trial
+from planar_cli.solve.principled import usual
 from planar_cli.solve.solution import InstantSolution
 from planar_cli.solve.stages import Stage, acceleration_unknowns, needed
 from planar_cli.solve.study import Velocities, solve_velocities
@@ -40,7 +41,7 @@ class General:
     choice solved for draws of all letters. `position`: how the scene is displaced. `kept`: what joints that act only
     for some time keep as it was; `parted`: those that hold nothing here; `resting`: free speeds that stay zero. After
     `govern`: `rates` of coordinates and `accelerations` of free speeds as formulas in coordinates, free speeds and t;
-    `solution` tells how.
+    `solution` tells how, by the principle of the file; `unreached`: what that does not tell.
     """
 
     instant: Instant
@@ -57,6 +58,7 @@ class General:
     finisher: Finisher | None = None
     stages: list[Stage] = field(default_factory=list)
     solution: InstantSolution | None = None
+    unreached: tuple[sp.Symbol, ...] = ()
     closed_forms: dict[sp.Expr, sp.Expr] = field(default_factory=dict)
 
     @property
@@ -100,15 +102,26 @@ class General:
         failed = trial.outcomes[0].failed if trial.outcomes else ()
         return next((test.words for test, number in failed if number is None), "")
 
-    def govern(self, exprs: Iterable[sp.Expr]) -> None:
-        """Work out everything that these expressions need."""
+    def _finisher(self) -> Finisher:
         finisher = Finisher(self.instant, self.trial, (), {})
         finisher.letters = frozenset(self.free)
         finisher.coordinates = self.coordinates
         if self.constraints:
             finisher.most = IN_LOOPS
+        return finisher
+
+    def govern(self, exprs: Iterable[sp.Expr]) -> None:
+        """Work out everything that these expressions need."""
+        finisher = self._finisher()
+        wanted = list(exprs)
+        self.solution, self.stages, _ = finisher.work(wanted, self.instant.scene.problem.find)
+        self.unreached = tuple(unreached(self.stages, wanted))
+        if self.unreached:
+            # What the principle of the file does not tell must be known all the same; what it tells is told by it.
+            finisher = self._finisher()
+            finisher.principle = usual()
+            _, self.stages, _ = finisher.work(wanted, self.instant.scene.problem.find)
         self.finisher = finisher
-        self.solution, self.stages, _ = finisher.work(list(exprs), self.instant.scene.problem.find)
 
     def closed(self, expr: sp.Expr) -> sp.Expr:
         """An expression of the instant in coordinates, free speeds, t and the names of the file."""

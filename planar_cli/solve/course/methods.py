@@ -6,10 +6,10 @@ from collections.abc import Callable, Sequence
 
 import sympy as sp
 
-from planar_cli.equation.evaluate import refuse
 from planar_cli.problem.scene import Problem
 from planar_cli.solve.course.derivation import Route
 from planar_cli.solve.course.equations import Equation
+from planar_cli.solve.finish import not_reached
 
 
 def by_method(equations: Sequence[Equation], method: str | None) -> tuple[Equation, ...]:
@@ -27,9 +27,7 @@ def demand_reached(
     if missing and follows:
         missing = sorted(set(missing) - set(_missing(free(), targets)))
     if missing:
-        text = f"method {problem.method} alone does not reach {', '.join(missing)}"
-        hint = "leave `method` out: the plan then takes the laws that lead there; `--compare` lists what each reaches"
-        raise refuse(problem.find[0].mark, "PL570", text, hint)
+        raise not_reached(problem.method, missing, problem.find[0].mark)
 
 
 def _missing(route: Route, targets: Sequence[sp.Symbol]) -> list[str]:

@@ -29,8 +29,10 @@ from planar_cli.solve.course.reached import reaching
 from planar_cli.solve.course.regime_sequence import RegimeSequence
 from planar_cli.solve.course.route import Router
 from planar_cli.solve.course.solved_motion import SolvedMotion
+from planar_cli.solve.course.stated_motion import StatedMotion
 from planar_cli.solve.course.throughout import Throughout
 from planar_cli.solve.course.unfold import Unfolder
+from planar_cli.solve.finish import not_reached
 from planar_cli.solve.passages import Tale
 from planar_cli.solve.solution import InstantSolution
 from planar_cli.solve.solved_problem import PartSolution
@@ -54,6 +56,7 @@ def _told(solved: SolvedMotion, case: str) -> PartSolution:
     found = completed(solved)
     course = found.course
     demand_mass(course, found.value)
+    _demand_told(course)
     router, route = _route(found)
     begun = router.route(course.first.letters.values())
     start = {s: closed_formula(s, begun, course.symbolic) for s in course.first.letters.values()}
@@ -86,6 +89,15 @@ def _route(found: SolvedMotion) -> tuple[Router, Route]:
         free = Router(course.equations, unknowns, found.value, course.symbolic, found.branch.steps, followed)
         demand_reached(course.problem, follows, route, wanted, lambda: free.route(wanted))
     return router, route
+
+
+def _demand_told(course: StatedMotion) -> None:
+    """FileProblem: the principle that was named does not tell a force that the file states or asks for."""
+    for regime in course.distinct_regimes():
+        said = {s for e in course.said.get(id(regime), ()) for s in sp.sympify(e).free_symbols}
+        missing = [s.name for s in regime.general.unreached if s in said]
+        if missing:
+            raise not_reached(course.problem.method, missing, course.problem.find[0].mark)
 
 
 def _instants(course: RegimeSequence) -> tuple[InstantSolution, ...]:
