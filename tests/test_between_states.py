@@ -347,7 +347,7 @@ def compared(tmp_path: Path, capsys: pytest.CaptureFixture[str], text: str) -> d
 def test_compare(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """The shortest plan first; a method that fails says why."""
     rows = compared(tmp_path, capsys, example("4-08").read_text())
-    assert list(rows) == ["energy", "newton", "dalembert", "momentum"]
+    assert list(rows) == ["energy", "newton", "dalembert", "lagrange", "momentum"]
     assert [rows[m]["equations"] for m in ("energy", "newton", "dalembert")] == [1, 2, 2]
     assert all(rows[m]["answers"] == ["omega"] for m in ("energy", "newton", "dalembert"))
     assert rows["momentum"]["answers"] == []

@@ -83,7 +83,8 @@ _QUANTITIES = {
     "PL558": "The joint does not act on the body after the slash.",
     "PL559": "The joint joins two moving bodies; say on which its force is meant: reaction(B/AB).",
     "PL560": "In a file with `states` a find says at which state: v(P) @ 2.",
-    "PL570": "The method relates two states and can not answer a question about one instant.",
+    "PL570": "The method has no equation that leads to what is asked: one that relates two states tells nothing of one "
+    "instant, and Lagrange's equations tell no reaction that does no work.",
     "PL571": "The file has no `find`, neither of its own nor in a case: there is nothing to solve for.",
 }
 

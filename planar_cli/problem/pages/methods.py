@@ -1,7 +1,7 @@
-"""Methods: Newton, d'Alembert, energy, momentum, and which of them is taken.
+"""Methods: Newton, d'Alembert, Lagrange, energy, momentum, and which of them is taken.
 
-At one instant accelerations and forces follow from Newton's law (or d'Alembert's form of it). Between two states there
-are three laws, and all of them are written side by side:
+At one instant accelerations and forces follow from Newton's law (or d'Alembert's form of it, or from Lagrange's
+equations: `method: lagrange`). Between two states there are three laws, and all of them are written side by side:
 
   newton     the law of motion is found from forces, and integrated: v dv = a ds, dv = a dt
   energy     T_1 + U_1-2 = T_2: places and speeds, no time and no acceleration
@@ -14,8 +14,8 @@ step from Newton's law, and the digits that agree are printed.
 
     method: energy
 
-names the law between states that is used, and no other; so does `--method energy`. It is an error if it does not reach
-what is asked (PL570). Blows are told by impulse and momentum in every method. `planar solve --compare` lists how many
+names the principle that is used, and no other; so does `--method energy`. It is an error if it does not reach what is
+asked (PL570), as Lagrange's equations do not reach reactions that do no work. Blows are told by impulse and momentum in every method. `planar solve --compare` lists how many
 equations each method takes and what it reaches.
 
 States that no motion joins
