@@ -15,8 +15,8 @@ step from Newton's law, and the digits that agree are printed.
     method: energy
 
 names the principle that is used, and no other; so does `--method energy`. It is an error if it does not reach what is
-asked (PL570), as Lagrange's equations do not reach reactions that do no work. Blows are told by impulse and momentum in every method. `planar solve --compare` lists how many
-equations each method takes and what it reaches.
+asked (PL570), as Lagrange's equations do not reach reactions that do no work. Blows are told by impulse and momentum
+in every method. `planar solve --compare` lists how many equations each method takes and what it reaches.
 
 States that no motion joins
   With `method: energy` two states are related even if the motion from the first would not lead to the second by
