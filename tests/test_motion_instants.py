@@ -121,3 +121,10 @@ def test_a_ball_that_leaves_a_dome_does_not_press_on_its_inside() -> None:
     assert problem is not None, wrong
     found = {a.name: a.values for a in simulate(problem, Settings(estimate=False)).answers}
     assert found["x_3"] == pytest.approx((2.285984,), rel=1e-5)
+
+
+def test_a_ball_drawn_on_a_rod_strikes_it_from_where_it_comes() -> None:
+    problem, wrong, _ = load(str(ROOT / "problems" / "impact" / "ball-hits-a-hanging-rod.yaml"))
+    assert problem is not None, wrong
+    found = {a.name: a.values for a in simulate(problem.cases[0].problem, Settings(estimate=False)).answers}
+    assert found["omega"] == pytest.approx((5.732484,), rel=1e-6)

@@ -8,7 +8,7 @@ partner is drawn; the edges of a plate from outside.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from planar_cli.motion.boundaries import Boundary, Bow, Corner, Edge, Rim, boundaries, boundary_center
 from planar_cli.motion.carried import Carried
@@ -38,10 +38,16 @@ class Gap:
     """The unit vector from the first to the second."""
     within: tuple[Term, ...] = ()
     """Not negative where this pair is the one that touches: the foot is inside the edge, m."""
+    told: bool = True
+    """Does the drawing tell on which side of each other they are?"""
 
     def reversed(self) -> Gap:
         """The same with the partners exchanged."""
-        return Gap(self.second, self.first, self.distance, self.point, -self.normal, self.within)
+        return replace(self, first=self.second, second=self.first, normal=-self.normal)
+
+    def from_other_side(self) -> Gap:
+        """The same where they are on the other side of each other."""
+        return replace(self, distance=-self.distance, normal=-self.normal)
 
 
 def gaps_of(scene: Carried, feet: Feet, between: tuple[str, ...], normal: Vec | None = None) -> tuple[Gap, ...]:
@@ -82,26 +88,25 @@ def _on_edge(scene: Carried, one: Corner | Rim, edge: Edge) -> Gap:
     reach = center - edge.start
     left = edge.along.turned()
     side = 1 if edge.solid else _edge_side(scene, one, edge)
-    out = left * side
+    out = left * (side or _side(scene, scene.graph.of(left.y)))
     distance, foot = graph.of(reach.dot(out)), graph.of(reach.dot(edge.along))
     if isinstance(one, Rim):
         distance, point = distance - one.radius, center - out * one.radius
     else:
         point = center
     within = () if edge.length is None else (foot, edge.length - foot)
-    return Gap(one.body, edge.body, distance, point, -out, within)
+    return Gap(one.body, edge.body, distance, point, -out, within, side != 0)
 
 
 def _edge_side(scene: Carried, one: Corner | Rim, edge: Edge) -> int:
-    """The side of a line on which the partner is drawn, by its place, then by its body; up where nothing tells."""
-    left = edge.along.turned()
+    """The side of a line on which the partner is drawn, by its place, then by its body; 0 where nothing tells."""
     places = [boundary_center(scene, one)]
     places += [scene.center(one.body)] if one.body != GROUND else []
     for place in reversed(places):
         side = scene.sign((place - edge.start).cross(edge.along)) * -1
         if side:
             return side
-    return _side(scene, scene.graph.of(left.y))
+    return 0
 
 
 def _on_rim(scene: Carried, one: Rim | Corner, rim: Rim) -> list[Gap]:
@@ -125,8 +130,9 @@ def _on_curve(scene: Carried, corner: Corner, bow: Bow) -> Gap:
     bend = curve_at(scene, bow.surface, bow.curve, corner.place)
     left = bend.tangent.turned()
     off = scene.graph.of((corner.place - bend.place).dot(left))
-    side = scene.sign(off) or _side(scene, scene.graph.of(left.y))
-    return Gap(corner.body, bow.body, off * side, corner.place, left * -side)
+    drawn = scene.sign(off)
+    side = drawn or _side(scene, scene.graph.of(left.y))
+    return Gap(corner.body, bow.body, off * side, corner.place, left * -side, told=drawn != 0)
 
 
 def _over_curve(scene: Carried, foot: Foot, rim: Rim, bow: Bow) -> Gap:

@@ -192,11 +192,11 @@ class MovingScene(Carried):
     def gaps(self, joint: Joint) -> tuple[Gap, ...]:
         """Every way in which the partners of a contact or an impact may touch, with its signed distance."""
         between, normal = getattr(joint, "between", ()), getattr(joint, "normal", None)
-        return (
-            gaps_of(self, self.feet, between, None if normal is None else self.unit(normal))
-            if len(between) == 2
-            else ()
-        )
+        if len(between) != 2:
+            return ()
+        found = gaps_of(self, self.feet, between, None if normal is None else self.unit(normal))
+        other = self.pressed(joint.name) < 0
+        return tuple(g.from_other_side() if other and not g.told else g for g in found)
 
     def arriving(self, point: Vec, body: str) -> Vec:
         """The velocity of a body's point just before a blow."""

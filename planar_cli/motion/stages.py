@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 
 from planar_cli.motion.automaton import Choice, Resultant, Start
 from planar_cli.motion.constraints import Constraint
 from planar_cli.motion.dense import null_space
+from planar_cli.motion.gaps import Gap
 from planar_cli.motion.hybrid import HybridModel
 from planar_cli.motion.impact import Struck
 from planar_cli.motion.mode import Chooser, Chosen
@@ -18,7 +19,7 @@ from planar_cli.motion.scene import MovingScene
 from planar_cli.motion.source import Code, compiled
 from planar_cli.motion.start import start_of
 from planar_cli.motion.struck import Strikes, strikes_of
-from planar_cli.motion.terms import Term, ordered
+from planar_cli.motion.terms import Term, evaluate, ordered
 from planar_cli.problem.expression import Law
 from planar_cli.problem.facts import Mode
 from planar_cli.problem.scene import Problem
@@ -208,21 +209,34 @@ class SceneStages:
 
 def stages_of(problem: Problem, values: Mapping[str, float]) -> SceneStages:
     """The scene of a problem. Where the drawing leaves open on which side a body presses, it presses where it does at
-    the start; once it has left that side it does not press on the other. `values`: numbers for letters, by name.
+    the start; once it has left that side it does not press on the other. What is drawn on a line comes from the side
+    from which it moves. `values`: numbers for letters, by name.
     """
-    stages = SceneStages(MovingScene(problem, values))
+    scene = MovingScene(problem, values)
+    stages = SceneStages(scene)
     automaton = stages.automaton((problem.states[0].name,) if problem.states else ())
-    open_sides = {name for name, modes in automaton.choices.items() if any(m.side for m in modes)}
-    if not open_sides:
+    pressing = any(m.side for modes in automaton.choices.values() for m in modes)
+    open_gaps = {j.name: gaps for j in problem.joints if j.strikes and (gaps := _untold(scene.gaps(j)))}
+    if not pressing and not open_gaps:
         return stages
     start = start_of(automaton.model)
     automaton.note(start.time, start.state)
-    found = Chooser(automaton, start.time, start.state).choose(automaton.model.natural)
-    if not isinstance(found, Chosen):
-        return stages
-    chosen = zip(automaton.choices.items(), found.choice, strict=True)
-    sides = {name: modes[i].side for (name, modes), i in chosen if modes[i].side}
+    sides: dict[str, int] = {}
+    if pressing:
+        found = Chooser(automaton, start.time, start.state).choose(automaton.model.natural)
+        if isinstance(found, Chosen):
+            chosen = zip(automaton.choices.items(), found.choice, strict=True)
+            sides |= {name: modes[i].side for (name, modes), i in chosen if modes[i].side}
+    at = automaton.model.layout.values(start.time, start.state)
+    for name, gaps in open_gaps.items():
+        if any(rate > 0 for rate in evaluate([scene.graph.rate(g.distance, scene.rates()) for g in gaps], at)):
+            sides[name] = -1
     return SceneStages(MovingScene(problem, values, sides))
+
+
+def _untold(gaps: Iterable[Gap]) -> list[Gap]:
+    """Those that are closed as drawn, so that the drawing does not tell on which side the partners are."""
+    return [g for g in gaps if not g.told and all(w.value >= 0 for w in g.within)]
 
 
 def _passing(members: Sequence[Member]) -> Iterator[Member]:
