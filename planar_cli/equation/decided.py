@@ -12,7 +12,7 @@ from planar_cli.equation.displacement import Displacement
 from planar_cli.equation.evaluate import refuse
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.equation.ledger import Ledger
-from planar_cli.errors import Mark
+from planar_cli.errors import Mark, NoValue
 from planar_cli.problem.expression import Relation, Side
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import Problem
@@ -144,5 +144,5 @@ class Decided:
 def _negative(expr: Any, valuation: Valuation) -> bool:
     try:
         return bool(valuation(expr) < 0)
-    except (ArithmeticError, Unvalued):
+    except (NoValue, Unvalued):
         return False

@@ -213,10 +213,13 @@ class Valuation:
         return compare(self(condition.lhs), self(condition.rhs))
 
     def size(self, expr: Any) -> Decimal:
-        """The size of the terms of an expression: what a remainder is measured against."""
+        """The size of the terms of an expression: what a remainder is measured against. NoValue: it has none."""
         known = self._sizes.get(expr)
         if known is None:
-            known = self._sizes[expr] = self._size(expr)
+            try:
+                known = self._sizes[expr] = self._size(expr)
+            except decimal.DecimalException as error:
+                raise NoValue("a formula has no real value here") from error
         return known
 
     def _size(self, expr: Any) -> Decimal:

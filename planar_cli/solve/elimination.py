@@ -17,6 +17,7 @@ import sympy as sp
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.equation.form import Form, Nonlinear, linear_form
 from planar_cli.equation.plain import longer, tidy
+from planar_cli.errors import NoValue
 from planar_cli.solve.algebra import Line
 
 CLOSE = Decimal("1e-25")
@@ -52,7 +53,7 @@ def closes(residual: sp.Expr, value: Valuation) -> bool:
     """Does an equation hold in numbers?"""
     try:
         return abs(value(residual)) <= CLOSE * max(value.size(residual), CLOSE)
-    except (ArithmeticError, Unvalued):
+    except (NoValue, Unvalued):
         return False
 
 
@@ -116,7 +117,7 @@ def _zero(factor: sp.Expr, value: Valuation) -> bool:
     """Does a factor vanish where everything in it is known?"""
     try:
         return value.is_zero(factor)
-    except (ArithmeticError, Unvalued):
+    except (NoValue, Unvalued):
         return False
 
 

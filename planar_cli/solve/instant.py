@@ -17,7 +17,7 @@ from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.motion import Motion, TreeBuilder
 from planar_cli.equation.setup import Setup, names_in
 from planar_cli.equation.system import Statements, System, make_system
-from planar_cli.errors import Undecided
+from planar_cli.errors import NoValue, Undecided
 from planar_cli.joints.base import Joint
 from planar_cli.loads.base import Load, mode_key
 from planar_cli.principles.base import Family, Principle
@@ -245,7 +245,7 @@ class Instant:
                 if numbers(sense) < -TINY:
                     parts = " and ".join(f"`{t}`" for t in text.split(TOGETHER))
                     return f"{parts} would hold only with the opposite direction"
-            except (Unvalued, ArithmeticError):
+            except (Unvalued, NoValue):
                 continue
         return ""
 

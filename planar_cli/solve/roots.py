@@ -15,7 +15,7 @@ import mpmath
 import sympy as sp
 
 from planar_cli.equation.exact import DIGITS, PI, Unvalued, Valuation
-from planar_cli.errors import Undecided
+from planar_cli.errors import NoValue, Undecided
 
 TINY = Decimal("1e-25")
 EDGE_STEPS = 40
@@ -65,7 +65,7 @@ def _cancels(coefficient: sp.Expr, value: Valuation) -> bool:
     """Does a coefficient vanish by what is known of its letters?"""
     try:
         return value.is_zero(coefficient)
-    except (ArithmeticError, Unvalued):
+    except (NoValue, Unvalued):
         return False
 
 
@@ -192,7 +192,7 @@ def _vanishes(numbers: sp.Expr, x: sp.Symbol, v: Decimal) -> bool:
     value = Valuation({x: v})
     try:
         return abs(value(numbers)) <= Decimal("1e-18") * max(value.size(numbers), Decimal("1e-30"))
-    except ArithmeticError:
+    except NoValue:
         return False
 
 

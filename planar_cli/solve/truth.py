@@ -8,7 +8,7 @@ from decimal import Decimal
 import sympy as sp
 
 from planar_cli.equation.exact import Sample, Valuation
-from planar_cli.errors import Undecided
+from planar_cli.errors import NoValue, Undecided
 from planar_cli.problem.scene import Find
 
 
@@ -37,7 +37,7 @@ def _told(operator: str, closed: Sequence[sp.Expr], draw: Valuation) -> bool | N
     """None: with these numbers there is no such motion."""
     try:
         return _compared(operator, closed, draw)
-    except ArithmeticError:
+    except NoValue:
         return None
 
 

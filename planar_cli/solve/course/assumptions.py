@@ -8,6 +8,7 @@ from decimal import Decimal
 import sympy as sp
 
 from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.errors import NoValue
 from planar_cli.solve.course.answers import put_in
 from planar_cli.solve.course.blow import Blow
 from planar_cli.solve.course.derivation import Route
@@ -37,5 +38,5 @@ def _approaches(blow: Blow) -> Iterator[sp.Expr]:
 def _value(expr: sp.Expr, value: Valuation) -> Decimal:
     try:
         return value(expr)
-    except (ArithmeticError, Unvalued):
+    except (NoValue, Unvalued):
         return Decimal(0)

@@ -16,7 +16,7 @@ import sympy as sp
 from planar_cli.calculus.first import first_extreme
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.equation.sample import anywhere
-from planar_cli.errors import NOWHERE, Diagnostic, Mark, NoSolution, Undecided
+from planar_cli.errors import NOWHERE, Diagnostic, Mark, NoSolution, NoValue, Undecided
 from planar_cli.problem.scene import Problem
 from planar_cli.solve.course.asked_finds import AskedFind, asked_letters
 from planar_cli.solve.course.balances import StateBalance
@@ -58,7 +58,7 @@ def loose_letters(course: MotionEquations) -> list[sp.Symbol]:
     for e in _independent(laws):
         try:
             row = [value(sp.diff(e.residual, x)) if e.residual.has(x) else Decimal(0) for x in unknowns]
-        except (ArithmeticError, Unvalued):
+        except (NoValue, Unvalued):
             continue
         rows.append([*row, Decimal(0)])
     if not rows:
@@ -176,7 +176,7 @@ def demand_agreement(course: StatedMotion, value: Valuation, guessed: Collection
                 continue
             try:
                 number, size = value(d.residual), max(value.size(d.residual), large.size(d.residual))
-            except (ArithmeticError, Unvalued):
+            except (NoValue, Unvalued):
                 continue
             slack = AGREES * max(size, AGREES)
             if number < -slack if d.kind == "inequality" else abs(number) > slack:

@@ -7,6 +7,7 @@ from decimal import Context, Decimal
 from typing import Any
 
 from planar_cli.equation.exact import Unvalued
+from planar_cli.errors import NoValue
 from planar_cli.solve.course.chain import Branch
 from planar_cli.solve.course.motion_equations import MotionEquations
 from planar_cli.solve.course.stated_motion import StatedMotion
@@ -35,7 +36,7 @@ def _rank(course: StatedMotion, branch: Branch) -> tuple[Any, ...]:
             if d.kind == "extreme":
                 try:
                     v = course.base().extended(branch.values)(stop.at(d.residual))
-                except (Unvalued, ArithmeticError):
+                except (Unvalued, NoValue):
                     v = Decimal(0)
                 keys.append(-round(v * d.extreme, 12))
         keys.append(ROUGHLY.plus(branch.values.get(stop.t, Decimal(0))))

@@ -16,7 +16,7 @@ import sympy as sp
 from planar_cli.calculus.first import roots
 from planar_cli.calculus.polish import polish
 from planar_cli.equation.exact import PI, Unvalued, Valuation
-from planar_cli.errors import Undecided
+from planar_cli.errors import NoValue, Undecided
 from planar_cli.solve.branches import vanishes
 from planar_cli.solve.course.equations import Equation
 from planar_cli.solve.course.holding import taken_out
@@ -138,7 +138,7 @@ class Chain:
             if abs(number) > self.agrees * max(value.size(equation.residual), Decimal("1e-20")):
                 return False
             return equation.trend is None or value(equation.trend) >= -AGREES
-        except ArithmeticError:
+        except NoValue:
             return False
         except Unvalued:
             return True
@@ -225,7 +225,7 @@ class Chain:
         for found in self._unfold(step.pool, [s for s in left if s != x], values):
             try:
                 number = self.value.extended({**values, **{line.unknown: line.value for line in found}})(formula)
-            except ArithmeticError:
+            except NoValue:
                 continue
             if x not in self.truth or _near(number, self.truth[x]):
                 yield [*found, Line(x, formula, number, ())]
@@ -234,7 +234,7 @@ class Chain:
     def _closes(residual: sp.Expr, here: Valuation) -> bool:
         try:
             return abs(here(residual)) <= AGREES * max(here.size(residual), Decimal("1e-20"))
-        except (ArithmeticError, Unvalued):
+        except (NoValue, Unvalued):
             return False
 
     def _rooted(

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field, replace
 from decimal import Decimal
 
 from planar_cli.equation.exact import Unvalued, Valuation
-from planar_cli.errors import Diagnostic, Mark, NoSolution
+from planar_cli.errors import Diagnostic, Mark, NoSolution, NoValue
 from planar_cli.problem.scene import Problem
 from planar_cli.solve.course.astray import as_drawn
 from planar_cli.solve.course.gaps import changes_sides
@@ -109,7 +109,7 @@ def at_a_top(course: RegimeSequence, name: str, value: Valuation) -> bool:
     rates = [*regime.rates.values(), *regime.accelerations.values()]
     try:
         return all(abs(value(e.xreplace(stop.letters))) < SLACK for e in rates)
-    except (ArithmeticError, Unvalued):
+    except (NoValue, Unvalued):
         return False
 
 
@@ -120,6 +120,6 @@ def assumed(course: RegimeSequence, value: Valuation) -> bool:
             try:
                 if value(watch.expr.xreplace(stop.letters)) < -SLACK:
                     return False
-            except (ArithmeticError, Unvalued):
+            except (NoValue, Unvalued):
                 continue
     return True

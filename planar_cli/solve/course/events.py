@@ -12,6 +12,7 @@ import sympy as sp
 from planar_cli.calculus.first import Root, roots
 from planar_cli.calculus.flow import Flow
 from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.errors import NoValue
 from planar_cli.solve.course.regime import Regime, number_function
 
 SLACK = 1e-9
@@ -100,7 +101,7 @@ def _drawn(regime: Regime, state: State, value: Valuation) -> float:
         for part in (place.x, place.y):
             try:
                 found.append(abs(float(here(part))))
-            except (ArithmeticError, Unvalued):
+            except (NoValue, Unvalued):
                 continue
     return max(found)
 

@@ -13,6 +13,7 @@ import sympy as sp
 
 from planar_cli.equation.exact import CERTAIN, Sample, Valuation
 from planar_cli.equation.sample import anywhere
+from planar_cli.errors import NoValue
 from planar_cli.solve.course.stated_motion import StatedMotion
 
 OTHERWISE = Decimal("1.7320508")
@@ -69,7 +70,7 @@ def _enters(letter: sp.Symbol, residual: sp.Expr, base: Valuation) -> bool:
         other = here.extended({letter: here(letter) * OTHERWISE})
         try:
             one, two = here(residual), other(residual)
-        except ArithmeticError:
+        except NoValue:
             return True
         if abs(one - two) > CERTAIN * max(here.size(residual), CERTAIN):
             ratios.append((one, two))

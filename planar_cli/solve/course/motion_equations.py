@@ -8,6 +8,7 @@ from decimal import Decimal
 import sympy as sp
 
 from planar_cli.equation.exact import Unvalued
+from planar_cli.errors import NoValue
 from planar_cli.solve.course.chain import Chain
 from planar_cli.solve.course.equations import (
     Equation,
@@ -87,7 +88,7 @@ class MotionEquations(StatedMotion):
                 if d.kind == "inequality":
                     try:
                         v = number(d.residual)
-                    except (Unvalued, ArithmeticError):
+                    except (Unvalued, NoValue):
                         continue
                     if v < -TINY or (d.sign and v <= TINY):
                         return False

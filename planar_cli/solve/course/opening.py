@@ -9,6 +9,7 @@ from decimal import Decimal
 import sympy as sp
 
 from planar_cli.equation.exact import Unvalued
+from planar_cli.errors import NoValue
 from planar_cli.solve.course.general import General
 
 DRAW = Decimal("0.61803")
@@ -52,7 +53,7 @@ def gaps_of(
         for index, opening in parted.openings:
             try:
                 grows = value(rate * closed(opening))
-            except (ArithmeticError, Unvalued):
+            except (NoValue, Unvalued):
                 continue
             if grows:
                 senses.append((index, 1 if grows > 0 else -1))

@@ -10,6 +10,7 @@ import sympy as sp
 
 from planar_cli.equation.exact import CERTAIN, Unvalued, Valuation
 from planar_cli.equation.plain import longer, simplified
+from planar_cli.errors import NoValue
 from planar_cli.solve.course.motion_equations import MotionEquations
 from planar_cli.solve.course.regime import Regime
 from planar_cli.solve.course.regime_sequence import RegimeSequence
@@ -35,7 +36,7 @@ def started(
             continue
         try:
             found[letter] = sp.Rational(str(value(own)))
-        except (Unvalued, ArithmeticError):
+        except (Unvalued, NoValue):
             continue
     return found
 

@@ -12,7 +12,7 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.exact import PI, Unvalued, Valuation
-from planar_cli.errors import Diagnostic, NoSolution
+from planar_cli.errors import Diagnostic, NoSolution, NoValue
 from planar_cli.problem.expression import Equilibrium, Statement
 from planar_cli.problem.scene import State
 from planar_cli.solve.course.chain import Branch, Chain
@@ -94,7 +94,7 @@ def _solved(
 def _holds(demand: Demand, number: Valuation) -> bool:
     try:
         v = number(demand.residual)
-    except (Unvalued, ArithmeticError):
+    except (Unvalued, NoValue):
         return True
     return v >= -TINY and (not demand.sign or v > TINY)
 

@@ -15,6 +15,7 @@ import sympy as sp
 
 from planar_cli.equation.displacement import Coordinate
 from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.errors import NoValue
 from planar_cli.solve.course.events import length_of
 from planar_cli.solve.course.regime import Regime
 
@@ -69,5 +70,5 @@ def _growth(regime: Regime, u: sp.Symbol, value: Valuation) -> float:
         return 0.0
     try:
         return float(value(sp.diff(regime.accelerations[u], c.symbol) * sp.diff(regime.rates[c.symbol], u)))
-    except (ArithmeticError, Unvalued):
+    except (NoValue, Unvalued):
         return 0.0
