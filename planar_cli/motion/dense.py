@@ -14,7 +14,7 @@ from planar_cli.motion.pivots import scales
 
 DEPENDENT = 1e-9
 """What is left of a column below this part of its size depends on the others."""
-LARGE = 60
+LARGE = 20
 """Systems with more unknowns go to NumPy's singular values: its import takes as long as some of them here."""
 
 Matrix = Sequence[Sequence[float]]

@@ -1,4 +1,4 @@
-"""A sparse linear system in terms, solved in a fixed order of pivots: the unknowns as terms, and what to check.
+"""A sparse linear system in terms, eliminated in a fixed order of pivots: its unknowns as terms, and what to check.
 
 Where the system is symmetric, both halves are the same terms, so that the code computes them once.
 """
@@ -12,23 +12,61 @@ from planar_cli.motion.pivots import Order, order
 from planar_cli.motion.source import Check
 from planar_cli.motion.terms import Graph, Term, evaluate
 
-SMALL_PIVOT = 1e-7
-"""A pivot that shrinks below this part of its parts no longer serves."""
+SMALL_PIVOT = 1e-8
+"""A pivot that shrinks below this part of its parts no longer serves, if it was larger where the order was chosen."""
+SHRUNK = 1e-2
+"""A pivot that is small everywhere no longer serves below this part of what it was where the order was chosen."""
+LEAST_PIVOT = 1e-12
+"""Below this part of its parts a pivot is rounding."""
 
 Rows = Sequence[Mapping[int, Term]]
 """The coefficients of each equation, by unknown."""
 
 
 @dataclass(frozen=True, slots=True)
-class Eliminated:
-    """The solution of a system."""
+class Step:
+    """One pivot with what it makes of the equations below it."""
 
-    unknowns: tuple[Term, ...]
-    """In their order; 0 where the system leaves one open."""
-    checks: tuple[Check, ...]
-    """Pivots that vary."""
+    row: int
+    column: int
+    pivot: Term
+    rest: Mapping[int, Term]
+    """The other coefficients of its equation, at its time."""
+    quotients: Mapping[int, Term]
+    """By which multiple of it each other equation is lessened."""
+
+
+@dataclass(frozen=True, slots=True)
+class Factored:
+    """A system after its elimination, for any right side."""
+
+    graph: Graph
+    count: int
+    steps: tuple[Step, ...]
     order: Order
-    """How it was found."""
+
+    def solve(self, right: Sequence[Term]) -> tuple[Term, ...]:
+        """The unknowns; 0 where the system leaves one open."""
+        total = list(right)
+        for step in self.steps:
+            for k, quotient in step.quotients.items():
+                total[k] = total[k] - quotient * total[step.row]
+        unknowns = [self.graph.number(0.0)] * self.count
+        for step in reversed(self.steps):
+            value = total[step.row]
+            for other, factor in step.rest.items():
+                value = value - factor * unknowns[other]
+            unknowns[step.column] = value / step.pivot
+        return tuple(unknowns)
+
+    def checks(self, small: float = SMALL_PIVOT) -> tuple[Check, ...]:
+        """Pivots that vary, and how large they must be."""
+        found = []
+        for pivot, step in zip(self.order.pivots, self.steps, strict=True):
+            if not step.pivot.constant:
+                least = max(min(small * pivot.size, SHRUNK * abs(pivot.value)), LEAST_PIVOT * pivot.size)
+                found.append(Check(step.pivot, least))
+        return tuple(found)
 
 
 def chosen(rows: Rows, values: Mapping[Term, float] | None = None) -> Order:
@@ -41,81 +79,45 @@ def chosen(rows: Rows, values: Mapping[Term, float] | None = None) -> Order:
     return order(found)
 
 
-def eliminate(graph: Graph, rows: Rows, right: Sequence[Term], by: Order | None = None) -> Eliminated:
-    """Solve rows · unknowns = right, in the order given, else in that of the reference configuration."""
-    (solved,) = eliminate_all(graph, rows, [right], by)
-    return solved
-
-
-def eliminate_all(
-    graph: Graph, rows: Rows, rights: Sequence[Sequence[Term]], by: Order | None = None
-) -> tuple[Eliminated, ...]:
-    """The same for several right sides."""
+def factor(graph: Graph, rows: Rows, by: Order | None = None) -> Factored:
+    """Eliminate in the order given, else in that of the reference configuration."""
     by = by or chosen(rows)
     open_rows, open_columns = set(by.rows), set(by.columns)
     left = [
         {j: t for j, t in row.items() if j not in open_columns} if i not in open_rows else {}
         for i, row in enumerate(rows)
     ]
-    system = _System(left, [list(right) for right in rights])
-    for pivot in by.pivots:
-        system.eliminate(pivot.row, pivot.column)
-    checks = tuple(
-        Check(p, pivot.size * SMALL_PIVOT)
-        for pivot, (_, _, p, _) in zip(by.pivots, system.solved, strict=True)
-        if not p.constant
-    )
-    return tuple(Eliminated(_unknowns(graph, system, right), checks, by) for right in system.rights)
+    columns: list[set[int]] = [set() for _ in rows]
+    for i, row in enumerate(left):
+        for j in row:
+            columns[j].add(i)
+    steps = tuple(_eliminated(left, columns, pivot.row, pivot.column) for pivot in by.pivots)
+    return Factored(graph, len(rows), steps, by)
 
 
-def _unknowns(graph: Graph, system: _System, right: list[Term]) -> tuple[Term, ...]:
-    """From the last equation back to the first."""
-    unknowns = [graph.number(0.0)] * len(right)
-    for i, j, p, row in reversed(system.solved):
-        total = right[i]
-        for other, factor in row.items():
-            total = total - factor * unknowns[other]
-        unknowns[j] = total / p
-    return tuple(unknowns)
-
-
-class _System:
-    """The equations as they are eliminated."""
-
-    def __init__(self, rows: list[dict[int, Term]], rights: list[list[Term]]) -> None:
-        self.rows, self.rights = rows, rights
-        self.columns: list[set[int]] = [set() for _ in rows]
-        for i, row in enumerate(rows):
-            for j in row:
-                self.columns[j].add(i)
-        self.solved: list[tuple[int, int, Term, dict[int, Term]]] = []
-        """Equation, unknown, pivot, and the rest of the equation at its time."""
-
-    def eliminate(self, i: int, j: int) -> None:
-        """Solve equation i for unknown j and put it into all others."""
-        row = self.rows[i]
-        pivot = row.pop(j)
-        self.solved.append((i, j, pivot, row))
-        for other in row:
-            self.columns[other].discard(i)
-        below = sorted(k for k in self.columns[j] if k != i)
-        leads = {k: self.rows[k].pop(j) for k in below}
-        # The same product stands in both halves of a symmetric system.
-        known: dict[tuple[int, int], Term] = {}
-        quotients = {k: lead / pivot for k, lead in leads.items()}
-        for k, lead in leads.items():
-            target = self.rows[k]
-            for other, entry in row.items():
-                pair = (lead.index, entry.index) if lead.index <= entry.index else (entry.index, lead.index)
-                product = known.get(pair)
-                if product is None:
-                    product = known[pair] = quotients[k] * entry
-                old = target.get(other)
-                if old is None:
-                    target[other] = -product
-                    self.columns[other].add(k)
-                else:
-                    target[other] = old - product
-            for right in self.rights:
-                right[k] = right[k] - quotients[k] * right[i]
-        self.columns[j] = set()
+def _eliminated(rows: list[dict[int, Term]], columns: list[set[int]], i: int, j: int) -> Step:
+    """Solve equation i for unknown j and put it into all others."""
+    row = rows[i]
+    pivot = row.pop(j)
+    for other in row:
+        columns[other].discard(i)
+    leads = {k: rows[k].pop(j) for k in sorted(columns[j]) if k != i}
+    quotients = {k: lead / pivot for k, lead in leads.items()}
+    # The same product stands in both halves of a symmetric system.
+    known: dict[tuple[int, int], Term] = {}
+    for k, lead in leads.items():
+        target, quotient, a = rows[k], quotients[k], lead.index
+        for other, entry in row.items():
+            b = entry.index
+            pair = (a, b) if a <= b else (b, a)
+            product = known.get(pair)
+            if product is None:
+                product = known[pair] = quotient * entry
+            old = target.get(other)
+            if old is None:
+                target[other] = -product
+                columns[other].add(k)
+            else:
+                target[other] = old - product
+    columns[j] = set()
+    return Step(i, j, pivot, row, quotients)

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from planar_cli.motion.constraints import Constraint
-from planar_cli.motion.elimination import eliminate
+from planar_cli.motion.elimination import factor
 from planar_cli.motion.layout import Column, Layout
 from planar_cli.motion.terms import Graph, Term
 from planar_cli.problem.facts import Mode, Push
@@ -45,29 +45,28 @@ class Held:
         found = []
         for push in self.free:
             column = dict(self.columns[push.name])
-            for name, (factor, of) in self.followers.items():
+            for name, (share, of) in self.followers.items():
                 if of == push.name:
-                    add(column, self.columns[name], factor, graph)
+                    add(column, self.columns[name], share, graph)
             found.append(column)
         return found
 
     def known(self, graph: Graph) -> dict[int, Term]:
         """The generalized force of what does not depend on the sought pushes."""
         total = dict(self.loads)
-        for name, (factor, of) in self.followers.items():
+        for name, (size, of) in self.followers.items():
             if of is None:
-                add(total, self.columns[name], factor, graph)
+                add(total, self.columns[name], size, graph)
         return total
 
     def exerted(self, layout: Layout, multipliers: Sequence[Term], reach: float) -> dict[str, Term]:
         """Every push, from the multipliers of the constraints. `reach`: a length, m, comparing couples with forces."""
-        graph = layout.graph
         if self.ideal:
             found = self._resolved(layout, multipliers, reach)
         else:
             found = {p.name: m for p, m in zip(self.free, multipliers, strict=True)}
-        for name, (factor, of) in self.followers.items():
-            found[name] = graph.of(factor) if of is None else factor * found[of]
+        for name, (share, of) in self.followers.items():
+            found[name] = share if of is None else share * found[of]
         return {p.name: found[p.name] for p in self.pushes}
 
     def _resolved(self, layout: Layout, multipliers: Sequence[Term], reach: float) -> dict[str, Term]:
@@ -87,8 +86,8 @@ class Held:
 
         rows = [{j: dot(a, b) for j, b in enumerate(columns)} for a in columns]
         rows = [{j: t for j, t in row.items() if not (t.constant and t.value == 0)} for row in rows]
-        solved = eliminate(graph, rows, [dot(a, total) for a in columns])
-        return {p.name: t for p, t in zip(self.free, solved.unknowns, strict=True)}
+        solved = factor(graph, rows).solve([dot(a, total) for a in columns])
+        return {p.name: t for p, t in zip(self.free, solved, strict=True)}
 
 
 def add(total: dict[int, Term], column: Column, factor: Term, graph: Graph) -> None:

@@ -15,6 +15,8 @@ from dataclasses import dataclass
 
 SMALLEST = 1e-3
 """A pivot is at least this part of the largest entry of its column (rows and columns scaled to 1)."""
+LASTING = 1e-2
+"""A pivot of which this part is constant does not vanish elsewhere."""
 CANCELLED = 1e-9
 """An entry below this part of the terms that it is the difference of is zero."""
 
@@ -27,8 +29,10 @@ class Pivot:
     """The equation."""
     column: int
     """The unknown for which it is solved."""
+    value: float
+    """The pivot, in its own unit."""
     size: float
-    """How large the parts are that the pivot is the sum of, in its own unit."""
+    """How large the parts are that it is the sum of."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,11 +45,21 @@ class Order:
     columns: tuple[int, ...]
     """Unknowns that stay open."""
 
+    @property
+    def least(self) -> float:
+        """The smallest pivot, in parts of what it is the sum of."""
+        return min((abs(p.value) / p.size for p in self.pivots), default=1.0)
+
+    @property
+    def places(self) -> tuple[tuple[int, int], ...]:
+        """Equations and unknowns in their order."""
+        return tuple((p.row, p.column) for p in self.pivots)
+
 
 class Entry:
     """One coefficient in numbers."""
 
-    __slots__ = ("size", "value", "varies")
+    __slots__ = ("fixed", "size", "value", "varies")
 
     def __init__(self, value: float, size: float, varies: bool) -> None:
         self.value = value
@@ -54,6 +68,8 @@ class Entry:
         """The largest part of it."""
         self.varies = varies
         """Is it not a constant?"""
+        self.fixed = 0.0 if varies else value
+        """The part of it that is constant."""
 
 
 def order(rows: Sequence[Mapping[int, tuple[float, bool]]]) -> Order:
@@ -97,6 +113,8 @@ class _Chooser:
         """Of every equation, the unknown that it belongs to."""
         self.owner = list(range(count))
         """Of every unknown, the equation that belongs to it."""
+        self.firm = {i for i, row in enumerate(rows) if i in row}
+        """Equations that meet their own unknown from the beginning: those of what has mass."""
         self.open = set(range(count))
         self.heap: list[tuple[float, int, int]] = []
         for i in range(count):
@@ -111,7 +129,8 @@ class _Chooser:
                 break
             i, j = found
             entry = self.rows[i][j]
-            pivots.append(Pivot(i, j, entry.size / (self.left[i] * self.right[j])))
+            unit = 1.0 / (self.left[i] * self.right[j])
+            pivots.append(Pivot(i, j, entry.value * unit, entry.size * unit))
             self._eliminate(i, j)
         rows = tuple(sorted(self.open))
         return Order(tuple(pivots), rows, tuple(sorted(self.partner[i] for i in rows)))
@@ -145,6 +164,10 @@ class _Chooser:
     def _acceptable(self, i: int, j: int) -> bool:
         entry = self.rows[i].get(j)
         if entry is None or abs(entry.value) <= CANCELLED * entry.size:
+            return False
+        passing = i == j and i not in self.firm and abs(entry.fixed) < LASTING * abs(entry.value)
+        if passing and any(k in self.firm for k in self.rows[i]):
+            # What it is made of so far may vanish elsewhere, one part after the other.
             return False
         return abs(entry.value) >= SMALLEST * max(abs(self.rows[k][j].value) for k in self.columns[j])
 
@@ -190,6 +213,8 @@ class _Chooser:
                     old.value -= change
                     old.size = max(old.size, abs(factor) * entry.size)
                     old.varies |= varies or entry.varies
+                    if not (varies or entry.varies):
+                        old.fixed -= change
         self.columns[j] = set()
         self._refresh(others, row)
 

@@ -8,19 +8,26 @@ One elimination serves both. It is repeated until nothing is left to correct but
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from planar_cli.motion.constraints import Constraint
+from planar_cli.motion.dense import DEPENDENT
 from planar_cli.motion.layout import Layout
-from planar_cli.motion.routine import Routine, System
+from planar_cli.motion.routine import Routine, System, Unknowns
 from planar_cli.motion.scales import Scales
-from planar_cli.motion.source import Code, compiled
+from planar_cli.motion.source import Code, Singular, compiled
 from planar_cli.motion.terms import Term
 
 ROUNDING = 2e-15
 """A residual below this part of its scale is rounding."""
 MOST_ROUNDS = 12
 """So often the correction is repeated."""
+MOST_IDLE = 2
+"""So many corrections that do not halve what is left are made."""
+SMALL_PIVOT = 1e-8
+"""A pivot below this part of its parts does not serve here: errors are small beside the way to a singular position."""
+BENT = 10.0
+"""By how much the slope of a constraint must exceed the square root of its residual, so that it can be mended."""
 LIGHT = 1e-3
 """What has no mass is weighed with this part of the largest mass."""
 
@@ -62,21 +69,47 @@ class Projector:
 
     def project(self, t: float, y: Sequence[float]) -> list[float]:
         """The nearest state on the constraints; where they contradict each other, as near to them as it gets."""
+        correction = self._correction()
+
+        def correct(t: float, y: Sequence[float], left: float) -> list[float]:
+            try:
+                return correction.regular(t, y)
+            except Singular:
+                # Directions in which the constraints bend more than they slope are left as they are.
+                return correction.by_rank(t, y, max(DEPENDENT, BENT * math.sqrt(left)))
+
+        return self._projected(t, y, correct)
+
+    def regular(self, t: float, y: Sequence[float]) -> list[float]:
+        """The same; raises Singular near a singular position, and where nothing near fulfils the constraints."""
+        correction = self._correction()
+        found = self._projected(t, y, lambda t, y, left: correction.regular(t, y))
+        if self._largest(self.residuals(t, found), found) > 1e3 * ROUNDING:
+            raise Singular
+        return found
+
+    def _projected(
+        self, t: float, y: Sequence[float], correct: Callable[[float, Sequence[float], float], list[float]]
+    ) -> list[float]:
         found = list(y)
         if not self.kept:
             return found
-        left = self._largest(self.residuals(t, found), found)
+        left, idle = self._largest(self.residuals(t, found), found), 0
+        best, best_left = found, left
         for _ in range(MOST_ROUNDS):
-            if left <= ROUNDING:
+            if left <= ROUNDING or idle > MOST_IDLE:
                 break
-            if self._correct is None:
-                self._correct = self._routine()
-            changed = [a + d for a, d in zip(found, self._correct(t, found), strict=True)]
-            now = self._largest(self.residuals(t, changed), changed)
-            if not now < left:
-                break
-            found, left = changed, now
-        return found
+            found = [a + d for a, d in zip(found, correct(t, found, left), strict=True)]
+            left = self._largest(self.residuals(t, found), found)
+            idle = 0 if left < best_left / 2 else idle + 1
+            if left < best_left:
+                best, best_left = found, left
+        return best
+
+    def _correction(self) -> Routine:
+        if self._correct is None:
+            self._correct = self._routine()
+        return self._correct
 
     def _largest(self, residuals: Sequence[float], y: Sequence[float]) -> float:
         """The largest residual: places on the scale of the scene and of where it is, velocities on that of theirs."""
@@ -93,16 +126,25 @@ class Projector:
         """The corrections of all coordinates, then of all rates."""
         layout, graph, count = self.layout, self.layout.graph, self.layout.count
         rows: list[dict[int, Term]] = [{i: w} for i, w in enumerate(self._weights())]
-        places: list[Term] = [graph.number(0.0)] * count
-        rates = list(places)
-        for k, number in enumerate(self.kept):
-            constraint = self.constraints[number]
+        kept = [self.constraints[number] for number in self.kept]
+        for k, constraint in enumerate(kept):
             rows.append(dict(constraint.row))
             for i, term in constraint.row.items():
                 rows[i][count + k] = term
-            places.append(-constraint.place if constraint.place is not None else graph.number(0.0))
-            rates.append(-constraint.rate if constraint.rate is not None else graph.number(0.0))
-        system = System(layout, rows, [places, rates], self.values)
+        zero = graph.number(0.0)
+
+        def places(before: Unknowns) -> list[Term]:
+            return [*[zero] * count, *(zero if c.place is None else -c.place for c in kept)]
+
+        def rates(before: Unknowns) -> list[Term]:
+            # The rates as they will be after the places have changed.
+            changes = dict(zip(layout.coordinates, before[0], strict=False))
+            return [
+                *[zero] * count,
+                *(zero if c.rate is None else -(c.rate + graph.rate(c.rate, changes)) for c in kept),
+            ]
+
+        system = System(layout, rows, [places, rates], self.values, SMALL_PIVOT)
         return Routine(system, lambda unknowns: [*unknowns[0][:count], *unknowns[1][:count]])
 
     def _weights(self) -> list[Term]:

@@ -21,9 +21,14 @@ from planar_cli.motion.rank import Independent
 from planar_cli.motion.replacing import replaced
 from planar_cli.motion.routine import Routine, System, Unknowns
 from planar_cli.motion.scales import Scales
-from planar_cli.motion.source import Code, compiled
+from planar_cli.motion.source import Code, Singular, compiled
 from planar_cli.motion.terms import Term
 from planar_cli.problem.facts import Push, Wrench
+
+APART = 0.03
+"""How far states before and after a singular position are from it, in parts of the scales."""
+STILL = 1e-6
+"""Below this part of the scale of speeds nothing moves through a singular position."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,10 +72,10 @@ class Regime:
         self._system = self._equations()
         count = self.layout.count
         speeds = self.layout.speeds
-        self._rates = Routine(self._system, lambda u: [*speeds, *u[0][:count]])
-        self._forces = Routine(self._system, self._pushes)
-        self._watch = Routine(self._system, self._watched)
-        self._power = Routine(self._system, self._powers)
+        self._rates = Routine(self._system, lambda u: [*speeds, *u[0][:count]], self.neighbour)
+        self._forces = Routine(self._system, self._pushes, self.neighbour)
+        self._watch = Routine(self._system, self._watched, self.neighbour)
+        self._power = Routine(self._system, self._powers, self.neighbour)
         self._still: Code | None = None
         self._kinetics: Code | None = None
         self.projector = Projector(self.layout, self.constraints, self._numbers, parts.scales, parts.independent.values)
@@ -79,7 +84,11 @@ class Regime:
 
     def rates(self, t: float, y: Sequence[float]) -> list[float]:
         """y': the rates of the coordinates, then the accelerations."""
-        return self._rates(t, y)
+        found = self._rates(t, y)
+        # Continued through a singular position, the first half is only nearly this.
+        half = self.layout.count
+        found[:half] = y[half:]
+        return found
 
     def forces(self, t: float, y: Sequence[float]) -> list[float]:
         """The pushes, in the order of `reactions` [N or N m]."""
@@ -129,6 +138,17 @@ class Regime:
         """The generated code of `rates`."""
         return self._rates.code(0).text
 
+    def neighbour(self, t: float, y: Sequence[float], place: int) -> tuple[float, list[float]]:
+        """A state some steps before or after this one on the way that its velocities go; raises Singular."""
+        half, scales = self.layout.count, self.parts.scales
+        sizes = [scales.length if s.kind != "theta" else 1.0 for s in self.layout.slots]
+        fastest = max((abs(v) / s for v, s in zip(y[half:], sizes, strict=True)), default=0.0)
+        if fastest * scales.time < STILL:
+            raise Singular
+        step = place * APART / fastest
+        moved = [q + step * v for q, v in zip(y[:half], y[half:], strict=True)]
+        return t + step, self.projector.regular(t + step, [*moved, *y[half:]])
+
     # --- equations ---------------------------------------------------------------------------------------------------
 
     def _equations(self) -> System:
@@ -149,7 +169,7 @@ class Regime:
                 rows[i][count + k] = t
             rows[count + k] = dict(self.constraints[number].row)
             right.append(-self.constraints[number].rest)
-        return System(layout, rows, [right], self.parts.independent.values)
+        return System(layout, rows, [lambda before: right], self.parts.independent.values)
 
     def _driving(self) -> list[Column]:
         """For every constraint the generalized force of a unit of its multiplier."""
@@ -185,7 +205,7 @@ class Regime:
             by = dict(zip(variables, values, strict=True))
             return [replaced(t, by) for t in wanted]
 
-        return Routine(self._system, computed)
+        return Routine(self._system, computed, self.neighbour)
 
     def _pushes(self, unknowns: Unknowns) -> list[Term]:
         found = self.exerted(unknowns)

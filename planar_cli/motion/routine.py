@@ -1,28 +1,35 @@
 """What is computed from the solution of a linear system, over and over at other states: generated code with fall-backs.
 
 The code eliminates in a fixed order of pivots. Where a pivot becomes too small the order is chosen once more from the
-state at hand; where that does not help either (redundant equations, singular positions), the system is solved in the
-sense of least squares by its rank.
+state at hand. Near a singular position, which no order serves, the outputs are continued through it: they are those of
+states a little before and after it on the way that the velocities go. Where nothing moves, or all positions are
+singular, the system is solved in the sense of least squares by its rank.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 
-from planar_cli.motion.dense import least_squares
-from planar_cli.motion.elimination import chosen, eliminate_all
+from planar_cli.motion.dense import DEPENDENT, least_squares
+from planar_cli.motion.elimination import SHRUNK, SMALL_PIVOT, chosen, factor
 from planar_cli.motion.layout import Layout
 from planar_cli.motion.pivots import Order
 from planar_cli.motion.source import Code, Singular, compiled
 from planar_cli.motion.terms import Term
 
-MOST_ORDERS = 3
-"""So many orders of pivots are kept."""
+MOST_ORDERS = 6
+"""So many orders of pivots are kept, and so often another one is sought in vain."""
+WEIGHTS = ((-2, -1 / 6), (-1, 4 / 6), (1, 4 / 6), (2, -1 / 6))
+"""The value at 0 of the cubic through the values at these places: exact up to the fourth order of their distance."""
 
 Unknowns = Sequence[Sequence[Term]]
 """For every right side the unknowns."""
 Outputs = Callable[[Unknowns], Sequence[Term]]
 """From the unknowns to what is to be computed."""
+Right = Callable[[Unknowns], Sequence[Term]]
+"""A right side, from the unknowns of those before."""
+Neighbour = Callable[[float, Sequence[float], int], tuple[float, list[float]]]
+"""A state some steps before (< 0) or after the given one, on the way that its velocities go. Raises Singular."""
 
 
 class System:
@@ -32,22 +39,29 @@ class System:
         self,
         layout: Layout,
         rows: Sequence[Mapping[int, Term]],
-        rights: Sequence[Sequence[Term]],
+        rights: Sequence[Right],
         values: Mapping[Term, float] | None = None,
+        small: float = SMALL_PIVOT,
     ) -> None:
-        """`values`: where the first order of pivots is chosen; None: in the reference configuration."""
-        self.layout, self.rows, self.rights = layout, rows, rights
+        """`values`: where the first order of pivots is chosen; None: in the reference configuration.
+
+        `small`: pivots below this part of their parts do not serve.
+        """
+        self.layout, self.rows, self.rights, self.small = layout, rows, rights, small
         self.orders: list[Order] = [chosen(rows, values)]
+        self._vain = 0
         self._entries: Code | None = None
+        self._sides: list[Code] = []
         self._stand_ins: list[list[Term]] = []
 
     def another(self, t: float, y: Sequence[float]) -> bool:
         """Add an order of pivots for this state; False where that would not help."""
-        if len(self.orders) >= MOST_ORDERS:
+        if len(self.orders) >= MOST_ORDERS or self._vain >= MOST_ORDERS:
             return False
-        found = chosen(self.rows, self.layout.values(t, y))
-        known = {order.pivots for order in self.orders}
-        if len(found.rows) > len(self.orders[0].rows) or found.pivots in known:
+        found, first = chosen(self.rows, self.layout.values(t, y)), self.orders[0]
+        singular = len(found.rows) > len(first.rows) or found.least < min(self.small, SHRUNK * first.least)
+        if singular or any(found.places == order.places for order in self.orders):
+            self._vain += 1
             return False
         self.orders.append(found)
         return True
@@ -55,24 +69,28 @@ class System:
     def code(self, index: int, outputs: Outputs) -> Code:
         """The outputs by one of the orders."""
         layout = self.layout
-        solved = eliminate_all(layout.graph, self.rows, self.rights, self.orders[index])
-        results = outputs([s.unknowns for s in solved])
-        return compiled(results, layout.state, layout.time, solved[0].checks)
+        factored = factor(layout.graph, self.rows, self.orders[index])
+        found: list[Sequence[Term]] = []
+        for right in self.rights:
+            found.append(factored.solve(right(found)))
+        return compiled(outputs(found), layout.state, layout.time, factored.checks(self.small))
 
-    def by_rank(self, t: float, y: Sequence[float]) -> list[float]:
+    def by_rank(self, t: float, y: Sequence[float], dependent: float) -> list[float]:
         """The unknowns of all right sides, one after the other, in the sense of least squares."""
+        layout, variables = self.layout, self.stand_ins()
         if self._entries is None:
-            flat = [term for row in self.rows for term in row.values()]
-            flat += [term for right in self.rights for term in right]
-            self._entries = compiled(flat, self.layout.state, self.layout.time)
+            self._entries = compiled([c for row in self.rows for c in row.values()], layout.state, layout.time)
+            for k, right in enumerate(self.rights):
+                inputs = (*layout.state, *(v for part in variables[:k] for v in part))
+                self._sides.append(compiled(right(variables[:k]), inputs, layout.time))
         numbers = iter(self._entries.function(t, y))
         matrix = [[0.0] * len(self.rows) for _ in self.rows]
         for i, row in enumerate(self.rows):
             for j in row:
                 matrix[i][j] = next(numbers)
         found: list[float] = []
-        for right in self.rights:
-            found += least_squares(matrix, [next(numbers) for _ in right]).unknowns
+        for side in self._sides:
+            found += least_squares(matrix, side.function(t, [*y, *found]), dependent).unknowns
         return found
 
     def stand_ins(self) -> list[list[Term]]:
@@ -90,21 +108,25 @@ class System:
 class Routine:
     """One function of time and state."""
 
-    def __init__(self, system: System, outputs: Outputs) -> None:
-        self.system, self.outputs = system, outputs
+    def __init__(self, system: System, outputs: Outputs, neighbour: Neighbour | None = None) -> None:
+        """`neighbour`: where the outputs near a singular position are taken from; None: they are found by rank."""
+        self.system, self.outputs, self.neighbour = system, outputs, neighbour
         self.codes: list[Code] = []
         """By the orders of the system, as far as they have been needed."""
         self._from_unknowns: Code | None = None
 
     def __call__(self, t: float, y: Sequence[float]) -> list[float]:
         """The outputs at a state."""
-        for index in range(len(self.system.orders)):
+        try:
+            return self.regular(t, y)
+        except Singular:
+            pass
+        if self.neighbour is not None:
             try:
-                return self.code(index).function(t, y)
-            except (Singular, ZeroDivisionError):
-                continue
-        if self.system.another(t, y):
-            return self(t, y)
+                return self._continued(self.neighbour, t, y)
+            except Singular:
+                # Nothing moves, or there is no regular position nearby.
+                pass
         return self.by_rank(t, y)
 
     @property
@@ -118,10 +140,32 @@ class Routine:
             self.codes.append(self.system.code(len(self.codes), self.outputs))
         return self.codes[index]
 
-    def by_rank(self, t: float, y: Sequence[float]) -> list[float]:
-        """The outputs where the system has no single solution."""
+    def regular(self, t: float, y: Sequence[float]) -> list[float]:
+        """The outputs by one of the orders; raises Singular where none serves."""
+        for index in range(len(self.system.orders)):
+            try:
+                return self.code(index).function(t, y)
+            except (Singular, ZeroDivisionError):
+                continue
+        if self.system.another(t, y):
+            return self.regular(t, y)
+        raise Singular
+
+    def _continued(self, neighbour: Neighbour, t: float, y: Sequence[float]) -> list[float]:
+        """The outputs through a singular position, from both sides of it."""
+        total: list[float] | None = None
+        for place, weight in WEIGHTS:
+            found = self.regular(*neighbour(t, y, place))
+            total = [a + weight * b for a, b in zip(total or [0.0] * len(found), found, strict=True)]
+        return total or []
+
+    def by_rank(self, t: float, y: Sequence[float], dependent: float = DEPENDENT) -> list[float]:
+        """The outputs where the system has no single solution.
+
+        `dependent`: what is left of a column below this part of its size depends on the others.
+        """
         layout, variables = self.system.layout, self.system.stand_ins()
         if self._from_unknowns is None:
             inputs = (*layout.state, *(v for part in variables for v in part))
             self._from_unknowns = compiled(self.outputs(variables), inputs, layout.time)
-        return self._from_unknowns.function(t, [*y, *self.system.by_rank(t, y)])
+        return self._from_unknowns.function(t, [*y, *self.system.by_rank(t, y, dependent)])
