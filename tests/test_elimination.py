@@ -47,7 +47,7 @@ def test_the_solution_fulfils_the_equations(seed: int, bodies: int, massless: bo
     right = [graph.number(draw.uniform(-1, 1)) for _ in rows]
     solved = factor(graph, rows)
     assert not solved.order.rows
-    code = compiled(solved.solve(right), variables, checks=solved.checks)
+    code = compiled(solved.solve(right), variables, checks=solved.checks())
     found = code.function(0.0, [v.value for v in variables])
     assert product(rows, found) == pytest.approx([t.value for t in right], abs=1e-9)
 
@@ -61,7 +61,7 @@ def test_a_symmetric_system_costs_half() -> None:
     rows = [{j: entries[max(i, j), min(i, j)] for j in range(n)} for i in range(n)]
     right = [graph.variable(f"b{i}", 1.0) for i in range(n)]
     solved = factor(graph, rows)
-    code = compiled(solved.solve(right), [*entries.values(), *right], checks=solved.checks)
+    code = compiled(solved.solve(right), [*entries.values(), *right], checks=solved.checks())
     # n³/6 products and as many sums, and what the right side takes.
     assert code.operations <= n**3 / 3 + 2.5 * n**2
 
@@ -83,11 +83,11 @@ def test_a_pivot_that_vanishes_is_met_by_another_order() -> None:
     one = graph.number(1.0)
     rows = [{0: a, 1: b}, {0: b, 1: graph.number(0.5)}]
     solved = factor(graph, rows, chosen(rows, {a: 2.0, b: 1.5}))
-    code = compiled(solved.solve([one, one]), [a, b], checks=solved.checks)
+    code = compiled(solved.solve([one, one]), [a, b], checks=solved.checks())
     with pytest.raises(Singular):
         code.function(0.0, [0.0, 1.5])
     other = factor(graph, rows, chosen(rows, {a: 0.0, b: 1.5}))
-    found = compiled(other.solve([one, one]), [a, b], checks=other.checks).function(0.0, [0.0, 1.5])
+    found = compiled(other.solve([one, one]), [a, b], checks=other.checks()).function(0.0, [0.0, 1.5])
     assert found == pytest.approx([4 / 9, 2 / 3])
 
 

@@ -20,8 +20,10 @@ from planar_cli.motion.terms import Term
 
 DEPENDENT = 1e-9
 """What is left of a row below this part of its size says nothing new."""
-NEARBY = 0.05
-"""How far the other configuration is, in parts of the scales."""
+NEARBY = (0.05, 0.2, 0.4, 0.6)
+"""How far other configurations are, in parts of the scales."""
+CLEAR = 1e-3
+"""Where more than this is left of every row that says something new, the position is far from singular ones."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,6 +64,8 @@ class _Position:
         self, layout: Layout, constraints: Sequence[Constraint], scales: Scales, state: Sequence[float] | None = None
     ) -> None:
         self.layout, self.constraints, self.scales = layout, constraints, scales
+        self.margin = 0.0
+        """The smallest part that is left of a row that says something new."""
         self.sizes = [1.0 if s.kind == "theta" else scales.length for s in layout.slots]
         speeds = [math.cos(2.4 * i) * size / scales.time for i, size in enumerate(self.sizes)]
         self.state = list(state) if state is not None else [*layout.drawn, *speeds]
@@ -78,6 +82,7 @@ class _Position:
         """Rows that do not follow from those before, in an order of all or some of them."""
         pivots: list[tuple[int, dict[int, float]]] = []
         kept = []
+        self.margin = 1.0
         for number in order:
             row = self.rows[number]
             size = max((abs(v) for v in row.values()), default=0.0)
@@ -92,6 +97,7 @@ class _Position:
             if best is None or abs(left[best]) <= DEPENDENT * size:
                 continue
             lead = left.pop(best)
+            self.margin = min(self.margin, abs(lead) / size)
             scaled = {i: v / lead for i, v in left.items() if v}
             for k, (column, pivot) in enumerate(pivots):
                 factor = pivot.pop(best, 0.0)
@@ -110,13 +116,20 @@ class _Position:
         free = null_space(matrix, count)
         if not free:
             return self
-        step = [0.0] * count
-        for k, vector in enumerate(free):
-            top = max(abs(v) for v in vector)
-            share = NEARBY * math.cos(1.0 + 2.4 * k) / top
-            step = [s + share * v for s, v in zip(step, vector, strict=True)]
-        state = [q + s * size for q, s, size in zip(self.state, step, self.sizes, strict=False)]
-        return _Position(self.layout, self.constraints, self.scales, self._closed(state))
+        best, rank = self, (0, 0.0)
+        for attempt, far in enumerate(NEARBY):
+            step = [0.0] * count
+            for k, vector in enumerate(free):
+                top = max(abs(v) for v in vector)
+                share = far * math.cos(1.0 + 2.4 * k + attempt) / top
+                step = [s + share * v for s, v in zip(step, vector, strict=True)]
+            state = [q + s * size for q, s, size in zip(self.state, step, self.sizes, strict=False)]
+            found = _Position(self.layout, self.constraints, self.scales, self._closed(state))
+            reached = (len(found.kept(range(len(self.rows)))), found.margin)
+            # Near the drawing, if that is clearly not singular; else where it is least so.
+            if reached[0] > rank[0] or (reached[0] == rank[0] and rank[1] < CLEAR < reached[1]):
+                best, rank = found, reached
+        return best
 
     def _closed(self, places: list[float]) -> list[float]:
         """The nearest places that fulfil the constraints, by Newton's method."""
