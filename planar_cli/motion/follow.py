@@ -33,6 +33,10 @@ WIDEST_BAND = 1e-4
 """A guard beyond this part of its scale below zero has fallen, at any tolerance."""
 LEAST_ALLOWED = 1e-7
 """Balances of energy are asked for to this part of their scale at most."""
+SOON = 1e-9
+"""Within this part of the time scale after a state the next one is not looked for."""
+LOOKS = (0.01, 0.03, 0.1)
+"""So many time scales before a zero its function must have been more than rounding."""
 UNSTEADY_STEPS = 256
 """At rest under loads that vary in time, the time is cut at least into so many steps."""
 
@@ -146,7 +150,8 @@ class Follower:
             self.outcome = Outcome("until", f"the time is over at t = {self.t:.9g} s", self.t)
             return
         regime = self.automaton.regime(self.choice)
-        reached = self.waiting.already(regime, self.choice, self.t, self.y)
+        changed = bool(self.transitions) and self.transitions[-1].t == self.t
+        reached = self.waiting.already(regime, self.choice, self.t, self.y) if changed else None
         if reached is not None:
             self._reach(reached)
             return
@@ -282,7 +287,7 @@ class Follower:
             self.transitions.append(graze)
         for crossing in run.crossings:
             if crossing.index == number and event is not None and _meant(event, crossing.way):
-                if fits(event, regime, self.choice, self.t, self.y):
+                if self._counts(event, regime, run) and fits(event, regime, self.choice, self.t, self.y):
                     self._reach(event)
                 break
         if self.outcome is None and fallen:
@@ -292,6 +297,19 @@ class Follower:
             self._settle(words, guards[0].joint, inelastic=run.t1 == run.t0)
         elif self.outcome is None and not run.crossings:
             self._timed()
+
+    def _counts(self, event: Event, regime: Regime, run: Run) -> bool:
+        """Is a zero of what tells a state more than rounding?
+
+        Just after the state before it is still that one's zero; and what has died out has no zeros.
+        """
+        assert event.crossing is not None
+        tolerance, span = self.setting.tolerance, self.automaton.time_scale
+        if self.t - self.waiting.last <= max(SOON, 10 * tolerance) * span:
+            return False
+        looks = [t for part in LOOKS if (t := self.t - part * span) >= run.t0]
+        values = [event.crossing.value(regime, self.choice, t, run.at(t)) for t in looks]
+        return not values or max(map(abs, values)) > 10 * tolerance * event.crossing.scale
 
     def _reach(self, event: Event) -> None:
         """A state has been reached."""

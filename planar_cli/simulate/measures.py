@@ -183,6 +183,10 @@ def moments_of(
     """The moments with what acts just after each of them; `settled` finds that where the motion ends."""
     found = {}
     for name, moment in moments.items():
+        if any(x.kind == "impact" and x.t == moment.t and x.before == moment.y for x in trajectory.transitions):
+            # What strikes now is not yet there: forces are those with which it arrives.
+            found[name] = replace(moment, modes=modes_of(moment.regime))
+            continue
         segment = next((s for s in trajectory.segments if s.t0 == moment.t), None)
         segment = segment or next((s for s in trajectory.segments if s.t0 < moment.t < s.t1), None)
         after: tuple[Regime, tuple[float, ...]] | None = None

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from planar_cli.errors import Diagnostic, FileProblem, Mark
 from planar_cli.loads.base import mode_key
@@ -102,13 +103,18 @@ class Timetable:
 
     def _extreme(self, extreme: Extreme) -> Crossing:
         """The rate falls through zero where something is largest, and rises where it is smallest."""
+        vector = _without_mag(extreme.side)
 
         def rate(regime: AnyRegime, choice: Choice, t: float, y: Sequence[float]) -> float:
             assert isinstance(regime, Regime)
-            return self.measures.rate(extreme.side, regime)(t, y)[0]
+            if vector is None:
+                return self.measures.rate(extreme.side, regime)(t, y)[0]
+            # The rate of the square of a magnitude has a value where it vanishes, too.
+            parts, rates = self.measures.function(vector, regime)(t, y), self.measures.rate(vector, regime)(t, y)
+            return sum(a * b for a, b in zip(parts, rates, strict=True))
 
         scale = self.scale(extreme.side) / self.measures.model.scales.time
-        return Crossing(rate, scale, -extreme.sense)
+        return Crossing(rate, scale if vector is None else scale * self.scale(extreme.side), -extreme.sense)
 
     def _condition(self, relation: Relation) -> Condition:
         scale = self.scale(relation.left, relation.right)
@@ -171,6 +177,13 @@ def mode_of(relation: Relation) -> tuple[str, str] | None:
     for side, other in ((relation.left, relation.right), (relation.right, relation.left)):
         if isinstance(side, Quantity) and side.word == "mode" and isinstance(other, Word) and relation.operator == "=":
             return side.things[0], other.word
+    return None
+
+
+def _without_mag(side: Side) -> Quantity | None:
+    """The vector of which a side is the magnitude."""
+    if isinstance(side, Quantity) and side.parts and side.parts[-1].kind == "mag":
+        return replace(side, parts=side.parts[:-1])
     return None
 
 
