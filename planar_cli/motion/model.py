@@ -118,6 +118,13 @@ class Model:
         """The index of the mode of every joint and load that has modes."""
         return dict.fromkeys(self.modes, 0) | dict(zip(self.choices, choice, strict=True))
 
+    def choice_of(self, names: Mapping[str, str]) -> Choice:
+        """The choice in which joints have the modes of these names; the natural one where none is named."""
+        found = []
+        for joint, modes in self.choices.items():
+            found.append(next((i for i, m in enumerate(modes) if m.name == names.get(joint)), 0))
+        return tuple(found)
+
     def _made(self, choice: Choice) -> Regime:
         indices = self.chosen(choice)
         held = tuple(self.held(j, indices[j.name]) for j in self.joints)

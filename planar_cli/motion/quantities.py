@@ -57,7 +57,7 @@ class Quantities:
         for part in q.parts:
             if not isinstance(found, Vec):
                 raise refuse(part.mark, "PL551", f".{part.kind} of a number", "only a vector has parts")
-            found = self._part(found, part, q)
+            found = self.part(found, part, q)
         return found
 
     # --- rates -------------------------------------------------------------------------------------------------------
@@ -239,7 +239,8 @@ class Quantities:
         """|v|."""
         return self.scene.graph.call("sqrt", v.dot(v) + TINIEST)
 
-    def _part(self, v: Vec, part: Part, q: Quantity) -> Term:
+    def part(self, v: Vec, part: Part, q: Quantity) -> Term:
+        """A part of a vector that stands behind this quantity."""
         graph = self.scene.graph
         match part.kind:
             case "x" | "y":

@@ -20,7 +20,7 @@ from planar_cli.motion.source import Code, compiled
 from planar_cli.motion.start import start_of
 from planar_cli.motion.struck import Strikes, strikes_of
 from planar_cli.motion.terms import Term, evaluate, ordered
-from planar_cli.problem.expression import Law
+from planar_cli.problem.expression import JustAfter, Law
 from planar_cli.problem.facts import Mode
 from planar_cli.problem.scene import Problem
 
@@ -175,8 +175,15 @@ class SceneStages:
 
     def start(self) -> Start:
         """Where the motion begins, by the first state or the instant of the file."""
-        found = start_of(Model(self.scene, lambda m: m not in self._idle((self._first(),))))
+        reached = () if self._struck_at_once() else (self._first(),)
+        idle = self._idle(reached)
+        found = start_of(Model(self.scene, lambda m: m not in idle))
         return Start(found.time, found.state)
+
+    def _struck_at_once(self) -> bool:
+        """Does the second state stand just after the first? Then what takes hold there has not held before."""
+        states = self.scene.problem.states[1:2]
+        return any(isinstance(r, JustAfter) and r.state == self._first() for s in states for r in s.relations)
 
     def _first(self) -> str:
         """The first state's name."""

@@ -32,8 +32,8 @@ class Transition:
     new: Choice
     impulses: Mapping[str, tuple[float, float]] = field(default_factory=dict)
     """In an impact: normal and friction impulse of every contact [N s]; of a rope its tension's."""
-    bonds: tuple[tuple[str, float], ...] = ()
-    """In an impact: the impulses of all other joints, in the units of their relations."""
+    given: Mapping[str, tuple[float, ...]] = field(default_factory=dict)
+    """In an impact: what the impulses of every joint do to the momentum that belongs to each velocity of the state."""
     lost: float = 0.0
     """The kinetic energy that was lost [J]."""
     law: str = ""

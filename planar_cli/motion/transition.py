@@ -143,7 +143,7 @@ def _impact(moment: Moment, struck: Struck, y: tuple[float, ...], choice: Choice
         old=choice,
         new=choice,
         impulses=_impulses(struck, found, taking),
-        bonds=tuple((b.joint, x) for b, x in zip(struck.bonds, found.bonds, strict=True)),
+        given=_given(struck, found),
         lost=lost,
         law=SIMULTANEOUS if len(joints) > 1 else "",
         unbalanced=unbalanced(struck, found),
@@ -166,6 +166,19 @@ def _impulses(struck: Struck, found: Outgoing, taking: list[int]) -> dict[str, t
         joint = struck.contacts[k].joint
         n, f = totals.get(joint, (0.0, 0.0))
         totals[joint] = (n + found.normals[k], f + found.frictions[k])
+    return totals
+
+
+def _given(struck: Struck, found: Outgoing) -> dict[str, tuple[float, ...]]:
+    """What each joint gives to the momenta."""
+    pairs = [(b.joint, b.push or b.row, x) for b, x in zip(struck.bonds, found.bonds, strict=True)]
+    for contact, normal, friction in zip(struck.contacts, found.normals, found.frictions, strict=True):
+        pairs.append((contact.joint, contact.normal, normal))
+        pairs += [] if contact.tangent is None else [(contact.joint, contact.tangent, friction)]
+    totals: dict[str, tuple[float, ...]] = {}
+    for joint, column, size in pairs:
+        before = totals.get(joint, (0.0,) * len(column))
+        totals[joint] = tuple(a + size * c for a, c in zip(before, column, strict=True))
     return totals
 
 

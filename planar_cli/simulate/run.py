@@ -23,14 +23,13 @@ from planar_cli.motion.model import Model
 from planar_cli.motion.regime import Regime
 from planar_cli.motion.schedule import Reached, Schedule
 from planar_cli.motion.stages import SceneStages, stages_of
-from planar_cli.motion.start import start_of
 from planar_cli.motion.trajectory import Trajectory
 from planar_cli.motion.transition import Moment as Instant
 from planar_cli.motion.transition import Resolved, resolve
 from planar_cli.problem.expression import Quantity, Relation, Side
 from planar_cli.problem.scene import Answer, Problem
 from planar_cli.simulate.answers import Answered, Answers
-from planar_cli.simulate.measures import START, Measures, Moment, moments_of
+from planar_cli.simulate.measures import START, Measures, Moment, modes_of, moments_of
 from planar_cli.simulate.stops import first_stop
 from planar_cli.simulate.timetable import breakpoints_of, schedule_of
 
@@ -155,8 +154,7 @@ def prepared(problem: Problem, values: Mapping[str, float]) -> Prepared:
     """The scene, and where its motion begins. `values`: numbers for letters and unknowns [SI]."""
     stages = stages_of(problem, values)
     model = stages.automaton((_first(problem),)).model
-    begun = start_of(model)
-    return Prepared(problem, stages, model, Start(begun.time, begun.state))
+    return Prepared(problem, stages, model, stages.start())
 
 
 def _first(problem: Problem) -> str:
@@ -177,13 +175,13 @@ def followed(scene: Prepared, settings: Settings, shift: float = 0.0) -> Run:
     names = [first]
 
     def heard(reached: Reached) -> None:
-        names.append(reached.name)
         regime = stages.automaton(tuple(names)).model.regime(reached.choice)
         measures.moments[reached.name] = Moment(regime, {}, reached.t, reached.y)
+        names.append(reached.name)
 
     def settled(moment: Moment) -> tuple[Regime, tuple[float, ...]] | None:
         automaton = stages.automaton(tuple(names))
-        choice = trajectory.segments[-1].choice if trajectory.segments else automaton.model.natural
+        choice = automaton.model.choice_of(modes_of(moment.regime))
         found = resolve(Instant(automaton, moment.t, moment.y, choice, "", settings.tolerance))
         return (automaton.model.regime(found.choice), found.state) if isinstance(found, Resolved) else None
 

@@ -11,13 +11,13 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
-from planar_cli.errors import Diagnostic, FileProblem, Undecided
+from planar_cli.errors import Diagnostic, FileProblem, Mark, Undecided
 from planar_cli.integrators.base import Step
 from planar_cli.motion.regime import Regime
 from planar_cli.motion.segment import Segment
 from planar_cli.motion.terms import Term
-from planar_cli.motion.trajectory import Trajectory
-from planar_cli.problem.expression import Quantity, Relation
+from planar_cli.motion.trajectory import Trajectory, Transition
+from planar_cli.problem.expression import Part, Quantity, Relation
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scope import Scope
 from planar_cli.simulate.measures import Measures
@@ -32,6 +32,7 @@ NODES = (
 """Points and weights (their sum is 2) of Gauss's rule on (0, 1)."""
 CLOSE, DEEPEST = 1e-13, 24
 """A step is halved until the rule agrees with itself to this part, at most so many times."""
+HERE = Mark("<span>", 1, 1)
 Function = Callable[[float, Sequence[float]], Sequence[float]]
 
 
@@ -98,8 +99,22 @@ class Spans:
         assert isinstance(q.at, tuple)
         found = self._whole(q, *(self._time(name, q) for name in q.at))
         for part in q.parts:
-            found = _part(found, part.kind, q)
+            found = self._part(found, part, q)
         return found
+
+    def _part(self, found: tuple[float, ...], part: Part, q: Quantity) -> tuple[float, ...]:
+        """A part of a vector; directions that turn are those at the beginning of the span."""
+        if len(found) != 2:
+            raise FileProblem([Diagnostic(q.mark, "PL551", f".{part.kind} of a number", "only a vector has parts")])
+        assert isinstance(q.at, tuple)
+        moment, graph = self.measures.moments[q.at[0]], self.measures.model.graph
+        vector = Vec(graph.number(found[0]), graph.number(found[1]))
+
+        def made(asked: Quantity, regime: Regime) -> list[Term]:
+            return [self.measures.quantities(regime).part(vector, part, asked)]
+
+        function = self.measures.routine(f"{part.kind} of {found}", q, moment.regime, made)
+        return tuple(function(moment.t, moment.y))
 
     def _time(self, state: str, q: Quantity) -> float:
         moment = self.measures.moments.get(state)
@@ -183,19 +198,62 @@ class Spans:
         return about(q, self.scope)
 
     def _impulse(self, q: Quantity, t0: float, t1: float) -> tuple[float, ...]:
-        """∫ F dt; where impacts lie in the span the impulse on a body is its change of momentum."""
-        struck = [x for x in self.trajectory.transitions if x.kind == "impact" and t0 <= x.t <= t1]
-        if not struck:
-            return self._integral(q, t0, t1, self._force)
-        body = q.things[-1]
-        if self._about(q) is not None or body not in self.scope.bodies or len(q.things) > 1:
-            text = "impacts in this span: the impulse of one joint or load alone is not told"
-            raise Undecided(f"{q.mark.file}:{q.mark.line}: {text}; ask for that on a body")
-        model = self.measures.model
-        frame, count = model.layout.frames[body], model.layout.count
-        ends = [self.measures.moments[s] for s in q.at or () if isinstance(s, str)]
-        mass = model.scene.places[body].mass.value
-        return tuple(mass * (ends[1].y[count + i] - ends[0].y[count + i]) for i in (frame.x, frame.y))
+        """∫ F dt, and the impulses of impacts in between."""
+        steady = self._integral(q, t0, t1, self._force) if t1 > t0 else ()
+        total = list(steady or ((0.0,) if self._about(q) is not None else (0.0, 0.0)))
+        for x in self.trajectory.transitions:
+            if x.kind == "impact" and self._between(x, q):
+                total = [a + b for a, b in zip(total, self._struck(q, x), strict=True)]
+        return tuple(total)
+
+    def _between(self, x: Transition, q: Quantity) -> bool:
+        """Does an impact lie between the two states? At their very time the velocities tell."""
+        first, last = (self.measures.moments[s] for s in q.at or ())
+        if x.t in (first.t, last.t):
+            after_first = x.t > first.t or x.before == first.y
+            before_last = x.t < last.t or x.after == last.y
+            return after_first and before_last
+        return first.t < x.t < last.t
+
+    def _struck(self, q: Quantity, x: Transition) -> list[float]:
+        """What the joint or load named, or all forces on a body, give in one impact: on a body, or about a point."""
+        layout = self.measures.model.layout
+        name, about = self._pressing(q.things[0], x), self._about(q)
+        if name in x.given:
+            change: Sequence[float] = x.given[name]
+            bodies = [b for b in layout.frames if any(change[i] for i in self._numbers(b))]
+            body = q.things[1] if len(q.things) == 2 and about is None else next(iter(bodies), "")
+            chosen = bodies if about is not None else [body]
+        else:
+            half = layout.count
+            change = [
+                s.mass.value * (a - b) for s, a, b in zip(layout.slots, x.after[half:], x.before[half:], strict=True)
+            ]
+            chosen = list(layout.frames) if name == "all" else [name]
+        parts = [self._parts(change, b, x, about) for b in chosen if b in layout.frames]
+        return [sum(column) for column in zip(*parts, strict=True)] or [0.0, 0.0][: 1 if about else 2]
+
+    def _pressing(self, name: str, x: Transition) -> str:
+        """The joint that gives the impulse: an impact acts through the contact between the same partners."""
+        joints = self.measures.model.scene.problem.joints
+        partners = [set(getattr(j, "between", ())) for j in joints if j.name == name and j.strikes]
+        if name in x.given or not partners:
+            return name
+        return next((j.name for j in joints if j.name in x.given and set(getattr(j, "between", ())) in partners), name)
+
+    def _numbers(self, body: str) -> list[int]:
+        frame = self.measures.model.layout.frames[body]
+        return [n for n in (frame.x, frame.y, frame.theta) if n is not None]
+
+    def _parts(self, change: Sequence[float], body: str, x: Transition, about: str | None) -> list[float]:
+        frame = self.measures.model.layout.frames[body]
+        if about is None:
+            return [change[frame.x], change[frame.y]]
+        moment = next(m for m in self.measures.moments.values() if m.t <= x.t)
+        there = Quantity("r", (about,), None, (), None, HERE)
+        px, py = self.measures.function(there, moment.regime)(x.t, x.before)
+        turning = 0.0 if frame.theta is None else change[frame.theta]
+        return [turning + (x.before[frame.x] - px) * change[frame.y] - (x.before[frame.y] - py) * change[frame.x]]
 
     def _count(self, q: Quantity, t0: float, t1: float) -> int:
         """How often a relation comes to hold."""
@@ -216,19 +274,3 @@ class Spans:
                         found += rises or falls
                     before = now or before
         return found
-
-
-def _part(found: tuple[float, ...], kind: str, q: Quantity) -> tuple[float, ...]:
-    if len(found) != 2:
-        raise FileProblem([Diagnostic(q.mark, "PL551", f".{kind} of a number", "only a vector has parts")])
-    x, y = found
-    match kind:
-        case "x":
-            return (x,)
-        case "y":
-            return (y,)
-        case "mag":
-            return (math.hypot(x, y),)
-        case "angle":
-            return (math.atan2(y, x),)
-    raise FileProblem([Diagnostic(q.mark, "PL551", f".{kind} of what is taken over a span", "ask for .x .y .mag")])
