@@ -33,10 +33,6 @@ WIDEST_BAND = 1e-4
 """A guard beyond this part of its scale below zero has fallen, at any tolerance."""
 LEAST_ALLOWED = 1e-7
 """Balances of energy are asked for to this part of their scale at most."""
-SOON = 1e-9
-"""Within this part of the time scale after a state the next one is not looked for."""
-LOOKS = (0.01, 0.03, 0.1)
-"""So many time scales before a zero its function must have been more than rounding."""
 UNSTEADY_STEPS = 256
 """At rest under loads that vary in time, the time is cut at least into so many steps."""
 
@@ -287,7 +283,9 @@ class Follower:
             self.transitions.append(graze)
         for crossing in run.crossings:
             if crossing.index == number and event is not None and _meant(event, crossing.way):
-                if self._counts(event, regime, run) and fits(event, regime, self.choice, self.t, self.y):
+                noise = 10 * self.setting.tolerance, self.automaton.time_scale
+                real = self.waiting.counts(event, regime, self.choice, run, *noise)
+                if real and fits(event, regime, self.choice, self.t, self.y):
                     self._reach(event)
                 break
         if self.outcome is None and fallen:
@@ -297,19 +295,6 @@ class Follower:
             self._settle(words, guards[0].joint, inelastic=run.t1 == run.t0)
         elif self.outcome is None and not run.crossings:
             self._timed()
-
-    def _counts(self, event: Event, regime: Regime, run: Run) -> bool:
-        """Is a zero of what tells a state more than rounding?
-
-        Just after the state before it is still that one's zero; and what has died out has no zeros.
-        """
-        assert event.crossing is not None
-        tolerance, span = self.setting.tolerance, self.automaton.time_scale
-        if self.t - self.waiting.last <= max(SOON, 10 * tolerance) * span:
-            return False
-        looks = [t for part in LOOKS if (t := self.t - part * span) >= run.t0]
-        values = [event.crossing.value(regime, self.choice, t, run.at(t)) for t in looks]
-        return not values or max(map(abs, values)) > 10 * tolerance * event.crossing.scale
 
     def _reach(self, event: Event) -> None:
         """A state has been reached."""

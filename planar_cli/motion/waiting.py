@@ -5,10 +5,17 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from planar_cli.motion.automaton import Automaton, Choice, Regime
+from planar_cli.motion.drive import Run
 from planar_cli.motion.schedule import Event, Reached, Schedule
 
 NEAR = 1e-9
 """A number below this part of its scale is zero."""
+
+
+SOON = 1e-9
+"""Within this part of the time scale after a state the next one is not looked for."""
+LOOKS = (0.01, 0.03, 0.1)
+"""So many time scales before a zero its function must have been more than rounding."""
 
 
 class Waiting:
@@ -73,6 +80,19 @@ class Waiting:
         if event is None or not event.rest or event.crossing is not None or t <= self.last:
             return None
         return event if fits(event, regime, choice, t, y) else None
+
+    def counts(self, event: Event, regime: Regime, choice: Choice, run: Run, noise: float, span: float) -> bool:
+        """Is a zero at the end of a run, of what tells a state, more than rounding?
+
+        Just after the state before it is still that one's zero; and what has died out has no zeros. `noise`: what has
+        come of the tolerance, in parts of scales; `span`: the time scale [s].
+        """
+        assert event.crossing is not None
+        if run.t1 - self.last <= max(SOON, noise) * span:
+            return False
+        looks = [t for part in LOOKS if (t := run.t1 - part * span) >= run.t0]
+        values = [event.crossing.value(regime, choice, t, run.at(t)) for t in looks]
+        return not values or max(map(abs, values)) > noise * event.crossing.scale
 
     def due(self, t: float) -> list[Event]:
         """The states whose time has come."""
