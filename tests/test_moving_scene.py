@@ -309,3 +309,21 @@ def test_decisions_know_no_unit_of_length(name: str) -> None:
         size = scaled.extent
         for title, term in residuals(scaled):
             assert abs(term.value) <= 1e-12 * max(size, 1.0 if "angle" in title or "arc" in title else 0), title
+
+
+def test_a_wheel_rolls_along_the_arc_of_a_curve() -> None:
+    problem, _ = load_text(CURVES)
+    assert problem is not None
+    scene = MovingScene(problem)
+    contact, wheel = problem.joints[1], scene.places["wheel"]
+    stick = next(m for m in contact.modes(scene) if m.name == "stick")
+    slip = contact.residuals(scene, stick)[1].of(scene.poses)
+    foot, _ = scene.own_variables["foot of wheel on hill"]
+    # y = x²/(2 m) to x = 1 m: the arc is (√2 + asinh 1)/2 m; the tangent turns by 45 deg there.
+    arc = (math.sqrt(2) + math.asinh(1)) / 2
+    assert wheel.theta is not None
+    turned = {foot: 1.0, wheel.theta: math.pi / 4 - arc / 0.2}
+    assert evaluate([slip], turned)[0] == pytest.approx(0, abs=1e-12)
+    slope = scene.graph.gradient(slip)[foot]
+    # Per dx at x = 1 m: the arc grows by √2, the tangent turns by 1/(1 + x²).
+    assert evaluate([slope], turned)[0] == pytest.approx(math.sqrt(2) - 0.2 / 2)

@@ -1,8 +1,6 @@
 """Position residuals that several joints share: points that stay together, outlines that touch, outlines that roll.
 
-How far something is off a curve y(x) or r(theta) is asked of the poses. Where a rim rolls on a curve, that is taken
-as its circle of curvature at the drawn point of contact: the two differ by the third order of the arc that is
-travelled, so first and second derivatives are exact.
+How far something is off a curve y(x) or r(theta), and how far a rim has rolled on it, is asked of the poses.
 """
 
 from __future__ import annotations
@@ -57,6 +55,9 @@ def flush(title: str, a: Outline, b: Outline, place: Vec) -> tuple[Residual, ...
 def stuck(title: str, a: Outline, b: Outline, place: Vec) -> tuple[Residual, ...]:
     """No slip: rims roll, corners and faces stay where they are; a belt carries what lies on it."""
     kinds = {a.kind, b.kind}
+    curve, rim = (a, b) if a.curve else (b, a)
+    if curve.curve and rim.kind == "arc":
+        return (*touching(title, a, b, place), _disk_on_curve(title, curve, rim, place))
     if "arc" in kinds and "corner" not in kinds:
         roll = _disk_on_disk(title, a, b, place) if kinds == {"arc"} else _disk_on_line(title, a, b, place)
         return (*touching(title, a, b, place), roll)
@@ -105,6 +106,24 @@ def _disk_on_line(title: str, a: Outline, b: Outline, place: Vec) -> Residual:
         return way + turn * height - poses.time * belt
 
     return Residual(f"{title}: arc rolled on the line", slip)
+
+
+def _disk_on_curve(title: str, curve: Outline, rim: Outline, place: Vec) -> Residual:
+    """The arc on the curve and the one unrolled cancel: s + h (θ - ψ) = (u_curve - u_rim) t.
+
+    s: the arc from the drawn point to the foot of the rim's centre. ψ: the angle by which the tangent there has turned
+    from the drawn one. h: the height of the centre, to the left of the tangent.
+    """
+    center = center_of(rim, place) or place
+
+    def slip(poses: Poses) -> Any:
+        tangent = poses.vector(curve.tangent or Vec(1, 0))
+        height = tangent.cross(poses.vector(center) - poses.vector(place))
+        belt = _speed(poses, curve, tangent) - _speed(poses, rim, tangent)
+        way, turn = poses.foot(curve, rim, place)
+        return way + (poses.angle(rim.body) - turn) * height - poses.time * belt
+
+    return Residual(f"{title}: arc rolled on {curve.curve}", slip)
 
 
 def _disk_on_disk(title: str, a: Outline, b: Outline, place: Vec) -> Residual:

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import Any
 
 from planar_cli.motion.carried import Carried
+from planar_cli.motion.functions import Integral
 from planar_cli.motion.places import unit_vector
 from planar_cli.motion.replacing import replaced
 from planar_cli.motion.terms import Term, evaluate
@@ -114,6 +116,20 @@ def bend_of(scene: Carried, surface: Surface, curve: Curve, parameter: Term) -> 
     bend = f * f + first * first * 2 - f * second
     tangent = (radial * first + radial.turned() * f) / speed
     return Bend(origin + radial * f, tangent, bend / (speed * speed * speed))
+
+
+def arc_of(scene: Carried, curve: Curve, parameter: Term, panel: float) -> Term:
+    """The arc of a curve from the reference value of a parameter to the present one; `panel`: of the quadrature."""
+    graph, formula = scene.graph, formula_of(scene, curve)
+
+    def speed(f: Any, first: Any) -> Any:
+        return first * first + (1.0 if curve.kind == "y" else f * f)
+
+    arc = Integral(lambda u: math.sqrt(speed(*formula.numbers(u)[:2])), parameter.value, panel)
+    name = f"arc{len(graph.slopes)}"
+    graph.others[name] = arc.at
+    graph.slopes[name] = lambda u: graph.call("sqrt", speed(*formula.at(u)[:2]))
+    return graph.call(name, parameter)
 
 
 def off_curve(scene: Carried, surface: Surface, curve: Curve, point: Vec) -> Term:

@@ -54,7 +54,6 @@ class Changed:
     unresolved: bool
     """Has that motion velocities above the tolerance, though its displacement is below? They are no longer followed."""
 
-
     @property
     def words(self) -> str:
         """As a sentence."""

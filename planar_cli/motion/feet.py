@@ -11,11 +11,14 @@ from dataclasses import dataclass
 from planar_cli.motion.boundaries import Rim, boundaries
 from planar_cli.motion.carried import Carried
 from planar_cli.motion.coordinates import Tie
-from planar_cli.motion.curves import Bend, Formula, bend_of, formula_of, seen_from
+from planar_cli.motion.curves import Bend, Formula, arc_of, bend_of, formula_of, seen_from
 from planar_cli.motion.terms import Term
 from planar_cli.problem.scene import Curve
 
 TRIED, STEPS = 400, 60
+"""Points of the curve among which the nearest is sought, and steps of Newton's method from there."""
+ARC = 0.05
+"""So far x (in parts of the drawing) or theta (rad) goes in one panel of the quadrature of an arc."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,6 +29,8 @@ class Foot:
     """The curve there."""
     height: Term
     """How far the centre is to the left of the curve's tangent, m."""
+    arc: Term
+    """The arc of the curve from where it is drawn, towards growing x or theta, m."""
     tie: Tie
     """What keeps the foot below the centre."""
 
@@ -57,7 +62,8 @@ def _foot(scene: Carried, name: str, curve: Curve, rim: Rim) -> Foot:
     reach = rim.center - bend.place
     title = f"the foot of {rim.body} on {name}"
     tie = Tie(title, graph.of(reach.dot(bend.tangent)))
-    return Foot(bend, graph.of(bend.tangent.cross(reach)), tie)
+    arc = arc_of(scene, curve, variable, ARC * (scene.extent if curve.kind == "y" else 1.0))
+    return Foot(bend, graph.of(bend.tangent.cross(reach)), arc, tie)
 
 
 def _nearest(formula: Formula, x: float, y: float, size: float) -> float:

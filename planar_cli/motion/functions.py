@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from itertools import pairwise
 
 EXACT = 4e-16
@@ -116,3 +116,44 @@ def safely(function: Callable[..., float], *values: float) -> float:
     except (ValueError, ZeroDivisionError, OverflowError):
         return math.nan
     return found if isinstance(found, int | float) else math.nan
+
+
+NODES = ((0.1488743389816312, 0.29552422471475287), (0.4333953941292472, 0.26926671930999635),
+         (0.6794095682990244, 0.21908636251598204), (0.8650633666889845, 0.1494513491505806),
+         (0.9739065285171717, 0.06667134430868814))  # fmt: skip
+"""Gauss's quadrature of order 20 on (-1, 1): nodes of one half with their weights."""
+
+
+@dataclass(slots=True)
+class Integral:
+    """An antiderivative by quadrature over panels of a fixed width; what was computed of whole panels is kept."""
+
+    of: Callable[[float], float]
+    """The integrand."""
+    start: float
+    """Where it is zero."""
+    panel: float
+    """The width of a panel."""
+    _whole: dict[int, float] = field(default_factory=lambda: {0: 0.0})
+
+    def at(self, x: float) -> float:
+        """From the start to x."""
+        number = int((x - self.start) / self.panel)
+        edge = self.start + number * self.panel
+        return self._panels(number) + self._over(edge, x)
+
+    def _panels(self, number: int) -> float:
+        """Over so many panels; negative: to the left."""
+        step = 1 if number > 0 else -1
+        done = number
+        while done not in self._whole:
+            done -= step
+        while done != number:
+            edge = self.start + done * self.panel
+            self._whole[done + step] = self._whole[done] + self._over(edge, edge + step * self.panel)
+            done += step
+        return self._whole[number]
+
+    def _over(self, a: float, b: float) -> float:
+        middle, half = (a + b) / 2, (b - a) / 2
+        return half * sum(w * (self.of(middle - half * x) + self.of(middle + half * x)) for x, w in NODES)

@@ -76,6 +76,11 @@ class MovingPoses:
             return self.change(foot.height)
         return self.change(off_curve(self.scene, surface, surface.shape, self.point(other.body, place)))
 
+    def foot(self, curve: Outline, rim: Outline, place: Vec) -> tuple[Term, Term]:
+        """The arc travelled on the curve, and how its tangent has turned."""
+        foot = self.feet[curve.curve, rim.body]
+        return self.change(foot.arc), self.turned(foot.bend.tangent)
+
     def along_curve(self, curve: Outline, body: str, place: Vec) -> Vec:
         """The tangent of the curve where the body's point is."""
         surface = self.scene.surfaces[curve.curve]

@@ -100,7 +100,9 @@ class Graph:
     turned: dict[str, Term] = field(default_factory=dict)
     """The same as terms."""
     others: dict[str, Callable[..., float]] = field(default_factory=dict)
-    """Functions of one scene without a derivative, by the name that they have in the code."""
+    """Functions of one scene, without a derivative unless `slopes` tells it, by the name that they have in the code."""
+    slopes: dict[str, Callable[[Term], Term]] = field(default_factory=dict)
+    """Derivatives of some of these, of one argument."""
     _known: dict[tuple[object, ...], Term] = field(default_factory=dict)
     _count: int = 0
 
@@ -282,6 +284,8 @@ class Graph:
     def _slope(self, name: str, a: Term, t: Term) -> Term:
         """The derivative of a function of one argument; t is its value."""
         one = self.number(1.0)
+        if name in self.slopes:
+            return self.slopes[name](a)
         match name:
             case "sqrt":
                 return self.number(0.5) / t

@@ -57,6 +57,11 @@ class Poses(Protocol):
     def off_curve(self, curve: Outline, other: Outline, place: Vec) -> Any:
         """How far an outline that was drawn touching a curve at a place has come off it: a corner, or a rim."""
 
+    def foot(self, curve: Outline, rim: Outline, place: Vec) -> tuple[Any, Any]:
+        """The arc from the place, where a rim was drawn on a curve, to the foot of its centre; the angle by which the
+        tangent there has turned from the drawn one.
+        """
+
     def along_curve(self, curve: Outline, body: str, place: Vec) -> Vec:
         """A vector that keeps its angle with the curve where the body's point is that was drawn there."""
 

@@ -106,6 +106,16 @@ class NearPoses:
         away: TimeJet = self.change(self.length(now - self.point(curve.body, center)))
         return away
 
+    def foot(self, curve: Outline, rim: Outline, place: Vec) -> tuple[TimeJet, TimeJet]:
+        """On the circle of curvature, which is exact to the second order."""
+        own, bend = center_of(rim, place) or place, self._bend_center(curve, place)
+        now = self.point(rim.body, own)
+        if bend is None:
+            reach = now - self.point(curve.body, place)
+            return self.change(reach.dot(self.direction(curve.body, _tangent(curve)))), self.angle(curve.body)
+        turn = self.turned(now - self.point(curve.body, bend))
+        return (turn - self.angle(curve.body)) / self.number(curve.curvature), turn
+
     def along_curve(self, curve: Outline, body: str, place: Vec) -> Vec:
         """The radius of the circle of curvature; of a straight piece the tangent."""
         center = self._bend_center(curve, place)

@@ -103,11 +103,18 @@ class GeneralPoses:
 
     def off_curve(self, curve: Outline, other: Outline, place: Vec) -> Any:
         """How far a corner is off a curve, as the body of the curve sees it."""
-        surface, shape, pose = self._curve(curve)
+        _, shape, pose = self._curve(curve)
         if other.kind == "arc":
-            text = f"{other.body} touches the curve {curve.curve} with its rim: its places are not followed over time"
-            raise self.scene.refuse(surface.mark, "PL591", text, "ask at one instant")
+            raise self._not_followed(curve, other)
         return off_curve(self.scene, shape, pose, self.point(other.body, place), self._sign)
+
+    def foot(self, curve: Outline, rim: Outline, place: Vec) -> tuple[Any, Any]:
+        """No formula tells where a rim touches a curve."""
+        raise self._not_followed(curve, rim)
+
+    def _not_followed(self, curve: Outline, rim: Outline) -> Exception:
+        text = f"{rim.body} touches the curve {curve.curve} with its rim: its places are not followed over time"
+        return self.scene.refuse(self.scene.surfaces[curve.curve].mark, "PL591", text, "ask at one instant")
 
     def along_curve(self, curve: Outline, body: str, place: Vec) -> Vec:
         """The tangent of a curve where the body's point is."""
@@ -115,7 +122,7 @@ class GeneralPoses:
         return bend_at(self.scene, shape, pose, self.point(body, place)).tangent
 
     def _curve(self, outline: Outline) -> tuple[Surface, Curve, Pose]:
-        """The surface of an outline, its curve, and where it is."""
+        """The surface of an outline, its curve, and where its body is."""
         surface = self.scene.surfaces[outline.curve]
         assert isinstance(surface.shape, Curve)
         return surface, surface.shape, self.displacement.poses.get(surface.body or GROUND, HERE)
