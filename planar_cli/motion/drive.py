@@ -110,7 +110,7 @@ def drive(
     is zero. `on_step` sees every step. Raises StepTooSmall.
     """
     y, steps, counts = list(y0), list[Step](), Counts()
-    sentinel = Sentinel(watch, band) if watch is not None else None
+    sentinel = Sentinel(watch, band) if watch is not None and watch.scales else None
     crossings = sentinel.at_start(t0, y) if sentinel is not None else []
     if setting.longest == math.inf:
         setting = replace(setting, longest=abs(t1 - t0) / FEWEST or math.inf)
