@@ -7,6 +7,7 @@ import io
 import json
 import math
 import time
+from collections.abc import Iterator
 from dataclasses import dataclass
 from importlib.util import find_spec
 from pathlib import Path
@@ -18,7 +19,7 @@ from planar_cli.errors import PlanarError
 from planar_cli.integrators.base import Setting
 from planar_cli.motion.drive import drive
 from planar_cli.motion.estimate import shifts
-from planar_cli.simulate.accuracy import Ran, Study, Wanted, study
+from planar_cli.simulate.accuracy import Ran, Row, Study, Wanted, study
 from planar_cli.simulate.accuracy_report import Told, as_csv, as_data, as_markdown, as_text
 from planar_cli.simulate.diagram import HEIGHT, picture
 
@@ -46,6 +47,10 @@ class Plain:
 
     def exact(self) -> tuple[float, ...] | None:
         return self.closed
+
+    def peers(self) -> Iterator[Iterator[Row]]:
+        steps = (0.1, 0.01)
+        yield (Row("elsewhere", None, step, step, None, math.nan, math.nan, 0, 0, 0.1 / step) for step in steps)
 
 
 WANTED = Wanted(("auto", "dop853", "rk4"), tolerances=(1e-4, 1e-7, 1e-10, 1e-12), steps=(0.1, 0.03, 0.01))
@@ -97,6 +102,14 @@ def test_the_horizon_of_a_chaotic_motion() -> None:
 def test_a_method_beyond_its_budget_is_not_refined() -> None:
     found = study(Plain(motions.pendulum(2.0, 5.0)), Wanted(("rk4",), steps=(0.1, 0.01, 0.001), budget=0.0))
     assert len(found.rows) == 1
+
+
+def test_rows_of_other_packages() -> None:
+    plain = Plain(motions.pendulum(2.0, 5.0))
+    found = study(plain, Wanted(("dop853",), peers=True, tolerances=(1e-6,), budget=0.5))
+    assert [r.step for r in found.rows if r.integrator == "elsewhere"] == [0.1]
+    assert all(a.row is None or a.row.integrator == "dop853" for a in found.advice)
+    assert "elsewhere" in as_text(Told("Pendulum", found))
 
 
 def test_what_can_not_be_followed_is_a_row_with_its_reason() -> None:

@@ -78,6 +78,9 @@ class Subject(Protocol):
     def exact(self) -> tuple[float, ...] | None:
         """The closed form of what is compared, where there is one."""
 
+    def peers(self) -> Iterator[Iterator[Row]]:
+        """The rows of each other package that follows the whole scene, as far as it is installed."""
+
 
 @dataclass(frozen=True, slots=True)
 class Row:
@@ -159,14 +162,22 @@ def study(subject: Subject, wanted: Wanted) -> Study:
     reference, ran = _reference(subject)
     rows: list[Row] = []
     for kind in _kinds(wanted, ran):
-        for row in _rows(subject, kind, reference, wanted):
-            rows.append(row)
-            if row.seconds > wanted.budget:
-                break
-    own = [r for r in rows if not peer_of(r.integrator)]
+        rows += _within(_rows(subject, kind, reference, wanted), wanted)
+    own = [r for r in rows if r.integrator == AUTOMATIC or (kind_of(r.integrator) and not peer_of(r.integrator))]
+    if wanted.peers:
+        for others in subject.peers():
+            rows += _within(others, wanted)
     if wanted.progress is not None:
         wanted.progress("")
     return Study(tuple(rows), reference, _growth(subject, ran), tuple(_advice(own, d, reference) for d in DIGITS), ran)
+
+
+def _within(rows: Iterator[Row], wanted: Wanted) -> Iterator[Row]:
+    """Rows from coarse to fine, as far as the budget goes: what took too long is not refined."""
+    for row in rows:
+        yield row
+        if row.seconds > wanted.budget:
+            return
 
 
 def kind_of(name: str) -> type[Integrator] | None:

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import math
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
+from planar_cli.errors import PlanarError
 from planar_cli.motion.drive import IMPLICIT
 from planar_cli.motion.regime import Regime
 from planar_cli.motion.trajectory import Trajectory
 from planar_cli.problem.scene import Problem
-from planar_cli.simulate.accuracy import Ran
+from planar_cli.simulate.accuracy import FINEST, Ran, Row
+from planar_cli.simulate.peers import PEERS, Peer, largest_of
 from planar_cli.simulate.run import Prepared, Run, Settings, followed, prepared
 
 
@@ -52,6 +55,28 @@ class SceneSubject:
     def exact(self) -> tuple[float, ...] | None:
         """None: a file states single answers, not the whole state."""
         return None
+
+    def peers(self) -> Iterator[Iterator[Row]]:
+        """The rows of other packages, by the end of the motion."""
+        run = followed(self.scene, replace(self.settings, tolerance=FINEST))
+        for member in PEERS:
+            peer = member()
+            if peer.available():
+                yield self._rows_of(peer, run)
+
+    def _rows_of(self, peer: Peer, run: Run) -> Iterator[Row]:
+        scale = self.scene.model.scale
+        end = [a / s for a, s in zip(run.trajectory.at(run.trajectory.t1), scale, strict=True)]
+        settings: list[tuple[float | None, float | None]] = [(t, None) for t in peer.tolerances]
+        settings += [(None, s * self.time_scale) for s in peer.steps]
+        for tolerance, step in settings:
+            try:
+                found = peer.follow(run, tolerance or step or 0.0)
+            except PlanarError as refusal:
+                yield Row(peer.name, tolerance, step, None, None, math.nan, math.nan, 0, 0, 0.0, str(refusal))
+                return
+            error = largest_of(found.end, end, scale)
+            yield Row(peer.name, tolerance, step, error, None, math.nan, math.nan, 0, 0, found.seconds)
 
     def _compared(self, trajectory: Trajectory) -> tuple[float, ...]:
         """Time and state of every state of the file, and of the end."""
