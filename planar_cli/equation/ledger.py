@@ -17,6 +17,7 @@ import sympy as sp
 
 from planar_cli.equation.exact import PI, Sample, Valuation
 from planar_cli.equation.sample import fraction, generator
+from planar_cli.equation.scales import Scales
 from planar_cli.units import PURE, Unit, parse_unit
 
 DRAWS, WIDER, MANY = 2, 10, 30
@@ -63,7 +64,7 @@ class Ledger:
     `sought`: unknown constants and coordinates. `units`: the unit for display, by symbol. `ranges`: from where to where
     a letter is drawn, where the usual range would not do. `project`: moves drawn coordinates to where loops close.
     `named`: symbols that stand for an expression, by name and expression. `roles`: what every symbol is. `reserved`:
-    the names of the file, which no symbol of ours gets.
+    the names of the file, which no symbol of ours gets. `scales`: ordinary sizes of the scene.
     """
 
     symbols: dict[str, sp.Symbol] = field(default_factory=dict)
@@ -80,6 +81,7 @@ class Ledger:
     named: dict[tuple[str, sp.Expr], sp.Symbol] = field(default_factory=dict)
     roles: dict[sp.Symbol, Role] = field(default_factory=dict)
     reserved: frozenset[str] = frozenset()
+    scales: Scales = field(default_factory=Scales)
 
     def known(self, name: str, value: sp.Expr, unit: str) -> sp.Symbol:
         """A name with a value; positive when its number is."""
@@ -162,6 +164,11 @@ class Ledger:
         self.titles[symbol] = title
         return symbol
 
+    def natural(self, symbol: sp.Symbol) -> Decimal:
+        """An ordinary size of what a symbol stands for; of a letter of the file, 1 in its SI unit."""
+        unit = self.units.get(symbol)
+        return Decimal(1) if unit is None or symbol.is_positive else self.scales.exact(unit.dimension)
+
     @property
     def symbolic(self) -> bool:
         """Do letters without numbers remain?"""
@@ -215,7 +222,7 @@ class Ledger:
             return low + (high - low) * number
         if self.units[symbol].angle and self.units[symbol].dimension == PURE:
             return PI * (Decimal("0.08") + Decimal("0.36") * number)
-        return Decimal("0.5") + Decimal("1.5") * number
+        return (Decimal("0.5") + Decimal("1.5") * number) * self.natural(symbol)
 
     def _far(self, symbol: sp.Symbol, rng: random.Random) -> Decimal:
         """A draw from some decades, or of any acute angle."""
@@ -224,7 +231,7 @@ class Ledger:
         number = fraction(rng)
         if self.units[symbol].angle and self.units[symbol].dimension == PURE:
             return PI * number / 2
-        return Decimal(10) ** (3 * (2 * number - 1))
+        return Decimal(10) ** (3 * (2 * number - 1)) * self.natural(symbol)
 
 
 def _holds(test: Callable[[Valuation], bool], valuation: Valuation) -> bool:

@@ -11,6 +11,7 @@ from planar_cli.equation.evaluate import Evaluator, refuse
 from planar_cli.equation.jets import Jet, constant, magnitude, vector_jet
 from planar_cli.equation.motion import Motion
 from planar_cli.equation.scene import Scene
+from planar_cli.equation.turning import counted_angle
 from planar_cli.problem.expression import Name, Part, PointPair, Quantity, Relation
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.reactions import Reactions
@@ -327,7 +328,9 @@ class Quantities:
             case "mag":
                 return magnitude(v)
             case "angle":
-                return direction_angle(v)
+                counted = counted_angle(self.scene, Vec(v.x.value, v.y.value)) if q.word == "r" else None
+                found = direction_angle(v)
+                return found if counted is None else Jet(counted, found.rate, found.second)
             case "along" | "across":
                 return resolved(v, self.direction(part), part.kind == "along")
             case "r" | "theta":

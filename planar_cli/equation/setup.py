@@ -13,6 +13,7 @@ from planar_cli.equation.evaluate import Evaluator, refuse
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.ledger import Kind as RoleKind
 from planar_cli.equation.ledger import Ledger, Role
+from planar_cli.equation.scales import scales_of
 from planar_cli.equation.scene import Scene
 from planar_cli.equation.system import Statements
 from planar_cli.problem.dimensions import Kind, dimension_of
@@ -60,7 +61,8 @@ class Setup:
         self.problem, self.statements, self.earlier = problem, statements, earlier
         self.parted = course.parted if course is not None else {}
         written = (*problem.given, *problem.symbols, *problem.unknowns, *problem.coordinates)
-        self.ledger = Ledger(us=problem.us, reserved=frozenset(s.name for s in written))
+        names = frozenset(s.name for s in written)
+        self.ledger = Ledger(us=problem.us, reserved=names, scales=scales_of(problem))
         self._given = {s.name: s for s in problem.given}
         self._waiting: list[str] = []
         self.motions: dict[sp.Symbol, tuple[sp.Expr | None, sp.Expr | None]] = {}

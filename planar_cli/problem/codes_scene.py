@@ -56,6 +56,11 @@ _SCENE = {
         "The stops before and after a pulley lie one above the other, so that `over` and `under` mean "
         "nothing. Move them, or write `along: 90 deg`."
     ),
+    "PL529": (
+        "An impact acts only between bodies that touch. Here the places of the state hold them apart: those to which a "
+        "motion has led, those that the state gives, or those in which two bodies of given size are drawn. Put a state "
+        "before it in which they meet, or correct the places. A particle may be drawn beside what it strikes."
+    ),
     "PL528": (
         "Where two bodies strike each other, or in which direction, is open. A particle, a round rim, the end of a rod "
         "or the corner of a plate must meet the other body; where two particles are at one place, or two corners meet, "

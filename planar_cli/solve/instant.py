@@ -26,6 +26,7 @@ from planar_cli.problem.keys import Flow, keys_of
 from planar_cli.problem.polar import TOGETHER
 from planar_cli.problem.scene import Problem
 from planar_cli.solve.asked import names_anywhere, quantities_in
+from planar_cli.solve.locked import LOCKED, locked
 from planar_cli.solve.principled import at_instants, position_of
 from planar_cli.solve.study import Outcome, Velocities, accelerate, solve_velocities
 from planar_cli.solve.worked import unknowns_of
@@ -200,7 +201,9 @@ class Instant:
                 return Trial(choice, system, velocities, outcomes, moving)
             if outcome.solved.conflict is not None:
                 return Trial(choice, system, velocities, outcomes, "contradiction")
-            failed = self._relevant(system, outcome)
+            if locked(system, outcome.assembly, {name for name, _ in self.statements.modes}):
+                return Trial(choice, system, velocities, outcomes, LOCKED)
+            failed = outcome.failed
             if failed:
                 return Trial(choice, system, velocities, outcomes, failed[0][0].words, failed)
             against = self._against(system, outcome)
@@ -248,16 +251,6 @@ class Instant:
             except (Unvalued, NoValue):
                 continue
         return ""
-
-    def _relevant(self, system: System, outcome: Outcome) -> tuple[tuple[Test, Any], ...]:
-        """Failed tests; that a slip begins is no question where it is under way."""
-        found = []
-        for test, value in outcome.failed:
-            mode = system.modes[test.joint]
-            if test.row is not None and mode.sliding is test.row and abs(outcome.assembly.row_speed(test.row)) > TINY:
-                continue
-            found.append((test, value))
-        return tuple(found)
 
 
 def distinct(joints: tuple[Joint, ...]) -> tuple[Joint, ...]:

@@ -15,8 +15,8 @@ import sympy as sp
 
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.solve.course.events import LOOKS
+from planar_cli.solve.course.followed import Followed
 from planar_cli.solve.course.regime import Regime
-from planar_cli.solve.course.simulate import Followed
 from planar_cli.solve.course.solved_motion import SolvedMotion
 from planar_cli.solve.verify import Disagreement
 
@@ -108,4 +108,6 @@ def _anywhere(regime: Regime) -> Valuation:
     if general.constraints:
         return general.value
     letters = (*(c.symbol for c in regime.coordinates), *regime.free)
-    return general.value.extended({s: general.value(s) + Decimal(i + 3) / 17 for i, s in enumerate(letters)})
+    ordinary = general.instant.scene.ledger.natural
+    moved = {s: general.value(s) + Decimal(i + 3) / 17 * ordinary(s) for i, s in enumerate(letters)}
+    return general.value.extended(moved)

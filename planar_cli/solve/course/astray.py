@@ -16,17 +16,19 @@ import sympy as sp
 from planar_cli.calculus.first import first_extreme
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.equation.sample import anywhere
+from planar_cli.equation.scales import slack_of
 from planar_cli.errors import NOWHERE, Diagnostic, Mark, NoSolution, NoValue, Undecided
 from planar_cli.problem.scene import Problem
 from planar_cli.solve.course.asked_finds import AskedFind, asked_letters
 from planar_cli.solve.course.balances import StateBalance
 from planar_cli.solve.course.equations import Equation
 from planar_cli.solve.course.events import Leg, events, is_zero, scale_of
+from planar_cli.solve.course.followed import Ends, Followed
 from planar_cli.solve.course.motion_equations import MotionEquations
 from planar_cli.solve.course.plot import Span, Workshop, fixed_time
 from planar_cli.solve.course.reached import asked_about
 from planar_cli.solve.course.regime_sequence import RegimeSequence
-from planar_cli.solve.course.simulate import Ends, Followed, Follower
+from planar_cli.solve.course.simulate import Follower
 from planar_cli.solve.course.stated_motion import StatedMotion
 from planar_cli.solve.course.timeline import Demand, Stop
 from planar_cli.solve.diagnose import explain_failure, singular_position
@@ -46,7 +48,8 @@ BEFORE = 1e-6
 def loose_letters(course: MotionEquations) -> list[sp.Symbol]:
     """Letters of states and sought constants that the equations do not fix."""
     unknowns = sorted(course.chain().unknowns, key=lambda s: s.name)
-    value = course.base().extended({x: anywhere(i) for i, x in enumerate(unknowns)})
+    ordinary = course.natural(unknowns)
+    value = course.base().extended({x: anywhere(i) * ordinary[x] for i, x in enumerate(unknowns)})
     rows = []
     places = [s.name for s in course.states]
     # Where laws of motion tell everything, balances say nothing new.
@@ -178,7 +181,10 @@ def demand_agreement(course: StatedMotion, value: Valuation, guessed: Collection
                 number, size = value(d.residual), max(value.size(d.residual), large.size(d.residual))
             except (NoValue, Unvalued):
                 continue
-            slack = AGREES * max(size, AGREES)
+            slack = AGREES * size
+            if abs(number) > slack:
+                letters = [*course.stops[state.name].letters.values()]
+                slack += AGREES * AGREES * slack_of(d.residual, letters, course.natural(letters), value)
             if number < -slack if d.kind == "inequality" else abs(number) > slack:
                 raise _contradiction(course, d, number)
 
@@ -322,7 +328,8 @@ def _common(follower: Follower, equations: list[Demand], stop: Stop, leg: Leg, u
     gs = [follower.function(d.residual, stop, leg) for d in equations]
     try:
         for root in islice(events(gs[0], leg, until), ROOTS):
-            if all(is_zero(g, root.value, leg) for g in gs[1:]):
+            sizes = [follower.size(d.residual, stop, leg, root.value) for d in equations]
+            if all(is_zero(g, root.value, leg, size) for g, size in zip(gs[1:], sizes[1:], strict=True)):
                 return root.value
     except ArithmeticError:
         pass

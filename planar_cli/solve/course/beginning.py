@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Mapping, Sequence
 from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.exact import Valuation
+from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.equation.scales import Here, measured
 from planar_cli.errors import Diagnostic, NoSolution
-from planar_cli.solve.course.events import SLACK, Leg, State, length_of
+from planar_cli.solve.course.events import Leg, State
 from planar_cli.solve.course.gaps import closes_at_once, openings
 from planar_cli.solve.course.regime import Regime, number_function
 from planar_cli.solve.course.regime_sequence import RegimeSequence
@@ -17,18 +18,18 @@ from planar_cli.solve.course.stated_motion import StatedMotion
 from planar_cli.solve.course.ways import becomes_negative
 
 MOVES = 1e-7
-"""A larger speed is one, in m/s or rad/s."""
+"""A larger part of the speeds of a motion is a speed."""
 LOOKS = 8
 """So often on a stretch it is seen whether forces that are not unique can be what is assumed of them."""
 
 
-def objection(course: StatedMotion, i: int, regime: Regime, state: State, before: State, value: Valuation) -> str:
+def objection(course: StatedMotion, i: int, regime: Regime, here: Here, old: Regime, before: State) -> str:
     """Why the assumptions of a regime do not hold where it begins at state i; "" when they do. `before`: the state in
-    the letters of the regime before, `state` in its own.
+    the letters of the `old` regime, `here` in its own.
     """
-    found = _moves(course, regime, state, before, value) or _fails(regime, state, value)
-    found = found or _slides_otherwise(regime, state, value) or _presses(course, i, regime, state, value)
-    return found or (_impossible(regime, state, value) if regime.loose else "")
+    found = _moves(course, regime, here, old, before) or _leaps(old, regime, here, before) or _fails(regime, here)
+    found = found or _slides_otherwise(regime, here) or _presses(course, i, regime, here)
+    return found or (_impossible(regime, here.letters, here.value) if regime.loose else "")
 
 
 def handed_number(old: Regime, expr: sp.Expr, state: State, value: Valuation) -> float:
@@ -36,20 +37,52 @@ def handed_number(old: Regime, expr: sp.Expr, state: State, value: Valuation) ->
     return number_function([old.closed(expr)], list(state), value)(*state.values())[0]
 
 
-def _numbers(regime: Regime, exprs: Sequence[sp.Expr], value: Valuation) -> Callable[..., list[float]]:
-    return number_function(exprs, regime.letters, value)
-
-
-def _moves(course: StatedMotion, regime: Regime, state: State, before: State, value: Valuation) -> str:
-    """Does something move that the regime takes for held?"""
+def _moves(course: StatedMotion, regime: Regime, here: Here, old: Regime, before: State) -> str:
+    """Does something move that the regime takes for held, or rest that it takes along?"""
     handing = course.handings[id(regime)]
     for symbol, number in before.items():
-        if symbol in regime.letters or symbol not in course.first.speeds or abs(number) <= MOVES:
+        if symbol in regime.letters or symbol not in course.first.speeds:
             continue
-        kept = handed_number(regime, handing[symbol], {**before, **state}, value) if symbol in handing else 0.0
-        if _alone(symbol, regime) and abs(kept - number) > MOVES * max(1.0, abs(number)):
+        nothing = MOVES * here.sizes.get(symbol, 0.0)
+        if abs(number) <= nothing and symbol not in old.letters:
+            continue
+        both = {**before, **here.letters}
+        kept = handed_number(regime, handing[symbol], both, here.value) if symbol in handing else 0.0
+        if _alone(symbol, regime) and abs(kept - number) > max(nothing, MOVES * abs(number)):
             return "it moves"
     return ""
+
+
+def _leaps(old: Regime, regime: Regime, here: Here, before: State) -> str:
+    """Would a body be elsewhere, or move otherwise, in the regime than it was and did in the old one? No mode begins
+    where it does not hold: a slack rope is not taut, what is apart does not press.
+    """
+    if old is regime or any(s not in before for s in old.letters):
+        return ""
+    for constraint in regime.general.constraints:
+        # A turn more or less is no other place.
+        if not constraint.residual.has(sp.atan2) and _differ([(constraint.residual, here), (sp.S.Zero, here)]):
+            return "the places are others than it holds"
+    there = Here({s: before[s] for s in old.letters}, here.sizes, here.value)
+    scenes = [r.general.instant.scene.bodies for r in (old, regime)]
+    for body in scenes[0]:
+        places = [(b[body].center.x, b[body].center.y, b[body].theta) for b in scenes]
+        for one, other in zip(*places, strict=True):
+            if _differ([(one, there), (other, here)]):
+                return f"{body} is elsewhere"
+            rates = old.derivative(one), regime.derivative(other)
+            if _differ([(rates[0], there), (rates[1], here)]):
+                return f"{body} moves otherwise"
+    return ""
+
+
+def _differ(pairs: Sequence[tuple[sp.Expr, Here]]) -> bool:
+    """Have two formulas, each in the letters of its own regime, different values? What has none does not tell."""
+    try:
+        (a, one), (b, other) = (measured([e], h.letters, h.sizes, h.value)[0] for e, h in pairs)
+    except (ArithmeticError, Unvalued):
+        return False
+    return abs(a - b) > MOVES * max(one, other)
 
 
 def _alone(symbol: sp.Symbol, regime: Regime) -> bool:
@@ -59,50 +92,42 @@ def _alone(symbol: sp.Symbol, regime: Regime) -> bool:
     return symbol.name not in twin and not any(c.speed == symbol for c in moving)
 
 
-def _fails(regime: Regime, state: State, value: Valuation) -> str:
+def _fails(regime: Regime, here: Here) -> str:
     """The test of its modes that does not hold, or not for long."""
-    here = [state[s] for s in regime.letters]
-    values = _numbers(regime, [w.expr for w in regime.watches], value)(*here) if regime.watches else []
-    for watch, v in zip(regime.watches, values, strict=True):
-        if v < -SLACK * max(1.0, abs(v)):
-            return watch.test.words
-        if abs(v) <= SLACK and becomes_negative(regime, watch.expr, here, value):
+    signs = here.signs([w.expr for w in regime.watches]) if regime.watches else []
+    for watch, sign in zip(regime.watches, signs, strict=True):
+        if sign < 0 or (sign == 0 and becomes_negative(regime, watch.expr, here)):
             return watch.test.words
     return ""
 
 
-def _slides_otherwise(regime: Regime, state: State, value: Valuation) -> str:
+def _slides_otherwise(regime: Regime, here: Here) -> str:
     """What speaks against a slip that is assumed."""
-    here = [state[s] for s in regime.letters]
     for slip in regime.slips:
-        speed = _numbers(regime, [slip], value)(*here)[0]
-        if speed < -SLACK:
+        sign = here.sign(slip)
+        if sign < 0:
             return "it slides the other way"
-        if abs(speed) <= SLACK and not _starts_to_slide(regime, slip, here, value):
+        if sign == 0 and not _starts_to_slide(regime, slip, here):
             return "nothing makes it slide"
     return ""
 
 
-def _starts_to_slide(regime: Regime, slip: sp.Expr, here: list[float], value: Valuation) -> bool:
+def _starts_to_slide(regime: Regime, slip: sp.Expr, here: Here) -> bool:
     """Does the speed of slip grow from zero, at once or as the load grows?"""
     rate = regime.derivative(slip)
-    first = _numbers(regime, [rate], value)(*here)[0]
-    if abs(first) > SLACK:
-        return first > 0
-    return _numbers(regime, [regime.derivative(rate)], value)(*here)[0] > 0
+    sign = here.sign(rate) or here.sign(regime.derivative(rate))
+    return sign > 0
 
 
-def _presses(course: RegimeSequence, i: int, regime: Regime, state: State, value: Valuation) -> str:
+def _presses(course: RegimeSequence, i: int, regime: Regime, here: Here) -> str:
     """What would press into its partner where it is taken for parted."""
-    here = [state[s] for s in regime.letters]
     for opening, words in openings(course, i, regime):
-        length = length_of(regime, state, [0.0] * len(here[1:]), value)
-        if closes_at_once(regime, opening, here, value, length):
+        if closes_at_once(regime, opening, here):
             return f"`{words}` does not hold"
     return ""
 
 
-def _impossible(regime: Regime, state: State, value: Valuation) -> str:
+def _impossible(regime: Regime, state: Mapping[sp.Symbol, float], value: Valuation) -> str:
     """The test that no distribution of forces that are not unique satisfies."""
     return regime.general.impossible({s: Decimal(repr(state[s])) for s in regime.letters}, value)
 

@@ -38,8 +38,6 @@ from planar_cli.solve.stages import Stage, StageMaker, acceleration_unknowns
 from planar_cli.solve.worked import unknowns_of
 
 MOVES = Decimal("1e-9")
-TOUCHES = Decimal("1e-4")
-"""A larger gap is one, in m."""
 ABOUT_PUSHES = ("impulse", "work", "heat", "mean")
 
 
@@ -181,16 +179,21 @@ class Blow:
 
     # --- numbers -----------------------------------------------------------------------------------------------------
 
-    def strike(self, state: Mapping[sp.Symbol, Any], value: Valuation) -> Stroke:
-        """What comes of the letters just before the blow. `state`: by the letters of the general position. `value`:
-        numbers of everything that does not vary.
+    def arrived(self, state: Mapping[sp.Symbol, Any], value: Valuation) -> Valuation:
+        """Numbers of the scene just before the blow. `state`: by the letters of the general position. `value`: numbers
+        of everything that does not vary.
         """
         number = {s: Decimal(repr(float(v))) for s, v in state.items()}
-        here = self.numbers(value.extended({self.since.letters[s]: v for s, v in number.items()}))
-        self.far = self._far(here)
+        return self.numbers(value.extended({self.since.letters[s]: v for s, v in number.items()}))
+
+    def strike(self, state: Mapping[sp.Symbol, Any], here: Valuation, near: float) -> Stroke:
+        """What comes of the letters just before the blow. `here`: the numbers with which things have `arrived`. `near`:
+        a smaller gap is none, in m.
+        """
+        self.far = self._far(here, Decimal(repr(near)))
         if not self.fits(self.choice):
             return Stroke({}, {}, "what is apart is not struck")
-        self._demand_corners(here)
+        self._demand_corners(here, Decimal(repr(near)))
         trial = self.struck.try_choice(self.choice, (here,))
         if not trial.outcomes:
             return Stroke({}, {}, trial.objection)
@@ -203,22 +206,22 @@ class Blow:
         own = {s: float(unknowns[s]) for s in self.letters if s in unknowns and self._unique(s, outcome)}
         return Stroke(after, own, trial.objection, self._moves(after, found, unknowns))
 
-    def _demand_corners(self, here: Valuation) -> None:
+    def _demand_corners(self, here: Valuation, near: Decimal) -> None:
         """NoSolution: the corner that strikes is another than was taken, or there are two."""
         for joint in self.struck.joints:
             if joint.strikes and joint.name not in (self.far or ()):
-                wrong = self.scene.doubtful(joint, here, TOUCHES)
+                wrong = self.scene.doubtful(joint, here, near)
                 if wrong:
                     hint = "draw the points in the state of the impact, slightly turned so that one corner comes first"
                     raise NoSolution([Diagnostic(joint.mark, "PL528", wrong, hint)])
 
-    def _far(self, here: Valuation) -> frozenset[str]:
+    def _far(self, here: Valuation, near: Decimal) -> frozenset[str]:
         """Impacts of the whole motion that do not strike here: their bodies are apart. Where all are, and nothing else
         makes this a blow, the file only draws them so.
         """
         free = [j for j in self.struck.joints if j.strikes and j.during is None]
         gaps = {j.name: self.scene.distance(getattr(j, "between", ()), here) for j in free}
-        far = frozenset(name for name, gap in gaps.items() if gap is not None and gap > TOUCHES)
+        far = frozenset(name for name, gap in gaps.items() if gap is not None and gap > near)
         return far if len(far) < len(free) or self.otherwise else frozenset()
 
     def fits(self, choice: tuple[int, ...]) -> bool:

@@ -35,7 +35,8 @@ class Blocked(Exception):
 def carried_branch(course: MotionEquations, branches: Sequence[Branch]) -> Branch:
     """Of several branches the one that the drawn position leads to. NoSolution: that cannot be told."""
     places = [own for s in course.states for own in _letters(course, s.name)]
-    if all(_agree(b.values, branches[0].values, places) for b in branches):
+    natural = course.natural(places)
+    if all(_agree(b.values, branches[0].values, natural) for b in branches):
         return branches[0]
     for state in course.states[1:]:
         try:
@@ -46,7 +47,7 @@ def carried_branch(course: MotionEquations, branches: Sequence[Branch]) -> Branc
             raise NoSolution([Diagnostic(state.mark, "PL620", text, hint)]) from error
         if led is None:
             continue
-        branches = [b for b in branches if _agree(b.values, led, led)]
+        branches = [b for b in branches if _agree(b.values, led, course.natural(led))]
         if not branches:
             text = f"state {state.name}: its relations cannot hold in the way in which the linkage is drawn"
             raise NoSolution([Diagnostic(state.mark, "PL620", text, "draw the points in this state")])
@@ -57,9 +58,10 @@ def _letters(course: RegimeSequence, name: str) -> list[sp.Symbol]:
     return [course.stops[name].letters[c.symbol] for c in course.regimes[0].coordinates]
 
 
-def _agree(one: Places, other: Places, letters: Sequence[sp.Symbol] | Places) -> bool:
-    both = [(one[s], other[s]) for s in letters if s in one and s in other]
-    return all(abs(a - b) <= SAME * max(abs(a), abs(b), Decimal(1)) for a, b in both)
+def _agree(one: Places, other: Places, natural: Places) -> bool:
+    """Are these letters the same? `natural`: an ordinary size of each."""
+    both = [(one[s], other[s], size) for s, size in natural.items() if s in one and s in other]
+    return all(abs(a - b) <= SAME * max(abs(a), abs(b), size) for a, b, size in both)
 
 
 def _led(course: MotionEquations, name: str) -> Places | None:
@@ -81,15 +83,19 @@ def _led(course: MotionEquations, name: str) -> Places | None:
     loops = [e.residual for e in fixed if e.kind == "loop"]
     goals = [e.residual for e in fixed if e.kind != "loop"]
     start = dict(zip(now, (drawn[x] for x in own), strict=True))
-    return _Carrier(known, now).run([(r, False) for r in loops] + [(r, True) for r in goals], start)
+    equations = [(r, False) for r in loops] + [(r, True) for r in goals]
+    return _Carrier(known, now, course.natural(now)).run(equations, start)
 
 
 @dataclass(frozen=True, slots=True)
 class _Carrier:
-    """Leads letters from one position to another. `known`: numbers of everything else."""
+    """Leads letters from one position to another."""
 
     known: Valuation
+    """Numbers of everything else."""
     letters: Sequence[sp.Symbol]
+    natural: Places
+    """An ordinary size of each letter."""
 
     def run(self, equations: Sequence[tuple[sp.Expr, bool]], start: Places) -> Places | None:
         """`equations`: what vanishes, and whether only at the end. None: they leave something open."""
@@ -132,7 +138,8 @@ class _Carrier:
             if solved.rank < len(self.letters):
                 return None
             at = {x: at[x] + d for x, d in zip(self.letters, solved.values, strict=True)}
-            sizes = [abs(d) / max(abs(at[x]), Decimal(1)) for x, d in zip(self.letters, solved.values, strict=True)]
+            steps = zip(self.letters, solved.values, strict=True)
+            sizes = [abs(d) / max(abs(at[x]), self.natural[x]) for x, d in steps]
             moved += max(sizes)
             if moved > JUMP:
                 return None

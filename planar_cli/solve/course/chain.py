@@ -16,6 +16,7 @@ import sympy as sp
 from planar_cli.calculus.first import roots
 from planar_cli.calculus.polish import polish
 from planar_cli.equation.exact import PI, Unvalued, Valuation
+from planar_cli.equation.scales import slack_of
 from planar_cli.errors import NoValue, Undecided
 from planar_cli.solve.branches import vanishes
 from planar_cli.solve.course.equations import Equation
@@ -31,7 +32,13 @@ MOST_BRANCHES = 200
 AGREES = Decimal("1e-18")
 LATER = Decimal("1e-20")
 NOTHING = Decimal("1e-45")
-"""What the last of sixty digits leave of a zero."""
+"""What the last of sixty digits leave of a zero, in parts of an ordinary size."""
+LEFT, NEVER, SMALL = Decimal("1e-20"), Decimal("1e-12"), Decimal("1e-3")
+"""Parts of an ordinary size: where all that stands in an equation is smaller, where a time is none, and below which
+values of followed letters are compared with it.
+"""
+NEAR = Decimal("1e-6")
+"""Values of a followed motion agree with exact ones up to this part."""
 REACHES = (Decimal("1e-10"), Decimal("1e-8"), Decimal("5e-7"))
 """So far about the truth, in parts of its size, a root is looked for."""
 
@@ -72,8 +79,10 @@ class Chain:
     """`unknowns` in the order of their states. `times`: of them, each with the time before it (None: the first).
 
     `angles`: unknowns that are angles, each with the one from which its turns are counted. `truth`: values to twelve
-    digits where the motion was followed in numbers; then only the roots next to them are taken. `leaning`: values near
-    by, of which at least the sign stays. `agrees`: to so many digits equations hold with what is known.
+    digits where the motion was followed in numbers; then only the roots next to them are taken. `tends`: values far
+    along the way to states that are only approached; the root next to them is the limit. `agrees`: to so many digits
+    equations hold with what is known. `natural`: an ordinary size of each unknown, beside which what is left of a zero
+    is nothing.
     """
 
     unknowns: frozenset[sp.Symbol]
@@ -83,8 +92,9 @@ class Chain:
     symbolic: bool
     accept: Callable[[dict[sp.Symbol, Decimal]], bool] = lambda values: True
     truth: Mapping[sp.Symbol, float] = field(default_factory=dict)
-    leaning: Mapping[sp.Symbol, float] = field(default_factory=dict)
+    tends: Mapping[sp.Symbol, float] = field(default_factory=dict)
     agrees: Decimal = AGREES
+    natural: Mapping[sp.Symbol, Decimal] = field(default_factory=dict)
 
     def branches(self, equations: Sequence[Equation]) -> Iterator[Branch]:
         """All branches, those with earlier times first where the order tells."""
@@ -134,8 +144,7 @@ class Chain:
 
     def _holds(self, equation: Equation, value: Valuation) -> bool:
         try:
-            number = value(equation.residual)
-            if abs(number) > self.agrees * max(value.size(equation.residual), Decimal("1e-20")):
+            if not self._closes(equation.residual, value, self.agrees):
                 return False
             return equation.trend is None or value(equation.trend) >= -AGREES
         except NoValue:
@@ -192,7 +201,8 @@ class Chain:
         for found in self._unfold(pool, list(unknowns), values):
             after, forms, lines = dict(values), dict(formulas), []
             for told in found:
-                line = replace(told, value=Decimal(0)) if abs(told.value) < NOTHING else told
+                nothing = NOTHING * self.natural.get(told.unknown, Decimal(1))
+                line = replace(told, value=Decimal(0)) if abs(told.value) < nothing else told
                 after[line.unknown] = line.value
                 if line.formula is not None:
                     forms[line.unknown] = line.formula
@@ -205,14 +215,14 @@ class Chain:
         """All ways to solve these equations for the unknowns left."""
         here = self.value.extended(values)
         if not left:
-            if all(self._closes(p.residual, here) for p in pool):
+            if all(self._closed(p.residual, here) for p in pool):
                 yield []
             return
         index = alone(pool, left)
         if index is not None:
             yield from self._rooted(pool, index, left, values)
             return
-        if any(not set(p.residual.free_symbols) & set(left) and not self._closes(p.residual, here) for p in pool):
+        if any(not set(p.residual.free_symbols) & set(left) and not self._closed(p.residual, here) for p in pool):
             return
         step = eliminate(pool, left, tuple(self.times), here, tuple(self.times)) if len(pool) > 1 else None
         if step is None:
@@ -227,15 +237,22 @@ class Chain:
                 number = self.value.extended({**values, **{line.unknown: line.value for line in found}})(formula)
             except NoValue:
                 continue
-            if x not in self.truth or _near(number, self.truth[x]):
+            if x not in self.truth or self._near(number, x):
                 yield [*found, Line(x, formula, number, ())]
 
-    @staticmethod
-    def _closes(residual: sp.Expr, here: Valuation) -> bool:
+    def _closed(self, residual: sp.Expr, here: Valuation) -> bool:
+        """Does a residual with known values vanish?"""
         try:
-            return abs(here(residual)) <= AGREES * max(here.size(residual), Decimal("1e-20"))
+            return self._closes(residual, here, AGREES)
         except (NoValue, Unvalued):
             return False
+
+    def _closes(self, residual: sp.Expr, here: Valuation, agrees: Decimal) -> bool:
+        """The same; where all that it is made of nearly vanishes, beside what that ordinarily is."""
+        number = abs(here(residual))
+        if number <= agrees * here.size(residual):
+            return True
+        return number <= agrees * LEFT * slack_of(residual, [*self.unknowns], self.natural, here)
 
     def _rooted(
         self, pool: list[Pending], index: int, left: list[sp.Symbol], values: dict[sp.Symbol, Decimal]
@@ -248,10 +265,11 @@ class Chain:
             raise Undecided("these equations say the same")
         every = self._roots(residual, x, here)
         others = [p for i, p in enumerate(pool) if i != index]
+        nearest = min((abs(float(r.value) - self.tends[x]) for r in every), default=0.0) if x in self.tends else 0.0
         for taken, root in enumerate(every):
-            if x in self.truth and not _near(root.value, self.truth[x]):
+            if x in self.truth and not self._near(root.value, x):
                 continue
-            if x in self.leaning and float(root.value) * self.leaning[x] < 0:
+            if x in self.tends and abs(float(root.value) - self.tends[x]) > nearest:
                 continue
             line = Line(x, root.expression, root.value, (), tuple(every), taken)
             for found in self._unfold(others, [s for s in left if s != x], {**values, x: root.value}):
@@ -276,7 +294,7 @@ class Chain:
     def _near_truth(self, residual: sp.Expr, x: sp.Symbol, here: Valuation) -> Root | None:
         """The root next to what the motion that was followed shows; None: nothing changes its sign so near."""
         at = Decimal(repr(self.truth[x]))
-        size = max(abs(at), Decimal("1e-3"))
+        size = max(abs(at), SMALL * self.natural[x])
 
         def value(v: Decimal) -> Decimal:
             return here.extended({x: v})(residual)
@@ -291,6 +309,11 @@ class Chain:
                 continue
         return None
 
+    def _near(self, number: Decimal, x: sp.Symbol) -> bool:
+        """Is a value the one that the motion which was followed shows?"""
+        truth = Decimal(repr(self.truth[x]))
+        return abs(number - truth) <= NEAR * max(abs(truth), SMALL * self.natural[x])
+
     def _times(self, residual: sp.Expr, x: sp.Symbol, here: Valuation) -> list[Root]:
         before = self.times[x]
         known = before is not None and before in here.values
@@ -301,7 +324,7 @@ class Chain:
             closed = self._searched(residual, x, here, start)
         if after is None:
             return closed
-        size = max(abs(after), Decimal("1e-12"))
+        size = max(abs(after), NEVER * self.natural[x])
         return [r for r in closed if r.value > after + LATER * size or before is None]
 
     def _searched(self, residual: sp.Expr, x: sp.Symbol, here: Valuation, start: float) -> list[Root]:
@@ -309,7 +332,7 @@ class Chain:
         g = number_function([residual], [x], here)
         until = None
         if x in self.truth:
-            until = self.truth[x] + 1e-6 * max(abs(self.truth[x] - start), 1e-9)
+            until = self.truth[x] + 1e-6 * max(abs(self.truth[x] - start), 1e-9 * float(self.natural[x]))
             start = min(start, self.truth[x])
         found = itertools.islice(roots(lambda t: g(t)[0], start, until), MOST_ROOTS if until is None else 200)
         closed = []
@@ -336,10 +359,6 @@ class Chain:
                     expr = root.expression + 2 * sp.pi * k if root.expression is not None else None
                     found[str(round(value, 25))] = Root(expr, value)
         return sorted(found.values(), key=lambda r: abs(r.value - center))
-
-
-def _near(value: Decimal, truth: float) -> bool:
-    return abs(float(value) - truth) <= 1e-6 * max(abs(truth), 1e-3)
 
 
 def _closed_roots(residual: sp.Expr, x: sp.Symbol, here: Valuation, symbolic: bool) -> list[Root] | None:

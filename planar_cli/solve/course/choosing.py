@@ -79,12 +79,15 @@ class Choosing:
 
     def _determined(self, course: RegimeSequence, i: int) -> Plot:
         """Another choice of modes, where in this one forces that are needed are not unique."""
-        general = course.regimes[i].general
+        regime = course.regimes[i]
+        try:
+            regime.general.demand_unique(regime.undetermined)
+        except NoSolution as error:
+            self.lack = self.lack or error
         try:
             return self._next(course.plot, i, "the forces are not unique")
-        except NoSolution:
-            general.demand_unique(course.regimes[i].undetermined)
-            raise
+        except NoSolution as error:
+            raise self.lack or error from error
 
     def _elsewhere(self, course: StatedMotion, why: str) -> Plot | None:
         """Other modes in a blow, or after one; None: there are no blows, or all have been tried."""
@@ -108,7 +111,8 @@ def at_a_top(course: RegimeSequence, name: str, value: Valuation) -> bool:
     stop, regime = course.stops[name], course.regimes[len(course.states) - 2]
     rates = [*regime.rates.values(), *regime.accelerations.values()]
     try:
-        return all(abs(value(e.xreplace(stop.letters))) < SLACK for e in rates)
+        here = [e.xreplace(stop.letters) for e in rates]
+        return all(abs(value(e)) <= SLACK * value.size(e) for e in here)
     except (NoValue, Unvalued):
         return False
 
@@ -118,7 +122,8 @@ def assumed(course: RegimeSequence, value: Valuation) -> bool:
     for name, stop in course.stops.items():
         for watch in course.readers[name].regime.watches:
             try:
-                if value(watch.expr.xreplace(stop.letters)) < -SLACK:
+                here = watch.expr.xreplace(stop.letters)
+                if value(here) < -SLACK * value.size(here):
                     return False
             except (NoValue, Unvalued):
                 continue

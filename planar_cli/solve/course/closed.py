@@ -129,7 +129,7 @@ def _rooted(numerator: sp.Expr, x: sp.Symbol, kernel: sp.Pow, value: Valuation, 
     for root in real_roots(squared, x, value, symbolic, False):
         here = value.extended({x: root.value})
         try:
-            if abs(here(numerator)) <= Decimal("1e-15") * max(here.size(numerator), Decimal("1e-20")):
+            if abs(here(numerator)) <= Decimal("1e-15") * here.size(numerator):
                 found.append(root)
         except (ArithmeticError, Unvalued):
             continue

@@ -46,7 +46,7 @@ def completed(found: SolvedMotion) -> SolvedMotion:
 def _agrees(formula: sp.Expr, number: Decimal, value: Valuation) -> bool:
     """Has the formula a number, and is it the one?"""
     try:
-        return abs(value(formula) - number) <= AGREE * max(abs(number), value.size(formula), AGREE)
+        return abs(value(formula) - number) <= AGREE * max(abs(number), value.size(formula))
     except (Unvalued, ArithmeticError):
         return False
 

@@ -20,6 +20,7 @@ from planar_cli.equation.exact import DIGITS, Valuation
 from planar_cli.equation.plain import simplified
 from planar_cli.equation.pose import HERE, Pose
 from planar_cli.equation.sample import anywhere
+from planar_cli.equation.scales import Scales
 from planar_cli.equation.scene import Scene
 from planar_cli.errors import NotReached
 from planar_cli.joints.base import Joint
@@ -29,6 +30,7 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND, Curve, Surface
 from planar_cli.solve.instant import Instant
 from planar_cli.solve.linear import solve
+from planar_cli.units import parse_unit
 
 STEPS = 60
 SMALL = Decimal("1e-45")
@@ -149,7 +151,7 @@ def constraints_of(
     base = scene.valuations[0]
     start = start_of(coordinates)
     value = base.extended({s: base(s) for s in start.values() if s.is_Symbol and s in base.values})
-    value = value.extended({v: anywhere() for v in start.values() if v.is_Symbol and v not in value.values})
+    value = value.extended(_loose_starts(coordinates, start, value, scene.ledger.scales))
     poses = GeneralPoses(scene, displacement, start, value, scene.ledger.symbols["t"])
     found: list[Constraint] = []
     for (joint, modes), index in zip(drawn.modes, choice, strict=True):
@@ -168,9 +170,22 @@ def kept_while_held(
     """What a joint would keep in one of its modes, in the coordinates of a position in which it has parted."""
     base = drawn.scene.valuations[0]
     start = start_of(coordinates)
-    value = base.extended({v: anywhere() for v in start.values() if v.is_Symbol and v not in base.values})
+    value = base.extended(_loose_starts(coordinates, start, base, drawn.scene.ledger.scales))
     poses = GeneralPoses(drawn.scene, displacement, start, value, drawn.scene.ledger.symbols["t"])
     return tuple(_residuals(drawn.scene, joint, mode, poses, value, start, "loop"))
+
+
+def drawn_starts(coordinates: Iterable[Coordinate], scales: Scales) -> dict[sp.Symbol, Decimal]:
+    """Any values for where coordinates start."""
+    return {c.start: anywhere() * scales.exact(parse_unit(c.unit).dimension) for c in coordinates}
+
+
+def _loose_starts(
+    coordinates: Iterable[Coordinate], start: Mapping[sp.Symbol, sp.Expr], value: Valuation, scales: Scales
+) -> dict[sp.Symbol, Decimal]:
+    """The same of those that the file leaves open."""
+    every = drawn_starts(coordinates, scales)
+    return {v: every.get(v, anywhere()) for v in start.values() if v.is_Symbol and v not in value.values}
 
 
 def _residuals(

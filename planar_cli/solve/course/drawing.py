@@ -19,6 +19,7 @@ from planar_cli.errors import PlanarError
 from planar_cli.problem.expression import Name, Relation, Side
 from planar_cli.problem.keys import Table, keys_of
 from planar_cli.solve.instant import Instant
+from planar_cli.units import LENGTH
 
 NEAR, FAR = Decimal("0.02"), Decimal("0.07")
 """So far from a value, in parts of the size of the scene or of a radian, coordinates are drawn."""
@@ -32,7 +33,7 @@ def ranges(drawn: Instant, displacement: Displacement) -> dict[str, Range]:
     """Where coordinates are drawn, by name."""
     value = drawn.scene.valuations[0]
     sizes = [abs(value(e)) for p in drawn.scene.points.values() for e in (p.x, p.y)]
-    size = max(sizes, default=Decimal(0)) or Decimal(1)
+    size = max(sizes, default=Decimal(0)) or drawn.scene.ledger.scales.exact(LENGTH)
     found = {}
     for c in displacement.coordinates:
         if c.drawn is None or set(c.drawn.free_symbols) & set(drawn.scene.ledger.letters):

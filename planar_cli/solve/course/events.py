@@ -12,23 +12,26 @@ import sympy as sp
 from planar_cli.calculus.first import Root, roots
 from planar_cli.calculus.flow import Flow
 from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.equation.scales import SLACK
 from planar_cli.errors import NoValue
 from planar_cli.solve.course.regime import Regime, number_function
+from planar_cli.units import RATE
 
-SLACK = 1e-9
 NOTICEABLE = 0.1
 WINDOWS = (20, 50, 100, 200, 500, 1000, 2000)
 SLOW_WINDOWS = (1, 3, 10, 30, 100)
 """How far a state is looked for, in characteristic times; the motion is never followed much beyond what is found."""
 LOOKS, NEARBY, DEAD = 8, 0.01, 1e-12
 """A function is looked at so often before a zero, and so near to it; below this part of its size it has died out."""
+NEAR = 1e-7
+"""A relation counts as fulfilled below this part of what it was nearby."""
 State = dict[sp.Symbol, float]
 
 
 @dataclass(frozen=True, slots=True)
 class Leg:
     """One stretch in numbers: from t0 to t1, the letters of its regime by `flow`. `swing`: a time in which its laws
-    themselves change; `length`: what counts as a large length in it.
+    themselves change; `length`: what counts as a large length in it; `pace`: an ordinary time of the scene, in s.
     """
 
     regime: Regime
@@ -38,6 +41,7 @@ class Leg:
     start: State
     swing: float = math.inf
     length: float = 1.0
+    pace: float = 1.0
 
     def at(self, t: float) -> State:
         """All letters at a time."""
@@ -50,18 +54,24 @@ class Leg:
 def scale_of(leg: Leg) -> float:
     """A time in which something moves noticeably: by a radian, or by the largest length in sight."""
     if leg.flow is None:
-        return 1.0
+        return min(leg.pace, leg.swing)
     regime = leg.regime
     rates = [abs(float(r)) for r in leg.flow.rates(leg.t0)]
     sizes = [leg.length if c.unit != "rad" else 1.0 for c in regime.coordinates]
     times = [size / r for size, r in zip(sizes, rates, strict=False) if r]
-    turning = {c.speed for c in regime.coordinates if c.unit == "rad"}
+    turning = angular_speeds(regime)
     for u, a in zip(regime.free, rates[len(regime.coordinates) :], strict=True):
         size = 1.0 if u in turning else leg.length
         if a:
             times.append(math.sqrt(size / a))
     shortest = min([*times, leg.swing])
-    return min(max(shortest if math.isfinite(shortest) else 1.0, 1e-9), 1e9)
+    return shortest if math.isfinite(shortest) else leg.pace
+
+
+def angular_speeds(regime: Regime) -> set[sp.Symbol]:
+    """The free speeds that are angular: also a point on a circle may have a speed in m/s."""
+    units = regime.general.instant.scene.ledger.units
+    return {u for u in regime.free if units[u].dimension == RATE}
 
 
 def windows(leg: Leg, scale: float) -> Iterator[float]:
@@ -74,9 +84,9 @@ def windows(leg: Leg, scale: float) -> Iterator[float]:
     yield from (count * slow for count in SLOW_WINDOWS if count * slow > WINDOWS[-1] * scale)
 
 
-def length_of(regime: Regime, state: State, rates: Sequence[float], value: Valuation) -> float:
+def length_of(regime: Regime, state: State, rates: Sequence[float], value: Valuation, ordinary: float) -> float:
     """The largest length in sight: of a coordinate, else of the drawing, else a noticeable part of the way on which
-    a speed changes by its own size; 1 m where nothing has a length. `rates`: of the coordinates and the free speeds.
+    a speed changes by its own size, else an `ordinary` one. `rates`: of the coordinates and the free speeds.
     """
     straight = [c for c in regime.coordinates if c.unit != "rad"]
     drawn = _drawn(regime, state, value)
@@ -85,12 +95,12 @@ def length_of(regime: Regime, state: State, rates: Sequence[float], value: Valua
         return largest
     if drawn:
         return drawn
-    turning = {c.speed for c in regime.coordinates if c.unit == "rad"}
+    turning = angular_speeds(regime)
     speeds = [abs(r) for c, r in zip(regime.coordinates, rates, strict=False) if c.unit != "rad"]
     changes = [abs(a) for u, a in zip(regime.free, rates[len(regime.coordinates) :], strict=True) if u not in turning]
     speed, change = max(speeds, default=0.0), max(changes, default=0.0)
     way = speed * speed / change if change else 0.0
-    return NOTICEABLE * way or 1.0
+    return NOTICEABLE * way or ordinary
 
 
 def _drawn(regime: Regime, state: State, value: Valuation) -> float:
@@ -112,7 +122,7 @@ def swing_of(regime: Regime, state: State, value: Valuation) -> float:
     waves = {a.args[0] for e in exprs for a in e.atoms(sp.sin, sp.cos, sp.tan, sp.exp) if regime.time in a.free_symbols}
     paces = [sp.diff(w, regime.time) for w in waves]
     numbers = number_function(paces, regime.letters, value)(*(state[s] for s in regime.letters)) if paces else []
-    return min((1 / abs(n) for n in numbers if abs(n) > SLACK), default=math.inf)
+    return min((1 / abs(n) for n in numbers if n), default=math.inf)
 
 
 def events(g: Callable[[float], float], leg: Leg, until: float | None = None) -> Iterator[Root]:
@@ -133,6 +143,19 @@ def events(g: Callable[[float], float], leg: Leg, until: float | None = None) ->
         if until is not None and end >= until:
             return
         begin = end
+
+
+def far_along(leg: Leg) -> State:
+    """The letters of a leg as late as its motion is looked at, or once nothing changes any more."""
+    found = leg.start
+    for reach in windows(leg, scale_of(leg)):
+        try:
+            found = leg.at(leg.t0 + reach)
+        except ArithmeticError:
+            break
+        if _came_to_rest(leg, leg.t0 + reach):
+            break
+    return found
 
 
 def _came_to_rest(leg: Leg, t: float) -> bool:
@@ -156,13 +179,13 @@ def _died_out(g: Callable[[float], float], t: float, leg: Leg) -> bool:
     return near <= DEAD * largest
 
 
-def is_still(g: Callable[[float], float], leg: Leg) -> bool:
-    """Does a function vanish from the beginning on?"""
-    return abs(g(leg.t0)) < SLACK and abs(g(leg.t0 + 1e-3)) < 1e-12
+def is_still(g: Callable[[float], float], leg: Leg, size: float) -> bool:
+    """Does a function vanish from the beginning on? `size`: what it is measured by."""
+    run = scale_of(leg)
+    return all(abs(g(leg.t0 + run * k / LOOKS)) <= SLACK * size for k in range(LOOKS))
 
 
-def is_zero(g: Callable[[float], float], t: float, leg: Leg) -> bool:
-    """Does a function vanish at a time, as far as machine numbers tell?"""
-    span = max(abs(t - leg.t0), 1e-9)
-    size = max(abs(g(leg.t0)), abs(g(t - span / 3)), 1e-9)
-    return abs(g(t)) <= 1e-7 * size
+def is_zero(g: Callable[[float], float], t: float, leg: Leg, size: float) -> bool:
+    """Does a function vanish at a time, as far as machine numbers tell? `size`: what it is measured by."""
+    nearby = max(abs(g(leg.t0)), abs(g(t - (t - leg.t0) / 3)))
+    return abs(g(t)) <= max(NEAR * nearby, SLACK * size)

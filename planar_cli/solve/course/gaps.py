@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 
 import sympy as sp
 
-from planar_cli.equation.exact import Valuation
+from planar_cli.equation.scales import Here
 from planar_cli.problem.facts import Mode
 from planar_cli.problem.geometry import Vec
 from planar_cli.solve.course.equations import Equation
-from planar_cli.solve.course.events import SLACK, Leg, events, scale_of
+from planar_cli.solve.course.events import Leg, events, scale_of
 from planar_cli.solve.course.plot import Plot, Workshop
-from planar_cli.solve.course.regime import Regime, number_function
+from planar_cli.solve.course.regime import Regime
 from planar_cli.solve.course.regime_sequence import RegimeSequence
 from planar_cli.solve.course.ways import becomes_negative
 
@@ -67,14 +67,13 @@ def just_parted(course: RegimeSequence) -> list[Equation]:
     return [Equation(first.at(rate), "start", f"{words}, and has just touched", first.name) for rate, words in rates]
 
 
-def closes_at_once(regime: Regime, opening: sp.Expr, here: Sequence[float], value: Valuation, length: float) -> bool:
-    """Would what is taken for parted press into its partner? `here`: the regime's letters; `length`: of the scene."""
-    gap = number_function([opening], regime.letters, value)(*here)[0]
-    if abs(gap) > SLACK * length:
-        return gap < 0
-    rate = regime.derivative(opening)
-    speed = number_function([rate], regime.letters, value)(*here)[0]
-    return speed < 0 if abs(speed) > SLACK else becomes_negative(regime, rate, here, value)
+def closes_at_once(regime: Regime, opening: sp.Expr, here: Here) -> bool:
+    """Would what is taken for parted press into its partner?"""
+    for expr in (opening, rate := regime.derivative(opening)):
+        sign = here.sign(expr)
+        if sign:
+            return sign < 0
+    return becomes_negative(regime, rate, here)
 
 
 def closing(g: Callable[[float], float], leg: Leg, until: float | None) -> float | None:

@@ -15,10 +15,11 @@ from planar_cli.equation.exact import Valuation
 from planar_cli.equation.motion import Tree
 from planar_cli.equation.quantities import Quantities
 from planar_cli.equation.sample import anywhere
+from planar_cli.equation.scales import Scales
 from planar_cli.equation.setup import Course, Setup
 from planar_cli.equation.system import Statements
 from planar_cli.problem.scene import Problem
-from planar_cli.solve.course.constraints import Constraint, constraints_of, project
+from planar_cli.solve.course.constraints import Constraint, constraints_of, drawn_starts, project
 from planar_cli.solve.course.drawing import ranges
 from planar_cli.solve.course.places import held_places
 from planar_cli.solve.course.separation import Parted, parted_joints, parted_modes
@@ -189,12 +190,14 @@ def _general(
     made: CoordinateNames,
     sides: Mapping[str, int],
 ) -> General:
-    user = _user_coordinates(drawn, made)
+    user, scales = _user_coordinates(drawn, made), drawn.scene.ledger.scales
     every = constraints_of(drawn, loosened(drawn, choice), displacement, (*user, *displacement.coordinates))
     constraints = tuple(c for c in every if c.kind != "kept")
     kept = tuple(c for c in every if c.kind == "kept")
     loose = parted_modes(drawn, choice)
-    course = Course(displacement, ranges(drawn, displacement), _projector(constraints, displacement, user), loose)
+    course = Course(
+        displacement, ranges(drawn, displacement), _projector(constraints, displacement, user, scales), loose
+    )
     setup = Setup(problem, Statements.of(always, ()), earlier, True, course)
     setup.scene.sides = sides
     instant = Instant(setup)
@@ -202,12 +205,14 @@ def _general(
     held = held_places(instant.setup, system.quantities_of(system.first, None))
     if held:
         constraints = (*constraints, *held)
-        instant.scene.ledger.project = _projector(constraints, displacement, _user_coordinates(instant, made))
+        user = _user_coordinates(instant, made)
+        instant.scene.ledger.project = _projector(constraints, displacement, user, scales)
         instant.scene.forget_valuations()
     valuations = instant.scene.valuations
     found = solve_velocities(system, valuations[0], False)
     independent = _independent(found, system.tree.velocity_unknowns(), displacement)
-    given = {s: anywhere(i) for i, s in enumerate(independent)}
+    ordinary = instant.scene.ledger.natural
+    given = {s: anywhere(i) * ordinary(s) for i, s in enumerate(independent)}
     given |= {s: Decimal(0) for s in independent if s.name in resting}
     rests = tuple(s for s in independent if s.name in resting)
     independent = tuple(s for s in independent if s.name not in resting)
@@ -244,17 +249,17 @@ def _independent(found: Velocities, tree: tuple[sp.Symbol, ...], displacement: D
 
 
 def _projector(
-    constraints: tuple[Constraint, ...], displacement: Displacement, user: tuple[Coordinate, ...]
+    constraints: tuple[Constraint, ...], displacement: Displacement, user: tuple[Coordinate, ...], scales: Scales
 ) -> Callable[[Valuation], Mapping[sp.Symbol, Decimal]] | None:
     if not constraints:
         return None
     coordinates = (*user, *displacement.coordinates)
     inside = set().union(*(c.residual.free_symbols for c in constraints))
     unknowns = tuple(c.symbol for c in coordinates if c.symbol in inside)
-    starts = {c.start for c in coordinates} & inside
+    starts = [c for c in coordinates if c.start in inside]
 
     def place(value: Valuation) -> Mapping[sp.Symbol, Decimal]:
-        drawn = {s: anywhere() for s in starts}
+        drawn = drawn_starts(starts, scales)
         return {**drawn, **project(constraints, unknowns, value.extended(drawn))}
 
     return place

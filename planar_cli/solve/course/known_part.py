@@ -16,10 +16,11 @@ from planar_cli.equation.exact import Unvalued
 from planar_cli.solve.course.branch_order import ranked
 from planar_cli.solve.course.chain import Branch
 from planar_cli.solve.course.equations import Equation
+from planar_cli.solve.course.followed import Followed
 from planar_cli.solve.course.idle import ONLY_TIMES
 from planar_cli.solve.course.motion_equations import MotionEquations
 from planar_cli.solve.course.newton import refined_left
-from planar_cli.solve.course.simulate import Followed, Follower
+from planar_cli.solve.course.simulate import Follower
 from planar_cli.solve.course.starts import told_start
 from planar_cli.solve.course.stated_motion import StatedMotion
 
@@ -88,7 +89,8 @@ def _wrong_at_once(course: StatedMotion, start: Mapping[sp.Symbol, Decimal]) -> 
     """The test of an assumption that fails at the start, whatever the constants that are sought."""
     value = course.base().extended(dict(start))
     for watch in course.regimes[0].watches:
-        if not watch.expr.free_symbols & set(course.sought()) and value(watch.expr) < -FOLLOWED:
+        expr = watch.expr
+        if not expr.free_symbols & set(course.sought()) and value(expr) < -FOLLOWED * value.size(expr):
             return watch.test.words
     return ""
 

@@ -236,7 +236,8 @@ def _lasts(
         where = where.xreplace({symbol: rate / law.factor})
     for k in range(1, CHECKS + 1):
         try:
-            if value.extended({v: t0 + (t1 - t0) * k / CHECKS})(where) < -TINY:
+            here = value.extended({v: t0 + (t1 - t0) * k / CHECKS})
+            if here(where) < -TINY * here.size(where):
                 return False
         except ArithmeticError:
             return False

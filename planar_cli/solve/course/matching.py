@@ -9,13 +9,14 @@ import sympy as sp
 from planar_cli.equation.exact import Unvalued
 from planar_cli.solve.course.asked_finds import AskedFind
 from planar_cli.solve.course.chain import Branch, Chain
+from planar_cli.solve.course.followed import Followed
 from planar_cli.solve.course.idle import ONLY_TIMES, needed_letters
 from planar_cli.solve.course.motion_equations import MotionEquations
 from planar_cli.solve.course.regime_sequence import RegimeSequence
-from planar_cli.solve.course.simulate import Followed
 from planar_cli.solve.course.stated_motion import StatedMotion
 
 AGREE, SMALL = 1e-6, 1e-3
+"""Letters agree up to this part of their size, which is no smaller than that part of an ordinary one."""
 
 
 def beside(course: MotionEquations, finds: tuple[AskedFind, ...], chain: Chain) -> tuple[MotionEquations, Branch]:
@@ -34,10 +35,11 @@ def beside(course: MotionEquations, finds: tuple[AskedFind, ...], chain: Chain) 
 def same_motion(course: RegimeSequence, followed: Followed, branch: Branch) -> bool:
     """Do followed numbers and branch agree, measured by the largest value that a letter has in any state?"""
     sizes: dict[sp.Symbol, float] = {}
+    natural = course.natural(followed.values)
     general = {own: s for stop in course.stops.values() for s, own in stop.letters.items()}
     for own, v in followed.values.items():
         letter = general.get(own, own)
-        sizes[letter] = max(sizes.get(letter, SMALL), abs(v))
+        sizes[letter] = max(sizes.get(letter, SMALL * float(natural[own])), abs(v))
     for own, v in followed.values.items():
         off = abs(float(branch.values[own]) - v) if own in branch.values else 0.0
         if off > AGREE * sizes[general.get(own, own)]:

@@ -27,6 +27,7 @@ from planar_cli.solve.course.stated_motion import StatedMotion
 from planar_cli.solve.course.takeover import later_equations, resting_equations
 from planar_cli.solve.course.timeline import Stop
 from planar_cli.solve.course.touch import Touch
+from planar_cli.units import TIME
 
 TINY = Decimal("1e-15")
 
@@ -67,11 +68,13 @@ class MotionEquations(StatedMotion):
                 if units[own].angle and general != stop.time and units[own].text in ("rad", "deg", "rev"):
                     angles[own] = before.letters[general] if before is not None else None
             before = stop
-        return Chain(unknowns, times, angles, self.base(), self.symbolic, self._possible)
+        natural = self.natural(unknowns)
+        return Chain(unknowns, times, angles, self.base(), self.symbolic, self._possible, natural=natural)
 
     def _possible(self, values: dict[sp.Symbol, Decimal]) -> bool:
         """Do the inequalities and the order of times hold, as far as they can be told?"""
         number = self.base().extended(values)
+        nothing = TINY * self.scales.exact(TIME)
         before: Stop | None = None
         for state in self.states:
             stop = self.stops[state.name]
@@ -80,7 +83,7 @@ class MotionEquations(StatedMotion):
                 and not fixed_time(state.relations)
                 and not any(blow.stop is stop for blow in self.blows.values())
                 and {stop.t, before.t} <= set(values)
-                and values[stop.t] <= values[before.t] + TINY * max(abs(values[before.t]), TINY)
+                and values[stop.t] <= values[before.t] + TINY * max(abs(values[before.t]), nothing)
             ):
                 return False
             before = stop
@@ -90,7 +93,8 @@ class MotionEquations(StatedMotion):
                         v = number(d.residual)
                     except (Unvalued, NoValue):
                         continue
-                    if v < -TINY or (d.sign and v <= TINY):
+                    slack = TINY * number.size(d.residual)
+                    if v < -slack or (d.sign and v <= slack):
                         return False
         return True
 

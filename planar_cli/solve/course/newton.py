@@ -16,6 +16,8 @@ from planar_cli.solve.course.motion_equations import MotionEquations
 
 STEPS = 12
 SMALL = Decimal("1e-42")
+LEAST = Decimal("1e-3")
+"""A value is measured by itself, or by this part of an ordinary one."""
 
 
 def refined_left(
@@ -28,15 +30,20 @@ def refined_left(
     dark = course.chain().unknowns - set(branch.values) - set(unknowns)
     residuals = [e.residual for e in branch.left if not e.residual.free_symbols & dark]
     try:
-        return refined(residuals, unknowns, truth, known)
+        return refined(residuals, unknowns, truth, known, course.natural(unknowns))
     except ArithmeticError:
         return {}
 
 
 def refined(
-    residuals: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol], truth: Mapping[sp.Symbol, float], value: Valuation
+    residuals: Sequence[sp.Expr],
+    unknowns: Sequence[sp.Symbol],
+    truth: Mapping[sp.Symbol, float],
+    value: Valuation,
+    natural: Mapping[sp.Symbol, Decimal],
 ) -> dict[sp.Symbol, Decimal]:
-    """The unknowns that the equations determine, to all digits; those that they leave open are left out.
+    """The unknowns that the equations determine, to all digits; those that they leave open are left out. `natural`: an
+    ordinary size of each.
 
     ArithmeticError: Newton's method goes elsewhere than to the values it starts from.
     """
@@ -46,7 +53,7 @@ def refined(
         return {}
     slopes = [[sp.diff(e, x) if x in e.free_symbols else sp.S.Zero for x in used] for e in exprs]
     at = {x: Decimal(repr(truth[x])) for x in used}
-    sizes = {x: max(abs(at[x]), Decimal("1e-3")) for x in used}
+    sizes = {x: max(abs(at[x]), LEAST * natural[x]) for x in used}
     with mpmath.workdps(DIGITS):
         for _ in range(STEPS):
             here = value.extended(at)

@@ -15,13 +15,15 @@ from planar_cli.calculus.curve_words import CURVE, Curve
 from planar_cli.calculus.curves import curve_numeric
 from planar_cli.equation.displacement import Coordinate
 from planar_cli.equation.exact import Valuation
-from planar_cli.equation.sample import anywhere
 from planar_cli.problem.geometry import Vec
-from planar_cli.solve.course.constraints import Constraint, fixed_by, project
+from planar_cli.solve.course.constraints import Constraint, drawn_starts, fixed_by, project
 from planar_cli.solve.course.regime import Regime
+from planar_cli.units import LENGTH
 
 STEPS = 9
 STEP = Decimal("0.031")
+SMALL = Decimal("0.1")
+"""A step of a place is measured by where it is, or by this part of an ordinary length."""
 GIVEN = "x and y and what ties its coordinates"
 
 
@@ -65,7 +67,8 @@ def followed_curve(regime: Regime, loops: Loops, driver: Coordinate, place: Vec,
     scene = regime.general.instant.scene
     curves = []
     for value in scene.valuations:
-        points = _followed(loops, driver, place, _started(regime, value))
+        length = scene.ledger.scales.exact(LENGTH)
+        points = _followed(loops, driver, place, _started(regime, value), length)
         curves.append(curve_numeric(points, axes) if len(points) >= 2 * STEPS else Curve(CURVE, given_by=GIVEN))
     first = curves[0]
     if first.kind == CURVE or any(c.kind != first.kind for c in curves):
@@ -76,13 +79,15 @@ def followed_curve(regime: Regime, loops: Loops, driver: Coordinate, place: Vec,
 
 
 def _started(regime: Regime, value: Valuation) -> Valuation:
-    return value.extended({c.start: anywhere() for c in regime.coordinates})
+    return value.extended(drawn_starts(regime.coordinates, regime.general.instant.scene.ledger.scales))
 
 
-def _followed(loops: Loops, driver: Coordinate, place: Vec, value: Valuation) -> list[tuple[Decimal, Decimal]]:
-    """Places along the loop, both ways from the drawn position."""
+def _followed(
+    loops: Loops, driver: Coordinate, place: Vec, value: Valuation, length: Decimal
+) -> list[tuple[Decimal, Decimal]]:
+    """Places along the loop, both ways from the drawn position. `length`: an ordinary one of the scene."""
     points = []
-    reach = STEP * (1 if driver.unit == "rad" else max(abs(value(driver.symbol)), Decimal("0.1")))
+    reach = STEP * (1 if driver.unit == "rad" else max(abs(value(driver.symbol)), SMALL * length))
     for way in (1, -1):
         here = value
         for k in range(1 if way < 0 else 0, STEPS + 2):

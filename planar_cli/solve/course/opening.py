@@ -41,7 +41,8 @@ def gaps_of(
     base = general.instant.scene.valuations[0]
     drawn = {c.symbol: c.drawn for c in general.coordinates if c.drawn is not None}
     numbers = {general.time: Decimal(0), **{s: base(e) for s, e in drawn.items()}}
-    numbers |= {u: DRAW + Decimal(i) / 7 for i, u in enumerate(general.free)}
+    ordinary = general.instant.scene.ledger.natural
+    numbers |= {u: (DRAW + Decimal(i) / 7) * ordinary(u) for i, u in enumerate(general.free)}
     value = base.extended(numbers)
     for parted in general.parted:
         # What stands between bars keeps its sign until the gap has closed again.

@@ -210,7 +210,7 @@ class SpanSolver:
 
 def _size(g: Callable[[float], float], leg: Leg) -> float:
     span = float(leg.t1 - leg.t0)
-    return max(1e-9, *(abs(g(float(leg.t0) + span * k / 7)) for k in range(8)))
+    return max(abs(g(float(leg.t0) + span * k / 7)) for k in range(8))
 
 
 def _ends(since: Stop, until: Stop) -> tuple[str, str, tuple[sp.Symbol, sp.Symbol]]:

@@ -67,16 +67,19 @@ class Plot:
         return self.stretches[i] if i < len(self.stretches) else self.beyond or self.stretches[-1]
 
     def changed(self, i: int, choice: tuple[int, ...]) -> Plot:
-        """Another choice of modes from stretch i on, as long as the same things act."""
+        """Another choice of modes from stretch i on, as long as the same things act. What nothing set in motion before
+        need not rest any longer.
+        """
         if i >= len(self.stretches):
-            return replace(self, beyond=replace(self.stretch(i), choice=choice))
+            return replace(self, beyond=replace(self.stretch(i), choice=choice, still=frozenset()))
         key = self.stretches[i].span.key
         found = list(self.stretches)
+        same = True
         for j in range(i, len(found)):
-            if found[j].span.key != key:
-                break
-            found[j] = replace(found[j], choice=choice)
-        return replace(self, stretches=tuple(found))
+            same = same and found[j].span.key == key
+            found[j] = replace(found[j], choice=choice if same else found[j].choice, still=frozenset())
+        beyond = None if self.beyond is None else replace(self.beyond, still=frozenset())
+        return replace(self, stretches=tuple(found), beyond=beyond)
 
     def struck(self, i: int, choice: tuple[int, ...]) -> Plot:
         """Other modes of the blow on stretch i."""
@@ -95,8 +98,8 @@ class Plot:
 
     def stilled(self, names: frozenset[str]) -> Plot:
         """The same plot with speeds that stay zero."""
-        beyond = None if self.beyond is None else replace(self.beyond, still=names)
-        return replace(self, stretches=tuple(replace(s, still=names) for s in self.stretches), beyond=beyond)
+        beyond = None if self.beyond is None else replace(self.beyond, still=self.beyond.still | names)
+        return replace(self, stretches=tuple(replace(s, still=s.still | names) for s in self.stretches), beyond=beyond)
 
     def turned(self, i: int, expr: sp.Expr, words: str) -> Plot:
         """A state put in on stretch i where an assumption ends."""

@@ -27,6 +27,7 @@ from planar_cli.solve.course.balance import balance_of
 from planar_cli.solve.course.general import General, loose_tree
 from planar_cli.solve.course.handing import edges_of, handed
 from planar_cli.solve.course.opening import Gap, gaps_of
+from planar_cli.solve.locked import LOCKED
 
 MOST_CORNERS = 200
 LONGEST = 150
@@ -122,7 +123,8 @@ class Regime:
             return expr
         base = self.general.instant.scene.valuations[0]
         drawn = {c.symbol: base(c.drawn) if c.drawn is not None else Decimal(0) for c in self.coordinates}
-        drawn |= {u: anywhere(i) for i, u in enumerate(self.free)}
+        ordinary = self.general.instant.scene.ledger.natural
+        drawn |= {u: anywhere(i) * ordinary(u) for i, u in enumerate(self.free)}
         try:
             base.extended(drawn)(expr)
         except Unvalued:
@@ -159,7 +161,8 @@ class Regime:
 
     def moved(self) -> str:
         """What speaks against this regime in any position: contradicting equations; "" when nothing does."""
-        return self.general.trial.objection if self.general.trial.objection in ("contradiction", "velocities") else ""
+        objection = self.general.trial.objection
+        return objection if objection in ("contradiction", "velocities", LOCKED) else ""
 
     def closed(self, expr: sp.Expr) -> sp.Expr:
         """An expression of the instant as a formula in t, coordinates and free speeds."""

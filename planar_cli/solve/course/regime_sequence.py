@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, fields
+from decimal import Decimal
 from typing import Any
 
 import sympy as sp
@@ -11,6 +12,7 @@ import sympy as sp
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.motion import Edge
+from planar_cli.equation.scales import Scales
 from planar_cli.equation.scene import Scene
 from planar_cli.problem.scene import Problem, State
 from planar_cli.solve.course.after import asked_after
@@ -61,6 +63,17 @@ class RegimeSequence:
     def ledger(self) -> Ledger:
         """Units and titles of all symbols."""
         return self.scene.ledger
+
+    @property
+    def scales(self) -> Scales:
+        """Ordinary sizes of the scene."""
+        found: Scales = self.ledger.scales
+        return found
+
+    def natural(self, letters: Iterable[sp.Symbol]) -> dict[sp.Symbol, Decimal]:
+        """An ordinary size of each of these letters."""
+        units = self.ledger.units
+        return {s: self.scales.exact(units[s].dimension) if s in units else Decimal(1) for s in letters}
 
     def distinct_readers(self) -> list[Reader]:
         """Every reader once."""

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import heapq
 import itertools
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from decimal import Decimal
 
 import sympy as sp
@@ -38,7 +38,8 @@ HIDDEN = 1.5
 
 class Router:
     """Plans over the equations of one motion. `value`: numbers of everything; `unknowns`: letters of states and sought
-    constants; `blocks`: those in which numbers were found; `followed`: what only a step method tells.
+    constants; `blocks`: those in which numbers were found; `followed`: what only a step method tells; `natural`: an
+    ordinary size of each unknown.
     """
 
     def __init__(
@@ -49,9 +50,10 @@ class Router:
         symbolic: bool,
         blocks: Sequence[Step] = (),
         followed: ByNumbers | None = None,
+        natural: Mapping[sp.Symbol, Decimal] | None = None,
     ) -> None:
         self.unknowns, self.value, self.symbolic, self.blocks = unknowns, value, symbolic, blocks
-        self.followed = followed
+        self.followed, self.natural = followed, natural or {}
         self.plain = self._plain(equations)
         self.equations = [e for e in equations if self._inside(e) and self._true(e)]
 
@@ -65,10 +67,9 @@ class Router:
             return True
         try:
             number = self.value(equation.residual)
-            size = max(abs(self.value(s)) for s in equation.residual.free_symbols if s in self.unknowns)
-        except (ArithmeticError, Unvalued, ValueError):
+            return abs(number) <= Decimal("1e-9") * self.value.size(equation.residual)
+        except (ArithmeticError, Unvalued):
             return False
-        return abs(number) <= Decimal("1e-9") * max(size, Decimal("1e-9"))
 
     def _inside(self, equation: Equation) -> frozenset[sp.Symbol]:
         return frozenset(s for s in self.residual(equation).free_symbols if s in self.unknowns)
@@ -311,7 +312,8 @@ class Router:
             roots = closed_roots(residual, x, self.value, truth, self.symbolic)
         except Undecided:
             roots = []
-        taken = next((r for r in roots if _same(r.value, truth)), None)
+        near = Decimal("1e-11") * max(abs(truth), Decimal("1e-6") * self.natural.get(x, Decimal(1)))
+        taken = next((r for r in roots if abs(r.value - truth) <= near), None)
         formula = None if taken is None else taken.expression
         return Result(x, formula, truth, tuple(roots))
 
@@ -323,10 +325,6 @@ def _determinant(rows: list[list[Decimal]]) -> Decimal:
     for j, c in enumerate(rows[0]):
         total += (-1) ** j * c * _determinant([row[:j] + row[j + 1 :] for row in rows[1:]])
     return total
-
-
-def _same(a: Decimal, b: Decimal) -> bool:
-    return abs(a - b) <= Decimal("1e-11") * max(abs(a), abs(b), Decimal("1e-6"))
 
 
 def _outer(residual: sp.Expr) -> set[sp.Symbol]:

@@ -32,6 +32,7 @@ from planar_cli.solve.course.solved_motion import SolvedMotion
 from planar_cli.solve.course.stated_motion import StatedMotion
 from planar_cli.solve.course.throughout import Throughout
 from planar_cli.solve.course.unfold import Unfolder
+from planar_cli.solve.course.winding import count_turns
 from planar_cli.solve.finish import not_reached
 from planar_cli.solve.passages import Tale
 from planar_cli.solve.solution import InstantSolution
@@ -54,6 +55,7 @@ def solve_course(problem: Problem, case: str, units: dict[str, str], earlier: Ma
 def _told(solved: SolvedMotion, case: str) -> PartSolution:
     """The answers of a motion, and the way to them. Unvalued: something that is asked is open."""
     found = completed(solved)
+    count_turns(found)
     course = found.course
     demand_mass(course, found.value)
     _demand_told(course)
@@ -82,11 +84,12 @@ def _route(found: SolvedMotion) -> tuple[Router, Route]:
     followed = ByNumbers() if lettered else by_numbers(course, found.guessed, found.value)
     follows = method is None or method in course.between.integrating
     by_steps = followed if follows else None
-    router = Router(allowed, unknowns, found.value, course.symbolic, steps, by_steps)
+    natural = course.natural(unknowns)
+    router = Router(allowed, unknowns, found.value, course.symbolic, steps, by_steps, natural)
     wanted = _in_order(course, asked_letters(found.finds) & unknowns)
     route = router.route(wanted)
     if method is not None:
-        free = Router(course.equations, unknowns, found.value, course.symbolic, found.branch.steps, followed)
+        free = Router(course.equations, unknowns, found.value, course.symbolic, found.branch.steps, followed, natural)
         demand_reached(course.problem, follows, route, wanted, lambda: free.route(wanted))
     return router, route
 

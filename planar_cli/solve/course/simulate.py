@@ -9,7 +9,8 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from contextlib import suppress
+from dataclasses import replace
 from decimal import Decimal
 from typing import Any
 
@@ -17,55 +18,38 @@ import sympy as sp
 
 from planar_cli.calculus.flow import Flow
 from planar_cli.equation.exact import Valuation
+from planar_cli.equation.scales import SLACK, Here, Sizes, measured
 from planar_cli.solve.course.after import asked_after
+from planar_cli.solve.course.apart import TOUCHES, demand_together
 from planar_cli.solve.course.beginning import demand_possible, handed_number, objection
+from planar_cli.solve.course.blow import Stroke
 from planar_cli.solve.course.dying import by_formula, steady_time
-from planar_cli.solve.course.events import SLACK, Leg, State, events, is_still, is_zero, length_of, swing_of
+from planar_cli.solve.course.events import (
+    LOOKS,
+    Leg,
+    State,
+    angular_speeds,
+    events,
+    far_along,
+    is_still,
+    is_zero,
+    length_of,
+    swing_of,
+)
+from planar_cli.solve.course.followed import Ends, Followed
 from planar_cli.solve.course.gaps import closing, openings
+from planar_cli.solve.course.given_times import given_time, latest_given
 from planar_cli.solve.course.motion_equations import MotionEquations
 from planar_cli.solve.course.plot import fixed_time
 from planar_cli.solve.course.regime import Regime, corners, number_function
-from planar_cli.solve.course.regime_sequence import RegimeSequence
 from planar_cli.solve.course.timeline import Demand, Stop
 from planar_cli.solve.course.ways import ways_at
 
 CHOICES = 8
+TOGETHER = 1e-6
+"""So near to a state, in parts of the time up to it, what ends may end in it."""
 SMALL = 1e-4
 """This part of the size of the scene, or of a radian, counts as no smaller size."""
-
-
-@dataclass(frozen=True, slots=True)
-class Ends:
-    """A stretch ends before its state: `expr` vanishes at `time`; `words` say what ends. `again`: what had parted meets
-    again.
-    """
-
-    stretch: int
-    time: float
-    expr: sp.Expr
-    words: str
-    state: State
-    again: bool = False
-
-
-@dataclass(slots=True)
-class Followed:
-    """What came of following a course. `values`: letters of the states that were reached. `ends`: an assumption that
-    ended first; `misfit`: the stretch whose assumptions do not even hold at its beginning, `ways`: the signs that
-    speeds have there, if that is all; `missed`: the state that is never reached; `blow`: the blow whose modes do not
-    hold; `growing`: what is to be largest (or smallest), but is more so every time.
-    """
-
-    legs: list[Leg] = field(default_factory=list)
-    values: dict[sp.Symbol, float] = field(default_factory=dict)
-    ends: Ends | None = None
-    misfit: int | None = None
-    why: str = ""
-    missed: str | None = None
-    ways: dict[str, int] = field(default_factory=dict)
-    at: State = field(default_factory=dict)
-    blow: int | None = None
-    growing: list[str] = field(default_factory=list)
 
 
 class Follower:
@@ -74,6 +58,7 @@ class Follower:
     def __init__(self, course: MotionEquations, value: Valuation, until: int | None = None) -> None:
         self.course, self.value, self.until = course, value, until
         self.done = Followed()
+        self.sizes = Sizes(course.scales, 0.0)
 
     def run(self, start: Mapping[sp.Symbol, float]) -> Followed:
         """From the letters of the first state, by the letters of the general position."""
@@ -87,7 +72,7 @@ class Follower:
                 return done
             done.at = state
             if i in course.blows:
-                stroke = course.blows[i].strike(state, self.value)
+                stroke = self._struck(i, state)
                 if stroke.objection:
                     done.blow, done.why = i, stroke.objection
                     return done
@@ -98,11 +83,14 @@ class Follower:
                 done.values |= stroke.own
                 self._record(course.stops[course.states[i + 1].name], state, course.blows[i].after)
                 continue
-            if any(d.kind == "limit" for d in course.demands[course.states[i + 1].name]):
-                continue
-            begun = self.begin(regime, state, course.readers[course.states[i].name].regime)
-            if not self._fits(i, regime, begun, state):
+            arrived = course.readers[course.states[i].name].regime
+            if not self._fits(i, regime, arrived, state):
                 return done
+            begun = self.begin(regime, state, arrived)
+            if any(d.kind == "limit" for d in course.demands[course.states[i + 1].name]):
+                if not self._tends(i, regime, begun):
+                    return done
+                continue
             reached = self._stretch(i, regime, begun)
             if reached is None:
                 return done
@@ -112,16 +100,40 @@ class Follower:
         last = len(course.states) - 1
         if course.beyond is not None and last > 0 and asked_after(course.problem, course.states[last].name):
             arrived = course.readers[course.states[last].name].regime
-            self._fits(last, course.beyond, self.begin(course.beyond, state, arrived), state)
+            self._fits(last, course.beyond, arrived, state)
         return done
 
-    def _fits(self, i: int, regime: Regime, begun: State, before: State) -> bool:
-        """Do the assumptions of a regime hold where it takes over, at state i?"""
+    def _struck(self, i: int, state: State) -> Stroke:
+        """What comes of the blow between state i and the next."""
+        blow = self.course.blows[i]
+        self._here(blow.before, state)
+        here, near = blow.arrived(state, self.value), TOUCHES * self.sizes.length
+        demand_together(self.course, i, here, near)
+        return blow.strike(state, here, near)
+
+    def _fits(self, i: int, regime: Regime, old: Regime, before: State) -> bool:
+        """Do the assumptions of a regime hold where it takes over from an old one, at state i?"""
         done = self.done
-        done.why = objection(self.course, i, regime, begun, before, self.value)
-        done.ways = {} if done.why else ways_at(regime, begun, self.value)
+        here = self._here(regime, self.begin(regime, before, old))
+        done.why = objection(self.course, i, regime, here, old, before)
+        done.ways = {} if done.why else ways_at(regime, here)
         done.misfit = i if done.why or done.ways else None
         return done.misfit is None
+
+    def _here(self, regime: Regime, state: State) -> Here:
+        """A state in the letters of a regime, measured by what the motion has shown so far."""
+        still = [0.0] * (len(regime.letters) - 1)
+        numbers = self._rates(regime)(*(state[s] for s in regime.letters)) if regime.runs else still
+        self._pass(state, length_of(regime, state, numbers, self.value, self.course.scales.length))
+        sizes = self.sizes.by_letter(self.course.first.letters, self.course.ledger.units)
+        return Here({s: state[s] for s in regime.letters}, sizes, self.value)
+
+    def _pass(self, state: State, length: float) -> None:
+        """Speeds and lengths of a state that the motion passes."""
+        self.sizes = self.sizes.passing(state, self.course.ledger.units, length)
+
+    def _rates(self, regime: Regime) -> Callable[..., list[float]]:
+        return self._numbers(regime, [*regime.rates.values(), *regime.accelerations.values()])
 
     def _record(self, stop: Stop, state: State, regime: Regime) -> None:
         """A state that is reached, also in the letters of other regimes."""
@@ -167,7 +179,7 @@ class Follower:
         ends = self._ends(i, leg, time)
         if ends is not None:
             self.done.ends = ends
-            self.done.legs.append(Leg(regime, leg.flow, t0, ends.time, state))
+            self._done(replace(leg, t1=ends.time))
             return None
         if time is None:
             earlier = self._before_given_times(i, stop)
@@ -175,10 +187,30 @@ class Follower:
                 self.done.missed = stop.name
             return earlier
         demand_possible(regime, leg, time, self.value)
-        self.done.legs.append(Leg(regime, leg.flow, t0, time, state))
+        self._done(replace(leg, t1=time))
         if there is not None:
             return there
         return leg.at(time) if time >= t0 else self._earlier(time)
+
+    def _tends(self, i: int, regime: Regime, state: State) -> bool:
+        """Where a motion tends that goes on for ever; False: an assumption ends on the way."""
+        leg = self.leg(regime, state)
+        ends = self._ends(i, leg, None)
+        if ends is not None:
+            self.done.ends = ends
+            self._done(replace(leg, t1=ends.time))
+            return False
+        stop = self.course.stops[self.course.states[i + 1].name]
+        self.done.tends |= {stop.letters[s]: v for s, v in far_along(leg).items() if s in stop.letters}
+        return True
+
+    def _done(self, leg: Leg) -> None:
+        """A leg that is passed."""
+        self.done.legs.append(leg)
+        for k in range(LOOKS + 1):
+            with suppress(ArithmeticError):
+                here = leg.at(leg.t0 + (leg.t1 - leg.t0) * k / LOOKS)
+                self._pass({s: here[s] for s in leg.regime.letters}, leg.length)
 
     def _before_given_times(self, i: int, stop: Stop) -> State | None:
         """A state at given times stands anywhere: what never happens after it may have happened before it."""
@@ -205,45 +237,28 @@ class Follower:
     def leg(self, regime: Regime, state: State) -> Leg:
         """What one regime makes of a state, as far as it is asked for."""
         t0 = state[regime.time]
-        exprs = [*regime.rates.values(), *regime.accelerations.values()]
-        rhs = self._numbers(regime, exprs)
-        length = length_of(regime, state, rhs(*(state[s] for s in regime.letters)), self.value)
+        rhs = self._rates(regime)
+        numbers = rhs(*(state[s] for s in regime.letters))
+        length = length_of(regime, state, numbers, self.value, self.course.scales.length)
         before = max((x.length for x in self.done.legs), default=0.0)
         length = length if length > SLACK * before else before
         flow = self._flow(regime, state, rhs, length)
         swing = swing_of(regime, state, self.value)
         touch = self.course.touch
-        return Leg(regime, flow, t0, t0, state, swing if touch is None else min(swing, touch.time), length)
+        swing = swing if touch is None else min(swing, touch.time)
+        return Leg(regime, flow, t0, t0, state, swing, length, self.course.scales.time)
 
     def _flow(self, regime: Regime, state: State, rhs: Callable[..., list[float]], size: float) -> Flow | None:
         letters = regime.letters[1:]
         if not letters:
             return None
         begin = [state[s] for s in letters]
-        breaks = corners(regime, self.value, Decimal(repr(state[regime.time])), self._latest())
+        breaks = corners(regime, self.value, Decimal(repr(state[regime.time])), latest_given(self.course, self.value))
         floors = [SMALL * (size if c.unit != "rad" else 1.0) for c in regime.coordinates]
-        turning = {c.speed for c in regime.coordinates if c.unit == "rad"}
+        turning = angular_speeds(regime)
         for u, a in zip(regime.free, rhs(*(state[s] for s in regime.letters))[len(floors) :], strict=True):
             floors.append(SMALL * max(abs(state[u]), math.sqrt(abs(a) * (1.0 if u in turning else size))))
         return Flow(lambda t, y: rhs(t, *y), state[regime.time], begin, digits=13, breaks=breaks, floors=floors)
-
-    def _latest(self) -> Decimal | None:
-        """The latest time that a state is given at; None: not all of them have one, or it is infinite."""
-        times = []
-        for state in self.course.states:
-            unending = any(d.kind == "limit" for d in self.course.demands[state.name])
-            if unending or fixed_time(state.relations) is None:
-                return None
-            times.append(self._fixed(state.name))
-        return Decimal(repr(max(times)))
-
-    def _fixed(self, name: str) -> float:
-        """The time that a state is given at."""
-        stop = self.course.stops[name]
-        stated = fixed_time(stop.relations)
-        assert stated is not None
-        own = next(d for d in self.course.demands[name] if d.kind == "equation" and d.text == stated.text)
-        return float(self.value(sp.solve(own.residual, stop.t)[0]))
 
     def _time_of(self, index: int, stop: Stop, leg: Leg) -> float | None:
         """When a state is reached."""
@@ -251,7 +266,7 @@ class Follower:
         demands = self.course.demands[stop.name]
         equations = [d for d in demands if d.kind == "equation"]
         if stated is not None:
-            return self._fixed(stop.name)
+            return given_time(self.course, self.value, stop.name)
         extreme = next((d for d in demands if d.kind == "extreme"), None)
         if extreme is not None and not equations:
             return self._extreme(extreme, leg)
@@ -262,11 +277,13 @@ class Follower:
         if not equations:
             return None
         gs = [self.function(d.residual, stop, leg) for d in equations]
-        order = sorted(range(len(gs)), key=lambda k: is_still(gs[k], leg))
+        sizes = [self.size(d.residual, stop, leg) for d in equations]
+        order = sorted(range(len(gs)), key=lambda k: is_still(gs[k], leg, sizes[k]))
         # A limiting case turns back just before one of its relations holds, and passes the others.
         for first in order if len(gs) > 1 else order[:1]:
             for root in itertools.islice(events(gs[first], leg), 60):
-                if all(is_zero(g, root.value, leg) for k, g in enumerate(gs) if k != first) and self._allowed(
+                others = [(g, size) for k, (g, size) in enumerate(zip(gs, sizes, strict=True)) if k != first]
+                if all(is_zero(g, root.value, leg, size) for g, size in others) and self._allowed(
                     demands, stop, leg, root.value
                 ):
                     return root.value
@@ -275,19 +292,27 @@ class Follower:
     def function(self, residual: sp.Expr, stop: Stop, leg: Leg) -> Callable[[float], float]:
         """A residual of a state as a function of time along a leg."""
         letters = [stop.letters[s] for s in leg.regime.letters]
-        known = self.value.extended({s: Decimal(repr(v)) for s, v in self.done.values.items()})
-        others = {
-            own: Decimal(repr(leg.start[s]))
-            for s, own in stop.letters.items()
-            if s not in leg.regime.letters and s in leg.start
-        }
-        f = number_function([residual], letters, known.extended(others))
+        f = number_function([residual], letters, self._known(stop, leg))
 
         def g(t: float) -> float:
             here = leg.at(t)
             return f(*(here[s] for s in leg.regime.letters))[0]
 
         return g
+
+    def _known(self, stop: Stop, leg: Leg) -> Valuation:
+        """Numbers of everything that does not vary along a leg: states before it, and what rests meanwhile."""
+        known = self.value.extended({s: Decimal(repr(v)) for s, v in self.done.values.items()})
+        others = {s: own for s, own in stop.letters.items() if s not in leg.regime.letters and s in leg.start}
+        return known.extended({own: Decimal(repr(leg.start[s])) for s, own in others.items()})
+
+    def size(self, residual: sp.Expr, stop: Stop, leg: Leg, t: float | None = None) -> float:
+        """What a residual of a state is measured by, at a time along a leg."""
+        here = leg.at(leg.t0 if t is None else t)
+        sizes = self.sizes.by_letter(leg.regime.letters, self.course.ledger.units)
+        letters = {stop.letters[s]: here[s] for s in leg.regime.letters}
+        by_own = {stop.letters[s]: size for s, size in sizes.items()}
+        return measured([residual], letters, by_own, self._known(stop, leg))[0][1]
 
     def _along(self, expr: sp.Expr, leg: Leg) -> Callable[[float], float]:
         """A formula of the general position as a function of time along a leg."""
@@ -305,7 +330,7 @@ class Follower:
             expr = d.residual if d.kind == "inequality" else d.trend
             if expr is None:
                 continue
-            if self.function(expr, stop, leg)(t) < -SLACK:
+            if self.function(expr, stop, leg)(t) < -SLACK * self.size(expr, stop, leg, t):
                 return False
         return True
 
@@ -344,25 +369,25 @@ class Follower:
                 continue
             for root in itertools.islice(events(g, leg, until), 20):
                 crossing = root.kind == "crossing" and (root.sense < 0 or expr in regime.free)
-                if crossing and (until is None or root.value < until - 1e-9 * max(abs(until), 1e-9)):
+                before = until is None or root.value < until - SLACK * (until - leg.t0)
+                if crossing and before and not self._just_then(i, leg, time, root.value):
                     best = Ends(i, root.value, expr, words, leg.at(root.value))
                     until = root.value
                     break
         for expr, words in openings(self.course, i, regime):
             met = closing(self._along(expr, leg), leg, until)
-            if met is not None and (until is None or met < until - 1e-9 * max(abs(until), 1e-9)):
+            if met is not None and (until is None or met < until - SLACK * (until - leg.t0)):
                 best, until = Ends(i, met, expr, words, leg.at(met), again=True), met
         return best
 
-
-def leaning(course: RegimeSequence, followed: Followed) -> dict[sp.Symbol, float]:
-    """At states that are only approached: the last values on the way there."""
-    found: dict[sp.Symbol, float] = {}
-    last: dict[sp.Symbol, float] = {}
-    for state in course.states:
-        for general, own in course.stops[state.name].letters.items():
-            if own in followed.values:
-                last[general] = followed.values[own]
-            elif last.get(general):
-                found[own] = last[general]
-    return found
+    def _just_then(self, i: int, leg: Leg, time: float | None, t: float) -> bool:
+        """Does what ends at t end in the very state that is reached at `time`? Where both are only touched, machine
+        numbers do not tell which is first.
+        """
+        if time is None or time - t > TOGETHER * (time - leg.t0):
+            return False
+        stop = self.course.stops[self.course.states[i + 1].name]
+        equations = [d.residual for d in self.course.demands[stop.name] if d.kind == "equation"]
+        sizes = [self.size(e, stop, leg, t) for e in equations]
+        pairs = zip(equations, sizes, strict=True)
+        return bool(equations) and all(is_zero(self.function(e, stop, leg), t, leg, size) for e, size in pairs)

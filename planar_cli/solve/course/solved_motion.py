@@ -9,9 +9,9 @@ import sympy as sp
 from planar_cli.equation.exact import Valuation
 from planar_cli.solve.course.asked_finds import AskedFind
 from planar_cli.solve.course.chain import Branch
+from planar_cli.solve.course.followed import Followed
 from planar_cli.solve.course.motion_equations import MotionEquations
 from planar_cli.solve.course.oscillation import Oscillation
-from planar_cli.solve.course.simulate import Followed
 from planar_cli.solve.course.trace import SpanIntegral
 
 

@@ -49,13 +49,14 @@ class StatedMotion(RegimeSequence):
     """Laws of energy and momentum between states."""
 
     def infinite(self) -> dict[sp.Symbol, sp.Expr]:
-        """Letters that become infinite in their state."""
+        """Letters that become infinite in their state, each to the side that is stated."""
         found = {}
+        value = self.base()
         for state in self.states:
             for d in self.demands[state.name]:
                 if d.kind == "limit":
                     letter = max(d.residual.free_symbols, key=lambda s: s in self.stops[state.name].letters.values())
-                    found[letter] = sp.oo if sp.diff(d.residual, letter) == 1 else -sp.oo
+                    found[letter] = sp.oo if value(sp.diff(d.residual, letter)) > 0 else -sp.oo
         return found
 
     def is_set(self, state: State) -> bool:

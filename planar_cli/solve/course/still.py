@@ -77,9 +77,11 @@ def _solved(
         number = base.extended(values)
         return all(_holds(d, number) for d in wanted)
 
-    chain = Chain(frozenset([*letters, *course.sought()]), {}, dict.fromkeys(angles), base, symbolic, possible)
+    unknowns = frozenset([*letters, *course.sought()])
+    natural = course.natural(unknowns)
+    chain = Chain(unknowns, {}, dict.fromkeys(angles), base, symbolic, possible, natural=natural)
     found = list(chain.branches(equations))
-    whole = _distinct([b for b in found if not b.left], set(angles))
+    whole = _distinct([b for b in found if not b.left], set(angles), natural)
     if len(whole) == 1:
         return whole[0]
     mark, names = states[0].mark, ", ".join(s.name for s in states)
@@ -96,24 +98,25 @@ def _holds(demand: Demand, number: Valuation) -> bool:
         v = number(demand.residual)
     except (Unvalued, NoValue):
         return True
-    return v >= -TINY and (not demand.sign or v > TINY)
+    slack = TINY * number.size(demand.residual)
+    return v >= -slack and (not demand.sign or v > slack)
 
 
-def _distinct(branches: list[Branch], angles: set[sp.Symbol]) -> list[Branch]:
+def _distinct(branches: list[Branch], angles: set[sp.Symbol], natural: Mapping[sp.Symbol, Decimal]) -> list[Branch]:
     """One of each position; an angle may differ by turns, and the smallest is taken."""
     found: list[Branch] = []
     for b in sorted(branches, key=lambda b: sum(abs(b.values[a]) for a in angles if a in b.values)):
-        if not any(_same(b, other, angles) for other in found):
+        if not any(_same(b, other, angles, natural) for other in found):
             found.append(b)
     return found
 
 
-def _same(one: Branch, other: Branch, angles: set[sp.Symbol]) -> bool:
+def _same(one: Branch, other: Branch, angles: set[sp.Symbol], natural: Mapping[sp.Symbol, Decimal]) -> bool:
     for s, v in one.values.items():
         away = v - other.values.get(s, v)
         if s in angles:
             away -= 2 * PI * (away / (2 * PI)).to_integral_value()
-        if abs(away) > SAME * max(abs(v), Decimal(1)):
+        if abs(away) > SAME * max(abs(v), natural.get(s, Decimal(0))):
             return False
     return True
 

@@ -12,10 +12,11 @@ from planar_cli.equation.exact import Valuation
 from planar_cli.solve.course.derivation import Route
 from planar_cli.solve.course.equations import Equation, law_equations, link_equations
 from planar_cli.solve.course.events import Leg, scale_of
+from planar_cli.solve.course.followed import Followed
 from planar_cli.solve.course.motion_equations import MotionEquations
 from planar_cli.solve.course.newton import refined
 from planar_cli.solve.course.route import Router
-from planar_cli.solve.course.simulate import Followed, Follower
+from planar_cli.solve.course.simulate import Follower
 from planar_cli.solve.course.timeline import Stop
 
 
@@ -66,7 +67,8 @@ class Throughout:
         if value is None:
             return None
         begun = [self._begun(e) for e in equations]
-        router = Router(begun, frozenset(set(regime.letters) - fixed), value, True)
+        natural = self.course.natural(regime.letters)
+        router = Router(begun, frozenset(set(regime.letters) - fixed), value, True, natural=natural)
         return router.route(sorted(wanted, key=lambda s: s.name))
 
     def _leg(self, followed: Followed) -> Leg:
@@ -96,7 +98,7 @@ class Throughout:
         known = self.value.extended(exact)
         rest = {s: here[s] for s in self.course.regimes[0].letters if s not in fixed}
         try:
-            more = refined([e.residual for e in equations], list(rest), rest, known)
+            more = refined([e.residual for e in equations], list(rest), rest, known, self.course.natural(rest))
         except ArithmeticError:
             return None
         return known.extended({**{s: Decimal(repr(v)) for s, v in rest.items()}, **more})

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
-from typing import Any
+from typing import Any, TypeGuard
 
 import sympy as sp
 
@@ -99,6 +99,8 @@ class Reader:
     pending: dict[sp.Symbol, tuple[Reader, str, sp.Expr]] = field(default_factory=dict)
     spans: dict[sp.Symbol, Quantity] = field(default_factory=dict)
     exprs: list[sp.Expr] = field(default_factory=list)
+    winding: dict[sp.Symbol, Quantity] = field(default_factory=dict)
+    """Stand-ins for angles of places at other states whose turns are still to be counted along the motion."""
 
     # --- quantities of the general position --------------------------------------------------------------------------
 
@@ -136,13 +138,22 @@ class Reader:
         value = other.any(side)
         if isinstance(value, Vec):
             return Vec(*(constant(self._stand_in(other, state, p.value)) for p in (value.x, value.y)))
-        return constant(self._stand_in(other, state, value.value))
+        found = self._stand_in(other, state, value.value)
+        if is_place_angle(side) and sp.sympify(value.value).has(sp.atan2):
+            self.winding[found] = side
+        return constant(found)
 
     def _stand_in(self, other: Reader, state: str, value: sp.Expr) -> sp.Symbol:
         symbol = sp.Dummy(f"at_{state}", real=True)
         self.pending[symbol] = (other, state, value)
         other.exprs.append(value)
         return symbol
+
+    def number(self, side: Side) -> sp.Expr:
+        """A side in the general position as one expression."""
+        found = self.any(side)
+        assert isinstance(found, Jet)
+        return found.value
 
     def _span(self, q: Quantity) -> sp.Symbol:
         symbol = sp.Dummy(f"span_{q.word}", real=True)
@@ -238,6 +249,8 @@ class Reader:
         """A relation, or one or two about a vector, with what vanishes and what must be positive."""
         difference: Any
         trend: sp.Expr | None = None
+        if isinstance(item, VectorStatement) and self._counted(item):
+            item = item.relations[0]
         if isinstance(item, VectorStatement):
             s, (difference, trend) = item.relations[0], vector_equations(item, self.any)
             s = replace(s, text=", ".join(r.text for r in item.relations))
@@ -248,11 +261,18 @@ class Reader:
             if isinstance(left, Jet) and isinstance(right, Jet) and s.operator == "=":
                 for one, other in ((left.value, right.value), (right.value, left.value)):
                     if other in (sp.oo, -sp.oo):
-                        return [(s, ("limit", one, None))]
+                        return [(s, ("limit", one if other == sp.oo else -one, None))]
             difference = gap(left, right)
         if isinstance(difference, Vec):
             return [(s, ("=", difference.x.value, trend)), (s, ("=", difference.y.value, trend))]
         return [(s, (s.operator, difference.value, trend))]
+
+    def _counted(self, item: VectorStatement) -> bool:
+        """Does a statement about the direction of a place alone tell its turns as well?"""
+        if item.vector.word != "r" or item.size is not None:
+            return False
+        angle = self.any(replace(item.vector, parts=(*item.vector.parts, Part("angle", None, item.vector.mark))))
+        return isinstance(angle, Jet) and not angle.value.has(sp.atan2)
 
     def _rest(self, s: AtRest | Equilibrium) -> list[sp.Expr]:
         """Velocities that vanish: those of a body, or all free ones; in equilibrium their rates as well."""
@@ -310,6 +330,11 @@ class Reader:
                 held = residual if operator.startswith(">") else -residual
                 found.append(Demand(stop.name, s.text, s.mark, held, "inequality", sign))
         return found
+
+
+def is_place_angle(side: Side) -> TypeGuard[Quantity]:
+    """Is it r(…).angle, which counts turns?"""
+    return isinstance(side, Quantity) and side.word == "r" and bool(side.parts) and side.parts[-1].kind == "angle"
 
 
 def stop_of(

@@ -51,7 +51,12 @@ def touch_of(
     c = _coordinate(regime, u)
     assert c is not None
     state = {s: float(v) for s, v in start.items()}
-    size = 1.0 if c.unit == "rad" else length_of(regime, state, [0.0] * (len(regime.letters) - 1), value)
+    still = [0.0] * (len(regime.letters) - 1)
+    size = (
+        1.0
+        if c.unit == "rad"
+        else length_of(regime, state, still, value, regime.general.instant.scene.ledger.scales.length)
+    )
     pace = math.sqrt(growth)
     slope = abs(float(value(sp.diff(regime.rates[c.symbol], u))))
     return Touch(u, Decimal(repr(sense * SLIGHT * pace * size / slope)), 1 / pace)

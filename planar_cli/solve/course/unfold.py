@@ -11,7 +11,7 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.exact import Unvalued
+from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.errors import Diagnostic, NoSolution, Undecided
 from planar_cli.solve.course.asked_finds import AskedFind, asked_finds, asked_letters
 from planar_cli.solve.course.astray import (
@@ -29,6 +29,7 @@ from planar_cli.solve.course.chain import Branch
 from planar_cli.solve.course.choosing import Choosing, assumed, at_a_top
 from planar_cli.solve.course.differences import by_differences
 from planar_cli.solve.course.first_plot import first_plot
+from planar_cli.solve.course.followed import Followed
 from planar_cli.solve.course.gaps import just_parted
 from planar_cli.solve.course.holding import holding
 from planar_cli.solve.course.idle import without_idle_times
@@ -41,16 +42,16 @@ from planar_cli.solve.course.newton import refined_left
 from planar_cli.solve.course.plot import Plot
 from planar_cli.solve.course.reached import asked_about
 from planar_cli.solve.course.regime_sequence import RegimeSequence, regime_sequence
-from planar_cli.solve.course.simulate import Followed, Follower, leaning
+from planar_cli.solve.course.simulate import Follower
 from planar_cli.solve.course.solved_motion import SolvedMotion
 from planar_cli.solve.course.starts import Start, balanced, certain_start, resting, resting_though_sought, untold
 from planar_cli.solve.course.stated_motion import StatedMotion, stated_motion
 from planar_cli.solve.course.touch import TOUCHED, touch_of
-from planar_cli.solve.course.unbounded_times import Endless, demand_no_times, without_times
+from planar_cli.solve.course.unbounded_times import Endless, demand_no_times, without_endless_places, without_times
 from planar_cli.solve.principled import principle_of
 
 CHANGES, BLOW, SLACK = 40, " blow", Decimal("1e-9")
-NOTHING = 1e-13
+NOTHING = Decimal("1e-13")
 AT_A_TOP = "the last state is one of equilibrium: with a little more it is passed, with less never reached"
 STAYS = "it begins at rest in equilibrium, where every acceleration vanishes: nothing moves"
 
@@ -116,7 +117,7 @@ class Unfolder(Choosing):
                 return self._next(course.plot, 0, "what is stated of the first state contradicts it")
             except NoSolution as error:
                 early = [e for e in course.equations if e.stop == course.first.name]
-                raise clash(course, early) or error from error
+                raise self.lack or clash(course, early) or error from error
         if isinstance(start, dict) and untold(course):
             # A wrong assumption may be why a state says nothing: at rest nothing comes to rest.
             other = self._tried(course, start)
@@ -193,17 +194,20 @@ class Unfolder(Choosing):
             demand_no_times(course, finds)
             followed.values[course.first.letters[course.touch.speed]] = 0.0
             course = replace(course, equations=without_times(course))
+        if followed.tends:
+            course = replace(course, equations=without_endless_places(course, followed))
         course = replace(course, equations=holding(course.equations, followed.values, course.base()))
         course, differences = by_differences(course, finds, followed.values)
         followed.values |= differences
         chain = course.chain()
         chain.truth = followed.values
-        chain.leaning = leaning(course, followed)
+        chain.tends = followed.tends
         course, branch = beside(course, finds, chain)
         open_letters = [s for s in followed.values if s not in branch.values]
         more = refined_left(course, branch, open_letters, followed.values)
         guessed = {s for s in open_letters if s not in more}
-        more |= {s: _number(followed.values[s]) for s in guessed}
+        natural = course.natural(guessed)
+        more |= {s: _number(followed.values[s], natural[s]) for s in guessed}
         value = course.base().extended({**more, **branch.values})
         demand_agreement(course, value, guessed)
         later = tuple(f"{text}: the first time; later it is more so" for text in dict.fromkeys(followed.growing))
@@ -279,9 +283,8 @@ class Unfolder(Choosing):
                 if found is None:
                     continue
                 return found
-            try:
-                followed = Follower(course, value).run({s: float(v) for s, v in start.items()})
-            except ArithmeticError:
+            followed = self._along(course, value, start)
+            if followed is None:
                 continue
             other = self._changed(course, followed)
             if other is not None:
@@ -313,6 +316,16 @@ class Unfolder(Choosing):
         except NoSolution:
             raise self.lack from None
 
+    def _along(self, course: MotionEquations, value: Valuation, start: dict[sp.Symbol, Decimal]) -> Followed | None:
+        """The motion of one branch, followed from its start; None: it cannot be."""
+        try:
+            return Follower(course, value).run({s: float(v) for s, v in start.items()})
+        except NoSolution as error:
+            self.lack = self.lack or error
+        except ArithmeticError:
+            pass
+        return None
+
     def _led(
         self, course: MotionEquations, finds: tuple[AskedFind, ...], branches: list[Branch]
     ) -> SolvedMotion | None:
@@ -328,9 +341,10 @@ class Unfolder(Choosing):
         return SolvedMotion(course, finds, led, None, course.base().extended(led.values))
 
 
-def _number(followed: float) -> Decimal:
-    """What a step method gave; what it leaves of a zero is none."""
-    return Decimal(repr(followed)) if abs(followed) >= NOTHING else Decimal(0)
+def _number(followed: float, natural: Decimal) -> Decimal:
+    """What a step method gave; what it leaves of a zero is none, beside an ordinary size."""
+    number = Decimal(repr(followed))
+    return number if abs(number) >= NOTHING * natural else Decimal(0)
 
 
 def _left_out(course: RegimeSequence, others: list[SolvedMotion], why: str) -> tuple[str, ...]:

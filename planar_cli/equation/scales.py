@@ -1,0 +1,237 @@
+"""Sizes against which the numbers of a motion are measured: no number is small or large by itself.
+
+Of a scene: the length L, mass M and time T in which all numbers of the file are as near to 1 as they can be,
+
+    Σ (log|c| - a log L - b log M - d log T)² → min        over all numbers c of dimension L^a M^b T^d,
+
+so that a file in other units, or of a world of another size, has them changed by its own factors. Of a motion: the
+largest length and speeds that it has shown so far. Of a formula: what it would be if its parts did not cancel.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, fields, is_dataclass
+from decimal import Decimal
+from fractions import Fraction
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.errors import NoValue
+from planar_cli.problem.expression import Number, Scaled
+from planar_cli.problem.scene import Problem
+from planar_cli.units import ACCELERATION, LENGTH, PURE, RATE, VELOCITY, Dimension, Unit, parse_unit
+
+GRAVITY = 9.81
+SLACK = 1e-9
+"""A number of a followed motion counts as zero below this part of its size."""
+PART = 1e-6
+"""Parts of a formula are changed by this part of their size, to see how much of it each of them is."""
+
+
+@dataclass(frozen=True, slots=True)
+class Scales:
+    """What counts as an ordinary size in a scene."""
+
+    length: float = 1.0
+    """In m."""
+    mass: float = 1.0
+    """In kg."""
+    time: float = 1.0
+    """In s."""
+
+    def of(self, dimension: Dimension) -> float:
+        """The ordinary size of a quantity, in SI units."""
+        return float(
+            self.length ** float(dimension.length)
+            * self.mass ** float(dimension.mass)
+            * self.time ** float(dimension.time)
+        )
+
+    def exact(self, dimension: Dimension) -> Decimal:
+        """The next power of ten: a decimal number that gives no product more digits."""
+        return Decimal(10) ** round(math.log10(self.of(dimension)))
+
+
+@dataclass(frozen=True, slots=True)
+class Sizes:
+    """The largest length, speed and angular speed of a motion so far; for other quantities those of its scene."""
+
+    scales: Scales
+    """Of the scene."""
+    length: float
+    """In m."""
+    fastest: float = 0.0
+    """The largest speed, in m/s."""
+    spin: float = 0.0
+    """The largest angular speed, in rad/s."""
+
+    def of(self, unit: Unit) -> float:
+        """What a quantity of this unit is measured by: speeds of points and of turning are told from each other."""
+        if unit.dimension == PURE:
+            return 1.0
+        if unit.dimension == LENGTH:
+            return self.length
+        if unit.dimension == VELOCITY:
+            return max(self.fastest, self.spin * self.length)
+        if unit.dimension == RATE:
+            return max(self.spin, self.fastest / self.length)
+        return self.scales.of(unit.dimension)
+
+    def by_letter(self, letters: Iterable[sp.Symbol], units: Mapping[sp.Symbol, Unit]) -> dict[sp.Symbol, float]:
+        """What each of these letters is measured by."""
+        return {s: self.of(units[s]) for s in letters}
+
+    def passing(self, state: Mapping[sp.Symbol, float], units: Mapping[sp.Symbol, Unit], length: float) -> Sizes:
+        """The same after a state of the motion, in which `length` is in sight."""
+        fastest, spin = self.fastest, self.spin
+        for letter, number in state.items():
+            dimension = units[letter].dimension
+            fastest = max(fastest, abs(number)) if dimension == VELOCITY else fastest
+            spin = max(spin, abs(number)) if dimension == RATE else spin
+        return Sizes(self.scales, max(self.length, length), fastest, spin)
+
+
+def scales_of(problem: Problem) -> Scales:
+    """The ordinary sizes of a scene. A kind of quantity that no number tells keeps its SI unit."""
+    rows = [(d, math.log(abs(n))) for n, d in _numbers(problem) if n and d != PURE]
+    if problem.plane == "vertical" and not any(s.name == "g" for s in (*problem.given, *problem.symbols)):
+        rows.append((ACCELERATION, math.log(GRAVITY)))
+    rows += [(parse_unit(s.unit).dimension, 0.0) for s in problem.symbols if s.unit is not None]
+    powers = [(d.length, d.mass, d.time) for d, _ in rows]
+    square = [[sum((p[i] * p[j] for p in powers), Fraction(0)) for j in range(3)] for i in range(3)]
+    right = [sum(float(p[i]) * log for p, (_, log) in zip(powers, rows, strict=True)) for i in range(3)]
+    return Scales(*(math.exp(x) for x in _solved(square, right)))
+
+
+def _numbers(node: Any) -> Iterator[tuple[float, Dimension]]:
+    """All numbers with a unit in a file, in SI units; what it asks and answers is left out."""
+    if isinstance(node, tuple):
+        for inner in node:
+            yield from _numbers(inner)
+    elif isinstance(node, Number):
+        if node.unit is not None:
+            unit = parse_unit(node.unit)
+            yield float(node.value * unit.factor) * math.pi**unit.pi_power, unit.dimension
+    elif isinstance(node, Scaled):
+        unit = parse_unit(node.unit)
+        plain = [float(n.value) for n in _plain(node.operand)]
+        yield math.prod(n for n in plain if n) * float(unit.factor) * math.pi**unit.pi_power, unit.dimension
+    elif is_dataclass(node) and not isinstance(node, type):
+        for f in fields(node):
+            if f.name not in ("find", "answers", "cases", "mark", "tolerance"):
+                yield from _numbers(getattr(node, f.name))
+
+
+def _plain(node: Any) -> Iterator[Number]:
+    if isinstance(node, Number):
+        yield node
+    elif is_dataclass(node) and not isinstance(node, type):
+        for f in fields(node):
+            yield from _plain(getattr(node, f.name))
+
+
+def _solved(square: list[list[Fraction]], right: list[float]) -> list[float]:
+    """Least squares; what the rows leave open is zero."""
+    rows = [([*row], b) for row, b in zip(square, right, strict=True)]
+    pivots: dict[int, int] = {}
+    for column in range(len(rows)):
+        free = [i for i in range(len(rows)) if i not in pivots.values() and rows[i][0][column]]
+        if not free:
+            continue
+        pivots[column] = pivot = free[0]
+        top, b = rows[pivot]
+        for i, (row, c) in enumerate(rows):
+            if i != pivot and row[column]:
+                factor = row[column] / top[column]
+                rows[i] = ([x - factor * y for x, y in zip(row, top, strict=True)], c - float(factor) * b)
+    return [rows[pivots[k]][1] / float(rows[pivots[k]][0][k]) if k in pivots else 0.0 for k in range(len(rows))]
+
+
+@dataclass(frozen=True, slots=True)
+class Here:
+    """One state of a motion that is followed: its letters in numbers, and what each of them is measured by."""
+
+    letters: Mapping[sp.Symbol, float]
+    """Time, coordinates and free speeds, in SI units."""
+    sizes: Mapping[sp.Symbol, float]
+    """By letter, in its SI unit."""
+    value: Valuation
+    """Numbers of everything that does not vary."""
+
+    def at(self, expr: sp.Expr, other: Mapping[sp.Symbol, float]) -> float:
+        """A formula in numbers, with `other` numbers for some letters."""
+        return measured([expr], {**self.letters, **other}, self.sizes, self.value)[0][0]
+
+    def sign(self, expr: sp.Expr) -> int:
+        """The sign of a formula; 0 where it is nothing beside what it is made of."""
+        return self.signs([expr])[0]
+
+    def signs(self, exprs: Sequence[sp.Expr]) -> list[int]:
+        """The same of several formulas."""
+        pairs = measured(exprs, self.letters, self.sizes, self.value)
+        return [0 if abs(x) <= SLACK * size else 1 if x > 0 else -1 for x, size in pairs]
+
+
+# --- formulas --------------------------------------------------------------------------------------------------------
+
+
+def measured(
+    exprs: Sequence[sp.Expr], here: Mapping[sp.Symbol, float], sizes: Mapping[sp.Symbol, float], value: Valuation
+) -> list[tuple[float, float]]:
+    """Formulas in numbers, each with its size: how much all that stands in it makes of it, whatever cancels.
+
+    `here`: the letters that vary, `sizes` what each is measured by; everything else takes its value and is measured by
+    it. NoValue: a formula has no real value here.
+    """
+    exprs = [sp.sympify(e) for e in exprs]
+    fixed = set().union(*(e.free_symbols for e in exprs)) - set(here) if exprs else set()
+    point = {**here, **{s: float(value(s)) for s in fixed}}
+    letters = list(point)
+    made: Any = sp.lambdify(letters, exprs, modules="math")
+    now = _called(made, list(point.values()))
+    found = [abs(x) for x in now]
+    parts = [0.0] * len(exprs)
+    for i, s in enumerate(letters):
+        inside = [k for k, e in enumerate(exprs) if s in e.free_symbols]
+        step = PART * max(abs(point[s]), sizes.get(s, 0.0))
+        if not inside or not step:
+            continue
+        moved = _moved(made, list(point.values()), i, step)
+        for k in inside if moved is not None else ():
+            parts[k] += abs(moved[k] - now[k]) / PART if moved is not None else 0.0
+    return [(x, max(a, b)) for x, a, b in zip(now, found, parts, strict=True)]
+
+
+def _called(made: Any, numbers: list[float]) -> list[float]:
+    try:
+        return [float(x) for x in made(*numbers)]
+    except ValueError as error:
+        raise NoValue("a formula has no real value here") from error
+
+
+def _moved(made: Any, numbers: list[float], i: int, step: float) -> list[float] | None:
+    """The formulas with one letter changed, to whichever side they have values; None: to neither."""
+    for way in (step, -step):
+        try:
+            return _called(made, [x + way if k == i else x for k, x in enumerate(numbers)])
+        except ArithmeticError:
+            continue
+    return None
+
+
+def slack_of(
+    residual: sp.Expr, letters: Sequence[sp.Symbol], natural: Mapping[sp.Symbol, Decimal], value: Valuation
+) -> Decimal:
+    """How much a formula would change if letters changed by their ordinary sizes."""
+    total = Decimal(0)
+    for s in letters:
+        if s in residual.free_symbols:
+            try:
+                total += abs(value(sp.diff(residual, s))) * natural[s]
+            except (NoValue, Unvalued):
+                continue
+    return total

@@ -1,0 +1,53 @@
+"""The angle of a place vector that counts its turns, where the vector is written with an angle that goes on.
+
+(a cos φ - b sin φ, a sin φ + b cos φ)  has the angle  φ + atan2(b, a),   a and b constant, or b = 0 and a > 0
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import sympy as sp
+
+from planar_cli.equation.exact import PI, Unvalued
+from planar_cli.equation.plain import longer, simplified
+from planar_cli.errors import NoValue
+from planar_cli.problem.geometry import Vec
+
+if TYPE_CHECKING:
+    from planar_cli.equation.scene import Scene
+
+LONGEST = 60
+"""Longer components are not looked through."""
+
+
+def counted_angle(scene: Scene, v: Vec) -> sp.Expr | None:
+    """The angle of a vector with its turns, between -180 and 180 deg where it is drawn; None: it is not written so."""
+    if scene.displacement is None or longer(v.x, LONGEST) or longer(v.y, LONGEST):
+        return None
+    ledger = scene.ledger
+    varying = {c.symbol for c in scene.displacement.coordinates} | {*ledger.coordinates, ledger.symbols["t"]}
+    angles = {a.args[0] for e in (v.x, v.y) for a in sp.sympify(e).atoms(sp.sin, sp.cos)}
+    for phi in sorted(angles, key=sp.default_sort_key):
+        if not phi.free_symbols & varying:
+            continue
+        c, s = sp.cos(phi), sp.sin(phi)
+        along, across = simplified(v.x * c + v.y * s), simplified(v.y * c - v.x * s)
+        if across == 0:
+            found = phi if scene.sign(along) > 0 else phi + sp.pi
+        elif not (along.free_symbols | across.free_symbols) & varying:
+            found = phi + sp.atan2(across, along)
+        else:
+            continue
+        return found + _whole_turns(scene, v, found)
+    return None
+
+
+def _whole_turns(scene: Scene, v: Vec, angle: sp.Expr) -> sp.Expr:
+    """What is to be added so that the angle lies between -180 and 180 deg near the drawn position."""
+    value = scene.valuations[0]
+    try:
+        turns = (value(sp.atan2(v.y, v.x)) - value(angle)) / (2 * PI)
+    except (NoValue, Unvalued):
+        return sp.S.Zero
+    return 2 * sp.pi * int(turns.to_integral_value())

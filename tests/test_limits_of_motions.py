@@ -1,0 +1,53 @@
+"""Where a motion tends that goes on for ever: the limit is the one that it approaches, whatever else vanishes there."""
+
+from __future__ import annotations
+
+from math import sqrt
+
+import pytest
+from answered import first, solve
+
+LAW = """
+title: Particle under a law of motion
+coordinates: {x: m}
+bodies: {p: {particle: [x, 0]}}
+motion: ["ddot(x) = %s"]
+states: {1: [t = 0, x = %s, dot(x) = %s], 2: [%s]}
+find: {v: dot(x) @ 2}
+"""
+
+
+@pytest.mark.parametrize("start", ["0", "3 m/s", "-20 m/s"])
+def test_a_limit_reached_from_one_side_only(start: str) -> None:
+    """a = v²/10 - 4 vanishes at both ±sqrt(40); only the negative one is approached, from above and from below."""
+    found = solve(LAW % ("(0.1 1/m)*dot(x)^2 - 4 m/s^2", "0", start, "t = infinity"))
+    assert first(found["v"]) == pytest.approx(-sqrt(40))
+
+
+def test_a_limit_beyond_a_turning() -> None:
+    """a = -(v² - 4)/10 from v = -1: it turns round and tends to 2, though -2 is nearer."""
+    found = solve(LAW % ("-(0.1 1/m)*(dot(x)^2 - 4 m^2/s^2)", "0", "-1 m/s", "t = infinity"))
+    assert first(found["v"]) == pytest.approx(2)
+
+
+@pytest.mark.parametrize("way", [1, -1])
+def test_far_away_on_either_side(way: int) -> None:
+    """v dv = -2 e^x dx, mirrored for the other side: v² = 1 + 4."""
+    law = f"({-2 * way} m/s^2)*exp(({way})*x/(1 m))"
+    found = solve(LAW % (law, "0", f"{-way} m/s", f"x = {'-' if way > 0 else ''}infinity"))
+    assert first(found["v"]) == pytest.approx(-way * sqrt(5))
+
+
+def test_thrown_up_and_falling_through_air() -> None:
+    found = solve("""
+title: Ball thrown up in air
+plane: vertical
+bodies: {p: {particle: [0, 0], mass: 1 kg}}
+joints:
+  - guide: {point: p, along: 90 deg}
+loads:
+  - drag: {body: p, magnitude: (0.1 kg/m)*v(p).mag^2}
+states: {1: [t = 0, v(p).y = 2 m/s], 2: [t = infinity]}
+find: {v: v(p).y @ 2}
+""")
+    assert first(found["v"]) == pytest.approx(-sqrt(98.1))

@@ -1,0 +1,64 @@
+"""Angles of places count turns from the first state, as angles of bodies do."""
+
+from __future__ import annotations
+
+from math import pi
+
+import pytest
+from answered import first, solve
+
+from planar_cli.errors import NoSolution
+
+ROD = """
+title: Rod that turns uniformly
+plane: horizontal
+points: {O: [0, 0], A: [%s, %s]}
+bodies: {rod: {rod: [O, A], mass: 1 kg}}
+joints:
+  - pin: {at: O, between: [ground, rod]}
+states: {1: [t = 0, omega(rod) = %s rad/s], 2: [%s]}
+find: {phi: r(A).angle @ 2, theta: theta(rod) @ 2, t: t @ 2}
+"""
+PARTICLE = """
+title: Particle drawn to a point by a spring, on a circle
+plane: horizontal
+points: {O: [0, 0]}
+bodies: {p: {particle: [1 m, 0], mass: 1 kg}}
+loads:
+  - spring: {between: [O, p], stiffness: 4 N/m, natural_length: 0 m}
+states: {1: [t = 0, v(p).x = 0, v(p).y = %s m/s], 2: [%s]}
+find: {phi: r(p).angle @ 2}
+"""
+
+
+@pytest.mark.parametrize("speed", [2, -2])
+def test_a_point_of_a_body_that_turns(speed: float) -> None:
+    found = solve(ROD % ("1 m", "0", speed, "t = 10 s"))
+    assert first(found["phi"]) == pytest.approx(10 * speed)
+    assert first(found["phi"]) == first(found["theta"])
+
+
+def test_turns_count_from_where_it_is_drawn() -> None:
+    """At (-1, -1) the angle is -135 deg."""
+    found = solve(ROD % ("-1 m", "-1 m", 2, "t = 10 s"))
+    assert first(found["phi"]) == pytest.approx(20 - 3 * pi / 4)
+
+
+def test_a_state_given_by_turns() -> None:
+    found = solve(ROD % ("1 m", "0", 2, "r(A).angle = 370 deg"))
+    assert first(found["t"]) == pytest.approx(370 * pi / 180 / 2)
+
+
+@pytest.mark.parametrize("speed", [2, -2, 0.2])
+def test_a_particle_in_x_and_y(speed: float) -> None:
+    """x = cos 2t, y = v/2 sin 2t: on an ellipse every half swing is half a turn."""
+    end = 10 * pi + pi / 4
+    found = solve(PARTICLE % (speed, f"t = {end!r} s"))
+    turned = 2 * pi * round(2 * end / (2 * pi) - 0.25) * (1 if speed > 0 else -1)
+    assert first(found["phi"]) == pytest.approx(turned + (pi / 2 if speed > 0 else -pi / 2))
+
+
+def test_a_direction_that_holds_after_other_turns_only() -> None:
+    with pytest.raises(NoSolution, match=r"holds up to whole turns only: there it is 10 deg"):
+        solve(PARTICLE % (2, "r(p).angle = 370 deg"))
+    assert first(solve(PARTICLE % (2, "r(p).angle = 45 deg"))["phi"]) == pytest.approx(pi / 4)
