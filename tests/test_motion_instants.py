@@ -24,7 +24,7 @@ from planar_cli.problem.expression import Equilibrium, Negate, Number, Quantity,
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.reactions import Reactions
 from planar_cli.problem.scene import Answer, Find, Problem
-from planar_cli.problem.structure import load
+from planar_cli.problem.structure import load, load_text
 from planar_cli.problem.walk import walk
 from planar_cli.simulate.run import Settings, simulate
 from planar_cli.units import parse_unit
@@ -128,3 +128,24 @@ def test_a_ball_drawn_on_a_rod_strikes_it_from_where_it_comes() -> None:
     assert problem is not None, wrong
     found = {a.name: a.values for a in simulate(problem.cases[0].problem, Settings(estimate=False)).answers}
     assert found["omega"] == pytest.approx((5.732484,), rel=1e-6)
+
+
+GROWING = """
+title: a wheel that takes up sand
+plane: horizontal
+points: {O: [0, 0]}
+bodies: {wheel: {disk: O, radius: 0.5 m, mass: 10 kg + 2 kg/s * t}}
+joints:
+  - pin: {at: O, between: [ground, wheel]}
+states:
+  1: [t = 0, omega(wheel) = 6 rad/s]
+  2: [t = 5 s]
+find: {w: omega(wheel) @ 2}
+"""
+
+
+def test_a_body_that_takes_up_matter_turns_more_slowly() -> None:
+    problem, wrong = load_text(GROWING)
+    assert problem is not None, wrong
+    simulation = simulate(problem, Settings(estimate=False))
+    assert simulation.answers[0].values == pytest.approx((3.0,), rel=1e-8)

@@ -136,15 +136,17 @@ class Model:
             if part is not None:
                 potential = potential + part
                 stored.append(load)
-        wasting = [w for x in acting if x not in stored for w in self.wrenches[x]]
+        growing = self.scene.growing()
+        wasting = [*(w for x in acting if x not in stored for w in self.wrenches[x]), *growing]
+        wrenches = (*(w for x in acting for w in self.wrenches[x]), *growing)
         return Regime(
             Parts(
                 layout=self.layout,
                 scales=self.scales,
                 held=held,
                 drives=self.drives,
-                wrenches=tuple(w for x in acting for w in self.wrenches[x]),
-                loads=self.layout.of_actions(w for x in acting for w in self.wrenches[x]),
+                wrenches=wrenches,
+                loads=self.layout.of_actions(wrenches),
                 wasting=self.layout.of_actions(wasting),
                 potential=potential,
                 measured=self._measured(indices),

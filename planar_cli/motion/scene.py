@@ -170,9 +170,19 @@ class MovingScene(Carried):
             found = found if part is None else found + part
         return found
 
+    def growing(self) -> tuple[Wrench, ...]:
+        """The couple -(dI/dt) ω on a body whose moment of inertia changes with its mass: d(I ω)/dt = I α + (dI/dt) ω."""
+        found = []
+        for name, place in self.places.items():
+            change = self.graph.rate(place.inertia, {self.time: self.graph.number(1.0)})
+            if not self.vanishes(change):
+                couple = -change * self.turn(name)
+                found.append(Wrench("", "stream", name, place.center, None, couple, couple))
+        return tuple(found)
+
     def wrenches(self) -> tuple[Wrench, ...]:
         """What all loads do to all bodies, each with the name of the load (of a weight: of the body)."""
-        found = [w for load in self.loads() for w in load.wrenches(self)]
+        found = [*(w for load in self.loads() for w in load.wrenches(self)), *self.growing()]
         return tuple(w for w in found if w.body != GROUND and not self._nothing(w))
 
     def breakpoints(self) -> tuple[float, ...]:
