@@ -327,3 +327,26 @@ def test_a_wheel_rolls_along_the_arc_of_a_curve() -> None:
     slope = scene.graph.gradient(slip)[foot]
     # Per dx at x = 1 m: the arc grows by √2, the tangent turns by 1/(1 + x²).
     assert evaluate([slope], turned)[0] == pytest.approx(math.sqrt(2) - 0.2 / 2)
+
+
+TURNING_TRACK = """
+title: a bead on a line that turns with a coordinate
+plane: horizontal
+coordinates: {beta: deg}
+points: {P: [1 m, 0], O: [0, 0], B: {from: O, distance: 1 m, angle: beta}}
+bodies: {bead: {particle: P, mass: 1 kg}, arm: {rod: [O, B], mass: 1 kg}}
+joints:
+  - pin: {at: O, between: [ground, arm]}
+  - guide: {point: P, along: beta}
+instant: [beta = 0 deg, omega(arm) = 1 rad/s]
+find: {v: v(P).x}
+"""
+
+
+def test_a_track_that_nobody_carries_is_refused_when_it_turns() -> None:
+    problem, wrong = load_text(TURNING_TRACK)
+    assert problem is not None, wrong
+    scene = MovingScene(problem)
+    with pytest.raises(FileProblem) as refused:
+        problem.joints[1].modes(scene)
+    assert [d.code for d in refused.value.diagnostics] == ["PL707"]

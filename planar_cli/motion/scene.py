@@ -19,7 +19,7 @@ from planar_cli.motion.outlines import edges_at, outline_of
 from planar_cli.motion.places import unit_vector
 from planar_cli.motion.poses import MovingPoses
 from planar_cli.motion.quantities import Quantities
-from planar_cli.motion.sides import refuse
+from planar_cli.motion.sides import names_in, refuse
 from planar_cli.motion.spots import spots_of
 from planar_cli.motion.terms import Term, evaluate
 from planar_cli.problem.acting import acting_loads
@@ -80,9 +80,13 @@ class MovingScene(Carried):
         if name in self.surfaces and not isinstance(self.surfaces[name].shape, Line):
             return self.outline(name, point, mark)
         base = self.carrier(name) if self.names_carrier(name) else GROUND
+        self._steady(base, () if isinstance(along, str) else (along,), mark)
         return Outline("straight", base, self.direction(along), self.graph.number(0.0))
 
     def outline(self, partner: str, point: Vec, mark: Mark) -> Outline:
+        surface = self.surfaces.get(partner)
+        if surface is not None and isinstance(surface.shape, Line):
+            self._steady(surface.body or GROUND, (surface.shape.angle,), surface.mark)
         if (partner, point) not in self._outlines:
             self._outlines[partner, point] = outline_of(self, partner, point, mark)
         return self._outlines[partner, point]
@@ -109,6 +113,13 @@ class MovingScene(Carried):
 
     def mass(self, body: str) -> Term:
         return self.places[body].mass
+
+    def _steady(self, base: str, angles: tuple[Side, ...], mark: Mark) -> None:
+        """Refuse a direction on the ground that is written with a coordinate: its turning is nobody's."""
+        moving = {s.name for s in self.problem.coordinates} | {"t"}
+        if base == GROUND and any(names_in(angle) & moving for angle in angles):
+            text = "the track turns as the motion goes on, and no body carries it"
+            raise refuse(mark, "PL707", text, "let a body carry it: `along: b`, or `body: b` of a surface")
 
     def pressed(self, joint: str) -> int:
         """On which side a contact presses that the drawing leaves open; 0: not known."""
@@ -171,7 +182,7 @@ class MovingScene(Carried):
         return found
 
     def growing(self) -> tuple[Wrench, ...]:
-        """The couple -(dI/dt) ω on a body whose moment of inertia changes with its mass: d(I ω)/dt = I α + (dI/dt) ω."""
+        """The couple -(dI/dt) ω on a body whose moment of inertia changes: d(I ω)/dt = I α + (dI/dt) ω."""
         found = []
         for name, place in self.places.items():
             change = self.graph.rate(place.inertia, {self.time: self.graph.number(1.0)})
