@@ -5,4 +5,5 @@ from __future__ import annotations
 from pathlib import Path
 
 ROOT = Path(__file__).parent.parent
-PROBLEMS = sorted((ROOT / "problems").rglob("*.yaml"))
+PROBLEMS = sorted(p for p in (ROOT / "problems").rglob("*.yaml") if p.parent.name != "hard")
+"""All files with answers that are worked out; those in `hard` are followed over time only."""
