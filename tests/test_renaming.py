@@ -137,10 +137,11 @@ def test_names_and_order_change_nothing_anywhere(path: Path, change: Any) -> Non
 
 
 @pytest.mark.parametrize("offset", ["c", "x_0", "x_dot", "x_ddot", "v_P", "omega", "t_2"])
-def test_an_offset_may_have_any_name(offset: str) -> None:
+@pytest.mark.parametrize(("place", "start"), [("0.3 m", "0.5 m"), ("-0.3 m", "-0.1 m")])
+def test_an_offset_may_have_any_name(offset: str, place: str, start: str) -> None:
     """A spring pulls towards a place of any name: v = √(k/m) b after a quarter of the period."""
-    given = f"given: {{k: 20 N/m, m: 2 kg, {offset}: 0.3 m}}"
-    text = SPRING.format(given=given, offset=offset, start="0.5 m", more="", find="{v: v(b1).x @ 2, t: t @ 2}")
+    given = f"given: {{k: 20 N/m, m: 2 kg, {offset}: {place}}}"
+    text = SPRING.format(given=given, offset=offset, start=start, more="", find="{v: v(b1).x @ 2, t: t @ 2}")
     found = solve(text)
     assert_close(found["v"], "-0.63245553203367586639977870888654371")
     assert_close(found["t"], "0.49672941328980510259573022264168226")
@@ -161,3 +162,24 @@ def test_a_stiffness_beside_an_offset(offset: str) -> None:
     more = ", v(b1).x = -0.4 m/s"
     found = solve(SPRING.format(given=given, offset=offset, start="0.5 m", more=more, find="{k: k}"))
     assert_close(found["k"], 8)
+
+
+@pytest.mark.parametrize("known", ["given: {y: -0.4 m, w: 2 rad/s, R: 0.5 m}", "symbols: {y: m, w: rad/s, R: m}"])
+def test_a_known_may_be_called_like_an_axis(known: str) -> None:
+    """The path of P is the circle about O, whatever the height of O is called."""
+    found = solve(f"""
+{known}
+coordinates: {{phi: deg}}
+points: {{O: [0.2 m, y], P: {{from: O, distance: R, angle: phi}}}}
+bodies: {{b: {{particle: P}}}}
+joints:
+  - link: {{between: [O, P]}}
+motion: [dot(phi) = w]
+find: {{path: path(P)}}
+""")
+    (equation,) = found["path"].expressions or ()
+    names = {s.name: s for s in equation.free_symbols}
+    assert set(names) == {"x_P", "y_P", "y", "R"}
+    x, y, h, r = (names[n] for n in ("x_P", "y_P", "y", "R"))
+    circle = (x - sp.Rational(1, 5)) ** 2 + (y - h) ** 2 - r**2
+    assert sp.expand(equation.lhs - equation.rhs - circle) == 0

@@ -6,7 +6,7 @@ eliminated. (An Introduction to Planar Dynamics, 1.1, 1.4.1.)
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, replace
 
 import sympy as sp
@@ -64,6 +64,7 @@ class CurveReader:
         if isinstance(single, Single):
             letters = frozenset(s for s in scene.ledger.letters if s != single.parameter)
             at, value = single.place, scene.valuations[0]
+            axes = _free_axes(axes, at.x.free_symbols | at.y.free_symbols, q.things[0])
             curve = curve_of(at.x, at.y, single.parameter, value, axes, polar, letters)
             heading = self._heading(q) + self._meaning(single)
             passage = Passage(heading, self._rows(place, single, curve, axes))
@@ -254,6 +255,17 @@ class CurveReader:
             shown.append(Row(words, sp.Eq(sp.Symbol(axis, real=True), line, evaluate=False)))
         steps = [Row(w, e) for w, e in curve.steps if not any(_same(e, s.line) for s in shown)]
         return (*rows, *shown) if curve.kind == POINT else (*rows, *shown, *steps)
+
+
+def _free_axes(axes: tuple[str, str], used: Collection[sp.Symbol], point: str) -> tuple[str, str]:
+    """Axes called after the point where the file has a length of the same name: y_P beside y."""
+    names = {s.name for s in used}
+    if not names & set(axes):
+        return axes
+    across, up = (f"{axis}_{point}" for axis in axes)
+    while names & {across, up}:
+        across, up = across + "′", up + "′"
+    return across, up
 
 
 def _apart(single: Single | list[sp.Symbol], axes: tuple[str, str], ledger: Ledger) -> Single | list[sp.Symbol]:
