@@ -8,10 +8,10 @@ whether it grows, of whatever order its first derivative is that does not vanish
 from __future__ import annotations
 
 import math
-from collections import deque
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from itertools import product
+from heapq import heappop, heappush
+from itertools import combinations, islice, product
 
 from planar_cli.motion.automaton import Automaton, Choice, Guard, Regime
 from planar_cli.motion.failures import Singular
@@ -30,8 +30,8 @@ PLACES = ("gap", "stretch", "tips", "mass")
 """Kinds of guards that look at places alone."""
 MOST_TRIED = 2000
 """So many choices are tried at most."""
-MOST_COMPARED = 64
-"""So many choices are tried to see whether another motion is consistent too."""
+MOST_COMPARED = 24
+"""So many choices are tried to see whether another motion is consistent too, those that differ in one joint first."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -176,16 +176,17 @@ class Chooser:
     # --- the search --------------------------------------------------------------------------------------------------
 
     def _first(self, current: Choice) -> Verdict | None:
-        """The first consistent choice, changing what fails; then any."""
-        waiting, known = deque([current]), {current}
+        """The first consistent choice, changing what fails, where least fails first; then any."""
+        waiting, known = [(0, 0, current)], {current}
         while waiting and len(self.seen) < MOST_TRIED:
-            verdict = self.verdict(waiting.popleft())
+            verdict = self.verdict(heappop(waiting)[2])
             if not verdict.violations:
                 return verdict
+            failing = len({v.joint for v in verdict.violations})
             for choice in self._changed(verdict):
                 if choice not in known:
                     known.add(choice)
-                    waiting.append(choice)
+                    heappush(waiting, (failing, len(known), choice))
         for choice in self._all():
             if len(self.seen) >= MOST_TRIED:
                 return None
@@ -221,9 +222,7 @@ class Chooser:
             for i in range(len(self.counts))
         ]
         consistent = [found]
-        for tried, choice in enumerate(product(*open_modes)):
-            if tried >= MOST_COMPARED:
-                break
+        for choice in islice(_few_changes(found.choice, open_modes), MOST_COMPARED):
             verdict = self.verdict(choice)
             if verdict is not found and not verdict.violations and verdict.moved <= max(NEAR, found.moved):
                 consistent.append(verdict)
@@ -249,6 +248,18 @@ class Chooser:
         span = self.automaton.time_scale
         pairs = zip(a.rates, b.rates, self.automaton.scale, strict=True)
         return all(abs(p - q) <= SAME * (s / span + abs(p)) for p, q, s in pairs)
+
+
+def _few_changes(choice: Choice, modes: Sequence[Sequence[int]]) -> Iterator[Choice]:
+    """The choices with other modes of these: of one joint, then of two, and so on."""
+    several = [i for i, options in enumerate(modes) if len(options) > 1]
+    for number in range(1, len(several) + 1):
+        for joints in combinations(several, number):
+            for others in product(*(modes[i][1:] for i in joints)):
+                changed = list(choice)
+                for i, mode in zip(joints, others, strict=True):
+                    changed[i] = mode
+                yield tuple(changed)
 
 
 def trial_step(regime: Regime, automaton: Automaton, t: float, y: Sequence[float], rates: Sequence[float]) -> float:
