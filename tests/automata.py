@@ -96,6 +96,9 @@ class Scene:
         mended = self.regime(choice).project(t, y)
         return {"": max(abs(a - b) / s for a, b, s in zip(mended, y, self.scale, strict=True))}
 
+    def prepare(self, choice: Choice, t: float, y: Sequence[float]) -> None:
+        pass
+
     def note(self, t: float, y: Sequence[float]) -> None:
         pass
 

@@ -11,7 +11,7 @@ from planar_cli.integrators.base import Setting
 from planar_cli.motion.automaton import Start
 from planar_cli.motion.follow import Follower
 from planar_cli.motion.scene import MovingScene
-from planar_cli.motion.schedule import Schedule
+from planar_cli.motion.schedule import Crossing, Event, Schedule
 from planar_cli.motion.stages import SceneStages
 from planar_cli.motion.trajectory import Trajectory
 from planar_cli.motion.unstable import departing
@@ -312,3 +312,65 @@ joints:
     if kinds_found == ["impact"]:
         assert found.transitions[0].before[3] == pytest.approx(math.sqrt(2 * GRAVITY * delta), rel=1e-6)
         assert found.transitions[0].after[3] == pytest.approx(-math.sqrt(2 * GRAVITY * delta) / 2, rel=1e-6)
+
+
+def test_a_block_slides_off_a_turntable_that_speeds_up() -> None:
+    """It slips where √(ω⁴ + α²) r = μ g, against the force that held it."""
+    problem, wrong = load_text(
+        """
+title: block on a turntable
+plane: horizontal
+points: {O: [0, 0], P: [0.5 m, 0]}
+bodies: {table: {disk: O, radius: 2 m}, block: {particle: P, mass: 2 kg}}
+joints:
+  - pin: {at: O, between: [ground, table]}
+  - flat: {between: [block, table], mu: 0.3}
+motion: [alpha(table) = 1 rad/s^2]
+states:
+  1: [t = 0, at rest]
+"""
+    )
+    assert problem is not None, wrong
+    stages = SceneStages(MovingScene(problem))
+    start = stages.start()
+    setting = Setting(stages.automaton(("1",)).scale, 1e-9)
+    found = Follower(stages, start, Schedule("1"), 3.0, setting).trajectory()
+    assert found.outcome.kind == "until"
+    slip = next(x for x in found.transitions if x.kind == "mode")
+    assert slip.t == pytest.approx(((0.3 * GRAVITY / 0.5) ** 2 - 1) ** 0.25, rel=1e-6)
+
+
+def test_a_rod_is_caught_in_flight_and_let_go() -> None:
+    """A rod falls level, is caught at one end when it has fallen 0.2 m, swings about it, and is let go."""
+    problem, wrong = load_text(
+        """
+title: rod that is caught
+plane: vertical
+points: {A: [0, 0], B: [1 m, 0]}
+bodies: {rod: {rod: [A, B], mass: 2 kg}}
+joints:
+  - pin: {at: A, between: [ground, rod], during: 2->4}
+states:
+  1: [t = 0, at rest]
+  2: [y(rod) = -0.2 m]
+  3: [just after 2]
+  4: [theta(rod) = -30 deg]
+"""
+    )
+    assert problem is not None, wrong
+    stages = SceneStages(MovingScene(problem))
+    model = stages.automaton(("1",)).model
+    height = Crossing(lambda regime, choice, t, y: y[1] + 0.2, 1.0)
+    turned = Crossing(lambda regime, choice, t, y: y[2] + math.pi / 6, 1.0)
+    events = (Event("2", crossing=height), Event("3", after="2"), Event("4", crossing=turned))
+    found = Follower(
+        stages, stages.start(), Schedule("1", events), 2.0, Setting(model.scale, 1e-10), rest_ends=False
+    ).trajectory()
+    assert [e.name for e in found.events] == ["2", "3", "4"]
+    after, last = found.events[1].y, found.events[2].y
+    fall = math.sqrt(2 * GRAVITY * 0.2)
+    assert after[5] == pytest.approx(-1.5 * fall, rel=1e-9)
+    # Meanwhile the end stays where it was caught.
+    assert last[0] - 0.5 * math.cos(last[2]) == pytest.approx(0.0, abs=1e-9)
+    assert last[1] - 0.5 * math.sin(last[2]) == pytest.approx(-0.2, abs=1e-9)
+    assert last[5] ** 2 == pytest.approx(after[5] ** 2 + 3 * GRAVITY * 0.5, rel=1e-8)

@@ -110,6 +110,9 @@ class Automaton(Protocol):
         scales; "" where it can not be told which.
         """
 
+    def prepare(self, choice: Choice, t: float, y: Sequence[float]) -> None:
+        """Modes are about to be chosen: what sticks in this choice would slide as it is pushed."""
+
     def note(self, t: float, y: Sequence[float]) -> None:
         """A state has been reached: angles that go on over many turns count from it."""
 

@@ -111,12 +111,20 @@ class HybridModel(Model):
 
     def _hold(self, joint: Joint, mode: Mode) -> Held:
         held = super()._hold(joint, mode)
+        if self._takes_hold(joint):
+            # It holds its partners where they are then, not where they are drawn.
+            return replace(held, constraints=tuple(replace(c, place=None) for c in held.constraints))
         if not self._sticks(joint, mode):
             return held
         sliding = self._sliding_mode(joint, mode)
         if sliding is None:
             return replace(held, constraints=self._together(joint, mode))
         return replace(held, constraints=self._sticking(joint, mode, sliding))
+
+    def _takes_hold(self, joint: Joint) -> bool:
+        """Does it act only from a later state than the first on?"""
+        states = self.scene.problem.states
+        return joint.during is not None and bool(states) and joint.during[0] != states[0].name
 
     def _sticks(self, joint: Joint, mode: Mode) -> bool:
         """Does it hold what slides in another mode?"""

@@ -97,6 +97,7 @@ class Chooser:
 
     def choose(self, current: Choice) -> Chosen | NoMode | SeveralModes:
         """From the present choice: first what differs in few joints, then everything."""
+        self.automaton.prepare(current, self.t, self.y)
         found = self._first(current)
         if found is None:
             return NoMode(tuple(self.seen.values()))

@@ -24,6 +24,9 @@ from planar_cli.problem.expression import JustAfter, Law
 from planar_cli.problem.facts import Mode
 from planar_cli.problem.scene import Problem
 
+STILL = 1e-9
+"""A body that misses the velocity of what it lies on by less than this part of the speeds sticks to it."""
+
 
 class SceneAutomaton:
     """A model, asked as an automaton."""
@@ -108,6 +111,18 @@ class SceneAutomaton:
             if any(s.kind in ("x", "y") for s in moves):
                 found |= {s.body for s in moves}
         return tuple(sorted(found))
+
+    def prepare(self, choice: Choice, t: float, y: Sequence[float]) -> None:
+        """Friction of a fixed size that holds now has, at its limit, the direction that it has while it holds."""
+        slidings = self.model.skids.slidings
+        if not slidings or any(self.misfits(choice, t, y).get(j, 0.0) > STILL for j in slidings):
+            return
+        regime = self.model.regime(choice)
+        pushes = list(zip(regime.reactions, regime.forces(t, y), strict=True))
+        for joint, sliding in slidings.items():
+            found = {p.name.rpartition("_")[2]: size for p, size in pushes if p.joint == joint and p.kind == "friction"}
+            if found:
+                sliding.note(-found.get("x", 0.0), -found.get("y", 0.0))
 
     def note(self, t: float, y: Sequence[float]) -> None:
         """Angles that go on over many turns and directions of sliding count from this state."""

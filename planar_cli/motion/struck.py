@@ -30,6 +30,8 @@ class Direction:
     """One place at which a joint presses or pulls in an impact."""
 
     joint: str
+    name: str
+    """What the file calls it."""
     normal: Column
     """The generalized force of a unit of its impulse; times the velocities the speed of separation."""
     tangent: Column | None
@@ -83,7 +85,7 @@ class Strikes:
             gap = None if d.gap is None else next(numbers)
             touches = gap is None or abs(gap) <= max(NEAR, near) * self.model.scales.length or (d.forced and forced)
             if indices.get(d.joint, 0) in d.holding or touches:
-                contacts.append(StruckContact(d.joint, normal, 0.0, tangent, belt, restitution, mu))
+                contacts.append(StruckContact(d.name, normal, 0.0, tangent, belt, restitution, mu))
         speeds = tuple(self.model.scale[layout.count :])
         return Struck(velocities, masses, speeds, tuple(made), tuple(contacts))
 
@@ -149,7 +151,8 @@ def _pressing(model: HybridModel, joint: Joint, modes: Sequence[Mode]) -> list[D
 def _meeting(model: HybridModel, joint: Encounter, modes: Sequence[Mode]) -> Direction:
     """The direction of an impact."""
     found = _direction(model, joint, modes, [m for m in modes if not m.parted])
-    return replace(found, gap=joint.distance, restitution=joint.restitution, mu=joint.mu, forced=joint.forced)
+    found = replace(found, name=joint.impact, gap=joint.distance, forced=joint.forced)
+    return replace(found, restitution=joint.restitution, mu=joint.mu)
 
 
 def _with_impact(model: HybridModel, joint: Joint, direction: Direction) -> Direction:
@@ -182,4 +185,5 @@ def _direction(model: HybridModel, joint: Joint, modes: Sequence[Mode], pressing
     belt = -graph.of(sliding.rate) if sliding is not None else graph.number(0.0)
     holding = frozenset(i for i, m in enumerate(modes) if m in pressing)
     tangent = column(("friction",)) if factors else None
-    return Direction(joint.name, normal, tangent, belt, graph.call("abs", mu), graph.number(0.0), None, holding)
+    mu, zero = graph.call("abs", mu), graph.number(0.0)
+    return Direction(joint.name, joint.name, normal, tangent, belt, mu, zero, None, holding)
