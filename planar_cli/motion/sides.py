@@ -92,11 +92,9 @@ class Constants:
         raise self._without_number(name)
 
     def _without_number(self, name: Name) -> FileProblem:
-        if any(s.name == name.name for s in self.problem.unknowns):
-            hint = f"say what it is at the start: `--set {name.name}=…`"
-            return refuse(name.mark, "PL704", f"the unknown {name.name} has no value from which to begin", hint)
-        hint = f"give it one: `--set {name.name}=…`"
-        return refuse(name.mark, "PL705", f"the letter {name.name} has no number", hint)
+        sought = any(s.name == name.name for s in self.problem.unknowns)
+        text = f"the {'unknown' if sought else 'letter'} {name.name} has no number"
+        return refuse(name.mark, "PL705", text, f"give it one: `--set {name.name}=…`")
 
 
 @dataclass(frozen=True, slots=True)

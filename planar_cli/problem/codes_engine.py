@@ -40,7 +40,8 @@ _ENGINE = {
     ),
     "PL707": (
         "How far these two bodies are apart cannot be followed over time: their outlines can meet in ways that are "
-        "not told apart. Let one of them be a particle, a disk or a surface."
+        "not told apart: let one of them be a particle, a disk or a surface. Or a track is written with a coordinate "
+        "and turns, though no body carries it: let it belong to a body."
     ),
     "PL708": (
         "Joints or drives that act from this moment on demand velocities that contradict each other. Let only one "
