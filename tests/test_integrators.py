@@ -207,6 +207,14 @@ def test_rates_that_end_are_refused_by_name() -> None:
         list(made("dop853").steps(lambda t, y: [-1 / y[0]], 0.0, [1.0], 1.0, Setting([1.0])))
 
 
+@pytest.mark.parametrize("kind", ["rk4", "semi_implicit_euler"])
+def test_what_grows_beyond_all_numbers_is_refused(kind: str) -> None:
+    """Steps that are too long for a stiff spring."""
+    setting = Setting([1.0, 1.0], step=1.0)
+    with pytest.raises(StepTooSmall, match="too long"):
+        list(made(kind).steps(lambda t, y: [y[1], -1e10 * y[0]], 0.0, [1.0, 0.0], 100.0, setting))
+
+
 def test_no_run_is_without_an_end() -> None:
     """A sign that flips with every step is refused by the number of steps, or by their length."""
     setting = Setting([1.0, 1.0], tolerance=1e-10, most_steps=200)

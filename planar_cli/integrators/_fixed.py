@@ -37,6 +37,10 @@ class EqualSteps(Integrator):
             new = self.advance(f, start, y, r, end - start)
             if setting.project is not None:
                 new = setting.project(end, new)
+            if not math.isfinite(sum(new)):
+                raise StepTooSmall(
+                    f"steps of {abs(end - start):.3g} s are too long: nothing is finite any more", start, y
+                )
             rates = f(end, new)
             counts.evaluations += self.cost + 1
             counts.steps += 1

@@ -59,6 +59,8 @@ class Settings:
     """How many characteristic times a scene is followed that nobody gave an end; None: FREE_TIMES."""
     stops: tuple[Relation, ...] = ()
     """The motion ends where one of these comes to hold."""
+    check: bool = True
+    """Is a balance of energy that does not add up a failure?"""
     estimate: bool = True
     """Run twice, to estimate the error?"""
     progress: Callable[[float, float], None] | None = None
@@ -197,6 +199,7 @@ def followed(scene: Prepared, settings: Settings, shift: float = 0.0) -> Run:
         setting,
         settings.integrator,
         None if shown is None else lambda t: shown(t, until),
+        check=settings.check,
         rest_ends=settings.until is None and not any(e.time is not None for e in schedule.events),
     )
     began = time.perf_counter()

@@ -21,7 +21,7 @@ class SceneSubject:
 
     def __init__(self, problem: Problem, until: float | None = None, values: Mapping[str, float] | None = None) -> None:
         self.scene: Prepared = prepared(problem, values or {})
-        self.settings = Settings(until=until, estimate=False)
+        self.settings = Settings(until=until, estimate=False, check=False)
 
     @property
     def time_scale(self) -> float:
