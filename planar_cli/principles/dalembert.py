@@ -20,7 +20,18 @@ class DAlembert(Principle):
         is motion as it is seen from the moving body.
 
     YAML
+        title: Disk braked by a torque
+        plane: vertical
+        given: {m: 4 kg, R: 0.5 m, M: 3 N*m}
+        points: {O: [0, 0]}
+        bodies: {disk: {disk: O, radius: R, mass: m}}
+        joints:
+          - pin: {at: O, between: [ground, disk]}
+        loads:
+          - torque: {body: disk, moment: -M}
+        instant: [omega(disk) = 5 rad/s]
         method: dalembert
+        find: {alpha: alpha(disk), O: reaction(O).y}
 
     Equations
         ΣF - m a_G = 0

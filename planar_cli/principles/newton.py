@@ -18,7 +18,19 @@ class Newton(Principle):
         direction and any point may be taken; best a point through which unknown forces pass.
 
     YAML
+        title: Crate pulled along a rough floor
+        plane: vertical
+        given: {m: 20 kg, mu: 0.3, P: 100 N}
+        points: {C: [0, 0]}
+        surfaces: {floor: {through: C, angle: 0 deg}}
+        bodies: {crate: {particle: C, mass: m}}
+        joints:
+          - contact: {between: [crate, floor], at: C, mu: mu}
+        loads:
+          - force: {body: crate, magnitude: P, angle: 0 deg}
+        instant: [at rest]
         method: newton
+        find: {a: a(crate).x}
 
     Equations
         ΣF = m a_G
