@@ -86,6 +86,18 @@ _SOLVE = {
         "A link, rod or rope does not have the length that the file gives it: the drawn distance of its ends "
         "is another one. Correct one of the two, or leave the length out."
     ),
+    "PL616": (
+        "A relation between numbers that are known already does not hold. The message gives the values of "
+        "both sides. Correct one of them, or let one of them be sought under `unknowns`."
+    ),
+    "PL617": (
+        "An inequality of the file rejects every outcome: all that the joints and loads allow makes it false. "
+        "The message gives the values of both sides."
+    ),
+    "PL618": (
+        "What is given holds both ways, as a speed without its direction does, and the answers differ. The "
+        "message gives them, and the relation that would choose, such as `v(B).x > 0`."
+    ),
 }
 
 CODES_SOLVE: Mapping[str, str] = MappingProxyType(_SOLVE)

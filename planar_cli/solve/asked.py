@@ -1,13 +1,17 @@
-"""What a find asks: the quantities that stand in it."""
+"""What a find asks: the quantities that stand in it; what a file is about."""
 
 from __future__ import annotations
 
 from typing import Any
 
 from planar_cli.problem.expression import Name, Quantity, Relation, Side
+from planar_cli.problem.formulas import formulas
+from planar_cli.problem.scene import Problem
 from planar_cli.problem.walk import walk
 
 ENERGIES = ("KE", "PE", "work", "heat")
+FORCES = frozenset(("N", "friction", "reaction", "moment", "tension", "force", "power", "mode"))
+"""Quantities that are about forces."""
 
 
 def quantities_in(side: Any) -> list[Quantity]:
@@ -27,6 +31,19 @@ def quantities_in(side: Any) -> list[Quantity]:
 def is_energy(what: Any) -> bool:
     """Does a find ask for an energy or for work, whose newton metre is a joule?"""
     return any(q.word in ENERGIES for q in quantities_in(what))
+
+
+def has_mass(problem: Problem) -> bool:
+    """Does the file say of any body that it has mass?"""
+    return any(b.mass is not None or b.weight is not None or b.any_mass for b in problem.bodies)
+
+
+def is_pure_kinematics(problem: Problem) -> bool:
+    """Is it all about places and motion, without masses, loads and forces?"""
+    if problem.loads or has_mass(problem):
+        return False
+    words = (n.word for f in formulas(problem) for n in walk(f.tree) if isinstance(n, Quantity))
+    return not FORCES & set(words)
 
 
 def names_anywhere(side: Side) -> set[str]:

@@ -7,6 +7,8 @@ from planar_cli.problem.scene import Find
 from planar_cli.solve.diagnose_cases import no_case
 from planar_cli.solve.diagnose_clash import BLAMED, clash
 from planar_cli.solve.diagnose_open import at_change_point, at_dead_centre, open_velocities
+from planar_cli.solve.diagnose_words import false_words
+from planar_cli.solve.inequalities import Broken
 from planar_cli.solve.instant import Instant, Trial
 
 OPEN = "velocities are open"
@@ -23,6 +25,9 @@ def explain_failure(instant: Instant, rejected: list[Trial], finds: tuple[Find, 
     still_open = next((t for t in rejected if t.objection == OPEN), None)
     if still_open is not None:
         return NoSolution([open_velocities(instant, still_open, mark)])
+    false = [t.broken for t in rejected if t.broken is not None]
+    if false:
+        return NoSolution([_false(instant, false)])
     blamed = [t for t in rejected if t.objection in BLAMED]
     if blamed and len(blamed) == len(rejected):
         found: Diagnostic | None = None
@@ -30,6 +35,12 @@ def explain_failure(instant: Instant, rejected: list[Trial], finds: tuple[Find, 
             found = at_dead_centre(instant, blamed[0], mark)
         return NoSolution([found or at_change_point(instant, blamed[0], mark) or clash(instant, blamed[0], mark)])
     return NoSolution([no_case(instant, rejected, mark)])
+
+
+def _false(instant: Instant, found: list[Broken]) -> Diagnostic:
+    """Everything would hold, but for inequalities of the file."""
+    text = "; ".join(dict.fromkeys(false_words(instant, f.relation, f.left, f.right) for f in found))
+    return Diagnostic(found[0].relation.mark, "PL617", text, "leave it out, or change what its sides rest on")
 
 
 def singular_position(instant: Instant, rejected: list[Trial], finds: tuple[Find, ...]) -> None:

@@ -17,7 +17,8 @@ from planar_cli.problem.expression import Relation
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.polar import TOGETHER
 from planar_cli.solve.asked import names_anywhere
-from planar_cli.solve.diagnose_words import in_unit, left_of, listed, short, unit_of
+from planar_cli.solve.diagnose_words import false_words, in_unit, left_of, listed, short, unit_of
+from planar_cli.solve.inequalities import holds
 from planar_cli.solve.instant import Instant, Trial
 from planar_cli.solve.poses import NearPoses
 from planar_cli.solve.study import solve_velocities
@@ -150,22 +151,36 @@ def _sides(relation: Relation, quantities: Quantities, numbers: Valuation) -> tu
 
 
 def check_positions(instant: Instant) -> None:
-    """Raise where a relation about places does not hold as drawn."""
+    """Raise where a relation about places, or between known numbers, does not hold."""
     names = {s.name for s in instant.scene.ledger.coordinates}
     sought = {s.name for s in instant.scene.ledger.sought}
-    known = [r for r, _ in instant.statements.relations if r not in instant.setup.settled]
+    stated = [r for r, _ in instant.statements.relations if r not in instant.setup.settled]
     wrong = []
-    for relation in known:
-        if (
-            order(relation, names) != POSITION
-            or (names_anywhere(relation.left) | names_anywhere(relation.right)) & sought
-        ):
+    for relation in (*stated, *instant.statements.inequalities):
+        level = order(relation, names)
+        if level > POSITION or (names_anywhere(relation.left) | names_anywhere(relation.right)) & sought:
             continue
-        found = _as_drawn(instant, relation)
+        equation = relation.operator == "="
+        found = _as_drawn(instant, relation) if level == POSITION and equation else _known(instant, relation)
         if found is not None:
             wrong.append(found)
     if wrong:
         raise NoSolution(wrong)
+
+
+def _known(instant: Instant, relation: Relation) -> Diagnostic | None:
+    """What is wrong with a relation between numbers that are known; one between letters is an assumption."""
+    system = instant.system(tuple(0 for _ in instant.modes))
+    evaluator = system.quantities_of(system.first, None).evaluator
+    left, right = (sp.sympify(evaluator.value(s)) for s in (relation.left, relation.right))
+    ledger, value = instant.scene.ledger, instant.scene.valuations[0]
+    both = left - right
+    if instant.scene.rests_on_sought(both) or (ledger.symbolic and not value.is_zero(both) and not both.is_number):
+        return None
+    if holds(relation.operator, both, value):
+        return None
+    text = false_words(instant, relation, value(left), value(right))
+    return Diagnostic(relation.mark, "PL616", text, "both sides are known: correct one, or declare it under `unknowns`")
 
 
 def _as_drawn(instant: Instant, relation: Relation) -> Diagnostic | None:

@@ -13,7 +13,7 @@ from planar_cli.equation.motion import Edge
 from planar_cli.equation.setup import first_unit
 from planar_cli.equation.system import System
 from planar_cli.problem.dimensions import dimension_of
-from planar_cli.problem.expression import Relation, Side
+from planar_cli.problem.expression import Number, Relation, Side
 from planar_cli.problem.facts import Push
 from planar_cli.problem.scene import GROUND
 from planar_cli.solve.instant import Instant
@@ -55,6 +55,16 @@ def unit_of(instant: Instant, *sides: Side) -> Unit:
     if written is not None:
         return parse_unit(written)
     return instant.setup.unit_for(dimension_of(sides[0], instant.setup.lookup))
+
+
+def false_words(instant: Instant, relation: Relation, left: Decimal, right: Decimal) -> str:
+    """A relation that does not hold, with the values of its sides; without them where letters stand for numbers."""
+    if instant.scene.ledger.symbolic:
+        return f"`{relation.text}` does not hold"
+    sides = (relation.left, relation.right)
+    # A bare zero has no unit of its own.
+    unit = unit_of(instant, *sorted(sides, key=lambda s: isinstance(s, Number)))
+    return f"`{relation.text}` does not hold: the sides are {in_unit(left, unit)} and {in_unit(right, unit)}"
 
 
 def left_of(relation: Relation) -> str:

@@ -87,12 +87,10 @@ class Finisher:
         if missing:
             raise not_reached(self.scene.problem.method, [s.name for s in missing], finds[0].mark)
 
-    def sought_targets(self, finds: tuple[Find, ...]) -> set[sp.Symbol]:
-        """The symbols that stand in the finds."""
+    def asked(self, finds: tuple[Find, ...]) -> list[sp.Expr]:
+        """What the finds ask, in the unknowns of the system."""
         quantities = self.system.quantities()
-        return (
-            set().union(*(e.free_symbols for f in finds for e in self._expressions(f, quantities))) if finds else set()
-        )
+        return [sp.sympify(e) for f in finds for e in self._expressions(f, quantities)]
 
     def solve_sought(self, sought: Sought, finds: tuple[Find, ...]) -> tuple[InstantSolution, list[Found]]:
         """As `solve`, where constants, angles, speeds or extremes were sought."""

@@ -25,7 +25,8 @@ from planar_cli.problem.facts import Mode, Push, Test
 from planar_cli.problem.keys import Flow, keys_of
 from planar_cli.problem.polar import TOGETHER
 from planar_cli.problem.scene import Problem
-from planar_cli.solve.asked import names_anywhere, quantities_in
+from planar_cli.solve.asked import is_pure_kinematics, names_anywhere, quantities_in
+from planar_cli.solve.inequalities import Broken, broken
 from planar_cli.solve.locked import LOCKED, locked
 from planar_cli.solve.principled import at_instants, position_of
 from planar_cli.solve.study import Outcome, Velocities, accelerate, solve_velocities
@@ -39,7 +40,7 @@ TINY = Decimal("1e-25")
 class Trial:
     """One choice of modes: its system, its velocities and outcomes for each valuation, and what speaks against it.
 
-    `objection`: why it is rejected ("" when it holds).
+    `objection`: why it is rejected ("" when it holds); `broken`: the inequality of the file that speaks against it.
     """
 
     choice: tuple[int, ...]
@@ -48,6 +49,7 @@ class Trial:
     outcomes: tuple[Outcome, ...]
     objection: str
     tests: tuple[tuple[Test, Any], ...] = ()
+    broken: Broken | None = None
 
 
 Lift = Callable[[Principle, System, tuple[int, ...]], tuple[Family, ...]]
@@ -62,6 +64,7 @@ class Instant:
     def __init__(self, setup: Setup) -> None:
         self.setup, self.scene, self.statements = setup, setup.scene, setup.statements
         self.joints = distinct(self.scene.problem.joints)
+        self.kinematic = is_pure_kinematics(self.scene.problem)
         self.aliases = alias_of(self.scene.problem.joints, self.joints)
         self.modes: list[tuple[Joint | Load, tuple[Mode, ...]]] = [(j, self.modes_of(j)) for j in self.joints]
         for load in self.scene.problem.loads:
@@ -96,7 +99,8 @@ class Instant:
     def modes_of(self, joint: Joint) -> tuple[Mode, ...]:
         """The ways in which a joint may act; of one that has parted, as drawn."""
         parted = self.setup.parted.get(joint.name)
-        return joint.modes(self.scene) if parted is None else parted
+        found = joint.modes(self.scene) if parted is None else parted
+        return held(found) if self.kinematic else found
 
     def tree_builder(self, bodies: list[str]) -> TreeBuilder:
         """What makes the unknowns of the motion."""
@@ -209,6 +213,9 @@ class Instant:
             against = self._against(system, outcome)
             if against:
                 return Trial(choice, system, velocities, outcomes, against)
+            false = self._false(system, outcome)
+            if false is not None:
+                return Trial(choice, system, velocities, outcomes, false.words, broken=false)
         return Trial(choice, system, velocities, outcomes, "")
 
     @staticmethod
@@ -252,6 +259,13 @@ class Instant:
                 continue
         return ""
 
+    def _false(self, system: System, outcome: Outcome) -> Broken | None:
+        """An inequality of the file that does not hold; in a general position it is about some state, not about all."""
+        if not self.statements.inequalities or self.scene.displacement is not None:
+            return None
+        numbers = outcome.value.extended(unknowns_of(system, outcome))
+        return broken(self.statements.inequalities, system.quantities(), numbers)
+
 
 def distinct(joints: tuple[Joint, ...]) -> tuple[Joint, ...]:
     """Joints that share a name (both called by their point) are told apart by a number."""
@@ -276,6 +290,12 @@ def asked_by_axis(problem: Problem, joints: tuple[Joint, ...]) -> frozenset[str]
 def alias_of(joints: tuple[Joint, ...], named: tuple[Joint, ...]) -> dict[str, str]:
     """Our own name of each joint to the file's."""
     return {ours.name: theirs.name for ours, theirs in zip(named, joints, strict=True)}
+
+
+def held(modes: tuple[Mode, ...]) -> tuple[Mode, ...]:
+    """The modes in which a joint holds: where nothing is said of forces, nothing parts or slackens."""
+    found = tuple(m for m in modes if not m.parted) or modes
+    return (replace(found[0], words="", tests=()),) if len(found) == 1 else found
 
 
 def search_modes(instant: Instant, valuations: tuple[Valuation, ...]) -> tuple[list[Trial], list[Trial]]:

@@ -13,13 +13,12 @@ from planar_cli.problem.expression import AtRest, Equilibrium, Extreme, JustAfte
 from planar_cli.problem.formulas import formulas
 from planar_cli.problem.scene import Find, Problem, State
 from planar_cli.problem.walk import walk
-from planar_cli.solve.asked import quantities_in
+from planar_cli.solve.asked import FORCES, has_mass, quantities_in
 
 CURVES = ("path", "hodograph")
 SPANNED = ("reached", "period", "frequency", "stable", "count")
 REACTIONS = frozenset(("N", "friction", "reaction", "tension"))
 MOTIONS = frozenset(("v", "omega", "dot", "KE", "momentum", "H", "a", "alpha", "ddot"))
-FORCES = frozenset(("N", "friction", "reaction", "moment", "tension", "force", "power", "mode"))
 
 
 def in_general(problem: Problem) -> bool:
@@ -35,8 +34,7 @@ def is_kinematic(problem: Problem) -> bool:
     """Is it all about places that are written with coordinates, without masses, loads and forces?"""
     if problem.instant is not None or problem.states or not problem.coordinates or problem.loads:
         return False
-    massive = any(b.mass is not None or b.weight is not None or b.any_mass for b in problem.bodies)
-    return not massive and not any(asks_forces(f) for f in problem.find)
+    return not has_mass(problem) and not any(asks_forces(f) for f in problem.find)
 
 
 def asks_forces(find: Find) -> bool:

@@ -25,6 +25,7 @@ from planar_cli.solve.passages import Tale
 from planar_cli.solve.principled import instant_words, principle_of, usual
 from planar_cli.solve.roads import in_general, is_curve, is_kinematic, runs_in_time, without
 from planar_cli.solve.seek import seek
+from planar_cli.solve.sign_pairs import BothWays, demand_one_way
 from planar_cli.solve.solution import Found, InstantSolution
 from planar_cli.solve.solved_problem import PartSolution, Solution
 from planar_cli.solve.states import solve_states, stand_at_states
@@ -206,6 +207,8 @@ def _solve(
         singular_position(instant, rejected, finds)
         try:
             return _seek(instant, finds, units, state)
+        except BothWays:
+            raise
         except NoSolution as error:
             raise explain_failure(instant, rejected, finds) from error
     if not held:
@@ -242,8 +245,11 @@ def _seek(
 ) -> tuple[InstantSolution, list[Found]]:
     """Constants, angles, speeds or extremes are sought."""
 
+    def asked(system: System) -> list[sp.Expr]:
+        return Finisher(instant, Trial((), system, (), (), ""), (), units, state).asked(finds)
+
     def targets(system: System) -> set[sp.Symbol]:
-        return Finisher(instant, Trial((), system, (), (), ""), (), units, state).sought_targets(finds)
+        return {s for e in asked(system) for s in e.free_symbols}
 
     try:
         sought, rejected = seek(instant, targets)
@@ -257,6 +263,8 @@ def _seek(
         finally:
             instant.principle = named
         raise not_reached(instant.scene.problem.method, [f.name for f in finds], finds[0].mark) from None
+    if not instant.statements.extremes:
+        sought = demand_one_way(instant, sought, asked, place(instant, finds))
     solution, found = Finisher(instant, sought.trial, (), units, state).solve_sought(sought, finds)
     solution.left_out = (*rejected, *sought.others)
     return solution, found

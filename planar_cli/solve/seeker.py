@@ -188,7 +188,7 @@ class Seeker:
         trial = self.instant.try_choice(
             self.choice, (base,), given={s: v for s, v in solved.items() if s in self.unknowns}
         )
-        objection = self._wrong_sign(constants) or trial.objection or self._inequalities(trial, solved)
+        objection = self._wrong_sign(constants) or trial.objection
         objection = objection or self._behind(base, constants)
         objection = objection or loose_limit(self.instant, trial, constants) or self._singular(constants)
         return Sought(branch, plan, writer, trial, unknowns, objection)
@@ -237,17 +237,6 @@ class Seeker:
                 a.facts.pushes != b.facts.pushes for a, b in zip(drawn, there[joint.name], strict=True)
             ):
                 return f"what touches at {joint.name} would lie on the other side"
-        return ""
-
-    def _inequalities(self, trial: Trial, solved: dict[sp.Symbol, Decimal]) -> str:
-        quantities = trial.system.quantities()
-        value = trial.outcomes[0].value.extended(solved)
-        for relation in self.instant.statements.inequalities:
-            difference = quantities.evaluator.value(relation.left) - quantities.evaluator.value(relation.right)
-            number = value(difference)
-            holds = {"<": number < 0, ">": number > 0, "<=": number <= 0, ">=": number >= 0}[relation.operator]
-            if not holds:
-                return f"{relation.text} does not hold"
         return ""
 
     # --- extremes ----------------------------------------------------------------------------------------------------

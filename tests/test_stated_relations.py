@@ -1,0 +1,131 @@
+"""What a file states of one instant is never ignored: inequalities, known numbers, speeds without a sense."""
+
+from __future__ import annotations
+
+import pytest
+from answered import assert_close, solve
+
+from planar_cli.errors import NoSolution
+from planar_cli.problem.structure import load_text
+from planar_cli.solve.run import solve_problem
+
+CRATE = """
+title: Crate on a smooth floor
+plane: vertical
+given: {{P: 50 N, Q: 40 N}}
+points: {{C: [0, 0]}}
+surfaces: {{floor: {{through: C, angle: 0 deg}}}}
+bodies: {{crate: {{particle: C, mass: 20 kg}}}}
+joints:
+  - contact: {{between: [crate, floor], at: C, mu: 0}}
+loads:
+  - force: {{body: crate, magnitude: P, angle: 0 deg}}
+instant: [at rest, {stated}]
+find: {{a: a(crate).x}}
+"""
+
+PAINLEVE = """
+title: Rod that slides on a very rough floor while it rises
+plane: vertical
+points: {{A: [0, 0], B: {{from: A, distance: 2 m, angle: 120 deg}}}}
+surfaces: {{floor: {{through: A, angle: 0 deg}}}}
+bodies: {{rod: {{rod: [A, B], mass: 1 kg}}}}
+joints:
+  - contact: {{between: [rod, floor], at: A, mu: 1.5}}
+instant: [v(A).x = 1 m/s, omega(rod) = 4 rad/s, {stated}]
+find: {{alpha: alpha(rod)}}
+"""
+
+TURNING = """
+title: Rod that turns
+plane: vertical
+points: {{O: [0, 0], B: [1 m, 0]}}
+bodies: {{rod: {{rod: [O, B], mass: 3 kg}}}}
+joints:
+  - pin: {{at: O, between: [ground, rod]}}
+instant: [{stated}]
+find: {{{asked}}}
+"""
+
+CORD = """
+title: Two blocks on a cord
+points: {A: [0, 0], C: [1 m, 1 m], B: [2 m, 0]}
+bodies: {a: {particle: A}, b: {particle: B}}
+joints:
+  - guide: {point: A, along: 90 deg}
+  - guide: {point: B, along: 90 deg}
+  - rope: {path: [A, C, B], along: 90 deg, name: cord}
+"""
+
+
+def refusal(text: str) -> tuple[str, str, str]:
+    """Code, message and hint of why there is no answer."""
+    with pytest.raises(NoSolution) as caught:
+        solve(text)
+    (diagnostic,) = caught.value.diagnostics
+    return diagnostic.code, diagnostic.message, diagnostic.hint
+
+
+def test_an_inequality_that_holds_changes_nothing() -> None:
+    assert_close(solve(CRATE.format(stated="a(crate).x > 0"))["a"], "2.5")
+    assert_close(solve(CRATE.format(stated="P > Q"))["a"], "2.5")
+
+
+def test_an_inequality_that_every_outcome_makes_false_is_told() -> None:
+    code, message, _ = refusal(CRATE.format(stated="a(crate).x < 0"))
+    assert code == "PL617"
+    assert message == "`a(crate).x < 0` does not hold: the sides are 2.5 m/s^2 and 0 m/s^2"
+
+
+@pytest.mark.parametrize("stated", ["P < Q", "P = Q", "P + Q <= 80 N"])
+def test_a_relation_of_known_numbers_is_checked(stated: str) -> None:
+    code, message, _ = refusal(CRATE.format(stated=stated))
+    right = "80 N" if "80" in stated else "40 N"
+    left = "90 N" if "80" in stated else "50 N"
+    assert code == "PL616"
+    assert message == f"`{stated}` does not hold: the sides are {left} and {right}"
+
+
+def test_a_limit_that_is_met_exactly_holds() -> None:
+    assert_close(solve(CRATE.format(stated="P + Q <= 90 N"))["a"], "2.5")
+    assert refusal(CRATE.format(stated="P + Q < 90 N"))[0] == "PL616"
+
+
+def test_an_inequality_chooses_among_modes() -> None:
+    assert_close(solve(PAINLEVE.format(stated='"N(A) <= 0 N"'))["alpha"], 0)
+    slipping = solve(PAINLEVE.format(stated='"N(A) > 1 N"'))["alpha"]
+    assert slipping.values is not None
+    assert slipping.values[0] < -48
+
+
+def test_a_speed_without_a_sense_holds_both_ways() -> None:
+    code, message, hint = refusal(TURNING.format(stated="v(B).mag = 2 m/s", asked="omega: omega(rod)"))
+    assert code == "PL618"
+    assert message == "`v(B).mag = 2 m/s` holds both ways, and the answers differ"
+    assert hint == "write `v(B).y > 0` or `v(B).y < 0`"
+
+
+@pytest.mark.parametrize(("side", "omega"), [(">", 2), ("<", -2)])
+def test_the_relation_that_is_named_chooses(side: str, omega: int) -> None:
+    stated = f'v(B).mag = 2 m/s, "v(B).y {side} 0"'
+    assert_close(solve(TURNING.format(stated=stated, asked="omega: omega(rod)"))["omega"], omega)
+
+
+def test_both_ways_are_one_answer_where_what_is_asked_is_the_same() -> None:
+    problem, _ = load_text(TURNING.format(stated="v(B).mag = 2 m/s", asked="pull: reaction(O).x"))
+    assert problem is not None
+    (part,) = solve_problem(problem).parts
+    assert_close(part.found[0], -6)
+    assert [s.objection for s in part.instants[0].left_out] == ["it holds as well, and what is asked is the same"]
+
+
+def test_a_rope_of_pure_kinematics_keeps_its_length() -> None:
+    problem, _ = load_text(CORD + "instant: [v(A).y = 1 m/s]\nfind: {v: v(B).y}\n")
+    assert problem is not None
+    (part,) = solve_problem(problem).parts
+    assert_close(part.found[0], -1)
+    assert not any(mode.words for mode in part.instants[0].trial.system.modes.values())
+    with pytest.raises(NoSolution):
+        solve(CORD + "instant: [v(A).y = -1 m/s, v(B).y = -1 m/s]\nfind: {a: r(A/B).mag}\n")
+    with pytest.raises(NoSolution):
+        solve(CORD + "instant: [v(A).y = 1 m/s, v(B).y = 1 m/s]\nfind: {v: v(B).y}\n")
