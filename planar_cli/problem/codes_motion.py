@@ -61,6 +61,11 @@ _STATES = {
 }
 
 _EQUILIBRIA = {
+    "PL635": (
+        "Something is to be largest (or smallest) over a constant that is sought, and it is so in several ways, each "
+        "of them largest among those near it: a throw up a slope, and one down its other side. Give the side "
+        "in the state, such as `x(P) > 0`."
+    ),
     "PL630": (
         "A state of equilibrium is solved on its own: free speeds and their rates vanish. Either no position does "
         "that, or several do; then say which is meant, by a coordinate or an inequality such as `x > 0`."

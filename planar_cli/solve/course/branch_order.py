@@ -12,7 +12,8 @@ from planar_cli.solve.course.chain import Branch
 from planar_cli.solve.course.motion_equations import MotionEquations
 from planar_cli.solve.course.stated_motion import StatedMotion
 
-ROUGHLY = Context(prec=30)
+ROUGHLY, TIES = Context(prec=30), Context(prec=12)
+"""To so many digits times, and what is largest, are compared."""
 
 
 def candidates(course: MotionEquations) -> list[Branch]:
@@ -38,7 +39,7 @@ def _rank(course: StatedMotion, branch: Branch) -> tuple[Any, ...]:
                     v = course.base().extended(branch.values)(stop.at(d.residual))
                 except (Unvalued, NoValue):
                     v = Decimal(0)
-                keys.append(-round(v * d.extreme, 12))
+                keys.append(-TIES.plus(v * d.extreme))
         keys.append(ROUGHLY.plus(branch.values.get(stop.t, Decimal(0))))
     below = [s for s in course.sought() if branch.values.get(s, Decimal(0)) < 0]
     negative = sum(not course.ledger.units[s].angle for s in below)

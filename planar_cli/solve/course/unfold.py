@@ -13,6 +13,7 @@ import sympy as sp
 
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.errors import Diagnostic, NoSolution, Undecided
+from planar_cli.solve.course.alternatives import chosen_extreme, demand_choice
 from planar_cli.solve.course.asked_finds import AskedFind, asked_finds, asked_letters
 from planar_cli.solve.course.astray import (
     clash,
@@ -274,6 +275,7 @@ class Unfolder(Choosing):
     ) -> SolvedMotion | Plot:
         changed: Plot | None = None
         again: list[SolvedMotion] = []
+        fits: list[SolvedMotion] = []
         branches, guessed = known.after(course, candidates(course))
         for branch in branches:
             value = course.base().extended(branch.values)
@@ -295,11 +297,12 @@ class Unfolder(Choosing):
             if followed.missed is None and same_motion(course, followed, branch):
                 more = {s: Decimal(repr(v)) for s, v in followed.values.items() if s not in branch.values}
                 found = SolvedMotion(course, finds, branch, followed, value.extended(more), guessed | set(more))
-                if not course.sought() or not passed_before(course, followed, value):
-                    return replace(found, checks=_left_out(course, again, "pass such a state before, and are left out"))
-                again.append(found)
-        if again:
-            return replace(again[0], checks=_left_out(course, again[1:], "fit as well"))
+                first = not course.sought() or not passed_before(course, followed, value)
+                (fits if first else again).append(found)
+                if first and chosen_extreme(course) is None:
+                    break
+        if fits or again:
+            return _one_of(course, fits, again)
         if changed is not None:
             return changed
         clashing = None if branches else clash(course, course.equations)
@@ -339,6 +342,14 @@ class Unfolder(Choosing):
             self.lack = self.lack or error
             return None
         return SolvedMotion(course, finds, led, None, course.base().extended(led.values))
+
+
+def _one_of(course: MotionEquations, fits: list[SolvedMotion], again: list[SolvedMotion]) -> SolvedMotion:
+    """The motion that is meant. `again`: those that pass such a state before. NoSolution: the file must choose."""
+    if not fits:
+        return replace(again[0], checks=_left_out(course, again[1:], "fit as well"))
+    demand_choice(course, [f.branch for f in fits])
+    return replace(fits[0], checks=_left_out(course, again, "pass such a state before, and are left out"))
 
 
 def _number(followed: float, natural: Decimal) -> Decimal:
