@@ -139,13 +139,15 @@ class Model:
         growing = self.scene.growing()
         wasting = [*(w for x in acting if x not in stored for w in self.wrenches[x]), *growing]
         wrenches = (*(w for x in acting for w in self.wrenches[x]), *growing)
+        # What joints hold counts them among its own loads.
+        skids = [w for h in held for skid in h.mode.facts.skids for w in self.skids.wrenches(skid)]
         return Regime(
             Parts(
                 layout=self.layout,
                 scales=self.scales,
                 held=held,
                 drives=self.drives,
-                wrenches=wrenches,
+                wrenches=(*wrenches, *skids),
                 loads=self.layout.of_actions(wrenches),
                 wasting=self.layout.of_actions(wasting),
                 potential=potential,

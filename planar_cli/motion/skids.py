@@ -9,8 +9,9 @@ from planar_cli.motion.functions import Sliding
 from planar_cli.motion.layout import Layout
 from planar_cli.motion.source import Code, compiled
 from planar_cli.motion.terms import Term
-from planar_cli.problem.facts import Skid
+from planar_cli.problem.facts import Skid, Wrench
 from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scene import GROUND
 from planar_cli.problem.setting import MovingSetting
 
 
@@ -28,14 +29,15 @@ class Skids:
 
     def loads(self, skid: Skid) -> dict[int, Term]:
         """The generalized force of the friction."""
+        return dict(self.layout.of_actions(self.wrenches(skid)))
+
+    def wrenches(self, skid: Skid) -> tuple[Wrench, ...]:
+        """The friction on the body, and reversed on what it slides on."""
         x, y, _ = self._of(skid)
-        graph = self.layout.graph
-        total: dict[int, Term] = {}
-        for body, sign in ((skid.body, -1.0), (skid.base, 1.0)):
-            force = Vec(x, y) * (graph.of(skid.size) * sign)
-            for i, t in self.layout.wrench(body, skid.point, force, graph.number(0.0)).items():
-                total[i] = total[i] + t if i in total else t
-        return total
+        size = self.layout.graph.of(skid.size)
+        both = ((skid.body, -1.0), (skid.base, 1.0))
+        found = (Wrench(skid.joint, "skid", b, skid.point, Vec(x, y) * (size * s), 0, size) for b, s in both)
+        return tuple(w for w in found if w.body != GROUND)
 
     def speed(self, skid: Skid) -> Term:
         """The speed of the sliding in the direction last noted [m/s]."""
