@@ -148,3 +148,12 @@ def test_a_body_that_takes_up_matter_turns_more_slowly() -> None:
     assert problem is not None, wrong
     simulation = simulate(problem, Settings(estimate=False))
     assert simulation.answers[0].values == pytest.approx((3.0,), rel=1e-8)
+
+
+def test_a_place_that_is_only_guessed_is_no_start() -> None:
+    problem, wrong, _ = load(str(ROOT / "problems" / "oscillations" / "block-between-two-springs.yaml"))
+    assert problem is not None, wrong
+    resting = next(c.problem for c in problem.cases if c.name == "parallel")
+    with pytest.raises(FileProblem) as refused:
+        simulate(resting, Settings(estimate=False))
+    assert [d.code for d in refused.value.diagnostics] == ["PL704"]

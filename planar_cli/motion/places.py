@@ -43,10 +43,6 @@ class Drawing:
     """The places that were asked for, by name."""
     _building: list[str] = field(default_factory=list)
 
-    def named(self) -> list[str]:
-        """The names of all points with a place of their own."""
-        return list(points_of(self.problem))
-
     def point(self, name: str) -> Vec:
         """The place of a point; a particle that is given by coordinates is a point of its own name."""
         if name in self.places:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import fields
 from functools import cached_property
 from itertools import pairwise
 from typing import Any
@@ -195,14 +194,6 @@ class MovingScene(Carried):
         """What all loads do to all bodies, each with the name of the load (of a weight: of the body)."""
         found = [*(w for load in self.loads() for w in load.wrenches(self)), *self.growing()]
         return tuple(w for w in found if w.body != GROUND and not self._nothing(w))
-
-    def breakpoints(self) -> tuple[float, ...]:
-        """The times at which loads bend: those of their tables, ascending, s."""
-        found: set[float] = set()
-        for load in self.problem.loads:
-            tables = (getattr(load, f.name) for f in fields(load))
-            found |= {self.value(when).value for t in tables if isinstance(t, Table) for when, _ in t.rows}
-        return tuple(sorted(found))
 
     def _nothing(self, wrench: Wrench) -> bool:
         force = wrench.force or Vec(0, 0)

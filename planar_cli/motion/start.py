@@ -95,14 +95,26 @@ class _Search:
         equations = [self._of_place(c) for c in self._everything() if c.place is not None]
         equations += self._relations(PLACES)
         self._newton(equations, range(self.half))
-        lost = self.model.scene.reference.open & self.layout.frames.keys()
-        if not lost:
+        scene = self.model.scene
+        if not scene.reference.open:
             return
         free = null_space(self._matrix(equations, range(self.half)), self.half)
-        for name in sorted(lost):
-            frame = self.layout.frames[name]
-            if any(abs(v[i]) > AGREES * max(map(abs, v)) for v in free for i in (frame.x, frame.y)):
-                raise self._unknown(f"where {name} is at the start is not told", "give its place in the first state")
+        for name in sorted(scene.reference.open):
+            if name in self.layout.frames:
+                place = scene.places[name]
+                told = not (self._varies(place.x, free) or self._varies(place.y, free))
+                text, hint = f"where {name} is at the start is not told", "give its place in the first state"
+            else:
+                told = not self._varies(scene.coordinates[name][0], free)
+                text, hint = f"{name} at the start is not told", f"give it in the first state: `{name} = …`"
+            if not told:
+                raise self._unknown(text, hint)
+
+    def _varies(self, term: Term, free: Iterable[Sequence[float]]) -> bool:
+        """Does a place change in some motion that is still free?"""
+        row = self._matrix([Equation(term, 1.0, "", NOWHERE)], range(self.half))[0]
+        parts = [[a * b for a, b in zip(row, vector, strict=True)] for vector in free]
+        return any(abs(sum(p)) > AGREES * max(map(abs, p)) for p in parts)
 
     def _everything(self) -> list[Constraint]:
         """The constraints of all joints in their natural modes, and of drives."""
