@@ -334,7 +334,7 @@ states:
     stages = SceneStages(MovingScene(problem))
     start = stages.start()
     setting = Setting(stages.automaton(("1",)).scale, 1e-9)
-    found = Follower(stages, start, Schedule("1"), 3.0, setting).trajectory()
+    found = Follower(stages, start, Schedule("1"), 10.0, setting).trajectory()
     assert found.outcome.kind == "until"
     slip = next(x for x in found.transitions if x.kind == "mode")
     assert slip.t == pytest.approx(((0.3 * GRAVITY / 0.5) ** 2 - 1) ** 0.25, rel=1e-6)
@@ -374,3 +374,24 @@ states:
     assert last[0] - 0.5 * math.cos(last[2]) == pytest.approx(0.0, abs=1e-9)
     assert last[1] - 0.5 * math.sin(last[2]) == pytest.approx(-0.2, abs=1e-9)
     assert last[5] ** 2 == pytest.approx(after[5] ** 2 + 3 * GRAVITY * 0.5, rel=1e-8)
+
+
+def test_a_block_pushed_over_a_table_seen_from_above_stops() -> None:
+    problem, wrong = load_text(
+        """
+title: block on a table
+plane: horizontal
+points: {P: [0.5 m, 0]}
+bodies: {block: {particle: P, mass: 2 kg}}
+joints:
+  - flat: {between: [block, ground], mu: 0.3}
+states:
+  1: [t = 0, v(block).x = 2 m/s, v(block).y = 1 m/s]
+"""
+    )
+    assert problem is not None, wrong
+    stages = SceneStages(MovingScene(problem))
+    setting = Setting(stages.automaton(("1",)).scale, 1e-9)
+    found = Follower(stages, stages.start(), Schedule("1"), 3.0, setting).trajectory()
+    assert found.outcome.kind == "rest"
+    assert found.outcome.t == pytest.approx(math.sqrt(5) / (0.3 * GRAVITY), rel=1e-9)

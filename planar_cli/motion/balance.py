@@ -5,12 +5,13 @@ The engine follows accelerations; that energy and momentum add up is a check by 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from planar_cli.integrators.base import Step
 from planar_cli.motion.automaton import Regime, Resultant
 
+Note = Callable[[float, Sequence[float]], None]
 NODES = (
     (-0.9061798459386640, 0.2369268850561891),
     (-0.5384693101056831, 0.4786286704993665),
@@ -63,28 +64,38 @@ def balance_of(
     y1: Sequence[float],
     steps: Sequence[Step],
     least: float,
+    note: Note,
     outside: Resultant | None = None,
 ) -> Balance:
-    """The balance of a segment; `least`: an energy that counts as usual in this scene [J]. `outside`: what acts from
-    outside, where momentum is to be looked at too.
+    """The balance of a segment; `least`: an energy that counts as usual in this scene [J]. `note` is told the states in
+    their order, as angles and directions that go on count from the last one. `outside`: what acts from outside, where
+    momentum is to be looked at too.
     """
-    before, after = regime.energy(t0, y0), regime.energy(t1, y1)
-    work, size = (0.0, 0.0) if regime.conservative else _work(regime, t1, steps)
-    swing = max((abs(regime.energy(s.t1, s.y1) - before) for s in steps[:-1]), default=0.0)
+    note(t0, y0)
+    before = regime.energy(t0, y0)
+    work, size = (0.0, 0.0) if regime.conservative else _work(regime, t1, steps, note)
+    swing = 0.0
+    for step in steps[:-1]:
+        note(step.t1, step.y1)
+        swing = max(swing, abs(regime.energy(step.t1, step.y1) - before))
+    note(t1, y1)
+    after = regime.energy(t1, y1)
     scale = max(abs(after - before), size, swing, least)
     if outside is None:
         return Balance(after - before - work, scale, (), ())
-    sums, sizes = _impulses(outside, t1, steps)
+    sums, sizes = _impulses(outside, t1, steps, note)
+    note(t1, y1)
     old, new = regime.momentum(t0, y0), regime.momentum(t1, y1)
     off = tuple(b - a - s for a, b, s in zip(old, new, sums, strict=True))
     largest = tuple(max(abs(a), abs(b), s) for a, b, s in zip(old, new, sizes, strict=True))
     return Balance(after - before - work, scale, off, largest)
 
 
-def _impulses(outside: Resultant, t1: float, steps: Sequence[Step]) -> tuple[list[float], list[float]]:
+def _impulses(outside: Resultant, t1: float, steps: Sequence[Step], note: Note) -> tuple[list[float], list[float]]:
     """The impulses that come in until t1, and the same without signs."""
     sums, sizes = [0.0] * 3, [0.0] * 3
     for step in steps:
+        note(step.t0, step.y0)
         end = min(step.t1, t1)
         half, middle = (end - step.t0) / 2, (end + step.t0) / 2
         for x, weight in NODES:
@@ -95,10 +106,11 @@ def _impulses(outside: Resultant, t1: float, steps: Sequence[Step]) -> tuple[lis
     return sums, sizes
 
 
-def _work(regime: Regime, t1: float, steps: Sequence[Step]) -> tuple[float, float]:
+def _work(regime: Regime, t1: float, steps: Sequence[Step], note: Note) -> tuple[float, float]:
     """The work that comes in until t1, and the same without signs [J]."""
     work = size = 0.0
     for step in steps:
+        note(step.t0, step.y0)
         end = min(step.t1, t1)
         half, middle = (end - step.t0) / 2, (end + step.t0) / 2
         for x, weight in NODES:

@@ -186,7 +186,8 @@ class Follower:
 
         def seen(step: Step) -> None:
             taken.append(step)
-            self.automaton.note(step.t1, step.y1)
+            # What is watched within the step counts from its beginning: what slides may turn round in it.
+            self.automaton.note(step.t0, step.y0)
             if self.progress is not None:
                 self.progress(step.t1)
 
@@ -259,8 +260,9 @@ class Follower:
     def _close(self, regime: Regime, end: float, y: tuple[float, ...], steps: Sequence[Step]) -> None:
         """The segment that ends here."""
         if end > self.t:
-            outside = self.automaton.outside(self.choice) if self.momenta else None
-            balance = balance_of(regime, self.t, self.y, end, y, steps, self.automaton.energy_scale, outside)
+            scene = self.automaton
+            outside = scene.outside(self.choice) if self.momenta else None
+            balance = balance_of(regime, self.t, self.y, end, y, steps, scene.energy_scale, scene.note, outside)
             segment = Segment(self.choice, regime, self.t, end, self.y, y, tuple(steps), balance)
             self.segments.append(segment)
             self.at_once = 0
