@@ -81,6 +81,11 @@ def test_a_pendulum_keeps_its_digits() -> None:
     assert growth(differences(rod()), SHIFT).horizon is None
 
 
+def test_one_jump_is_no_growth() -> None:
+    """An impact at grazing speed multiplies a difference once."""
+    assert growth([(t / 10, SHIFT * (1e4 if t > 30 else 1.0)) for t in range(100)], SHIFT).horizon is None
+
+
 def test_a_horizon_within_the_run() -> None:
     curve = [(t / 10, min(EPSILON * math.exp(t), 1.0)) for t in range(100)]
     found = growth(curve, EPSILON)

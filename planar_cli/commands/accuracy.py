@@ -45,6 +45,7 @@ TOLERANCE = click.FloatRange(1e-15, 0.1)
 def command(files: tuple[str, ...], form: str, plot: str | None, output: str | None, **options: Any) -> int:
     """Study each file; one that fails does not keep the others from being studied."""
     from planar_cli.problem.files import problem_files
+    from planar_cli.simulate.accuracy_report import Told
 
     paths = list(problem_files(files))
     told, status = [], cli.SOLVED
@@ -54,6 +55,10 @@ def command(files: tuple[str, ...], form: str, plot: str | None, output: str | N
                 more, one = _told(path, options, brief=len(paths) > 1)
         except PlanarError as error:
             more, one = cli.tell(error), None
+        except click.ClickException:
+            raise
+        except Exception as error:
+            more, one = cli.tell_fault(error), Told(path, failed=f"a fault: {type(error).__name__}: {error}")
         status = max(status, more)
         told += [one] if one is not None else []
     if told:

@@ -93,6 +93,8 @@ class Adaptive(Integrator):
             if error == math.inf:
                 raise StepTooSmall(f"a step of {abs(span):.3g} s from t = {t:.9g} s has no solution", t, y)
             end = t1 if abs(span) == abs(t1 - t) else t + span
+            if end == t:
+                raise StepTooSmall(f"the steps became too short at t = {t:.9g} s ({abs(span):.1g} s)", t, y)
             if setting.project is not None:
                 new = setting.project(end, new)
             after = f(end, new)

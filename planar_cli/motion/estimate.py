@@ -20,6 +20,8 @@ TIGHTEST = 2e-15
 """A smaller tolerance has no meaning."""
 LOST = 0.1
 """Where a difference has grown to this part of the scales no digit is left."""
+STEADY = 0.1
+"""What has not grown by more than ten since half of the time has made one jump, at an impact; it does not go on."""
 GROWN = 100.0
 """A unit in the last place that has not grown by more than this grows no further in any way that matters."""
 
@@ -76,7 +78,8 @@ def growth(differences: Sequence[tuple[float, float]], shift: float) -> Growth:
     reached = next((t for t, d in curve if d >= min(lost, LOST)), None)
     if reached is not None and lost <= LOST:
         return Growth(factor, reached, False)
-    if factor <= GROWN or end == begin:
+    halfway = next(d for t, d in curve if t >= 0.5 * (begin + end))
+    if factor <= GROWN or end == begin or halfway >= STEADY * largest:
         return Growth(factor, None, False)
     until = reached if reached is not None else end
     rate = math.log(min(largest, LOST) / shift) / (until - begin)

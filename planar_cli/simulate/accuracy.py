@@ -25,10 +25,12 @@ BRIEF_TOLERANCES = (1e-3, 1e-6, 1e-9, 1e-11)
 """Where a line is told of every scene."""
 STEPS = (0.1, 0.03, 0.01, 0.003, 0.001, 0.0003)
 """Of methods with equal steps, in parts of the scene's time scale."""
-FINEST, CHECK = 1e-14, 2e-15
-"""The tolerance of the reference, and of the run that checks it."""
-OTHER, OTHER_TOLERANCE = "radau", 1e-13
-"""The other method that checks the reference."""
+REFERENCES = (1e-14, 1e-12, 1e-10)
+"""The tolerance of the reference: the first with which the motion can be followed."""
+FINER = 5.0
+"""The run that checks it has so much smaller a tolerance."""
+OTHER, COARSER = "radau", 10.0
+"""The other method that checks it, and by how much its tolerance is larger."""
 DIGITS = (3, 6, 10)
 """Accuracies for which a setting is recommended: errors of 10^-digits."""
 SHIFT = 2.0**-40
@@ -114,6 +116,8 @@ class Reference:
 
     values: tuple[float, ...]
     words: str
+    tolerance: float
+    """Of the run that it is, or is compared with."""
     uncertainty: float
     """Errors below this can not be told from those of the reference."""
     met: tuple[str, ...]
@@ -169,7 +173,13 @@ def study(subject: Subject, wanted: Wanted) -> Study:
             rows += _within(others, wanted)
     if wanted.progress is not None:
         wanted.progress("")
-    return Study(tuple(rows), reference, _growth(subject, ran), tuple(_advice(own, d, reference) for d in DIGITS), ran)
+    return Study(
+        tuple(rows),
+        reference,
+        _growth(subject, reference.tolerance),
+        tuple(_advice(own, d, reference) for d in DIGITS),
+        ran,
+    )
 
 
 def _within(rows: Iterator[Row], wanted: Wanted) -> Iterator[Row]:
@@ -261,32 +271,33 @@ def largest(values: Sequence[float], others: Sequence[float]) -> float:
 
 def _reference(subject: Subject) -> tuple[Reference, Ran]:
     """The closed form, or the finest run, checked by a still finer one and by another method."""
-    ran = subject.run(AUTOMATIC, FINEST)
-    if ran.refused:
-        ran = subject.run(AUTOMATIC, 1e-9)
+    for finest in REFERENCES:
+        ran = subject.run(AUTOMATIC, finest)
+        if not ran.refused:
+            break
     exact = subject.exact()
     if exact is not None and len(exact) == len(ran.values):
-        return Reference(exact, "closed form", EPSILON, ran.met), ran
+        return Reference(exact, "closed form", finest, EPSILON, ran.met), ran
     differences = []
-    for kind, tolerance in ((AUTOMATIC, CHECK), (OTHER, OTHER_TOLERANCE)):
+    for kind, tolerance in ((AUTOMATIC, finest / FINER), (OTHER, finest * COARSER)):
         try:
             check = subject.run(kind, tolerance)
         except PlanarError:
             continue
         if check.met == ran.met:
             differences.append(largest(ran.values, check.values))
-    words = f"{AUTOMATIC} at {FINEST:.0e}" + (", not checked" if not differences else "")
+    words = f"{AUTOMATIC} at {finest:.0e}" + (", not checked" if not differences else "")
     if differences:
-        words += f"; at {CHECK:.0e} it differs by {differences[0]:.1e}"
+        words += f"; at {finest / FINER:.0e} it differs by {differences[0]:.1e}"
     if len(differences) > 1:
-        words += f", {OTHER} at {OTHER_TOLERANCE:.0e} by {differences[1]:.1e}"
-    return Reference(ran.values, words, max(min(differences, default=math.inf), EPSILON), ran.met), ran
+        words += f", {OTHER} at {finest * COARSER:.0e} by {differences[1]:.1e}"
+    return Reference(ran.values, words, finest, max(min(differences, default=math.inf), EPSILON), ran.met), ran
 
 
-def _growth(subject: Subject, ran: Ran) -> Growth:
+def _growth(subject: Subject, finest: float) -> Growth:
     """How the difference of two starts grows until they meet different events, or the end."""
-    other = subject.run(AUTOMATIC, FINEST, None, SHIFT)
-    plain = subject.run(AUTOMATIC, FINEST)
+    other = subject.run(AUTOMATIC, finest, None, SHIFT)
+    plain = subject.run(AUTOMATIC, finest)
     end = min(plain.t1, other.t1)
     times = [plain.t0 + (end - plain.t0) * k / SAMPLES for k in range(SAMPLES + 1)]
     return growth([(t, largest(plain.path(t), other.path(t))) for t in times], SHIFT)

@@ -14,7 +14,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from planar_cli.errors import Diagnostic, FileProblem, Mark
-from planar_cli.integrators.base import Setting
+from planar_cli.integrators.base import MOST_STEPS, Setting
 from planar_cli.motion.automaton import Start
 from planar_cli.motion.drive import AUTOMATIC
 from planar_cli.motion.estimate import shifts, tighter
@@ -59,6 +59,8 @@ class Settings:
     """How many characteristic times a scene is followed that nobody gave an end; None: FREE_TIMES."""
     stops: tuple[Relation, ...] = ()
     """The motion ends where one of these comes to hold."""
+    most_steps: int = MOST_STEPS
+    """When to give up a run."""
     check: bool = True
     """Is a balance of energy that does not add up a failure?"""
     estimate: bool = True
@@ -190,7 +192,7 @@ def followed(scene: Prepared, settings: Settings, shift: float = 0.0) -> Run:
     measures.moments[first] = measures.moments[START] = Moment(model.regime(), {}, start.t, start.y)
 
     shown = settings.progress
-    setting = Setting(scale=model.scale, tolerance=settings.tolerance, step=settings.step)
+    setting = Setting(model.scale, settings.tolerance, settings.step, most_steps=settings.most_steps)
     follower = Follower(
         stages,
         start,

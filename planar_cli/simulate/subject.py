@@ -7,13 +7,17 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from planar_cli.errors import PlanarError
+from planar_cli.integrators.base import MOST_STEPS
 from planar_cli.motion.drive import IMPLICIT
 from planar_cli.motion.regime import Regime
 from planar_cli.motion.trajectory import Trajectory
 from planar_cli.problem.scene import Problem
-from planar_cli.simulate.accuracy import FINEST, Ran, Row
+from planar_cli.simulate.accuracy import REFERENCES, Ran, Row
 from planar_cli.simulate.peers import PEERS, Peer, largest_of
 from planar_cli.simulate.run import Prepared, Run, Settings, followed, prepared
+
+PATIENCE = 50_000
+"""More steps of an adaptive method than that are no setting for this scene: rounding holds them down."""
 
 
 class SceneSubject:
@@ -30,7 +34,8 @@ class SceneSubject:
 
     def run(self, kind: str, tolerance: float, step: float | None = None, shift: float = 0.0) -> Ran:
         """One run."""
-        settings = replace(self.settings, tolerance=tolerance, integrator=kind, step=step)
+        most = PATIENCE if step is None else MOST_STEPS
+        settings = replace(self.settings, tolerance=tolerance, integrator=kind, step=step, most_steps=most)
         run = followed(self.scene, settings, shift)
         trajectory, model = run.trajectory, self.scene.model
 
@@ -58,7 +63,7 @@ class SceneSubject:
 
     def peers(self) -> Iterator[Iterator[Row]]:
         """The rows of other packages, by the end of the motion."""
-        run = followed(self.scene, replace(self.settings, tolerance=FINEST))
+        run = followed(self.scene, replace(self.settings, tolerance=REFERENCES[0]))
         for member in PEERS:
             peer = member()
             if peer.available():
