@@ -363,3 +363,17 @@ def test_three_balls_in_a_row_strike_at_once_or_one_after_the_other() -> None:
     together = follow(scene, (-1.0, 1.0, 2.0, 1.0, 0.0, 0.0), 3.0)
     assert together.segments[-1].end[3:] == pytest.approx((-1 / 3, 2 / 3, 2 / 3), rel=1e-12)
     assert "at once" in together.transitions[0].law
+
+
+def test_a_state_that_is_reached_just_when_another_one_is_due() -> None:
+    def laws(choice: Choice) -> Law:
+        return Law(lambda t, y: [-GRAVITY])
+
+    v = GRAVITY / 2
+    scene = Scene({}, laws, (1.0,), (1.0, v))
+    top = Event("top", crossing=Crossing(lambda regime, choice, t, y: y[1], v, -1))
+    low = Event("low", crossing=Crossing(lambda regime, choice, t, y: y[0] + 1.0, 1.0))
+    events = (top, low, Event("noon", time=0.5))
+    found = follow(scene, (0.0, v), 3.0, Schedule(events=events))
+    assert sorted((e.t, e.name) for e in found.events)[:2] == [(0.5, "noon"), (0.5, "top")]
+    assert [e.name for e in found.events][-1] == "low"

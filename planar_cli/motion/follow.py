@@ -14,13 +14,13 @@ from planar_cli.motion.automaton import Automaton, Choice, Regime, Stages, Start
 from planar_cli.motion.balance import ALLOWED, balance_of
 from planar_cli.motion.crossings import BAND, Watch
 from planar_cli.motion.drive import AUTOMATIC, Run, drive
-from planar_cli.motion.failures import Singular
 from planar_cli.motion.schedule import Event, Schedule
 from planar_cli.motion.segment import Segment
+from planar_cli.motion.source import Singular
 from planar_cli.motion.trajectory import Outcome, Trajectory, Transition, Work
 from planar_cli.motion.transition import Moment, Resolved, resolve
 from planar_cli.motion.unstable import growth_note
-from planar_cli.motion.waiting import Waiting, fits
+from planar_cli.motion.waiting import Waiting, at_edge, fits, meant
 from planar_cli.motion.zeno import Bounces
 
 RESTING = 1e-12
@@ -168,11 +168,11 @@ class Follower:
             words = f"from t = {stuck.t:.9g} s the motion can not be followed: {stuck}"
             self.outcome = Outcome("small", words, stuck.t, "", "PL703")
             return
-        except Singular as singular:
+        except Singular:
             if taken:
                 self._close(regime, taken[-1].t1, tuple(taken[-1].y1), taken)
             words = f"at t = {self.t:.9g} s the accelerations are not determined"
-            self.outcome = Outcome("singular", words, self.t, singular.joint, "PL702")
+            self.outcome = Outcome("singular", words, self.t, "", "PL702")
             return
         self._close(regime, run.t1, tuple(run.y1), run.steps)
         if self.outcome is None:
@@ -284,7 +284,7 @@ class Follower:
             graze = Transition(self.t, "graze", words, (guard.joint,), self.y, self.y, self.choice, self.choice)
             self.transitions.append(graze)
         for crossing in run.crossings:
-            if crossing.index == number and event is not None and _meant(event, crossing.way):
+            if crossing.index == number and event is not None and meant(event, crossing.way):
                 noise = 10 * self.setting.tolerance, self.automaton.time_scale
                 real = self.waiting.counts(event, regime, self.choice, run, *noise)
                 if real and fits(event, regime, self.choice, self.t, self.y):
@@ -296,7 +296,10 @@ class Follower:
             # What parts and falls back within rounding does not part.
             self._settle(words, guards[0].joint, inelastic=run.t1 == run.t0)
         elif self.outcome is None and not run.crossings:
-            self._timed()
+            if event is not None and at_edge(event, regime, self.choice, run, self.setting.tolerance):
+                self._reach(event)
+            if self.outcome is None:
+                self._timed()
 
     def _reach(self, event: Event) -> None:
         """A state has been reached."""
@@ -384,9 +387,3 @@ class Follower:
             self.bounces.forget()
             return closed
         return closed
-
-
-def _meant(event: Event, way: str) -> bool:
-    """Does the number pass zero in the way that the state means?"""
-    assert event.crossing is not None
-    return event.crossing.sense == 0 or way == ("falls" if event.crossing.sense < 0 else "rises")

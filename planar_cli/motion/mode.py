@@ -14,7 +14,7 @@ from heapq import heappop, heappush
 from itertools import combinations, islice, product
 
 from planar_cli.motion.automaton import Automaton, Choice, Guard, Regime
-from planar_cli.motion.failures import Singular
+from planar_cli.motion.source import Singular
 
 NEAR = 1e-9
 """A guard or a speed below this part of its scale may be zero."""
@@ -128,8 +128,8 @@ class Chooser:
             rates = regime.rates(t, state)
             values = regime.watch(t, state)
             later = self._later(regime, state, rates, values)
-        except Singular as singular:
-            failed = Violation(singular.joint, "its forces are not determined", False)
+        except Singular:
+            failed = Violation("", "its forces are not determined", False)
             return Verdict(choice, tuple(state), moved, (), (failed,))
         broken = [
             Violation(guard.joint, guard.words, guard.kind in (*PLACES, "slips"))

@@ -17,6 +17,9 @@ SOON = 1e-9
 LOOKS = (0.01, 0.03, 0.1)
 """So many time scales before a zero its function must have been more than rounding."""
 
+EDGE = 0.01
+"""So much of a run before its end its functions are looked at."""
+
 
 class Waiting:
     """Which states have been reached, and which one comes next."""
@@ -111,6 +114,26 @@ class Waiting:
 def fits(event: Event, regime: Regime, choice: Choice, t: float, y: Sequence[float]) -> bool:
     """Do the other relations of a state hold, where its crossing is?"""
     return all(condition(regime, choice, t, y) for condition in event.conditions)
+
+
+def at_edge(event: Event, regime: Regime, choice: Choice, run: Run, tolerance: float) -> bool:
+    """Does what tells a state become zero just where a run ends?"""
+    crossing = event.crossing
+    if crossing is None or run.t1 <= run.t0:
+        return False
+    look = run.t1 - EDGE * (run.t1 - run.t0)
+    before = crossing.value(regime, choice, look, run.at(look))
+    near = max(NEAR, tolerance) * crossing.scale
+    if abs(crossing.value(regime, choice, run.t1, run.y1)) > near or abs(before) <= near:
+        return False
+    way = "falls" if before > 0 else "rises"
+    return meant(event, way) and fits(event, regime, choice, run.t1, run.y1)
+
+
+def meant(event: Event, way: str) -> bool:
+    """Does the number pass zero in the way that the state means?"""
+    assert event.crossing is not None
+    return event.crossing.sense == 0 or way == ("falls" if event.crossing.sense < 0 else "rises")
 
 
 def _time(event: Event) -> float:
