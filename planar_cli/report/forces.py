@@ -7,13 +7,17 @@ from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.plain import longer, simplified
 from planar_cli.loads.base import Load
 from planar_cli.problem.acting import kind_of
 from planar_cli.problem.facts import Push, Wrench
-from planar_cli.report.blocks import Forces, Line, Math, Text
+from planar_cli.report.blocks import Forces, Line, Math, Name, Text
 from planar_cli.report.words import Phrases
 from planar_cli.solve.solution import InstantSolution
 from planar_cli.solve.stages import Stage
+
+LONGEST = 30
+"""Of an acceleration with more operations only the name is told: the equations say what it is."""
 
 
 def force_rows(instant: InstantSolution, stage: Stage, phrases: Phrases, inertia_as_force: bool) -> list[Forces]:
@@ -92,6 +96,7 @@ def _inertia(instant: InstantSolution, stage: Stage, body: str, phrases: Phrases
     model = instant.instant.scene.bodies[body]
     parts: list[Any] = []
     place = instant.instant.scene.center_name(body)
+    forces: list[tuple[sp.Expr, str]] = []
     for direction, component in stage.accelerations.get(body, []) if model.mass != 0 else ():
         v = -direction if reversed_sense else direction
         size = _size(direction, phrases)
@@ -100,7 +105,13 @@ def _inertia(instant: InstantSolution, stage: Stage, body: str, phrases: Phrases
             if size != 1
             else sp.Mul(model.mass, component, evaluate=False)
         )
-        parts += [Text(",  ")] * bool(parts) + [phrases.math(force), Text(f" {phrases.arrow(v.x, v.y)} at {place}")]
+        forces.append((force, phrases.arrow(v.x, v.y)))
+    if any(longer(force, LONGEST) for force, _ in forces):
+        sign = "-" if reversed_sense else ""
+        parts += [Text(sign), phrases.math(model.mass), Text(" "), Name(f"a_{place}"), Text(f" at {place}")]
+    else:
+        for force, arrow in forces:
+            parts += [Text(",  ")] * bool(parts) + [phrases.math(force), Text(f" {arrow} at {place}")]
     motion = instant.trial.system.motion
     alpha = motion.accelerations[body].angular if motion and model.rigid else sp.S.Zero
     if model.inertia != 0 and alpha != 0:
@@ -117,5 +128,5 @@ def _size(direction: Any, phrases: Phrases) -> sp.Expr:
     if square == 1 or abs(phrases.value(square) - 1) < Decimal("1e-30"):
         return sp.S.One
     if phrases.symbolic:
-        return sp.sqrt(sp.factor(square))
+        return sp.sqrt(sp.factor(simplified(square)))
     return sp.Rational(str(phrases.value(square).sqrt()))

@@ -49,7 +49,9 @@ class MotionEquations(StatedMotion):
     def symbolic(self) -> bool:
         """Do letters of the file stay in the equations?"""
         parameters = self.parameters()
-        return any(e.residual.free_symbols & parameters for e in self.equations)
+        rows = (r for swing in self.swings.values() for r in (*swing.stiffness, *swing.damping))
+        every = (*(e.residual for e in self.equations), *(sp.sympify(e) for row in rows for e in row))
+        return any(e.free_symbols & parameters for e in every)
 
     def chain(self) -> Chain:
         """The solver of the equations."""
