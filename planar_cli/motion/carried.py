@@ -86,6 +86,7 @@ class Carried:
         self.extent = self._size()
         self._arms: dict[Vec, tuple[str, Vec]] = {}
         self._frames: dict[str, Vec] = {}
+        self._axes: dict[str, tuple[float, Vec]] = {}
         self.places: dict[str, Place] = {name: self._place(name) for name in self.drawn}
         self.owners, self.own_points = self._owners()
         self._points: dict[str, Vec] = {}
@@ -199,10 +200,28 @@ class Carried:
         place = self.places.get(body)
         if place is None or place.theta is None:
             return Vec(graph.number(v.x), graph.number(v.y))
-        cosine, sine = math.cos(place.theta.value), math.sin(place.theta.value)
+        offset, frame = self._aligned(body, v)
+        angle = place.theta.value + offset
+        cosine, sine = math.cos(angle), math.sin(angle)
         a, b = _cleared(cosine * v.x + sine * v.y, cosine * v.y - sine * v.x)
-        frame = self.frame(body)
         return Vec(frame.x * a - frame.y * b, frame.y * a + frame.x * b)
+
+    def _aligned(self, body: str, v: Vec) -> tuple[float, Vec]:
+        """Axes that turn with a body, and their angle from its own: the first direction asked for lies along one.
+
+        So most points have one coordinate in them that is zero.
+        """
+        if body not in self._axes:
+            theta = self.places[body].theta
+            assert theta is not None
+            size, along = math.hypot(v.x, v.y), math.atan2(v.y, v.x) - theta.value
+            if not size:
+                return 0.0, self.frame(body)
+            if 0.0 in _cleared(math.cos(along), math.sin(along)):
+                self._axes[body] = 0.0, self.frame(body)
+            else:
+                self._axes[body] = along, unit_vector(self.graph, theta + along)
+        return self._axes[body]
 
     def configuration(self, coordinates: Mapping[str, float]) -> dict[Term, float]:
         """Where the bodies are at certain values of the coordinates."""

@@ -33,9 +33,12 @@ class Constraint:
 def of_places(layout: Layout, joint: str, title: str, place: Term) -> Constraint:
     """A relation of places and time: it is zero."""
     graph = layout.graph
-    row = coefficients(place, layout.numbers, layout)
-    drift = graph.rate(place, {layout.time: graph.number(1.0)})
-    rate = graph.rate(place, layout.rates())
+    slopes = graph.gradient(place)
+    drift = slopes.pop(layout.time, graph.number(0.0))
+    row = {layout.numbers[v]: t for v, t in slopes.items() if not (t.constant and t.value == 0)}
+    rate = drift
+    for i, t in row.items():
+        rate = rate + t * layout.slots[i].rate
     return Constraint(joint, title, place, rate, row, graph.rate(rate, layout.rates()), -drift)
 
 

@@ -70,7 +70,14 @@ class _Position:
         speeds = [math.cos(2.4 * i) * size / scales.time for i, size in enumerate(self.sizes)]
         self.state = list(state) if state is not None else [*layout.drawn, *speeds]
         entries = [t for c in constraints for t in c.row.values()]
-        numbers = iter(compiled(entries, layout.state, layout.time).function(layout.time.value, self.state))
+        if (
+            state is None
+            and layout.drawn == tuple(v.value for v in layout.coordinates)
+            and all(c.place is not None for c in constraints)
+        ):
+            numbers = iter([t.value for t in entries])
+        else:
+            numbers = iter(compiled(entries, layout.state, layout.time).function(layout.time.value, self.state))
         self.rows: list[dict[int, float]] = [{i: next(numbers) * self.sizes[i] for i in c.row} for c in constraints]
 
     @property

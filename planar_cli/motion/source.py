@@ -133,7 +133,9 @@ class _Writer:
         if op == "variable":
             raise KeyError(term.graph.names[term])
         self.operations += 1
-        self.depth[term] = 1 + max(self.depth[a] for a in args)
+        depth, first = self.depth, self.depth[args[0]]
+        last = depth[args[-1]]
+        depth[term] = 1 + (max(last, first))
         if op == "+":
             self.text[term], self.binds[term] = self._sum(*args), SUM
         elif op == "*":

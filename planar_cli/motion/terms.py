@@ -10,8 +10,9 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
+from operator import attrgetter
 
-from planar_cli.motion.functions import EXACT, FUNCTIONS, Table, Turning, safely, summed
+from planar_cli.motion.functions import EXACT, FUNCTIONS, Table, Turning, own_size, safely, summed
 
 ROUNDING = 1e-11
 """A value below this part of the size of what it was made of is zero."""
@@ -22,7 +23,7 @@ Number = int | float
 class Term:
     """One number. Terms are made by a `Graph` and by arithmetic with other terms and plain numbers."""
 
-    __slots__ = ("args", "graph", "index", "op", "size", "value")
+    __slots__ = ("args", "bare", "constant", "graph", "index", "op", "size", "value")
 
     graph: Graph
     """To which it belongs."""
@@ -36,6 +37,10 @@ class Term:
     """The size of the largest parts that it was made of, in the reference configuration: the scale of its rounding."""
     index: int
     """Terms are numbered as they are made: operands come first."""
+    constant: bool
+    """Is it a plain number?"""
+    bare: Term | None
+    """The same without the minus sign before it; None: it has none."""
 
     def __add__(self, other: Term | Number) -> Term:
         return self.graph.add(self, self.graph.of(other))
@@ -43,7 +48,7 @@ class Term:
     __radd__ = __add__
 
     def __neg__(self) -> Term:
-        return self.graph.multiply(self.graph.number(-1.0), self)
+        return self.bare or self.graph.multiply(self.graph.number(-1.0), self)
 
     def __sub__(self, other: Term | Number) -> Term:
         return self.graph.add(self, -self.graph.of(other))
@@ -67,11 +72,6 @@ class Term:
 
     def __rpow__(self, base: Term | Number) -> Term:
         return self.graph.power(self.graph.of(base), self)
-
-    @property
-    def constant(self) -> bool:
-        """Is it a plain number?"""
-        return self.op == "number"
 
     @property
     def zero(self) -> bool:
@@ -104,6 +104,7 @@ class Graph:
     slopes: dict[str, Callable[[Term], Term]] = field(default_factory=dict)
     """Derivatives of some of these, of one argument."""
     _known: dict[tuple[object, ...], Term] = field(default_factory=dict)
+    _numbers: dict[float, Term] = field(default_factory=dict)
     _count: int = 0
 
     def of(self, number: Term | Number) -> Term:
@@ -112,28 +113,34 @@ class Graph:
 
     def number(self, value: float) -> Term:
         """A constant."""
-        return self._made("number", (), value, abs(value), (value, math.copysign(1.0, value)))
+        value += 0.0
+        return self._numbers.get(value) or self._made(("number", value), "number", (), value, abs(value))
 
     def variable(self, name: str, value: float, size: float = 0.0) -> Term:
         """A new variable with its value in the reference configuration, on the scale `size`."""
-        found = self._made("variable", (), value, max(abs(value), size), (name,))
+        found = self._made(("variable", name), "variable", (), value, max(abs(value), size))
         self.names[found] = name
         return found
 
     def add(self, a: Term, b: Term) -> Term:
         """a + b."""
-        if a.constant and b.constant:
-            return self.number(summed(a.value, b.value))
-        if a.constant and a.value == 0:
-            return b
-        if b.constant and b.value == 0:
-            return a
+        if a.constant:
+            if b.constant:
+                return self.number(summed(a.value, b.value))
+            a, b = b, a
+        if b.constant:
+            if b.value == 0:
+                return a
+            if a.op == "+" and a.args[0].constant:
+                return self.add(a.args[1], self.number(summed(a.args[0].value, b.value)))
+            key = ("+", b.index, a.index)
+            return self._known.get(key) or self._made(key, "+", (b, a), a.value + b.value, max(a.size, b.size))
         left = _cancelled(a, b) or _cancelled(b, a)
         if left is not None:
             return left
-        if b.index < a.index:
-            a, b = b, a
-        return self._made("+", (a, b), a.value + b.value, max(a.size, b.size))
+        a, b = (b, a) if b.index < a.index else (a, b)
+        key = ("+", a.index, b.index)
+        return self._known.get(key) or self._made(key, "+", (a, b), a.value + b.value, max(a.size, b.size))
 
     def multiply(self, a: Term, b: Term) -> Term:
         """a b; a number comes first and goes into a number already there."""
@@ -143,16 +150,24 @@ class Graph:
             if b.constant:
                 return self.number(a.value * b.value)
             if a.value == 0:
-                return self.number(0.0)
+                return a
             if a.value == 1:
                 return b
-            if b.op == "*" and b.args[0].constant:
-                return self.multiply(self.number(a.value * b.args[0].value), b.args[1])
-        elif _minus(a) or _minus(b):
+            one, other = b.args if b.op == "*" else (b, b)
+            if one.constant:
+                return self.multiply(self.number(a.value * one.value), other)
+            if one.op == "variable" and one is not other and a.value != -1.0:
+                # A length goes to its direction, which others need too, and not to a rate.
+                return self.multiply(one, self.multiply(a, other))
+        elif a.bare is not None or b.bare is not None:
             # A minus sign goes outward, where a sum takes it in.
-            a, b, odd = _bare(a), _bare(b), _minus(a) != _minus(b)
-            return -self.multiply(a, b) if odd else self.multiply(a, b)
-        return self._made("*", (a, b), a.value * b.value, a.size * b.size)
+            product = self.multiply(a.bare or a, b.bare or b)
+            return product if a.bare is not None and b.bare is not None else -product
+        elif b.op == "*" and a in b.args and b.args[0] is not b.args[1] and not b.args[0].constant:
+            # Squares of rates are shared by all that turns with them.
+            return self.multiply(self.multiply(a, a), b.args[1] if b.args[0] is a else b.args[0])
+        key = ("*", a.index, b.index)
+        return self._known.get(key) or self._made(key, "*", (a, b), a.value * b.value, a.size * b.size)
 
     def divide(self, a: Term, b: Term) -> Term:
         """a / b."""
@@ -162,12 +177,12 @@ class Graph:
             return a
         if a is b:
             return self.number(1.0)
-        if _minus(a) or _minus(b):
-            bare = self.divide(_bare(a), _bare(b))
-            return -bare if _minus(a) != _minus(b) else bare
-        quotient = a.value / b.value if b.value else math.nan
+        if a.bare is not None or b.bare is not None:
+            quotient = self.divide(a.bare or a, b.bare or b)
+            return quotient if a.bare is not None and b.bare is not None else -quotient
+        value = a.value / b.value if b.value else math.nan
         size = a.size / abs(b.value) if b.value else math.inf
-        return self._made("/", (a, b), quotient, size)
+        return self._made(("/", a.index, b.index), "/", (a, b), value, size)
 
     def power(self, a: Term, b: Term) -> Term:
         """a to the power b; small whole powers are products."""
@@ -188,7 +203,7 @@ class Graph:
                 case _:
                     return self.divide(self.number(1.0), a)
         value = safely(pow, a.value, b.value)
-        return self._made("**", (a, b), value, abs(value))
+        return self._made(("**", a.index, b.index), "**", (a, b), value, abs(value))
 
     def call(self, name: str, *args: Term) -> Term:
         """A function of FUNCTIONS, of a table, or a turning."""
@@ -197,9 +212,8 @@ class Graph:
         if all(a.constant for a in args) and not math.isnan(value):
             # A right angle in degrees is not quite one in radians.
             return self.number(0.0 if name in ("sin", "cos") and abs(value) <= EXACT * abs(args[0].value) else value)
-        # sin and cos of an angle round on the scale of 1.
-        size = 1.0 if name in ("sin", "cos", "sign", "step") else max(abs(value), _own_size(name, args))
-        return self._made(name, args, value, size)
+        size = max(abs(value), own_size(name, *(a.size for a in args)))
+        return self._made((name, *(a.index for a in args)), name, args, value, size)
 
     def table(self, points: Iterable[tuple[float, float]]) -> str:
         """A function that is given by values, straight in between; returns its name for `call`."""
@@ -239,9 +253,11 @@ class Graph:
                 continue
             if t.op == "variable":
                 found[t] = weight
+                continue
             for arg, slope in zip(t.args, self._slopes(t), strict=True):
-                share = weight * slope
-                weights[arg] = weights[arg] + share if arg in weights else share
+                if not arg.constant:
+                    share = self.multiply(weight, slope)
+                    weights[arg] = self.add(weights[arg], share) if arg in weights else share
         return found
 
     def rate(self, term: Term, rates: Mapping[Term, Term]) -> Term:
@@ -253,9 +269,10 @@ class Graph:
                 found[t] = rates.get(t, zero)
                 continue
             total = zero
-            if any(not (found[a].constant and found[a].value == 0) for a in t.args):
+            if any(found[a] is not zero for a in t.args):
                 for arg, slope in zip(t.args, self._slopes(t), strict=True):
-                    total = total + slope * found[arg]
+                    if found[arg] is not zero:
+                        total = self.add(total, self.multiply(slope, found[arg]))
             found[t] = total
         return found[term]
 
@@ -311,15 +328,19 @@ class Graph:
                 return self.number(0.0)
         return self.number(0.0) if name.endswith("_slope") else self.call(f"{name}_slope", a)
 
-    def _made(self, op: str, args: tuple[Term, ...], value: float, size: float, extra: tuple[object, ...] = ()) -> Term:
-        key = (op, *extra, *(a.index for a in args))
+    def _made(self, key: tuple[object, ...], op: str, args: tuple[Term, ...], value: float, size: float) -> Term:
+        """The term of this key."""
         found = self._known.get(key)
         if found is None:
             found = Term()
             found.graph, found.op, found.args, found.value, found.size = self, op, args, value, size
             found.index = self._count
+            found.constant = op == "number"
+            found.bare = args[1] if op == "*" and args[0].constant and args[0].value == -1.0 else None
             self._count += 1
             self._known[key] = found
+            if found.constant:
+                self._numbers[value] = found
         return found
 
 
@@ -332,7 +353,7 @@ def ordered(terms: Iterable[Term]) -> list[Term]:
         if term not in seen:
             seen.add(term)
             waiting.extend(a for a in term.args if a not in seen)
-    return sorted(seen, key=lambda t: t.index)
+    return sorted(seen, key=attrgetter("index"))
 
 
 def evaluate(terms: Iterable[Term], values: Mapping[Term, float]) -> list[float]:
@@ -359,16 +380,6 @@ def evaluate(terms: Iterable[Term], values: Mapping[Term, float]) -> list[float]
     return [found[t] for t in wanted]
 
 
-def _minus(term: Term) -> bool:
-    """Is it written with a minus sign before it?"""
-    return term.op == "*" and term.args[0].constant and term.args[0].value == -1.0
-
-
-def _bare(term: Term) -> Term:
-    """The same without its minus sign."""
-    return term.args[1] if _minus(term) else term
-
-
 def _cancelled(a: Term, b: Term) -> Term | None:
     """a + b where b takes away a, or one of the two parts of a; None: it does not."""
     if _opposite(a, b):
@@ -384,11 +395,4 @@ def _cancelled(a: Term, b: Term) -> Term | None:
 
 def _opposite(a: Term, b: Term) -> bool:
     """Is one the other with a minus sign before it?"""
-    return (_minus(b) and b.args[1] is a) or (_minus(a) and a.args[1] is b)
-
-
-def _own_size(name: str, args: tuple[Term, ...]) -> float:
-    """How large the rounding scale of a function's value is at least."""
-    if name == "sqrt":
-        return math.sqrt(args[0].size) if args[0].size < math.inf else math.inf
-    return args[0].size if name == "abs" else 0.0
+    return a.bare is b or b.bare is a
