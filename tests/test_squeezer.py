@@ -40,11 +40,14 @@ def test_the_squeezer_at_30_ms(tolerance: float, error: float) -> None:
     assert found.drift <= 1e-12
 
 
-def test_an_evaluation_costs_no_more_than_the_number_of_bodies() -> None:
-    chains = {n: model_of(chain(n, -0.3)).regime().operations for n in (5, 20, 80)}
-    bars = {n: model_of(four_bars(n)).regime().operations for n in (2, 10, 40)}
+def test_what_an_evaluation_costs() -> None:
+    chains = {n: model_of(chain(n, -0.3)).regime().operations for n in (20, 80)}
+    bars = {n: model_of(four_bars(n)).regime().operations for n in (10, 40)}
+    # What hand-tuned generators of the same kind need is 2240; 2470 and 9944; 850 operations.
     assert chains[20] <= 2240
-    assert chains[80] - chains[20] <= 4.2 * (chains[20] - chains[5])
-    assert (bars[10], bars[40]) <= (2470, 9944)
-    assert bars[40] - bars[10] <= 4 * (bars[10] - bars[2])
-    assert model_of(SQUEEZER).regime().operations <= 900
+    assert bars[10] <= 2470
+    assert bars[40] <= 9944
+    assert model_of(SQUEEZER).regime().operations <= 850
+    # For each body about the same, whether there are 20 or 80.
+    assert chains[80] / 80 <= 1.1 * chains[20] / 20
+    assert bars[40] / 81 <= 1.1 * bars[10] / 21

@@ -116,7 +116,9 @@ class _Chooser:
         self.firm = {i for i, row in enumerate(rows) if i in row}
         """Equations that meet their own unknown from the beginning: those of what has mass."""
         self.open = set(range(count))
-        self.heap: list[tuple[float, int, int]] = []
+        self.offers = 0
+        self.heap: list[tuple[float, int, int, int]] = []
+        """Cost, when it was offered (of equals the first goes first), equation, unknown."""
         for i in range(count):
             self._offer(i)
 
@@ -138,12 +140,12 @@ class _Chooser:
     def _cheapest(self) -> tuple[int, int] | None:
         """The cheapest pivot where an equation meets its own unknown."""
         while self.heap:
-            cost, i, j = heapq.heappop(self.heap)
+            cost, offer, i, j = heapq.heappop(self.heap)
             if i in self.open and self.partner[i] == j and self._acceptable(i, j):
                 now = self._cost(i, j)
                 if now <= cost or not self.heap or now <= self.heap[0][0]:
                     return i, j
-                heapq.heappush(self.heap, (now, i, j))
+                heapq.heappush(self.heap, (now, offer, i, j))
         return None
 
     def _elsewhere(self) -> tuple[int, int] | None:
@@ -159,7 +161,8 @@ class _Chooser:
     def _offer(self, i: int) -> None:
         j = self.partner[i]
         if j in self.rows[i]:
-            heapq.heappush(self.heap, (self._cost(i, j), i, j))
+            self.offers += 1
+            heapq.heappush(self.heap, (self._cost(i, j), self.offers, i, j))
 
     def _acceptable(self, i: int, j: int) -> bool:
         entry = self.rows[i].get(j)
