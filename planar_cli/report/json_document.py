@@ -37,6 +37,7 @@ def solution_data(solution: Solution, verdicts: Sequence[Verdict], figures: int,
         "problem": solution.problem.title or solution.problem.file,
         "outcome": "solved",
         "answers": {f.name: _answer(f, part, figures) for part in solution.parts for f in part.found},
+        "unconfirmed": sum(bool(_unconfirmed(f, part)) for part in solution.parts for f in part.found),
         "plan": _plan(solution, method),
         "steps": [
             *(step for case, instant in instants for step in _steps(case, instant)),
@@ -87,7 +88,16 @@ def _answer(found: Found, part: PartSolution, figures: int) -> dict[str, Any]:
         "expression": _expression(found),
         "text": answer_text(found, phrases_of(last, figures)),
         "digits": last.checks.get("digits"),
+        "confirmed": not (why := _unconfirmed(found, part)),
+        **({"unconfirmed": why} if why else {}),
     }
+
+
+def _unconfirmed(found: Found, part: PartSolution) -> str:
+    """Why nothing was compared with an answer; "" where a second road to it agrees."""
+    if part.motion is not None:
+        return part.motion.unconfirmed.get(found.name, "")
+    return "" if part.instants[-1].checks.get("digits") is not None else "no second road leads to it"
 
 
 def _value(found: Found) -> Any:

@@ -12,6 +12,7 @@ from planar_cli.equation.exact import Valuation
 from planar_cli.solve.course.answers import AnsweredFind
 from planar_cli.solve.course.balances import StateBalance
 from planar_cli.solve.course.blow import Blow
+from planar_cli.solve.course.confirmed import unconfirmed
 from planar_cli.solve.course.derivation import Leg, Route
 from planar_cli.solve.course.equations import DATA, Equation
 from planar_cli.solve.course.needed import wanted_of
@@ -70,6 +71,7 @@ def motion_trace(
         oscillations=tuple(_oscillation(o, found.value) for o in found.oscillations),
         regimes=tuple(_regime(course, i, None if whole else wanted_of(course, route, i)) for i in instants),
         checks=found.checks,
+        unconfirmed=unconfirmed(found),
         presumed=presumed,
     )
 

@@ -356,6 +356,8 @@ class MotionTrace:
     """The regimes that are told."""
     checks: tuple[str, ...]
     """What was compared, in phrases."""
+    unconfirmed: Mapping[str, str]
+    """By the name of a find: why nothing was compared with its answer; finds that were compared are left out."""
     presumed: tuple[sp.Expr, ...]
     """What is positive with these letters, and need not be."""
 
