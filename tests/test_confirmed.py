@@ -10,7 +10,7 @@ LAW = """
 title: Particle whose law of motion has no closed form
 coordinates: {x: m}
 bodies: {p: {particle: [x, 0]}}
-motion: ["ddot(x) = -(1 1/s)*dot(x) - (1 1/(m^2*s^2))*x^3"]
+motion: ["ddot(x) = -(1 1/s)*dot(x) - x^3/(1 m^2*s^2)"]
 states: {1: [t = 0, x = 1 m, dot(x) = 0], 2: [t = %s]}
 find: {x: x @ 2, a: ddot(x) @ 1}
 """
@@ -30,7 +30,7 @@ def test_what_only_a_step_method_tells() -> None:
 
 
 def test_what_two_roads_tell() -> None:
-    text = (LAW % "2 s").replace("(1 1/s)*dot(x) - (1 1/(m^2*s^2))*x^3", "(1 1/s^2)*x")
+    text = (LAW % "2 s").replace("(1 1/s)*dot(x) - x^3/(1 m^2*s^2)", "(1 1/s^2)*x")
     problem, _ = load_text(text)
     assert problem is not None
     data = solution_data(solve_problem(problem), (), 4, None)

@@ -14,6 +14,7 @@ from decimal import Decimal
 import sympy as sp
 
 from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.solve.course.equations import DATA
 from planar_cli.solve.course.events import LOOKS
 from planar_cli.solve.course.followed import Followed
 from planar_cli.solve.course.regime import Regime
@@ -49,6 +50,7 @@ def balanced(regimes: Iterable[Regime]) -> tuple[str, ...]:
 def followed_digits(found: SolvedMotion, followed: Followed) -> int | None:
     """To how many digits the letters of all states agree, measured by the largest of the same dimension on the way."""
     worst: float | None = None
+    stated = _stated_letters(found)
     sizes: dict[str, float] = {}
     units = found.course.ledger.units
     kinds = {own: str(units[own].dimension) for stop in found.course.stops.values() for own in stop.letters.values()}
@@ -57,7 +59,7 @@ def followed_digits(found: SolvedMotion, followed: Followed) -> int | None:
             kind = str(units[s].dimension)
             sizes[kind] = max(sizes.get(kind, 0.0), abs(v))
     for s, v in followed.values.items():
-        if s in found.guessed or s not in kinds or not sizes[kinds[s]]:
+        if s in found.guessed or s in stated or s not in kinds or not sizes[kinds[s]]:
             continue
         try:
             exact = found.value(s)
@@ -68,6 +70,14 @@ def followed_digits(found: SolvedMotion, followed: Followed) -> int | None:
     if worst is None:
         return None
     return int(min(-math.log10(max(worst, 1e-13)), 13))
+
+
+def _stated_letters(found: SolvedMotion) -> set[sp.Symbol]:
+    """Letters that the file gives one by one, and those from which the motion was followed: on both roads the same."""
+    course = found.course
+    own = {s for stop in course.stops.values() for s in stop.letters.values()}
+    alone = [e.residual.free_symbols & own for e in course.equations if e.kind in DATA]
+    return {s for inside in alone if len(inside) == 1 for s in inside} | {*course.first.letters.values()}
 
 
 def _passed(followed: Followed) -> Iterator[tuple[sp.Symbol, float]]:
