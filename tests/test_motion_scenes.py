@@ -226,22 +226,30 @@ joints:
     assert found.at(3.0) == pytest.approx([0.9, 0.0, 0.3, 0.0], abs=1e-10)
 
 
-def test_a_box_falls_on_its_corner_and_comes_to_lie() -> None:
-    text = """
-points: {O: [0, 0], P: [0, 1 m]}
+BOX = """
+points: {O: [0, 0], P: [0, %g m]}
 surfaces: {floor: {through: O, angle: 0 deg}}
-bodies: {box: {plate: P, width: 0.4 m, height: 0.3 m, angle: 20 deg, mass: 2 kg}}
+bodies: {box: {plate: P, width: %g m, height: %g m, angle: 20 deg, mass: %g kg}}
 joints:
   - impact: {between: [box, floor], restitution: 0.3, mu: 0.3}
 """
-    found = follow(text, {"box.x": 0.3}, 3.0)
+
+
+@pytest.mark.parametrize(("size", "mass"), [(1.0, 1.0), (1e-6, 1e-9), (1e6, 1e9), (1e3, 1e-6)])
+def test_a_box_falls_on_its_corner_and_comes_to_lie(size: float, mass: float) -> None:
+    """In the same way whatever its size and mass, in times that go with the root of the size."""
+    time = math.sqrt(size)
+    found = follow(BOX % (size, 0.4 * size, 0.3 * size, 2 * mass), {"box.x": 0.3 * time}, 3.0 * time)
     assert found.outcome.kind == "rest"
-    assert found.at(3.0)[1] == pytest.approx(0.15, abs=1e-9)
+    end = found.at(3.0 * time)
+    assert end[1] / size == pytest.approx(0.15, abs=1e-9)
+    assert end[0] / size == pytest.approx(0.387802932, abs=1e-8)
+    assert found.outcome.t / time == pytest.approx(0.88139956087, rel=1e-9)
     # Weight does no work in impacts: what was lost is the fall and the speed.
-    lost = sum(x.lost for x in found.transitions)
-    braked = 2 * GRAVITY * 0.85 + 0.09 - lost
-    slid = sum(s.regime.energy(s.t0, s.start) - s.regime.energy(s.t1, s.end) for s in found.segments)
-    assert braked == pytest.approx(slid, abs=1e-7)
+    unit = mass * size
+    lost = sum(x.lost for x in found.transitions) / unit
+    slid = sum(s.regime.energy(s.t0, s.start) - s.regime.energy(s.t1, s.end) for s in found.segments) / unit
+    assert 2 * GRAVITY * 0.85 + 0.09 - lost == pytest.approx(slid, abs=1e-7)
 
 
 CRADLE = """

@@ -62,31 +62,13 @@ class Event:
 
 
 @dataclass(frozen=True, slots=True)
-class Span:
-    """Something that acts only between two states."""
-
-    member: str
-    """The joint's name or the load's key."""
-    start: str
-    """The state from which it acts."""
-    end: str
-    """The state until which it acts."""
-
-
-@dataclass(frozen=True, slots=True)
 class Schedule:
     """All that a file says of time."""
 
     start: str = ""
     """The first state's name."""
     events: tuple[Event, ...] = ()
-    spans: tuple[Span, ...] = ()
     breakpoints: tuple[float, ...] = ()
     """Times at which loads jump or have a kink [s]."""
     heard: Callable[[Reached], None] | None = None
     """Told of every state that is reached, as it is reached."""
-
-    def acting(self, member: str, reached: Sequence[str]) -> bool:
-        """Does a joint or load act once these states have been reached?"""
-        spans = [s for s in self.spans if s.member == member]
-        return not spans or any(s.start in reached and s.end not in reached for s in spans)

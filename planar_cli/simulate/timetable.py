@@ -6,12 +6,11 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from planar_cli.errors import Diagnostic, FileProblem, Mark
-from planar_cli.loads.base import mode_key
 from planar_cli.motion.automaton import Choice
 from planar_cli.motion.automaton import Regime as AnyRegime
 from planar_cli.motion.regime import Regime
 from planar_cli.motion.scene import MovingScene
-from planar_cli.motion.schedule import Condition, Crossing, Event, Schedule, Span
+from planar_cli.motion.schedule import Condition, Crossing, Event, Schedule
 from planar_cli.problem.check_dimensions import Kinds
 from planar_cli.problem.dimensions import dimension_of
 from planar_cli.problem.expression import (
@@ -40,17 +39,10 @@ SLACK = 1e-9
 def schedule_of(problem: Problem, measures: Measures, breakpoints: Sequence[float]) -> Schedule:
     """What the file says of time. FileProblem: a state that a motion followed step by step can not look for."""
     if not problem.states:
-        return Schedule("", (), (), tuple(breakpoints))
+        return Schedule("", (), tuple(breakpoints))
     reader = Timetable(problem, measures)
     events = tuple(reader.event(state) for state in problem.states[1:])
-    return Schedule(problem.states[0].name, events, spans_of(problem), tuple(breakpoints))
-
-
-def spans_of(problem: Problem) -> tuple[Span, ...]:
-    """Joints and loads that act only between two states."""
-    keys = [(j.name, j.during) for j in problem.joints if not j.strikes]
-    keys += [(mode_key(x.name), x.during) for x in problem.loads if not x.strikes]
-    return tuple(Span(key, *during) for key, during in keys if during is not None)
+    return Schedule(problem.states[0].name, events, tuple(breakpoints))
 
 
 class Timetable:
