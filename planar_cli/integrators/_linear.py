@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from operator import mul
 from typing import Generic, TypeVar
 
 N = TypeVar("N", float, complex)
@@ -36,18 +37,10 @@ class Factors(Generic[N]):
 
     def solve(self, right: list[N]) -> list[N]:
         """The solution for one right-hand side."""
-        rows, n = self._rows, len(self._rows)
-        x = [right[i] for i in self._order]
-        for i in range(1, n):
-            row, total = rows[i], x[i]
-            for j in range(i):
-                if row[j]:
-                    total = total - row[j] * x[j]
-            x[i] = total
-        for i in reversed(range(n)):
-            row, total = rows[i], x[i]
-            for j in range(i + 1, n):
-                if row[j]:
-                    total = total - row[j] * x[j]
-            x[i] = total / row[i]
+        rows, x = self._rows, [right[i] for i in self._order]
+        for i, row in enumerate(rows):
+            x[i] = x[i] - sum(map(mul, row[:i], x))
+        for i in reversed(range(len(rows))):
+            row = rows[i]
+            x[i] = (x[i] - sum(map(mul, row[i + 1 :], x[i + 1 :]))) / row[i]
         return x

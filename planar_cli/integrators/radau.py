@@ -20,6 +20,10 @@ from planar_cli.integrators._radau_tableau import (
 from planar_cli.integrators.base import EPSILON, OUTSIDE, Counts, Rates, Setting, Vector, norm
 
 STAGES = len(NODES)
+APART = [c * math.prod(c - d for d in NODES if d != c) for c in NODES]
+"""The products of the differences of each node from the others and from the start: Lagrange's denominators."""
+FORGETTING = 0.8
+"""From step to step, what is known of the convergence is trusted less: this power of it."""
 ITERATIONS = 10
 """Newton's method converges within so many iterations, or the step is too long."""
 SOLVED = 1e-3
@@ -69,14 +73,11 @@ class Collocation:
 
     def __call__(self, t: float) -> Vector:
         x = (t - self._t) / self.h
-        weights = []
-        for i, c in enumerate(NODES):
-            w = x / c
-            for j, d in enumerate(NODES):
-                if j != i:
-                    w *= (x - d) / (c - d)
-            weights.append(w)
-        p, q, r, s, u = weights
+        away = [x - c for c in NODES]
+        if 0.0 in away:
+            return [v + a for v, a in zip(self._y, self._stages[away.index(0.0)], strict=True)]
+        whole = x * math.prod(away)
+        p, q, r, s, u = [whole / (a * d) for a, d in zip(away, APART, strict=True)]
         return [
             v + p * a + q * b + r * c + s * d + u * e for v, a, b, c, d, e in zip(self._y, *self._stages, strict=True)
         ]
@@ -106,6 +107,8 @@ class _Steps(Method):
         """Is it that of the start of this step?"""
         self.h = 0.0
         """The length of the step whose factors are at hand."""
+        self.left = 1.0
+        """What Newton's method leaves after an iteration, in parts of its change, as far as the last step tells."""
         self.stages: Stages = []
         self.last: Collocation | None = None
 
@@ -145,7 +148,7 @@ class _Steps(Method):
     def _prepare(self, h: float) -> None:
         """The Jacobian matrix and the factors of γ/h - J for the real and the complex eigenvalues."""
         if not self.jacobian:
-            self.jacobian, self.fresh, self.h = self._differences(), True, 0.0
+            self.jacobian, self.fresh, self.h, self.left = self._differences(), True, 0.0, 1.0
         if h != self.h:
             self.real = Factors(self._shifted(REAL / h))
             self.complex = [Factors(self._shifted_complex(c / h)) for c in COMPLEX]
@@ -181,6 +184,7 @@ class _Steps(Method):
         """The stages, [] if they do not converge, and the rate of convergence."""
         stages = self._guess(h, last)
         size, rate, before = 0.0, 0.0, math.inf
+        self.left = max(self.left, EPSILON) ** FORGETTING
         for k in range(ITERATIONS):
             rates = [
                 self.f(self.t + c * h, [a + b for a, b in zip(self.y, z, strict=True)])
@@ -196,8 +200,9 @@ class _Steps(Method):
             if k and rate >= 1.0:
                 # Rounding is reached, or there is no convergence.
                 return (stages, 0.0) if before <= 0.1 else ([], math.inf)
-            left = rate / (1.0 - rate) * size if k else size
-            if left <= enough:
+            if k:
+                self.left = rate / (1.0 - rate)
+            if self.left * size <= enough:
                 return stages, rate
             before = size
         return (stages, rate) if size <= 0.1 else ([], math.inf)
