@@ -28,6 +28,7 @@ from planar_cli.motion.transition import Moment as Instant
 from planar_cli.motion.transition import Resolved, resolve
 from planar_cli.problem.expression import Quantity, Relation, Side
 from planar_cli.problem.scene import Answer, Problem
+from planar_cli.simulate.agreement import demand_agreement
 from planar_cli.simulate.answers import Answered, Answers
 from planar_cli.simulate.measures import START, Measures, Moment, modes_of, moments_of
 from planar_cli.simulate.stops import first_stop
@@ -208,6 +209,7 @@ def followed(scene: Prepared, settings: Settings, shift: float = 0.0) -> Run:
     trajectory = follower.trajectory()
     seconds = time.perf_counter() - began
     measures.moments |= moments_of(trajectory, measures.moments, settled)
+    demand_agreement(problem, measures)
     return Run(scene, problem, model, measures, schedule, trajectory, settings, until, seconds)
 
 
