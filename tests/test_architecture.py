@@ -12,7 +12,7 @@ from conftest import ROOT
 PACKAGE = ROOT / "planar_cli"
 MODULES = sorted(PACKAGE.rglob("*.py"))
 TESTS = sorted((ROOT / "tests").glob("*.py"))
-STAGES = ("problem", "motion", "equation", "calculus", "solve", "simulate", "homework", "report")
+STAGES = ("problem", "motion", "simulate", "equation", "calculus", "solve", "homework", "report")
 SHELVES = ("joints", "loads", "principles", "integrators", "formats", "exports", "commands")
 COMMON = {"errors", "units", "registry"}
 # What members of a shelf may import, beside errors, units and their own shelf's base and private modules.

@@ -11,8 +11,9 @@ from typing import Any
 import pytest
 
 from planar_cli import cli
-from planar_cli.homework.answers import Verdict, compare
+from planar_cli.homework.answers import compare
 from planar_cli.homework.supervisor import Supervisor
+from planar_cli.homework.verdict import Verdict
 from planar_cli.problem.structure import load_text
 from planar_cli.solve.run import solve_problem
 

@@ -10,8 +10,8 @@ from pathlib import Path
 from conftest import ROOT
 
 from planar_cli.commands._limit import time_limit
-from planar_cli.homework.answers import Verdict
 from planar_cli.homework.checking import read, solve_and_compare
+from planar_cli.homework.verdict import Verdict
 from planar_cli.solve.solved_problem import Solution
 
 TIMEOUT = 60

@@ -7,7 +7,6 @@ compared at random points of its letters; one without rounded numbers must agree
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from decimal import Decimal
 from typing import Any
 
@@ -18,36 +17,19 @@ from planar_cli.equation.exact import PI, Unvalued, Valuation
 from planar_cli.equation.ledger import Ledger, display
 from planar_cli.equation.plain import PRINTABLE, longer
 from planar_cli.homework.curves import same_curve
+from planar_cli.homework.verdict import FLOOR, TOLERANCE, Verdict
 from planar_cli.problem.expression import Number, Quantity, Side, Word
 from planar_cli.problem.scene import Answer, Problem
 from planar_cli.problem.walk import walk
 from planar_cli.solve.solution import Found
 from planar_cli.solve.solved_problem import PartSolution, Solution
 
-TOLERANCE = Decimal("0.01")
 EXACT = Decimal("1e-20")
 """What a formula without rounded numbers is held to."""
-FLOOR = Decimal("0.001")
-"""Share of tolerance times scale that is allowed on top: at one per cent, 1e-5 of the scale for a true zero."""
 
 LONGEST = 160
 TOO_LONG = f"a formula of more than {PRINTABLE} operations"
 """Longer formulas are cut in messages."""
-
-
-@dataclass(frozen=True, slots=True)
-class Verdict:
-    """One stated answer beside the solved one.
-
-    `error`: relative, None where that means nothing; `message`: what differs, in a sentence.
-    """
-
-    find: str
-    stated: str
-    solved: str
-    agrees: bool
-    error: Decimal | None = None
-    message: str = ""
 
 
 def compare(solution: Solution) -> tuple[Verdict, ...]:
@@ -55,11 +37,21 @@ def compare(solution: Solution) -> tuple[Verdict, ...]:
     found = {f.name: (f, part) for part in solution.parts for f in part.found}
     verdicts = []
     for answer in solution.problem.answers:
-        if answer.name in found:
+        if answer.name in found and found[answer.name][1].followed is not None:
+            verdicts.append(_read_off(solution.problem, answer, *found[answer.name]))
+        elif answer.name in found:
             verdicts.append(_Comparison(solution.problem, answer, *found[answer.name]).verdict())
         else:
             verdicts.append(Verdict(answer.name, "", "", False, None, f"{answer.name} was not found"))
     return tuple(verdicts)
+
+
+def _read_off(problem: Problem, answer: Answer, found: Found, part: PartSolution) -> Verdict:
+    """One answer against what was read off a motion; imported when needed."""
+    from planar_cli.homework.read_off import verdict_on
+
+    assert part.followed is not None
+    return verdict_on(problem, answer, found, part.followed)
 
 
 class _Comparison:

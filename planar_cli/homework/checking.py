@@ -6,8 +6,9 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 from planar_cli.errors import Diagnostic, FileProblem, NoSolution, PlanarError
-from planar_cli.homework.answers import Verdict, compare
+from planar_cli.homework.answers import compare
 from planar_cli.homework.supervisor import Ended, Supervisor
+from planar_cli.homework.verdict import Verdict
 from planar_cli.problem.scene import Problem
 from planar_cli.problem.structure import load
 from planar_cli.solve.run import solve_problem

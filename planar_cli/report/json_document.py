@@ -5,6 +5,7 @@ The keys are a promise to other programs; `schema_version` counts up when one ch
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from decimal import Decimal
 from typing import Any
@@ -13,9 +14,9 @@ import sympy as sp
 
 from planar_cli.equation.ledger import display
 from planar_cli.equation.plain import PRINTABLE, longer
-from planar_cli.homework.answers import Verdict
+from planar_cli.homework.verdict import Verdict
 from planar_cli.report.effects import effects
-from planar_cli.report.narrate import phrases_of
+from planar_cli.report.narrate import phrases_in
 from planar_cli.report.words import answer_text, rounded, si_text, told_unit
 from planar_cli.solve.algebra import Line
 from planar_cli.solve.instant import Trial
@@ -25,6 +26,7 @@ from planar_cli.solve.solved_problem import PartSolution, Solution
 from planar_cli.solve.stages import Stage
 from planar_cli.solve.written import Explicit, Written
 
+MACHINE_DIGITS = 15
 STEP_DIGITS = 12
 """Numbers put in for long formulas are given to so many figures."""
 
@@ -47,6 +49,7 @@ def solution_data(solution: Solution, verdicts: Sequence[Verdict], figures: int,
         "checks": [
             *(str(text) for _, instant in instants for text in instant.checks.get("lines", ())),
             *(text for part in solution.parts if part.motion for text in part.motion.checks),
+            *(part.confirmed for part in solution.parts if part.confirmed),
         ],
         "stated": [_verdict(v) for v in verdicts],
         "effects": _effects(instant for _, instant in instants),
@@ -80,14 +83,14 @@ def failure_data(problem: str, outcome: str, message: str, diagnostics: Sequence
 
 
 def _answer(found: Found, part: PartSolution, figures: int) -> dict[str, Any]:
-    last = part.instants[-1]
     unit = told_unit(found.unit, found.energy)
+    digits = part.instants[-1].checks.get("digits") if part.instants else _digits(found, part)
     return {
         "value": _value(found),
         "unit": unit,
         "expression": _expression(found),
-        "text": answer_text(found, phrases_of(last, figures)),
-        "digits": last.checks.get("digits"),
+        "text": answer_text(found, phrases_in(part, figures)),
+        "digits": digits,
         "confirmed": not (why := _unconfirmed(found, part)),
         **({"unconfirmed": why} if why else {}),
     }
@@ -95,9 +98,21 @@ def _answer(found: Found, part: PartSolution, figures: int) -> dict[str, Any]:
 
 def _unconfirmed(found: Found, part: PartSolution) -> str:
     """Why nothing was compared with an answer; "" where a second road to it agrees."""
+    if part.followed is not None:
+        return "it is read off one motion, whose error was estimated by a second run"
     if part.motion is not None:
-        return part.motion.unconfirmed.get(found.name, "")
+        return "" if found.name in part.confirmed.finds else part.motion.unconfirmed.get(found.name, "")
     return "" if part.instants[-1].checks.get("digits") is not None else "no second road leads to it"
+
+
+def _digits(found: Found, part: PartSolution) -> int | None:
+    """The digits of what was read off a motion that are certain."""
+    answers = part.followed.answers if part.followed is not None else ()
+    answer = next((a for a in answers if a.name == found.name and a.values and a.error is not None), None)
+    if answer is None or answer.error is None:
+        return None
+    size = max((*map(abs, answer.values), answer.scale))
+    return MACHINE_DIGITS if not answer.error else min(MACHINE_DIGITS, max(0, int(math.log10(size / answer.error))))
 
 
 def _value(found: Found) -> Any:

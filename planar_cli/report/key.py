@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from planar_cli.homework.answers import Verdict
+from planar_cli.homework.verdict import Verdict
 from planar_cli.report.blocks import Answer, Block, Document, Heading, Note, line
-from planar_cli.report.narrate import phrases_of
+from planar_cli.report.narrate import phrases_in
 from planar_cli.report.words import answer_line
 from planar_cli.solve.solved_problem import Solution
 
@@ -17,7 +17,7 @@ def key_document(solution: Solution, verdicts: Sequence[Verdict], figures: int) 
     for part in solution.parts:
         if part.case:
             blocks.append(Heading("CASE", part.case.replace("_", " ")))
-        phrases = phrases_of(part.instants[-1], figures)
+        phrases = phrases_in(part, figures)
         blocks += [Answer(f.name, answer_line(f, phrases), ":" if f.word else "=") for f in part.found]
     return with_disagreements(Document(solution.problem.title or solution.problem.file, tuple(blocks)), verdicts)
 

@@ -57,13 +57,13 @@ def part_blocks(
             telling = Telling(instant, phrases_of(instant, figures), audience, wanted, *before)
             blocks += telling.blocks()
             steps, count = telling.steps, telling.count
-    phrases = phrases_of(part.instants[-1], figures) if part.instants else None
+    phrases = phrases_in(part, figures)
+    blocks += _read_off(part, figures)
     if part.motion is not None:
         from planar_cli.report.motion import MotionTelling, motion_phrases
 
         phrases = motion_phrases(part.motion, figures)
         blocks += MotionTelling(part.motion, phrases, count + 1, _letters(part, why)).blocks(steps + 1)
-    assert phrases is not None
     if part.tale is not None:
         if part.tale.passages:
             whole = part.tale.whole
@@ -76,8 +76,7 @@ def part_blocks(
     heard = [instant for instant in part.instants if not instant.quiet]
     checks = [b for instant in heard for b in check_blocks(instant, phrases_of(instant, figures))]
     blocks += [b for i, b in enumerate(checks) if b not in checks[:i]]
-    if part.motion is not None:
-        blocks += [Check(line(text)) for text in part.motion.checks]
+    blocks += _motion_checks(part)
     tested = any(mode.tests for instant in part.instants for mode in instant.trial.system.modes.values())
     if not tested and part.motion is None and part.tale is None:
         blocks += [Note("Discussion", remark) for remark in discussion_lines(part.found, phrases)]
@@ -121,6 +120,35 @@ def _letters(part: PartSolution, why: str | None) -> frozenset[str] | None:
     assert part.motion is not None
     asked = next(a for a in part.motion.requests if a.find.name == why)
     return frozenset(s.name for p in asked.parts for s in p.free_symbols)
+
+
+def _read_off(part: PartSolution, figures: int) -> Iterator[Block]:
+    """How answers were read off a motion, where nothing else gives them."""
+    if part.followed is not None:
+        from planar_cli.report.read_off import read_off_blocks
+
+        yield from read_off_blocks(part.followed, figures)
+
+
+def _motion_checks(part: PartSolution) -> Iterator[Block]:
+    """The checks of a motion."""
+    if part.motion is not None:
+        yield from (Check(line(text)) for text in part.motion.checks)
+    if part.confirmed:
+        yield Check(line(part.confirmed))
+    if part.followed is not None:
+        from planar_cli.report.read_off import read_off_checks
+
+        yield from read_off_checks(part.followed)
+
+
+def phrases_in(part: PartSolution, figures: int) -> Phrases:
+    """The phrases in which the answers of a part are told."""
+    if part.instants:
+        return phrases_of(part.instants[-1], figures)
+    from planar_cli.report.read_off import phrases_without_letters
+
+    return phrases_without_letters(figures)
 
 
 def phrases_of(instant: InstantSolution, figures: int) -> Phrases:

@@ -26,7 +26,7 @@ from planar_cli.problem.scene import Find, Problem
 from planar_cli.problem.scope import Scope
 from planar_cli.simulate.measures import START, Measures, Moment
 from planar_cli.simulate.spans import Spans
-from planar_cli.simulate.timetable import mode_of
+from planar_cli.simulate.timetable import Timetable, mode_of
 from planar_cli.units import PURE, Unit, default_unit, parse_unit
 
 NOT_FOLLOWED = {
@@ -56,6 +56,8 @@ class Answered:
     """The estimated error [SI]; None where there is none."""
     why: str = ""
     """Why there is no answer."""
+    scale: float = 0.0
+    """The size of usual values of this kind in the scene [SI]: what the error of a zero is measured by."""
 
     @property
     def shown(self) -> tuple[float, ...]:
@@ -101,7 +103,8 @@ class Answers:
             return Answered(find.name, word="true" if self._reached(what) else "false")
         if isinstance(what, Quantity) and what.word == "mode":
             return Answered(find.name, word=self._mode(what.things[0], what.at))
-        return Answered(find.name, self.value(what), unit=self.unit(find))
+        scale = Timetable(self.problem, self.measures).scale(what)
+        return Answered(find.name, self.value(what), unit=self.unit(find), scale=scale)
 
     # --- values ------------------------------------------------------------------------------------------------------
 

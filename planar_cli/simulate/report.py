@@ -13,7 +13,7 @@ from planar_cli.problem.scene import Answer, Problem
 from planar_cli.simulate.answers import Answered, in_si
 from planar_cli.simulate.effects import Entry, known_effects, ledger, without
 from planar_cli.simulate.request import Request, columns, stops
-from planar_cli.simulate.run import Run, Settings, Simulation, begin, simulate
+from planar_cli.simulate.run import Run, Settings, Simulation, begin, simulate, units_of
 from planar_cli.simulate.table import Table, table_of
 from planar_cli.units import pretty_unit
 
@@ -76,7 +76,7 @@ def _part(
         stops=stops(problem, request),
         progress=progress,
     )
-    found = simulate(problem, settings, stated)
+    found = simulate(problem, settings, units_of(stated))
     table = table_of(found.run, asked, request.times, request.rows)
     other = _without(problem, request, settings, stated)
     if request.output in ("json", "npz"):
@@ -98,7 +98,7 @@ def _without(problem: Problem, request: Request, settings: Settings, stated: Seq
             hint = did_you_mean(word, known, "there are ")
             text = f"this scene has no effect '{word}' that could be left out"
             raise FileProblem([Diagnostic(Mark(problem.file, 1, 1), "PL711", text, hint)])
-    return simulate(without(problem, request.without), settings, stated)
+    return simulate(without(problem, request.without), settings, units_of(stated))
 
 
 def _status(found: Simulation) -> str:

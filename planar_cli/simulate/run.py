@@ -117,13 +117,12 @@ class Simulation:
     """Were two runs compared, so that errors are estimated?"""
 
 
-def simulate(problem: Problem, settings: Settings, answers: Sequence[Answer] = ()) -> Simulation:
-    """Follow a scene and answer its finds. `answers`: the stated ones, for their units.
+def simulate(problem: Problem, settings: Settings, units: Mapping[str, str]) -> Simulation:
+    """Follow a scene and answer its finds, in these units by their names, or in the usual ones.
 
     Raises FileProblem or NoSolution where the file does not say how the motion begins, Undecided where it can not be
     followed.
     """
-    units = {a.name: unit for a in answers if (unit := _unit(a.value)) is not None}
     scene = prepared(problem, settings.values)
     first = _to_stop(followed(scene, settings))
     settings = first.settings
@@ -233,6 +232,11 @@ def _with_error(first: Answered, second: Answered) -> Answered:
     if len(first.values) != len(second.values) or not second.values:
         return first
     return replace(first, error=math.hypot(*(a - b for a, b in zip(first.values, second.values, strict=True))))
+
+
+def units_of(answers: Sequence[Answer]) -> dict[str, str]:
+    """The units in which answers are stated, by find."""
+    return {a.name: unit for a in answers if (unit := _unit(a.value)) is not None}
 
 
 def _unit(value: Side | tuple[Side, Side] | bool | str) -> str | None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -13,7 +14,6 @@ from planar_cli.equation.exact import Unvalued
 from planar_cli.equation.setup import Earlier, first_unit
 from planar_cli.equation.system import System
 from planar_cli.errors import Mark, NoSolution, NotReached, Undecided
-from planar_cli.problem.expression import JustAfter
 from planar_cli.problem.scene import Find, Problem
 from planar_cli.solve.diagnose import OPEN, explain_failure, place, singular_position
 from planar_cli.solve.diagnose_cases import demand_cancelled, several, several_cases
@@ -72,6 +72,43 @@ def _by(problem: Problem, method: str | None) -> Problem:
 
 
 def _part(problem: Problem, case: str, units: dict[str, str], earlier: dict[str, Earlier]) -> PartSolution:
+    """One part; what is not decided otherwise is read off the motion, if there is one."""
+    if not problem.states[1:]:
+        return _derived(problem, case, units, earlier)
+    from planar_cli.solve.followed import can_be_followed, followed_part, strikes_unnamed
+
+    numbers = {name: float(known.value) for name, known in earlier.items() if known.value.is_number}
+    if strikes_unnamed(problem):
+        part = followed_part(problem, case, numbers, units) if can_be_followed(problem) else None
+        if part is None:
+            demand_named(problem)
+        else:
+            return part
+    try:
+        return _confirmed(problem, _derived(problem, case, units, earlier), numbers)
+    except Undecided:
+        part = followed_part(problem, case, numbers, units) if can_be_followed(problem) else None
+        if part is None:
+            raise
+        return part
+
+
+def _confirmed(problem: Problem, part: PartSolution, earlier: Mapping[str, float]) -> PartSolution:
+    """The part with what following its motion says. Disagreement: other answers come of that."""
+    if part.motion is None:
+        return part
+    from planar_cli.solve.followed import confirmation
+
+    line, differ = confirmation(problem, part.found, earlier)
+    if differ:
+        mark = problem.find[0].mark
+        names = ", ".join(differ)
+        text = f"{mark.file}:{mark.line}: {names}: the motion followed by independent facts gives another value"
+        raise Disagreement(text)
+    return replace(part, confirmed=line)
+
+
+def _derived(problem: Problem, case: str, units: dict[str, str], earlier: dict[str, Earlier]) -> PartSolution:
     """One part. Undecided: a numerical method stops before its goal."""
     try:
         return solve_part(problem, case, units, earlier)
@@ -88,7 +125,6 @@ def _part(problem: Problem, case: str, units: dict[str, str], earlier: dict[str,
 
 def solve_part(problem: Problem, case: str, units: dict[str, str], earlier: dict[str, Earlier]) -> PartSolution:
     """One part: formulas and curves; a motion over time; or instants that are each complete in themselves."""
-    demand_named(problem)
     if in_general(problem):
         return _formulas(problem, case, units, earlier)
     if is_kinematic(problem):
@@ -127,12 +163,9 @@ def solve_part(problem: Problem, case: str, units: dict[str, str], earlier: dict
 
 def demand_named(problem: Problem) -> None:
     """FileProblem: an impact happens at no state of the file, so that no equation relates what is before and after."""
-    if any(isinstance(r, JustAfter) for state in problem.states for r in state.relations):
-        return
-    for joint in problem.joints:
-        if joint.strikes and joint.during is None:
-            hint = "write `during: 1->2`, and `2: [just after 1]`; or follow the motion with `planar simulate`"
-            raise refuse(joint.mark, "PL433", f"the {joint.kind} does not say when it happens", hint)
+    joint = next(j for j in problem.joints if j.strikes and j.during is None)
+    hint = "write `during: 1->2`, and `2: [just after 1]`; or follow the motion with `planar simulate`"
+    raise refuse(joint.mark, "PL433", f"the {joint.kind} does not say when it happens", hint)
 
 
 def _formulas(problem: Problem, case: str, units: dict[str, str], earlier: dict[str, Earlier]) -> PartSolution:

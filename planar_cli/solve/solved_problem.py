@@ -5,17 +5,22 @@ made.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from planar_cli.problem.scene import Problem
 from planar_cli.solve.course.trace import MotionTrace
 from planar_cli.solve.passages import Tale
 from planar_cli.solve.solution import Found, InstantSolution
 
+if TYPE_CHECKING:
+    from planar_cli.simulate.run import Simulation
+
 
 @dataclass(slots=True)
 class PartSolution:
     """The file's own finds, or those of one case. `motion`: how its states follow each other in time, where they do;
-    then `instants` are the general positions of its regimes. `tale`: what is told beside the instants.
+    then `instants` are the general positions of its regimes. `tale`: what is told beside the instants. `followed`: the
+    motion from which all answers are read off, where nothing else gives them; then there are no instants.
     """
 
     case: str
@@ -23,6 +28,9 @@ class PartSolution:
     found: tuple[Found, ...]
     motion: MotionTrace | None = None
     tale: Tale | None = None
+    followed: Simulation | None = None
+    confirmed: str = ""
+    """What following the motion by independent facts says of the answers; "" where they were not compared."""
 
 
 @dataclass(slots=True)

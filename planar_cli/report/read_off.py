@@ -1,0 +1,66 @@
+"""A motion whose answers are read off: what is integrated, from where, what happened on the way, and a table."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from decimal import Decimal
+
+from planar_cli.equation.exact import Valuation
+from planar_cli.equation.ledger import Ledger
+from planar_cli.report.blocks import Block, Bullet, Check, Heading, Line, Paragraph, Table, Value, line
+from planar_cli.report.words import Phrases
+from planar_cli.simulate.answers import in_si
+from planar_cli.simulate.report import transition_words
+from planar_cli.simulate.run import Simulation
+from planar_cli.simulate.table import table_of
+from planar_cli.units import pretty_unit
+
+ROWS = 9
+
+
+def phrases_without_letters(figures: int) -> Phrases:
+    """How numbers are told that rest on no letter."""
+    return Phrases(Ledger(), Valuation({}), figures, False)
+
+
+def read_off_blocks(motion: Simulation, figures: int) -> Iterator[Block]:
+    """How the answers came about."""
+    run = motion.run
+    trajectory, count = run.trajectory, run.model.layout.count
+    yield Heading("STEP 1", "Motion followed step by step")
+    rows = sum(len(s.regime.parts.constraints) for s in trajectory.segments[:1] if hasattr(s.regime, "parts"))
+    relations = f", together with {rows} relations of the joints between them," if rows else ""
+    text = (
+        f"No closed form is found for what is asked. Newton's law for every body, {count} equations for {count} "
+        f"accelerations{relations} is integrated numerically from the first state on; the answers are read off."
+    )
+    yield Paragraph(line(text))
+    yield _table(motion, figures)
+    happened = [(e.t, f"state {e.name}") for e in trajectory.events]
+    happened += [(x.t, transition_words(x)) for x in trajectory.transitions if x.words]
+    for t, words in sorted(happened, key=lambda e: e[0]):
+        yield Bullet(line(Value(Decimal(repr(t)), "s", figures), f": {words}"))
+    for note in trajectory.notes:
+        yield Paragraph(line(note))
+
+
+def _table(motion: Simulation, figures: int) -> Table:
+    found = table_of(motion.run, (), (), ROWS)
+    heads = [f"{n} in {pretty_unit(u)}" if u != "1" else n for n, u in zip(found.names, found.units, strict=True)]
+    rows = [tuple(_cell(v, figures) for v in row) for row in found.rows]
+    return Table(tuple(line(h) for h in heads), tuple(rows))
+
+
+def _cell(value: float, figures: int) -> Line:
+    return line(Value(Decimal(repr(value)), "", figures))
+
+
+def read_off_checks(motion: Simulation) -> Iterator[Check]:
+    """How good the numbers are."""
+    errors = [(a.error / in_si(a.unit), a) for a in motion.answers if a.error is not None and a.values]
+    if errors:
+        words = ", ".join(f"{a.name} {e:.0e} {pretty_unit(a.unit.text)}".rstrip() for e, a in errors)
+        yield Check(line(f"estimated errors, by a second run with finer steps: {words}"))
+    balances = [s.balance.off for s in motion.run.trajectory.segments if s.balance is not None]
+    if balances:
+        yield Check(line(f"energy adds up to {max(balances):.0e} of its size over every part of the motion"))

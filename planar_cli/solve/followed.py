@@ -1,0 +1,114 @@
+"""What no equation gives in closed form: the motion followed step by step, and the answers read off.
+
+It is the last road of a file with numbers throughout: nothing is derived, so that nothing but the equations of motion,
+the start and what happened can be told. The other use is a check: a motion that was solved otherwise is followed by
+these independent facts (position residuals and wrenches), with the constants that were found put in.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from decimal import Decimal
+
+from planar_cli.equation.exact import Settled
+from planar_cli.errors import PlanarError
+from planar_cli.problem.expression import JustAfter, Name
+from planar_cli.problem.scene import Problem
+from planar_cli.simulate.answers import Answered
+from planar_cli.simulate.run import Settings, Simulation, simulate
+from planar_cli.solve.solution import Found
+from planar_cli.solve.solved_problem import PartSolution
+
+CERTAIN = 1e-6
+"""An answer is read off where its estimated error is below this part of it, or of its scale."""
+
+
+def strikes_unnamed(problem: Problem) -> bool:
+    """Do bodies strike each other without a state of the file saying when?"""
+    named = any(isinstance(r, JustAfter) for state in problem.states for r in state.relations)
+    return not named and any(j.strikes and j.during is None for j in problem.joints)
+
+
+def can_be_followed(problem: Problem) -> bool:
+    """Has everything a number, does the file name states to go to, and no principle but Newton's?"""
+    free = problem.method in (None, "newton")
+    return free and bool(problem.states[1:]) and not (problem.symbols or problem.unknowns)
+
+
+def followed_part(
+    problem: Problem, case: str, earlier: Mapping[str, float], units: Mapping[str, str]
+) -> PartSolution | None:
+    """All finds of a part read off its motion; None where that does not answer all of them."""
+    found = simulate(problem, Settings(values=earlier), units)
+    if found.run.trajectory.outcome.refused or any(a.why or not _certain(a) for a in found.answers):
+        return None
+    finds = {f.name: f for f in problem.find}
+    answers = tuple(
+        Found(
+            a.name,
+            _kind(a),
+            a.unit,
+            tuple(Settled(Decimal(repr(v))) for v in a.values) or None,
+            None,
+            a.word,
+            finds[a.name],
+        )
+        for a in found.answers
+    )
+    return PartSolution(case, (), answers, followed=found)
+
+
+def _kind(answer: Answered) -> str:
+    if answer.word:
+        return "truth" if answer.word in ("true", "false") else "word"
+    return "vector" if len(answer.values) == 2 else "number"
+
+
+def _certain(answer: Answered) -> bool:
+    size = max((abs(v) for v in answer.values), default=0.0)
+    return not answer.values or answer.error is None or answer.error <= CERTAIN * max(size, answer.scale)
+
+
+# --- as a check -------------------------------------------------------------------------------------------------------
+
+
+def confirmation(
+    problem: Problem, found: tuple[Found, ...], earlier: Mapping[str, float]
+) -> tuple[str, tuple[str, ...]]:
+    """What following the motion says of answers that were found otherwise: a line, and the finds that differ."""
+    constants = {s.name for s in problem.unknowns}
+    values = dict(earlier)
+    for f in found:
+        what = f.find.found.what if f.find is not None else None
+        if isinstance(what, Name) and what.name in constants and f.values is not None:
+            values[what.name] = float(f.values[0])
+    if problem.symbols or constants - values.keys():
+        return "", ()
+    try:
+        other = simulate(problem, Settings(values=values, estimate=False), {})
+    except PlanarError:
+        return "", ()
+    if other.run.trajectory.outcome.refused:
+        return "", ()
+    return _compared(found, other)
+
+
+def _compared(found: tuple[Found, ...], other: Simulation) -> tuple[str, tuple[str, ...]]:
+    by_name = {a.name: a for a in other.answers}
+    same, differ = 0, []
+    for f in found:
+        a = by_name.get(f.name)
+        if a is None or a.why:
+            continue
+        if f.word:
+            agrees = f.word == a.word
+        elif f.values is None or len(f.values) != len(a.values):
+            continue
+        else:
+            apart = max(abs(float(x) - y) for x, y in zip(f.values, a.values, strict=True))
+            size = max([*map(abs, a.values), a.scale])
+            agrees = apart <= CERTAIN * size
+        same += agrees
+        differ += [] if agrees else [f.name]
+    line = f"multibody engine followed from the first state: {same} of {len(found)} answers agree" if same else ""
+    return line, tuple(differ)
