@@ -218,9 +218,10 @@ class Spans:
     def _struck(self, q: Quantity, x: Transition) -> list[float]:
         """What the joint or load named, or all forces on a body, give in one impact: on a body, or about a point."""
         layout = self.measures.model.layout
-        name, about = self._pressing(q.things[0], x), self._about(q)
-        if name in x.given:
-            change: Sequence[float] = x.given[name]
+        name, about = q.things[0], self._about(q)
+        given = [x.given[key] for key in self._pressing(name, x)]
+        if given:
+            change: Sequence[float] = [sum(column) for column in zip(*given, strict=True)]
             bodies = [b for b in layout.frames if any(change[i] for i in self._numbers(b))]
             body = q.things[1] if len(q.things) == 2 and about is None else next(iter(bodies), "")
             chosen = bodies if about is not None else [body]
@@ -233,13 +234,14 @@ class Spans:
         parts = [self._parts(change, b, x, about) for b in chosen if b in layout.frames]
         return [sum(column) for column in zip(*parts, strict=True)] or [0.0, 0.0][: 1 if about else 2]
 
-    def _pressing(self, name: str, x: Transition) -> str:
-        """The joint that gives the impulse: an impact acts through the contact between the same partners."""
+    def _pressing(self, name: str, x: Transition) -> list[str]:
+        """Who gives the impulse: the joint; each place at which an impact strikes; the contact through which it acts."""
         joints = self.measures.model.scene.problem.joints
+        own = [key for key in x.given if key == name or key.rpartition("_")[0] == name]
         partners = [set(getattr(j, "between", ())) for j in joints if j.name == name and j.strikes]
-        if name in x.given or not partners:
-            return name
-        return next((j.name for j in joints if j.name in x.given and set(getattr(j, "between", ())) in partners), name)
+        if own or not partners:
+            return own
+        return [j.name for j in joints if j.name in x.given and set(getattr(j, "between", ())) in partners][:1]
 
     def _numbers(self, body: str) -> list[int]:
         frame = self.measures.model.layout.frames[body]

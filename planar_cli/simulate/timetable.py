@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import replace
 
@@ -73,6 +74,9 @@ class Timetable:
                     modes.append(mode)
                 case Relation() if is_time(statement) and time is None:
                     time = self._time(statement)
+                    if time == math.inf:
+                        # No motion that is followed comes there.
+                        time, conditions = None, [*conditions, _never]
                 case Relation() if statement.operator == "=" and crossing is None and time is None:
                     crossing = self._crossing(statement)
                 case Relation():
@@ -162,6 +166,10 @@ class Timetable:
                     scales.length ** float(d.length) * scales.mass ** float(d.mass) * scales.time ** float(d.time)
                 )
         return 1.0
+
+
+def _never(regime: AnyRegime, choice: Choice, t: float, y: Sequence[float]) -> bool:
+    return False
 
 
 def mode_of(relation: Relation) -> tuple[str, str] | None:
