@@ -235,7 +235,7 @@ class Spans:
         return [sum(column) for column in zip(*parts, strict=True)] or [0.0, 0.0][: 1 if about else 2]
 
     def _pressing(self, name: str, x: Transition) -> list[str]:
-        """Who gives the impulse: the joint; each place at which an impact strikes; the contact through which it acts."""
+        """Who gives it: the joint, each place where an impact strikes, or the contact through which it acts."""
         joints = self.measures.model.scene.problem.joints
         own = [key for key in x.given if key == name or key.rpartition("_")[0] == name]
         partners = [set(getattr(j, "between", ())) for j in joints if j.name == name and j.strikes]

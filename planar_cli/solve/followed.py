@@ -12,21 +12,33 @@ from decimal import Decimal
 
 from planar_cli.equation.exact import Settled
 from planar_cli.errors import PlanarError
-from planar_cli.problem.expression import JustAfter, Name
+from planar_cli.problem.expression import JustAfter, Name, Relation, Statement
 from planar_cli.problem.scene import Problem
 from planar_cli.simulate.answers import Answered
 from planar_cli.simulate.run import Settings, Simulation, simulate
+from planar_cli.simulate.timetable import mode_of
 from planar_cli.solve.solution import Found
 from planar_cli.solve.solved_problem import PartSolution
 
 CERTAIN = 1e-6
 """An answer is read off where its estimated error is below this part of it, or of its scale."""
+DIFFERS = 30.0
+"""Numbers that are apart by less than so many estimated errors do not differ."""
 
 
 def strikes_unnamed(problem: Problem) -> bool:
     """Do bodies strike each other without a state of the file saying when?"""
     named = any(isinstance(r, JustAfter) for state in problem.states for r in state.relations)
     return not named and any(j.strikes and j.during is None for j in problem.joints)
+
+
+def told_by_modes(problem: Problem) -> bool:
+    """Does a state say nothing but in which mode a joint is? Then only the motion tells when that is."""
+    return any(s.relations and all(_of_modes(r) for r in s.relations) for s in problem.states[1:])
+
+
+def _of_modes(statement: Statement) -> bool:
+    return isinstance(statement, Relation) and mode_of(statement) is not None
 
 
 def can_be_followed(problem: Problem) -> bool:
@@ -90,7 +102,11 @@ def confirmation(
         return "", ()
     if other.run.trajectory.outcome.refused:
         return "", ()
-    return _compared(found, other)
+    line, differ = _compared(found, other)
+    if differ:
+        # How good the numbers are that differ, only a second run tells.
+        line, differ = _compared(found, simulate(problem, Settings(values=values), {}))
+    return line, differ
 
 
 def _compared(found: tuple[Found, ...], other: Simulation) -> tuple[str, tuple[str, ...]]:
@@ -107,7 +123,7 @@ def _compared(found: tuple[Found, ...], other: Simulation) -> tuple[str, tuple[s
         else:
             apart = max(abs(float(x) - y) for x, y in zip(f.values, a.values, strict=True))
             size = max([*map(abs, a.values), a.scale])
-            agrees = apart <= CERTAIN * size
+            agrees = apart <= max(CERTAIN * size, DIFFERS * (a.error or 0.0))
         same += agrees
         differ += [] if agrees else [f.name]
     line = f"multibody engine followed from the first state: {same} of {len(found)} answers agree" if same else ""

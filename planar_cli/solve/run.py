@@ -13,7 +13,7 @@ from planar_cli.equation.evaluate import refuse
 from planar_cli.equation.exact import Unvalued
 from planar_cli.equation.setup import Earlier, first_unit
 from planar_cli.equation.system import System
-from planar_cli.errors import Mark, NoSolution, NotReached, Undecided
+from planar_cli.errors import FileProblem, Mark, NoSolution, NotReached, Undecided
 from planar_cli.problem.scene import Find, Problem
 from planar_cli.solve.diagnose import OPEN, explain_failure, place, singular_position
 from planar_cli.solve.diagnose_cases import demand_cancelled, several, several_cases
@@ -75,15 +75,15 @@ def _part(problem: Problem, case: str, units: dict[str, str], earlier: dict[str,
     """One part; what is not decided otherwise is read off the motion, if there is one."""
     if not problem.states[1:]:
         return _derived(problem, case, units, earlier)
-    from planar_cli.solve.followed import can_be_followed, followed_part, strikes_unnamed
+    from planar_cli.solve.followed import can_be_followed, followed_part, strikes_unnamed, told_by_modes
 
     numbers = {name: float(known.value) for name, known in earlier.items() if known.value.is_number}
-    if strikes_unnamed(problem):
+    if strikes_unnamed(problem) or told_by_modes(problem):
         part = followed_part(problem, case, numbers, units) if can_be_followed(problem) else None
-        if part is None:
-            demand_named(problem)
-        else:
+        if part is not None:
             return part
+        if strikes_unnamed(problem):
+            raise _unnamed(problem)
     try:
         return _confirmed(problem, _derived(problem, case, units, earlier), numbers)
     except Undecided:
@@ -91,6 +91,13 @@ def _part(problem: Problem, case: str, units: dict[str, str], earlier: dict[str,
         if part is None:
             raise
         return part
+
+
+def _unnamed(problem: Problem) -> FileProblem:
+    """An impact happens at no state of the file, so that no equation relates what is before and after."""
+    joint = next(j for j in problem.joints if j.strikes and j.during is None)
+    hint = "write `during: 1->2`, and `2: [just after 1]`; or follow the motion with `planar simulate`"
+    return refuse(joint.mark, "PL433", f"the {joint.kind} does not say when it happens", hint)
 
 
 def _confirmed(problem: Problem, part: PartSolution, earlier: Mapping[str, float]) -> PartSolution:
@@ -159,13 +166,6 @@ def solve_part(problem: Problem, case: str, units: dict[str, str], earlier: dict
             raise
         return _formulas(problem, case, units, earlier)
     return PartSolution(case, (solution,), tuple(found))
-
-
-def demand_named(problem: Problem) -> None:
-    """FileProblem: an impact happens at no state of the file, so that no equation relates what is before and after."""
-    joint = next(j for j in problem.joints if j.strikes and j.during is None)
-    hint = "write `during: 1->2`, and `2: [just after 1]`; or follow the motion with `planar simulate`"
-    raise refuse(joint.mark, "PL433", f"the {joint.kind} does not say when it happens", hint)
 
 
 def _formulas(problem: Problem, case: str, units: dict[str, str], earlier: dict[str, Earlier]) -> PartSolution:
