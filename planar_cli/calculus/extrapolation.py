@@ -17,7 +17,7 @@ from typing import Any
 
 import mpmath
 
-from planar_cli.errors import NoValue
+from planar_cli.errors import NotReached, NoValue
 
 Rates = Callable[[Any, Sequence[Any]], list[Any]]
 
@@ -29,7 +29,7 @@ NOISY = 1e4
 """An error that smaller steps do not mend is taken for rounding up to so many rounding units."""
 
 
-class Leaves(ArithmeticError):
+class Leaves(NotReached):
     """The motion cannot be followed further: `reached` is the last instant known."""
 
     def __init__(self, message: str, reached: Any) -> None:
