@@ -24,6 +24,7 @@ WORST = (FOLLOWED, CONTRADICTED, NOT_FOLLOWED)
 """The better one first."""
 CONTRADICTIONS = ("PL700", "PL701")
 """Codes of outcomes in which the scene itself has none or several ways to go on."""
+ROUNDING = 1e-13
 Progress = Callable[[float, float], None] | None
 
 
@@ -132,11 +133,17 @@ def _many(count: int, word: str) -> str:
 
 def _aligned(table: Table) -> Iterator[str]:
     heads = [f"{n} [{pretty_unit(u)}]" if u != "1" else n for n, u in zip(table.names, table.units, strict=True)]
-    rows = [[f"{v:.6g}" for v in row] for row in table.rows]
+    sizes = [max(map(abs, column)) for column in zip(*table.rows, strict=True)]
+    rows = [[_cell(v, size) for v, size in zip(row, sizes, strict=True)] for row in table.rows]
     widths = [max(len(h), *(len(r[i]) for r in rows), 0) for i, h in enumerate(heads)] if rows else map(len, heads)
     widths = list(widths)
     for cells in (heads, *rows):
         yield "  " + "  ".join(c.rjust(w) for c, w in zip(cells, widths, strict=True))
+
+
+def _cell(value: float, size: float) -> str:
+    """Six figures; rounding beside the other numbers of a column is zero."""
+    return "0" if abs(value) <= ROUNDING * size else f"{value:.6g}"
 
 
 def _csv(table: Table) -> Iterator[str]:
@@ -195,9 +202,10 @@ def answer_words(answer: Answered) -> str:
         return answer.word
     unit = pretty_unit(answer.unit.text)
     error = None if answer.error is None else answer.error / in_si(answer.unit)
-    numbers = [_certain(v, error, max(map(abs, answer.shown))) for v in answer.shown]
+    size = max([*map(abs, answer.shown), answer.scale / in_si(answer.unit)])
+    numbers = [_certain(v, error, size) for v in answer.shown]
     text = numbers[0] if len(numbers) == 1 else f"[{', '.join(numbers)}]"
-    estimated = "" if error is None else f"   (error about {error:.1e})"
+    estimated = f"   (error about {error:.1e})" if error else ""
     return f"{text} {unit}".rstrip() + estimated
 
 
