@@ -133,8 +133,7 @@ def _many(count: int, word: str) -> str:
 
 def _aligned(table: Table) -> Iterator[str]:
     heads = [f"{n} [{pretty_unit(u)}]" if u != "1" else n for n, u in zip(table.names, table.units, strict=True)]
-    sizes = [max(map(abs, column)) for column in zip(*table.rows, strict=True)]
-    rows = [[_cell(v, size) for v, size in zip(row, sizes, strict=True)] for row in table.rows]
+    rows = [[_cell(v, size) for v, size in zip(row, table.sizes, strict=True)] for row in table.rows]
     widths = [max(len(h), *(len(r[i]) for r in rows), 0) for i, h in enumerate(heads)] if rows else map(len, heads)
     widths = list(widths)
     for cells in (heads, *rows):

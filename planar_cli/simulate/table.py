@@ -15,6 +15,7 @@ from planar_cli.problem.scope import Scope
 from planar_cli.problem.walk import walk
 from planar_cli.simulate.answers import in_si
 from planar_cli.simulate.run import Run
+from planar_cli.simulate.timetable import Timetable
 from planar_cli.units import PURE, Unit, default_unit, parse_unit
 
 HERE = Mark("<table>", 1, 1)
@@ -37,13 +38,16 @@ class Table:
     names: tuple[str, ...]
     units: tuple[str, ...]
     rows: tuple[tuple[float, ...], ...]
+    sizes: tuple[float, ...]
+    """The size of usual values in each column: what is nothing beside it is rounding."""
 
 
 def table_of(run: Run, asked: Sequence[Find], times: Sequence[float], count: int) -> Table:
     """The rows at these times, or `count` of them evenly spread over the motion."""
     columns = _columns(run.problem, asked)
-    names, units, widths = ["t"], ["s"], []
     trajectory = run.trajectory
+    names, units, sizes = ["t"], ["s"], [trajectory.t1 or 1.0]
+    scales = Timetable(run.problem, run.measures)
     t0, t1 = trajectory.t0, trajectory.t1
     chosen = [t for t in times if t0 <= t <= t1] or _spread(t0, t1, count)
     rows = [tuple(_row(run, columns, t)) for t in chosen] if trajectory.segments else []
@@ -53,10 +57,10 @@ def table_of(run: Run, asked: Sequence[Find], times: Sequence[float], count: int
         width = 1
         if first is not None and isinstance(regime, Regime):
             width = len(run.measures.function(column.side, regime)(first.t0, first.start))
-        widths.append(width)
+        sizes += [scales.scale(column.side) / in_si(column.unit)] * width
         names += [column.name] if width == 1 else [f"{column.name}.{part}" for part in "xy"]
         units += [column.unit.text] * width
-    return Table(tuple(names), tuple(units), tuple(rows))
+    return Table(tuple(names), tuple(units), tuple(rows), tuple(sizes))
 
 
 def _spread(t0: float, t1: float, count: int) -> list[float]:

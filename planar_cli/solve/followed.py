@@ -126,5 +126,5 @@ def _compared(found: tuple[Found, ...], other: Simulation) -> tuple[str, tuple[s
             agrees = apart <= max(CERTAIN * size, DIFFERS * (a.error or 0.0))
         same += agrees
         differ += [] if agrees else [f.name]
-    line = f"multibody engine followed from the first state: {same} of {len(found)} answers agree" if same else ""
+    line = f"motion followed by independent facts: {same} of {len(found)} answers agree" if same else ""
     return line, tuple(differ)
