@@ -88,9 +88,9 @@ def _text(told: Sequence[Told], form: str, several: bool) -> str:
 
 def _told(path: str, options: dict[str, Any], brief: bool) -> tuple[int, Told]:
     """One file; `brief`: as much as a line tells."""
+    from planar_cli.homework.solving import solved
     from planar_cli.problem.structure import load
     from planar_cli.simulate.accuracy_report import Told
-    from planar_cli.simulate.solving import solved
 
     problem, wrong, _ = load(path)
     if wrong or problem is None:

@@ -2,11 +2,7 @@
 
 from __future__ import annotations
 
-import time
 from dataclasses import dataclass
-
-from planar_cli.errors import PlanarError
-from planar_cli.problem.scene import Problem
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,17 +24,3 @@ class Solved:
         return (
             f"`planar solve` takes {self.seconds:.2g} s and is certain of {self.digits} digits, however many are asked."
         )
-
-
-def solved(problem: Problem) -> Solved:
-    """Solve the problem and look at its checks."""
-    began = time.perf_counter()
-    try:
-        from planar_cli.solve.run import solve_problem
-
-        solution = solve_problem(problem)
-    except PlanarError as error:
-        return Solved(None, time.perf_counter() - began, str(error))
-    digits = [instant.checks.get("digits") for part in solution.parts for instant in part.instants]
-    known = [d for d in digits if d is not None]
-    return Solved(min(known, default=None), time.perf_counter() - began, "" if known else "nothing was compared")
