@@ -49,7 +49,7 @@ def solution_data(solution: Solution, verdicts: Sequence[Verdict], figures: int,
         "checks": [
             *(str(text) for _, instant in instants for text in instant.checks.get("lines", ())),
             *(text for part in solution.parts if part.motion for text in part.motion.checks),
-            *(part.confirmed for part in solution.parts if part.confirmed),
+            *(part.confirmed.words for part in solution.parts if part.confirmed.words),
         ],
         "stated": [_verdict(v) for v in verdicts],
         "effects": _effects(instant for _, instant in instants),

@@ -134,8 +134,8 @@ def _motion_checks(part: PartSolution) -> Iterator[Block]:
     """The checks of a motion."""
     if part.motion is not None:
         yield from (Check(line(text)) for text in part.motion.checks)
-    if part.confirmed:
-        yield Check(line(part.confirmed))
+    if part.confirmed.words:
+        yield Check(line(part.confirmed.words))
     if part.followed is not None:
         from planar_cli.report.read_off import read_off_checks
 

@@ -8,9 +8,10 @@ these independent facts (position residuals and wrenches), with the constants th
 from __future__ import annotations
 
 from collections.abc import Mapping
-from decimal import Decimal
 
-from planar_cli.equation.exact import Settled
+import sympy as sp
+
+from planar_cli.equation.exact import Settled, Valuation
 from planar_cli.errors import PlanarError
 from planar_cli.problem.expression import JustAfter, Name, Relation, Statement
 from planar_cli.problem.scene import Problem
@@ -18,10 +19,12 @@ from planar_cli.simulate.answers import Answered
 from planar_cli.simulate.run import Settings, Simulation, simulate
 from planar_cli.simulate.timetable import mode_of
 from planar_cli.solve.solution import Found
-from planar_cli.solve.solved_problem import PartSolution
+from planar_cli.solve.solved_problem import Confirmation, PartSolution
 
 CERTAIN = 1e-6
 """An answer is read off where its estimated error is below this part of it, or of its scale."""
+ROUNDING = 1e-13
+"""What is below this part of the scale of its kind is the rounding of zero."""
 DIFFERS = 30.0
 """Numbers that are apart by less than so many estimated errors do not differ."""
 
@@ -60,7 +63,7 @@ def followed_part(
             a.name,
             _kind(a),
             a.unit,
-            tuple(Settled(Decimal(repr(v))) for v in a.values) or None,
+            tuple(_settled(v, a.scale) for v in a.values) or None,
             None,
             a.word,
             finds[a.name],
@@ -68,6 +71,12 @@ def followed_part(
         for a in found.answers
     )
     return PartSolution(case, (), answers, followed=found)
+
+
+def _settled(value: float, scale: float) -> Settled:
+    """A machine number as the number of an answer; rounding is zero."""
+    exact = sp.Rational(repr(value)) if abs(value) > ROUNDING * scale else sp.S.Zero
+    return Valuation({}).settled(exact, exact)
 
 
 def _kind(answer: Answered) -> str:
@@ -84,10 +93,8 @@ def _certain(answer: Answered) -> bool:
 # --- as a check -------------------------------------------------------------------------------------------------------
 
 
-def confirmation(
-    problem: Problem, found: tuple[Found, ...], earlier: Mapping[str, float]
-) -> tuple[str, tuple[str, ...]]:
-    """What following the motion says of answers that were found otherwise: a line, and the finds that differ."""
+def confirmation(problem: Problem, found: tuple[Found, ...], earlier: Mapping[str, float]) -> Confirmation:
+    """What following the motion says of answers that were found otherwise."""
     constants = {s.name for s in problem.unknowns}
     values = dict(earlier)
     for f in found:
@@ -95,23 +102,22 @@ def confirmation(
         if isinstance(what, Name) and what.name in constants and f.values is not None:
             values[what.name] = float(f.values[0])
     if problem.symbols or constants - values.keys():
-        return "", ()
+        return Confirmation()
     try:
         other = simulate(problem, Settings(values=values, estimate=False), {})
     except PlanarError:
-        return "", ()
+        return Confirmation()
     if other.run.trajectory.outcome.refused:
-        return "", ()
-    line, differ = _compared(found, other)
-    if differ:
-        # How good the numbers are that differ, only a second run tells.
-        line, differ = _compared(found, simulate(problem, Settings(values=values), {}))
-    return line, differ
+        return Confirmation()
+    compared = _compared(found, other)
+    # How good the numbers are that differ, only a second run tells.
+    return _compared(found, simulate(problem, Settings(values=values), {})) if compared.differ else compared
 
 
-def _compared(found: tuple[Found, ...], other: Simulation) -> tuple[str, tuple[str, ...]]:
+def _compared(found: tuple[Found, ...], other: Simulation) -> Confirmation:
     by_name = {a.name: a for a in other.answers}
-    same, differ = 0, []
+    same: list[str] = []
+    differ: list[str] = []
     for f in found:
         a = by_name.get(f.name)
         if a is None or a.why:
@@ -124,7 +130,6 @@ def _compared(found: tuple[Found, ...], other: Simulation) -> tuple[str, tuple[s
             apart = max(abs(float(x) - y) for x, y in zip(f.values, a.values, strict=True))
             size = max([*map(abs, a.values), a.scale])
             agrees = apart <= max(CERTAIN * size, DIFFERS * (a.error or 0.0))
-        same += agrees
-        differ += [] if agrees else [f.name]
-    line = f"motion followed by independent facts: {same} of {len(found)} answers agree" if same else ""
-    return line, tuple(differ)
+        (same if agrees else differ).append(f.name)
+    words = f"motion followed by independent facts: {len(same)} of {len(found)} answers agree" if same else ""
+    return Confirmation(words, frozenset(same), tuple(differ))

@@ -106,13 +106,13 @@ def _confirmed(problem: Problem, part: PartSolution, earlier: Mapping[str, float
         return part
     from planar_cli.solve.followed import confirmation
 
-    line, differ = confirmation(problem, part.found, earlier)
-    if differ:
+    confirmed = confirmation(problem, part.found, earlier)
+    if confirmed.differ:
         mark = problem.find[0].mark
-        names = ", ".join(differ)
+        names = ", ".join(confirmed.differ)
         text = f"{mark.file}:{mark.line}: {names}: the motion followed by independent facts gives another value"
         raise Disagreement(text)
-    return replace(part, confirmed=line)
+    return replace(part, confirmed=confirmed)
 
 
 def _derived(problem: Problem, case: str, units: dict[str, str], earlier: dict[str, Earlier]) -> PartSolution:

@@ -16,6 +16,21 @@ if TYPE_CHECKING:
     from planar_cli.simulate.run import Simulation
 
 
+@dataclass(frozen=True, slots=True)
+class Confirmation:
+    """What following a motion by independent facts says of answers that were found otherwise."""
+
+    words: str = ""
+    """As a check; "" where nothing was compared."""
+    finds: frozenset[str] = frozenset()
+    """Which finds agree."""
+    differ: tuple[str, ...] = ()
+    """Which do not."""
+
+
+NOT_COMPARED = Confirmation()
+
+
 @dataclass(slots=True)
 class PartSolution:
     """The file's own finds, or those of one case. `motion`: how its states follow each other in time, where they do;
@@ -29,8 +44,7 @@ class PartSolution:
     motion: MotionTrace | None = None
     tale: Tale | None = None
     followed: Simulation | None = None
-    confirmed: str = ""
-    """What following the motion by independent facts says of the answers; "" where they were not compared."""
+    confirmed: Confirmation = NOT_COMPARED
 
 
 @dataclass(slots=True)
