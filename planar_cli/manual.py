@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from planar_cli.problem.keys import KeySpec
 
 PAGES = Path(__file__).parent / "problem" / "pages"
-SHELVES = ("joints", "loads", "principles")
+SHELVES = ("joints", "loads", "principles", "integrators")
 # The order in which a newcomer reads.
 ORDER = ("language", "sections", "names_units", "points_surfaces", "bodies", "joints", "loads", "quantities")
 AFTER = ("statements_instant", "motion_laws", "states", "blows_impacts", "finds", "spans", "methods")

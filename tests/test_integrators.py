@@ -9,6 +9,7 @@ import motions
 import pytest
 
 from planar_cli.integrators.base import Integrator, Setting, StepTooSmall
+from planar_cli.manual import explanation
 from planar_cli.registry import member, members
 
 ALL = sorted(members("integrators"))
@@ -220,3 +221,7 @@ def test_no_run_is_without_an_end() -> None:
     setting = Setting([1.0, 1.0], tolerance=1e-10, most_steps=200)
     with pytest.raises(StepTooSmall):
         list(made("dop853").steps(lambda t, y: [-math.copysign(1.0, y[0]), 0.0], 0.0, [0.1, 0.0], 10.0, setting))
+
+
+def test_integrators_have_manual_pages() -> None:
+    assert explanation("radau").startswith("radau: Radau IIA")
