@@ -144,3 +144,39 @@ def test_a_relation_holds_whatever_the_letters_are(relation: str, truth: str) ->
 def test_a_relation_that_depends_on_the_letters_is_undecided() -> None:
     with pytest.raises(Undecided, match="whether `asked` holds depends on F, m"):
         solve(PULLED + "find: {asked: F > m*(1 m/s^2)}")
+
+
+STANDING = """
+plane: vertical
+symbols: {{k: N*m, m: kg, l: m}}
+coordinates: {{theta: deg}}
+points: {{O: [0, 0], P: {{from: O, distance: l, angle: 90 deg - theta}}}}
+bodies: {{r: {{rod: [O, P], mass: m}}}}
+joints:
+  - pin: {{at: O, between: [ground, r]}}
+loads:
+  - torque: {{body: r, moment: k*theta}}
+{assumed}
+states:
+  up: [equilibrium, theta = 0]
+find: {{asked: {find}}}
+"""
+
+
+def test_stability_that_depends_on_letters_is_undecided() -> None:
+    """A rod that a spring of torsion holds upright: stable where k > m g l/2."""
+    with pytest.raises(Undecided, match=r"`stable\(up\)` depends on g, k, l, m, which have no numbers"):
+        solve(STANDING.format(assumed="", find="stable(up)"))
+
+
+@pytest.mark.parametrize(("assumed", "word"), [("k > m*g*l", "true"), ("k < m*g*l/3", "false")])
+def test_what_is_assumed_of_letters_decides_stability(assumed: str, word: str) -> None:
+    assert solve(STANDING.format(assumed=f"assume: [{assumed}]", find="stable(up)"))["asked"].word == word
+
+
+def test_a_period_in_letters() -> None:
+    """T = 2π √(2 m l² / (3 (2k - m g l))) with the moment of inertia m l²/3."""
+    (period,) = solve(STANDING.format(assumed="assume: [k > m*g*l]", find="period(up)"))["asked"].expressions or ()
+    k, m, g, length = sp.symbols("k m g l", positive=True)
+    square = (k - m * g * length / 2) / (m * length**2 / 3)
+    assert sp.simplify(period**2 * square - 4 * sp.pi**2) == 0

@@ -12,6 +12,7 @@ from planar_cli.errors import NoValue
 from planar_cli.solve.course.answers import put_in
 from planar_cli.solve.course.blow import Blow
 from planar_cli.solve.course.derivation import Route
+from planar_cli.solve.course.oscillation import periods_asked
 from planar_cli.solve.course.solved_motion import SolvedMotion
 
 
@@ -24,6 +25,9 @@ def presumed(found: SolvedMotion, routes: Iterable[Route]) -> tuple[sp.Expr, ...
             expr = put_in(expr, route)
         if expr.free_symbols and expr.free_symbols <= set(scene.ledger.letters):
             told.append(expr if _value(expr, found.value) > 0 else -expr)
+    named = periods_asked(found.course)
+    squares = [s.square for s in found.oscillations if s.single and s.stop.name in named]
+    told += [e for e in squares if e.free_symbols and e.free_symbols <= set(scene.ledger.letters)]
     return tuple(scene.not_always_positive(told))
 
 

@@ -29,11 +29,11 @@ def completed(found: SolvedMotion) -> SolvedMotion:
             branch.left,
         )
     value = found.value.extended(still.values)
-    check_oscillations(course, course.swings, value)
     for letter in still.values:
         formula = _resolved(letter, still.formulas)
         if not formula.free_symbols & set(still.values):
             course.told[letter] = formula
+    check_oscillations(course, course.swings, value)
     spans = solve_spans(course, value) if course.spanned else ()
     for s in spans:
         if s.formula is not None and _agrees(s.formula, s.number, value):

@@ -10,15 +10,15 @@ stability. SI units.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 
 import mpmath
 import sympy as sp
 
-from planar_cli.equation.exact import DIGITS, Unvalued, Valuation
+from planar_cli.equation.exact import DIGITS, Sample, Unvalued, Valuation
 from planar_cli.equation.plain import simplified
-from planar_cli.errors import Diagnostic, FileProblem, Mark, NoSolution, Undecided
+from planar_cli.errors import Diagnostic, FileProblem, Mark, NoSolution, NoValue, Undecided
 from planar_cli.problem.expression import Quantity
 from planar_cli.solve.course.regime import Regime
 from planar_cli.solve.course.regime_sequence import RegimeSequence
@@ -137,10 +137,25 @@ def placed(course: RegimeSequence, found: Oscillation) -> Oscillation:
 
 
 def check_oscillations(course: RegimeSequence, swings: Mapping[str, Oscillation], value: Valuation) -> None:
-    """NoSolution: a period that is asked for does not exist, or is not the only one."""
+    """NoSolution: a period that is asked for does not exist, or is not the only one. Undecided: letters leave open
+    whether the equilibrium is stable.
+    """
     for q in _asked(course):
+        found = swings[q.things[0]]
+        if isinstance(value, Sample) and (q.word == "stable" or not _swings(found, value)):
+            demand_everywhere(placed(course, found), q, value, course.scene.everywhere())
         if q.word in ("period", "frequency"):
             _demand_period(swings[q.things[0]], q, value)
+
+
+def periods_asked(course: RegimeSequence) -> set[str]:
+    """The equilibrium states about which a period is asked."""
+    return {q.things[0] for q in _asked(course) if q.word in ("period", "frequency")}
+
+
+def _swings(found: Oscillation, value: Valuation) -> bool:
+    """Does it oscillate with these numbers?"""
+    return not found.single or (stability(found, value).stable and value(found.square) > 0)
 
 
 def _asked(course: RegimeSequence) -> Iterator[Quantity]:
@@ -176,6 +191,33 @@ def stability(found: Oscillation, value: Valuation) -> Verdict:
     except (Unvalued, ArithmeticError) as error:
         text = f"the stability of {found.stop.name} is not decided: {error}"
         raise Undecided(text) from error
+
+
+def demand_everywhere(found: Oscillation, q: Quantity, value: Valuation, draws: Iterable[Valuation]) -> None:
+    """Undecided: what becomes of a small deviation depends on letters that have no numbers. `found`: with the place of
+    the equilibrium put in.
+    """
+    entries = [e for rows in (found.stiffness, found.damping) for row in rows for e in row]
+    letters = set().union(*(e.free_symbols for e in entries)) & value.drawn
+    if not letters:
+        return
+    kinds = {kind for draw in draws if (kind := _kind(found, draw)) is not None}
+    if len(kinds) > 1:
+        named = ", ".join(sorted(s.name for s in letters))
+        what = f"`{q.word}({found.stop.name})` depends on {named}, which have no numbers"
+        square = f": it is stable where {found.stiffness[0][0]} > 0".replace("**", "^") if found.single else ""
+        raise Undecided(f"{q.mark.file}:{q.mark.line}: {what}{square}; `assume` says which of them is larger")
+
+
+def _kind(found: Oscillation, draw: Valuation) -> tuple[int, ...] | None:
+    """What kind of motion a small deviation is, by signs; None: with these numbers there is no such place."""
+    try:
+        if not found.single:
+            return (int(_several(found, draw).stable),)
+        terms = (found.stiffness[0][0], found.damping[0][0])
+        return tuple(0 if draw.is_zero(e) else 1 if draw(e) > 0 else -1 for e in terms)
+    except (NoValue, Unvalued):
+        return None
 
 
 def _single(found: Oscillation, value: Valuation) -> Verdict:
