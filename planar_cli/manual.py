@@ -20,7 +20,7 @@ SHELVES = ("joints", "loads", "principles", "integrators")
 # The order in which a newcomer reads.
 ORDER = ("language", "sections", "names_units", "points_surfaces", "bodies", "joints", "loads", "quantities")
 AFTER = ("statements_instant", "motion_laws", "states", "blows_impacts", "finds", "spans", "methods")
-BEYOND = ("oscillations", "paths_hodographs")
+BEYOND = ("oscillations", "paths_hodographs", "simulate_accuracy")
 LAST = ("cases", "answers", "examples", "pitfalls")
 
 

@@ -21,6 +21,7 @@ from planar_cli.problem.expression import Part, Quantity, Relation
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scope import Scope
 from planar_cli.simulate.measures import Measures
+from planar_cli.simulate.timetable import Timetable
 
 NODES = (
     (0.5, 0.5688888888888889),
@@ -30,6 +31,9 @@ NODES = (
     (0.9530899229693319, 0.23692688505618908),
 )
 """Points and weights (their sum is 2) of Gauss's rule on (0, 1)."""
+LOOKS, HALVINGS, NEAR = 8, 60, 1e-8
+"""A step is looked at so often; the least size of a gap is found in so many parts; below this part of its scale it is
+zero."""
 CLOSE, DEEPEST = 1e-13, 24
 """A step is halved until the rule agrees with itself to this part, at most so many times."""
 HERE = Mark("<span>", 1, 1)
@@ -258,21 +262,46 @@ class Spans:
         return [turning + (x.before[frame.x] - px) * change[frame.y] - (x.before[frame.y] - py) * change[frame.x]]
 
     def _count(self, q: Quantity, t0: float, t1: float) -> int:
-        """How often a relation comes to hold."""
+        """How often a relation comes to hold: by a change of sign, or of an equation by a touch."""
         relation = q.argument
         assert isinstance(relation, Relation)
-        found, before = 0, None
+        near = NEAR * Timetable(self.measures.model.scene.problem, self.measures).scale(relation.left, relation.right)
+        found, seen = 0, list[tuple[float, float]]()
         for stretch in self.stretches(t0, t1):
             regime = stretch.segment.regime
             assert isinstance(regime, Regime)
-            gap = self.measures.gap(relation, regime)
-            for a, b, step in stretch.pieces():
-                for x in (0.0, 0.25, 0.5, 0.75, 1.0):
-                    t = a + x * (b - a)
-                    now = gap(t, stretch.segment.start if step is None else step.at(t))[0]
-                    if before is not None and now * before < 0:
-                        rises = relation.operator in ("=", ">", ">=") and now > 0
-                        falls = relation.operator in ("=", "<", "<=") and now < 0
-                        found += rises or falls
-                    before = now or before
+            value = _within(self.measures.gap(relation, regime), stretch.segment)
+            for a, b, _ in stretch.pieces():
+                for i in range(LOOKS):
+                    t = a + (b - a) * i / LOOKS
+                    seen = [*seen[-2:], (t, value(t))]
+                    found += _crosses(relation.operator, seen)
+                    found += relation.operator == "=" and _touches(value, seen, near)
         return found
+
+
+def _within(gap: Function, segment: Segment) -> Callable[[float], float]:
+    """A gap as a function of the time in a segment."""
+    return lambda t: gap(t, segment.at(t))[0]
+
+
+def _crosses(operator: str, seen: Sequence[tuple[float, float]]) -> bool:
+    """Does the gap change its sign the way that makes the relation hold, between the last two looks?"""
+    if len(seen) < 2 or seen[-2][1] * seen[-1][1] >= 0:
+        return False
+    rises = seen[-1][1] > 0
+    return operator == "=" or rises == (operator in (">", ">="))
+
+
+def _touches(of: Callable[[float], float], seen: Sequence[tuple[float, float]], near: float) -> bool:
+    """Does the gap come to zero and turn back between the last three looks?"""
+    if len(seen) < 3:
+        return False
+    (a, fa), (_, fb), (c, fc) = seen
+    if fa * fc <= 0 or abs(fb) > min(abs(fa), abs(fc)) or fa * fb < 0:
+        return False
+    for _ in range(HALVINGS):
+        third = (c - a) / 3
+        left, right = abs(of(a + third)), abs(of(c - third))
+        a, c = (a, c - third) if left < right else (a + third, c)
+    return abs(of(0.5 * (a + c))) <= near

@@ -85,12 +85,13 @@ def _part(problem: Problem, case: str, units: dict[str, str], earlier: dict[str,
         if strikes_unnamed(problem):
             raise _unnamed(problem)
     try:
-        return _confirmed(problem, _derived(problem, case, units, earlier), numbers)
+        derived = _derived(problem, case, units, earlier)
     except Undecided:
         part = followed_part(problem, case, numbers, units) if can_be_followed(problem) else None
         if part is None:
             raise
         return part
+    return _confirmed(problem, derived, numbers)
 
 
 def _unnamed(problem: Problem) -> FileProblem:
