@@ -53,6 +53,7 @@ def test_a_third_crank_is_redundant_and_the_motion_unique() -> None:
     assert (len(regime.constraints), len(independent.kept), independent.singular) == (12, 11, False)
     # No pin has a component that is determined.
     assert independent.open == set(range(12))
+    assert regime.indeterminate == {p.name for p in regime.reactions}
     rates = regime.rates(start.time, start.state)
     alphas = [rates[model.layout.count + model.layout.frames[b].theta] for b in ("a", "b", "c")]
     assert alphas == pytest.approx([-9.81 * math.cos(math.pi / 3) * 3.5 / 3] * 3, rel=1e-12)

@@ -149,6 +149,17 @@ class Regime:
         moved = [q + step * v for q, v in zip(y[:half], y[half:], strict=True)]
         return t + step, self.projector.regular(t + step, [*moved, *y[half:]])
 
+    @property
+    def indeterminate(self) -> frozenset[str]:
+        """Pushes of redundant constraints: the motion does not tell them."""
+        found, number = set(), 0
+        for held in self.parts.held:
+            for constraint in held.constraints:
+                if number in self.parts.independent.open:
+                    found |= {p.name for p in held.pushes if _meet(constraint.row, held.columns[p.name])}
+                number += 1
+        return frozenset(found)
+
     # --- equations ---------------------------------------------------------------------------------------------------
 
     def _equations(self) -> System:
@@ -261,3 +272,9 @@ class Regime:
                 turn = layout.slots[frame.theta]
                 angular = angular + turn.mass * turn.rate
         return [energy, px, py, angular]
+
+
+def _meet(row: Column, column: Column) -> bool:
+    """Does a push do anything along a constraint, as drawn?"""
+    parts = [t.value * column[i].value for i, t in row.items() if i in column]
+    return abs(sum(parts)) > 1e-9 * max(map(abs, parts), default=0.0)
