@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 from planar_cli.motion.pivots import scales
 
-DEPENDENT = 1e-9
+DEPENDENT = 1e-11
 """What is left of a column below this part of its size depends on the others."""
 LARGE = 20
 """Systems with more unknowns go to NumPy's singular values: its import takes as long as some of them here."""
@@ -46,6 +46,27 @@ def least_squares(matrix: Matrix, right: Sequence[float], dependent: float = DEP
         if size:
             misfit = max(misfit, rest / size)
     return Fit(tuple(x * c for x, c in zip(found, columns, strict=True)), rank, misfit)
+
+
+def constrained(matrix: Matrix, right: Sequence[float], count: int, dependent: float = DEPENDENT) -> list[float]:
+    """[M Jᵀ; J 0] (a, ν) = right with a diagonal M of `count` rows, by the null space of J.
+
+    What J alone decides is decided by J, so that an almost singular J loses its digits once and not twice.
+    """
+    mass = [matrix[i][i] for i in range(count)]
+    rows = [row[:count] for row in matrix[count:]]
+    found = list(least_squares(rows, right[count:], dependent).unknowns) if rows else [0.0] * count
+    free = null_space(rows, count, dependent)
+    if free:
+        rest = [q - m * a for q, m, a in zip(right, mass, found, strict=False)]
+        inner = [[sum(m * x * y for m, x, y in zip(mass, u, v, strict=True)) for v in free] for u in free]
+        outer = [sum(x * q for x, q in zip(u, rest, strict=True)) for u in free]
+        for share, u in zip(least_squares(inner, outer).unknowns, free, strict=True):
+            found = [a + share * x for a, x in zip(found, u, strict=True)]
+    if not rows:
+        return found
+    rest = [q - m * a for q, m, a in zip(right, mass, found, strict=False)]
+    return [*found, *least_squares(list(zip(*rows, strict=True)), rest, dependent).unknowns]
 
 
 def null_space(matrix: Matrix, count: int, dependent: float = DEPENDENT) -> list[list[float]]:

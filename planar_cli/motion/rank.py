@@ -18,7 +18,7 @@ from planar_cli.motion.scales import Scales
 from planar_cli.motion.source import compiled
 from planar_cli.motion.terms import Term
 
-DEPENDENT = 1e-9
+DEPENDENT = 1e-11
 """What is left of a row below this part of its size says nothing new."""
 NEARBY = (0.05, 0.2, 0.4, 0.6)
 """How far other configurations are, in parts of the scales."""

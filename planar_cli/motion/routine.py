@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 
-from planar_cli.motion.dense import DEPENDENT, least_squares
+from planar_cli.motion.dense import DEPENDENT, Matrix, constrained, least_squares
 from planar_cli.motion.elimination import SHRUNK, SMALL_PIVOT, chosen, factor
 from planar_cli.motion.layout import Layout
 from planar_cli.motion.pivots import Order
@@ -66,6 +66,10 @@ class System:
         self.orders.append(found)
         return True
 
+    def loses(self, index: int) -> bool:
+        """Does an order leave out a constraint: is what it says of the forces lost in rounding?"""
+        return any(row >= self.layout.count for row in self.orders[index].rows)
+
     def code(self, index: int, outputs: Outputs) -> Code:
         """The outputs by one of the orders."""
         layout = self.layout
@@ -89,9 +93,19 @@ class System:
             for j in row:
                 matrix[i][j] = next(numbers)
         found: list[float] = []
+        solve = constrained if self._symmetric() else _whole
         for side in self._sides:
-            found += least_squares(matrix, side.function(t, [*y, *found]), dependent).unknowns
+            found += solve(matrix, side.function(t, [*y, *found]), self.layout.count, dependent)
         return found
+
+    def _symmetric(self) -> bool:
+        """Do the multipliers act along their constraints?"""
+        count = self.layout.count
+        return all(
+            j < count and self.rows[j].get(count + k) is t
+            for k, row in enumerate(self.rows[count:])
+            for j, t in row.items()
+        )
 
     def stand_ins(self) -> list[list[Term]]:
         """A variable for every unknown."""
@@ -103,6 +117,11 @@ class System:
                 for k in range(len(self.rights))
             ]
         return self._stand_ins
+
+
+def _whole(matrix: Matrix, right: Sequence[float], count: int, dependent: float) -> Sequence[float]:
+    """All equations at once."""
+    return least_squares(matrix, right, dependent).unknowns
 
 
 class Routine:
@@ -143,6 +162,8 @@ class Routine:
     def regular(self, t: float, y: Sequence[float]) -> list[float]:
         """The outputs by one of the orders; raises Singular where none serves."""
         for index in range(len(self.system.orders)):
+            if self.system.loses(index):
+                continue
             try:
                 return self.code(index).function(t, y)
             except (Singular, ZeroDivisionError):
