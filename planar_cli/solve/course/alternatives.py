@@ -63,7 +63,7 @@ def _is_top(course: MotionEquations, branch: Branch, state: State, demand: Deman
     natural = course.natural(course.sought())
     for constant in (s for s in course.sought() if s in branch.values):
         for way in (-1, 1):
-            beside = _beside(course, branch, constant, branch.values[constant] + way * ASIDE * natural[constant])
+            beside = _beside(course, branch, state, constant, branch.values[constant] + way * ASIDE * natural[constant])
             try:
                 if beside is not None and _height(course, beside, state, demand) > top:
                     return False
@@ -72,12 +72,14 @@ def _is_top(course: MotionEquations, branch: Branch, state: State, demand: Deman
     return True
 
 
-def _beside(course: MotionEquations, branch: Branch, constant: sp.Symbol, at: Decimal) -> Branch | None:
-    """The motion next to a branch with another value of one constant; None: there is none."""
+def _beside(course: MotionEquations, branch: Branch, state: State, constant: sp.Symbol, at: Decimal) -> Branch | None:
+    """The motion next to a branch with another value of one constant; None: there is none. What is largest in other
+    states, of the time, stays so.
+    """
     chain = course.chain()
     value, left = course.base().extended({constant: at}), chain.unknowns - {constant}
     chain = replace(chain, unknowns=left, value=value, accept=lambda values: True)
-    found = chain.branches([e for e in course.equations if e.kind != "extreme"])
+    found = chain.branches([e for e in course.equations if (e.kind, e.stop) != ("extreme", state.name)])
     whole = [replace(b, values={**b.values, constant: at}) for b in found if not b.left]
     near = [b for b in whole if set(b.values) >= set(branch.values)]
     return min(near, key=lambda b: _distance(course, b, branch), default=None)
