@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 
 from planar_cli.errors import Diagnostic, FileProblem, Mark, Undecided
 from planar_cli.integrators.base import Step
+from planar_cli.motion.guards import speed_of
 from planar_cli.motion.regime import Regime
 from planar_cli.motion.segment import Segment
 from planar_cli.motion.terms import Term
@@ -139,8 +140,7 @@ class Spans:
                 return self._impulse(q, t0, t1)
             case "work":
                 return self._integral(q, t0, t1, self._power)
-        heat = self._integral(q, t0, t1, self._power)
-        return (-heat[0],)
+        return self._integral(q, t0, t1, self._heat)
 
     def stretches(self, t0: float, t1: float) -> Iterator[Stretch]:
         """The parts of the segments in a span."""
@@ -174,6 +174,18 @@ class Spans:
 
     def _power(self, q: Quantity, regime: Regime) -> list[Term]:
         return self.measures.terms(replace(q, word="power", at=None, parts=()), self.measures.quantities(regime))
+
+    def _heat(self, q: Quantity, regime: Regime) -> list[Term]:
+        """Of a contact that slips: its friction times the speed of slip, also on a belt; else what is lost."""
+        quantities = self.measures.quantities(regime)
+        reactions, graph = quantities.reactions, self.measures.model.graph
+        assert reactions is not None
+        for held in regime.parts.held:
+            friction = [e for p, e in reactions.pushes if p.joint == held.joint and p.kind == "friction"]
+            own = reactions.joints.get(held.joint, held.joint) == q.things[0]
+            if own and friction and held.mode.sliding is not None:
+                return [-friction[0] * speed_of(graph, self.measures.model.scene, held.mode.sliding)]
+        return [-self._power(q, regime)[0]]
 
     def _force(self, q: Quantity, regime: Regime) -> list[Term]:
         """The resultant on the body, and its moment about the point behind the stroke."""
