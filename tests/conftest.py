@@ -6,4 +6,4 @@ from pathlib import Path
 
 ROOT = Path(__file__).parent.parent
 PROBLEMS = sorted(p for p in (ROOT / "problems").rglob("*.yaml") if p.parent.name != "hard")
-"""All files with answers that are worked out; those in `hard` are followed over time only."""
+"""All files with a printed page that is kept; those in `hard` are held by their answers alone."""

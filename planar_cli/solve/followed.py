@@ -21,6 +21,8 @@ from planar_cli.simulate.timetable import mode_of
 from planar_cli.solve.solution import Found
 from planar_cli.solve.solved_problem import Confirmation, PartSolution
 
+MOST_BODIES = 6
+"""Of a motion of more bodies than that no closed form is looked for."""
 CERTAIN = 1e-6
 """An answer is read off where its estimated error is below this part of it, or of its scale."""
 ROUNDING = 1e-13
@@ -33,6 +35,11 @@ def strikes_unnamed(problem: Problem) -> bool:
     """Do bodies strike each other without a state of the file saying when?"""
     named = any(isinstance(r, JustAfter) for state in problem.states for r in state.relations)
     return not named and any(j.strikes and j.during is None for j in problem.joints)
+
+
+def many_bodies(problem: Problem) -> bool:
+    """Are there more bodies than a closed form of their motion is looked for?"""
+    return len(problem.bodies) > MOST_BODIES
 
 
 def told_by_modes(problem: Problem) -> bool:

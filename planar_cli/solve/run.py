@@ -75,10 +75,16 @@ def _part(problem: Problem, case: str, units: dict[str, str], earlier: dict[str,
     """One part; what is not decided otherwise is read off the motion, if there is one."""
     if not problem.states[1:]:
         return _derived(problem, case, units, earlier)
-    from planar_cli.solve.followed import can_be_followed, followed_part, strikes_unnamed, told_by_modes
+    from planar_cli.solve.followed import (
+        can_be_followed,
+        followed_part,
+        many_bodies,
+        strikes_unnamed,
+        told_by_modes,
+    )
 
     numbers = {name: float(known.value) for name, known in earlier.items() if known.value.is_number}
-    if strikes_unnamed(problem) or told_by_modes(problem):
+    if strikes_unnamed(problem) or told_by_modes(problem) or many_bodies(problem):
         part = followed_part(problem, case, numbers, units) if can_be_followed(problem) else None
         if part is not None:
             return part
