@@ -2,6 +2,8 @@
 
     .venv/bin/python tests/timing.py [runs]
 
+The motions are the same generated code, followed by our DOP853 and by SciPy's (install the extra `peers`).
+
 Prints the smallest of several runs of each command and the ratios of one with the other. Ratios of times taken side by
 side mean something on any machine; seconds do not, so no test asserts either.
 """
@@ -15,6 +17,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).parent.parent
 PROBLEM = "problems/textbook/ex-4-05.yaml"
+DOUBLE, SQUEEZER = "problems/hard/double-pendulum-let-go-level.yaml", "problems/hard/andrews-squeezer.yaml"
 PLANAR = (sys.executable, "-m", "planar_cli")
 COMMANDS = {
     "python -c pass": (sys.executable, "-c", "pass"),
@@ -22,11 +25,17 @@ COMMANDS = {
     "planar validate": (*PLANAR, "validate", PROBLEM),
     "python -c 'import sympy'": (sys.executable, "-c", "import sympy"),
     "planar solve": (*PLANAR, "solve", PROBLEM),
+    "simulate, two rods": (*PLANAR, "simulate", DOUBLE),
+    "the same by SciPy": (*PLANAR, "simulate", DOUBLE, "--integrator", "scipy_dop853"),
+    "simulate, squeezer": (*PLANAR, "simulate", SQUEEZER),
+    "that one by SciPy": (*PLANAR, "simulate", SQUEEZER, "--integrator", "scipy_dop853"),
 }
 RATIOS = (
     ("planar --help", "python -c pass"),
     ("planar validate", "python -c pass"),
     ("planar solve", "python -c 'import sympy'"),
+    ("simulate, two rods", "the same by SciPy"),
+    ("simulate, squeezer", "that one by SciPy"),
 )
 RUNS = 7
 

@@ -20,6 +20,7 @@ from planar_cli.problem.expression import (
     Extreme,
     JustAfter,
     Name,
+    Number,
     Quantity,
     Relation,
     Side,
@@ -78,7 +79,13 @@ class Timetable:
                         # No motion that is followed comes there.
                         time, conditions = None, [*conditions, _never]
                 case Relation() if statement.operator == "=" and crossing is None and time is None:
-                    crossing = self._crossing(statement)
+                    size = _vanishing(statement)
+                    if size is None:
+                        crossing = self._crossing(statement)
+                    else:
+                        # A magnitude does not change its sign: it is smallest there, and nothing.
+                        crossing = self._extreme(Extreme(size, -1, statement.text, statement.mark))
+                        conditions.append(self._condition(statement))
                 case Relation():
                     conditions.append(self._condition(statement))
         return Event(state.name, time, crossing, tuple(modes), tuple(conditions), after, rest)
@@ -184,6 +191,14 @@ def _without_mag(side: Side) -> Quantity | None:
     """The vector of which a side is the magnitude."""
     if isinstance(side, Quantity) and side.parts and side.parts[-1].kind == "mag":
         return replace(side, parts=side.parts[:-1])
+    return None
+
+
+def _vanishing(relation: Relation) -> Side | None:
+    """The magnitude of which a relation says that it is zero."""
+    for side, other in ((relation.left, relation.right), (relation.right, relation.left)):
+        if _without_mag(side) is not None and isinstance(other, Number) and other.value == 0:
+            return side
     return None
 
 
