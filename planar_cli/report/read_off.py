@@ -31,8 +31,8 @@ def read_off_blocks(motion: Simulation, figures: int) -> Iterator[Block]:
     rows = sum(len(s.regime.parts.constraints) for s in trajectory.segments[:1] if hasattr(s.regime, "parts"))
     relations = f", together with {rows} relations of the joints between them," if rows else ""
     text = (
-        f"No closed form is found for what is asked. Newton's law for every body, {count} equations for {count} "
-        f"accelerations{relations} is integrated numerically from the first state on; the answers are read off."
+        f"The answers are read off the motion. Newton's law for every body, {count} equations for {count} "
+        f"accelerations{relations} is integrated numerically from the first state on."
     )
     yield Paragraph(line(text))
     yield _table(motion, figures)
