@@ -774,7 +774,6 @@ def test_a_rocking_block() -> None:
 @pytest.mark.parametrize(
     ("span", "second", "message"),
     [
-        ("", "t = 1 s", "the impact does not say when it happens"),
         (", during: 1->2", "t = 1 s", "the impact takes no time, but state 2 is not just after state 1"),
         (", during: 1->3", "just after 1]\n  3: [t = 1 s", "takes no time, but state 3 is not just after state 1"),
     ],

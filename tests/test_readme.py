@@ -66,7 +66,7 @@ def test_two_commands_install_by_themselves() -> None:
     lines = [line.removeprefix("$ ") for line in readme().splitlines() if INSTALLS in line]
     assert len(lines) == 2
     assert lines[0].endswith(".venv/bin/planar solve problems/textbook/ex-4-05.yaml")
-    assert lines[1].endswith(".venv/bin/python -m pytest")
+    assert lines[1].endswith(".venv/bin/python -m pytest -n auto --dist loadfile")
 
 
 def test_every_command_is_in_the_table() -> None:

@@ -27,7 +27,8 @@ def branches(*residuals: sp.Expr, positive: bool = False) -> list[Branch]:
     def possible(values: dict[sp.Symbol, Decimal]) -> bool:
         return not positive or all(v > 0 for v in values.values())
 
-    chain = Chain(UNKNOWNS, {T: None}, {}, KNOWN, False, possible)
+    sizes = dict.fromkeys(UNKNOWNS, Decimal(1))
+    chain = Chain(UNKNOWNS, {T: None}, {}, KNOWN, False, possible, natural=sizes)
     return list(chain.branches([equation(r) for r in residuals]))
 
 

@@ -109,9 +109,14 @@ def test_a_direction_is_linear_and_has_a_sense(tmp_path: Path) -> None:
         solved(tmp_path, ONE_DIRECTION.format(angle=45, x=-2))
 
 
-@pytest.mark.parametrize(("more", "speed"), [("", 3), (", v(A).x < 0", -3)])
+@pytest.mark.parametrize(("more", "speed"), [(", v(A).x > 0", 3), (", v(A).x < 0", -3)])
 def test_both_signs_of_a_size(tmp_path: Path, more: str, speed: float) -> None:
     assert solved(tmp_path, SLIDER.format(more=more))["v"] == pytest.approx([speed])
+
+
+def test_a_size_alone_has_two_signs(tmp_path: Path) -> None:
+    with pytest.raises(NoSolution, match="holds both ways"):
+        solved(tmp_path, SLIDER.format(more=""))
 
 
 def test_a_lasting_speed_goes_towards_growing_coordinate(tmp_path: Path) -> None:

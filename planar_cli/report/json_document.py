@@ -49,6 +49,7 @@ def solution_data(solution: Solution, verdicts: Sequence[Verdict], figures: int,
         "checks": [
             *(str(text) for _, instant in instants for text in instant.checks.get("lines", ())),
             *(text for part in solution.parts if part.motion for text in part.motion.checks),
+            *(text for part in solution.parts for text in part.not_compared),
             *(part.confirmed.words for part in solution.parts if part.confirmed.words),
         ],
         "stated": [_verdict(v) for v in verdicts],
@@ -100,6 +101,8 @@ def _unconfirmed(found: Found, part: PartSolution) -> str:
     """Why nothing was compared with an answer; "" where a second road to it agrees."""
     if part.followed is not None:
         return "it is read off one motion, whose error was estimated by a second run"
+    if found.name in part.confirmed.differ:
+        return "the motion followed by independent facts gives another value"
     if part.motion is not None:
         return "" if found.name in part.confirmed.finds else part.motion.unconfirmed.get(found.name, "")
     return "" if part.instants[-1].checks.get("digits") is not None else "no second road leads to it"

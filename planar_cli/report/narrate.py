@@ -133,7 +133,7 @@ def _read_off(part: PartSolution, figures: int) -> Iterator[Block]:
 def _motion_checks(part: PartSolution) -> Iterator[Block]:
     """The checks of a motion."""
     if part.motion is not None:
-        yield from (Check(line(text)) for text in part.motion.checks)
+        yield from (Check(line(text)) for text in (*part.motion.checks, *part.not_compared))
     if part.confirmed.words:
         yield Check(line(part.confirmed.words))
     if part.followed is not None:

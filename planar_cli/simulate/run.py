@@ -12,6 +12,7 @@ import math
 import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from types import MappingProxyType
 
 from planar_cli.errors import Diagnostic, FileProblem, Mark
 from planar_cli.integrators.base import MOST_STEPS, Setting
@@ -35,6 +36,8 @@ from planar_cli.simulate.stops import first_stop
 from planar_cli.simulate.timetable import breakpoints_of, schedule_of
 
 TOLERANCE = 1e-9
+USUAL: Mapping[str, str] = MappingProxyType({})
+"""Every find in the usual unit of its kind."""
 FREE_TIMES, SEARCHED_TIMES = 20.0, 2000.0
 """Without an end a scene is followed for so many of its characteristic times; to find a state, for so many at most."""
 BEGINNING = 1e-6
@@ -117,7 +120,7 @@ class Simulation:
     """Were two runs compared, so that errors are estimated?"""
 
 
-def simulate(problem: Problem, settings: Settings, units: Mapping[str, str]) -> Simulation:
+def simulate(problem: Problem, settings: Settings, units: Mapping[str, str] = USUAL) -> Simulation:
     """Follow a scene and answer its finds, in these units by their names, or in the usual ones.
 
     Raises FileProblem or NoSolution where the file does not say how the motion begins, Undecided where it can not be

@@ -139,4 +139,6 @@ def _compared(found: tuple[Found, ...], other: Simulation) -> Confirmation:
             agrees = apart <= max(CERTAIN * size, DIFFERS * (a.error or 0.0))
         (same if agrees else differ).append(f.name)
     words = f"motion followed by independent facts: {len(same)} of {len(found)} answers agree" if same else ""
+    if differ:
+        words = f"motion followed by independent facts: does not confirm {', '.join(differ)}"
     return Confirmation(words, frozenset(same), tuple(differ))

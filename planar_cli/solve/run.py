@@ -108,18 +108,12 @@ def _unnamed(problem: Problem) -> FileProblem:
 
 
 def _confirmed(problem: Problem, part: PartSolution, earlier: Mapping[str, float]) -> PartSolution:
-    """The part with what following its motion says. Disagreement: other answers come of that."""
+    """The part with what following its motion says."""
     if part.motion is None:
         return part
     from planar_cli.solve.followed import confirmation
 
-    confirmed = confirmation(problem, part.found, earlier)
-    if confirmed.differ:
-        mark = problem.find[0].mark
-        names = ", ".join(confirmed.differ)
-        text = f"{mark.file}:{mark.line}: {names}: the motion followed by independent facts gives another value"
-        raise Disagreement(text)
-    return replace(part, confirmed=confirmed)
+    return replace(part, confirmed=confirmation(problem, part.found, earlier))
 
 
 def _derived(problem: Problem, case: str, units: dict[str, str], earlier: dict[str, Earlier]) -> PartSolution:

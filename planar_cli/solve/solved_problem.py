@@ -46,6 +46,15 @@ class PartSolution:
     followed: Simulation | None = None
     confirmed: Confirmation = NOT_COMPARED
 
+    @property
+    def not_compared(self) -> tuple[str, ...]:
+        """The answers of a motion that no second road leads to, with the reasons, in phrases for the checks."""
+        if self.motion is None:
+            return ()
+        reasons = {n: r for n, r in self.motion.unconfirmed.items() if n not in self.confirmed.finds}
+        listed = {why: [n for n, r in reasons.items() if r == why] for why in reasons.values()}
+        return tuple(f"not compared: {', '.join(names)} ({why})" for why, names in listed.items())
+
 
 @dataclass(slots=True)
 class Solution:

@@ -36,9 +36,3 @@ def _reason(found: SolvedMotion, asked: AskedFind) -> str:
     if letters & found.guessed:
         return ALONE
     return "" if letters <= {*found.followed.values, *found.followed.tends} else NOT_REACHED
-
-
-def told(reasons: dict[str, str]) -> tuple[str, ...]:
-    """The same in phrases, for the line of checks."""
-    why = list(dict.fromkeys(reasons.values()))
-    return tuple(f"not compared: {', '.join(n for n, r in reasons.items() if r == w)} ({w})" for w in why)

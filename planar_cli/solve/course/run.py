@@ -18,7 +18,6 @@ from planar_cli.solve.course.astray import missing
 from planar_cli.solve.course.blow_checks import blow_checks
 from planar_cli.solve.course.by_numbers import ByNumbers, by_numbers
 from planar_cli.solve.course.complete import completed
-from planar_cli.solve.course.confirmed import told, unconfirmed
 from planar_cli.solve.course.derivation import Route
 from planar_cli.solve.course.formulas import at_given_time
 from planar_cli.solve.course.independence import rests_on
@@ -65,8 +64,7 @@ def _told(solved: SolvedMotion, case: str) -> PartSolution:
     start = {s: closed_formula(s, begun, course.symbolic) for s in course.first.letters.values()}
     throughout = Throughout(course, found.followed, found.value, start)
     assumed = presumed(found, (route, begun))
-    lacking = told(unconfirmed(found))
-    found = replace(found, checks=(*found.checks, *blow_checks(found), *compared(found), *lacking))
+    found = replace(found, checks=(*found.checks, *blow_checks(found), *compared(found)))
     answering = Answering(course, route, found.value, found.spans, throughout)
     answers = tuple(answering.answer(a) for a in found.finds)
     instants = _instants(course)
