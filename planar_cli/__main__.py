@@ -12,9 +12,9 @@ def main() -> None:
 
         show()
         return
-    from planar_cli.cli import run
+    from planar_cli import cli
 
-    sys.exit(run())
+    sys.exit(cli.main())
 
 
 if __name__ == "__main__":

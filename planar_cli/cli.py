@@ -58,7 +58,7 @@ def cli() -> None:
     """The group of all commands."""
 
 
-def run(args: Sequence[str] | None = None) -> int:
+def main(args: Sequence[str] | None = None) -> int:
     """Run the command line; returns its exit status and never lets a traceback out, unless PLANAR_DEBUG is set."""
     try:
         status = cli.main(args=None if args is None else list(args), prog_name="planar", standalone_mode=False)
