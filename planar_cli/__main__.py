@@ -12,9 +12,9 @@ def main() -> None:
 
         show()
         return
-    from planar_cli import cli
+    from planar_cli.cli import main as command_line
 
-    sys.exit(cli.main())
+    command_line()
 
 
 if __name__ == "__main__":

@@ -9,6 +9,7 @@ import importlib
 import os
 import sys
 from collections.abc import Sequence
+from typing import NoReturn
 
 import click
 
@@ -58,7 +59,7 @@ def cli() -> None:
     """The group of all commands."""
 
 
-def main(args: Sequence[str] | None = None) -> int:
+def run(args: Sequence[str] | None = None) -> int:
     """Run the command line; returns its exit status and never lets a traceback out, unless PLANAR_DEBUG is set."""
     try:
         status = cli.main(args=None if args is None else list(args), prog_name="planar", standalone_mode=False)
@@ -78,6 +79,11 @@ def main(args: Sequence[str] | None = None) -> int:
         return SOLVED
     except Exception as error:
         return tell_fault(error)
+
+
+def main() -> NoReturn:
+    """Run the command line and leave with its exit status; what an installed `planar` of an earlier version calls."""
+    sys.exit(run())
 
 
 def tell_fault(error: Exception) -> int:
