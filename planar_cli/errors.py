@@ -50,6 +50,11 @@ class FileProblem(PlanarError):
         super().__init__("; ".join(d.message for d in self.diagnostics))
 
 
+def refuse(mark: Mark, code: str, message: str, hint: str = "") -> FileProblem:
+    """The located error of one place."""
+    return FileProblem([Diagnostic(mark, code, message, hint)])
+
+
 class NoSolution(PlanarError):
     """The scene contradicts itself, leaves something open, or has no consistent case; located diagnostics say which."""
 

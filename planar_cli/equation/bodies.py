@@ -12,9 +12,10 @@ from dataclasses import dataclass, replace
 
 import sympy as sp
 
-from planar_cli.equation.evaluate import Evaluator, demand_time, refuse
+from planar_cli.equation.evaluate import Evaluator, demand_time
 from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.plain import simplified
+from planar_cli.errors import refuse
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import Body, Composite, Outline, Particle, Piece, Plate, Rod, Round, Sector, Shape
 

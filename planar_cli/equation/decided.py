@@ -9,10 +9,9 @@ from typing import TYPE_CHECKING, Any
 import sympy as sp
 
 from planar_cli.equation.displacement import Displacement
-from planar_cli.equation.evaluate import refuse
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.equation.ledger import Ledger
-from planar_cli.errors import Mark, NoValue
+from planar_cli.errors import Mark, NoValue, refuse
 from planar_cli.problem.expression import Relation, Side
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import Problem

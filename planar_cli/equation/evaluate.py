@@ -10,7 +10,7 @@ import sympy as sp
 
 from planar_cli.equation.jets import Jet, constant
 from planar_cli.equation.ledger import Ledger, exact
-from planar_cli.errors import Diagnostic, FileProblem, Mark
+from planar_cli.errors import Mark, refuse
 from planar_cli.problem.expression import (
     Binary,
     Function,
@@ -23,6 +23,7 @@ from planar_cli.problem.expression import (
     Side,
     Word,
 )
+from planar_cli.problem.no_number import mode_misplaced, quantity_misplaced, state_misplaced
 from planar_cli.units import parse_unit
 
 FUNCTIONS = {
@@ -39,11 +40,6 @@ FUNCTIONS = {
 }
 
 
-def refuse(mark: Mark, code: str, message: str, hint: str = "") -> FileProblem:
-    """The located error of one place."""
-    return FileProblem([Diagnostic(mark, code, message, hint)])
-
-
 def demand_time(ledger: Ledger, expr: sp.Expr, mark: Mark, what: str) -> None:
     """FileProblem: `expr`, which is `what` in words, uses the time, and the time of this instant is not known."""
     time = ledger.symbols["t"]
@@ -53,9 +49,7 @@ def demand_time(ledger: Ledger, expr: sp.Expr, mark: Mark, what: str) -> None:
 
 
 def no_quantity(quantity: Quantity) -> Jet:
-    raise refuse(
-        quantity.mark, "PL501", f"{quantity.word}(…) can not stand here", "write numbers and names of `given` here"
-    )
+    raise quantity_misplaced(quantity)
 
 
 @dataclass(frozen=True, slots=True)
@@ -97,14 +91,12 @@ class Evaluator:
             case Quantity():
                 return self.quantity(side)
             case Word():
-                raise refuse(side.mark, "PL502", f"{side.word} is a mode, no number", "compare it: `mode(C) = stick`")
+                raise mode_misplaced(side.mark, side.word)
         raise TypeError(type(side).__name__)
 
     def _elsewhere(self, state: str, side: Side) -> Jet:
         if self.at_state is None:
-            raise refuse(
-                side.mark, "PL503", "`@` can not stand here", "leave it out: the relation is at its own instant"
-            )
+            raise state_misplaced(side.mark)
         return self.at_state(state)(side)
 
     def _name(self, name: Name) -> Jet:

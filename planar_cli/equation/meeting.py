@@ -11,10 +11,9 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from planar_cli.equation.evaluate import refuse
 from planar_cli.equation.outlines import outline_of
 from planar_cli.equation.scene import Scene
-from planar_cli.errors import FileProblem, Mark
+from planar_cli.errors import FileProblem, Mark, refuse
 from planar_cli.problem.facts import Meeting
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND, Circle, Line, Particle, Plate, Rod, Round

@@ -9,13 +9,13 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.equation.evaluate import demand_time, refuse
+from planar_cli.equation.evaluate import demand_time
 from planar_cli.equation.motion import Motion
 from planar_cli.equation.plain import MANY, longer, operations, simplified
 from planar_cli.equation.quantities import quantities_of
 from planar_cli.equation.scene import Scene
 from planar_cli.equation.struck import StruckScene
-from planar_cli.errors import Mark, Undecided
+from planar_cli.errors import Mark, Undecided, refuse
 from planar_cli.loads.base import Load
 from planar_cli.problem.acting import acting_loads, kind_of
 from planar_cli.problem.expression import Side

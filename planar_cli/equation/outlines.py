@@ -8,8 +8,7 @@ import sympy as sp
 
 from planar_cli.equation.bodies import BodyModel
 from planar_cli.equation.curves import CurveSetting, bend_at, carrier_pose
-from planar_cli.equation.evaluate import refuse
-from planar_cli.errors import Mark
+from planar_cli.errors import Mark, refuse
 from planar_cli.problem.facts import Outline
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import Circle, Composite, Curve, Line, Plate, Rod, Round, Sector, Surface

@@ -6,10 +6,11 @@ from collections.abc import Callable
 
 import sympy as sp
 
-from planar_cli.equation.evaluate import Evaluator, refuse
+from planar_cli.equation.evaluate import Evaluator
 from planar_cli.equation.exact import CERTAIN, Valuation
 from planar_cli.equation.jets import Jet, constant, magnitude
 from planar_cli.equation.ledger import Ledger
+from planar_cli.errors import refuse
 from planar_cli.problem.expression import Name, Relation, Statement
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import (

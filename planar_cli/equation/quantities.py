@@ -7,13 +7,15 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from planar_cli.equation.evaluate import Evaluator, refuse
+from planar_cli.equation.evaluate import Evaluator
 from planar_cli.equation.jets import Jet, constant, magnitude, vector_jet
 from planar_cli.equation.motion import Motion
 from planar_cli.equation.scene import Scene
 from planar_cli.equation.turning import counted_angle
+from planar_cli.errors import refuse
 from planar_cli.problem.expression import Name, Part, PointPair, Quantity, Relation
 from planar_cli.problem.geometry import Vec
+from planar_cli.problem.no_number import mode_misplaced
 from planar_cli.problem.reactions import Reactions
 from planar_cli.problem.scene import GROUND
 
@@ -314,7 +316,7 @@ class Quantities:
         return only(self._forces(q).power(q, self.motion.velocity, lambda b: self.motion.velocities[b].angular))
 
     def _q_mode(self, q: Quantity) -> Jet:
-        raise refuse(q.mark, "PL502", "a mode is no number", "compare it: `mode(C) = stick`")
+        raise mode_misplaced(q.mark)
 
     # --- parts -------------------------------------------------------------------------------------------------------
 

@@ -12,12 +12,12 @@ import sympy as sp
 from planar_cli.equation.bodies import BodyModel, MassReader
 from planar_cli.equation.decided import Decided
 from planar_cli.equation.displacement import Displacement
-from planar_cli.equation.evaluate import Evaluator, refuse
+from planar_cli.equation.evaluate import Evaluator
 from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.outlines import edges_at, outline_of
 from planar_cli.equation.places import at_relations, place_jet
 from planar_cli.equation.plain import longer, trigonometric
-from planar_cli.errors import Mark
+from planar_cli.errors import Mark, refuse
 from planar_cli.problem.expression import Name, Side, Statement
 from planar_cli.problem.facts import Outline
 from planar_cli.problem.geometry import Vec

@@ -10,9 +10,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
+from planar_cli.errors import refuse
 from planar_cli.motion.places import Drawing, length_of, unit_vector
 from planar_cli.motion.replacing import replaced
-from planar_cli.motion.sides import refuse
 from planar_cli.motion.terms import Term, ordered
 from planar_cli.problem.expression import Side
 from planar_cli.problem.geometry import Vec

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from planar_cli.errors import Mark
+from planar_cli.errors import Mark, refuse
 from planar_cli.motion.carried import Carried
 from planar_cli.motion.curves import curve_at
 from planar_cli.motion.places import unit_vector
-from planar_cli.motion.sides import refuse
 from planar_cli.problem.facts import Outline
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND, Circle, Composite, Line, Plate, Rod, Round, Sector, Surface

@@ -6,8 +6,8 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
-from planar_cli.errors import Mark
-from planar_cli.motion.sides import Sides, refuse
+from planar_cli.errors import Mark, refuse
+from planar_cli.motion.sides import Sides
 from planar_cli.motion.terms import Graph, Term
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import At, Midpoint, Particle, Place, Point, Polar, Problem, Towards, TwoFacts

@@ -5,12 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
+from planar_cli.errors import refuse
 from planar_cli.motion.carried import TINIEST, Carried
 from planar_cli.motion.places import unit_vector
-from planar_cli.motion.sides import Sides, refuse
+from planar_cli.motion.sides import Sides
 from planar_cli.motion.terms import Term
 from planar_cli.problem.expression import Name, Part, PointPair, Quantity, Relation, Side
 from planar_cli.problem.geometry import Vec
+from planar_cli.problem.no_number import mode_misplaced
 from planar_cli.problem.reactions import Reactions
 from planar_cli.problem.scene import GROUND
 
@@ -278,7 +280,7 @@ class Quantities:
 
 
 def _no_mode(asked: Quantities, q: Quantity) -> Term:
-    raise refuse(q.mark, "PL502", "a mode is no number", "compare it: `mode(C) = stick`")
+    raise mode_misplaced(q.mark)
 
 
 _ASKED: dict[str, Callable[[Quantities, Quantity], Term | Vec]] = {

@@ -7,7 +7,7 @@ from functools import cached_property
 from itertools import pairwise
 from typing import Any
 
-from planar_cli.errors import Mark
+from planar_cli.errors import Mark, refuse
 from planar_cli.joints.base import Joint
 from planar_cli.loads.base import Load
 from planar_cli.motion.carried import TINIEST, Carried
@@ -18,7 +18,7 @@ from planar_cli.motion.outlines import edges_at, outline_of
 from planar_cli.motion.places import unit_vector
 from planar_cli.motion.poses import MovingPoses
 from planar_cli.motion.quantities import Quantities
-from planar_cli.motion.sides import names_in, refuse
+from planar_cli.motion.sides import names_in
 from planar_cli.motion.spots import spots_of
 from planar_cli.motion.terms import Term, evaluate
 from planar_cli.problem.acting import acting_loads

@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 
-from planar_cli.errors import Diagnostic, FileProblem, Mark
+from planar_cli.errors import FileProblem, Mark, refuse
 from planar_cli.motion.terms import Graph, Term
 from planar_cli.problem.expression import (
     Binary,
@@ -21,6 +21,7 @@ from planar_cli.problem.expression import (
     Side,
     Word,
 )
+from planar_cli.problem.no_number import mode_misplaced, quantity_misplaced, state_misplaced
 from planar_cli.problem.scene import Problem
 from planar_cli.problem.walk import Tree, walk
 from planar_cli.units import parse_unit
@@ -29,16 +30,9 @@ GRAVITY = 9.81
 """g where the file gives none, m/s²."""
 
 
-def refuse(mark: Mark, code: str, message: str, hint: str = "") -> FileProblem:
-    """The located error of one place."""
-    return FileProblem([Diagnostic(mark, code, message, hint)])
-
-
 def no_quantity(quantity: Quantity) -> Term:
     """Where only numbers and names may stand."""
-    raise refuse(
-        quantity.mark, "PL501", f"{quantity.word}(…) can not stand here", "write numbers and names of `given` here"
-    )
+    raise quantity_misplaced(quantity)
 
 
 @dataclass(slots=True)
@@ -136,15 +130,13 @@ class Sides:
             case Quantity():
                 return self.quantity(side)
             case Word():
-                raise refuse(side.mark, "PL502", f"{side.word} is a mode, no number", "compare it: `mode(C) = stick`")
+                raise mode_misplaced(side.mark, side.word)
         raise TypeError(type(side).__name__)
 
     def at(self, state: str, side: Side) -> Term:
         """What stands before an `@`."""
         if self.elsewhere is None:
-            raise refuse(
-                side.mark, "PL503", "`@` can not stand here", "leave it out: the relation is at its own instant"
-            )
+            raise state_misplaced(side.mark)
         return self.elsewhere(state, side)
 
     def _name(self, name: Name) -> Term:

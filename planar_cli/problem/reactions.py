@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-from planar_cli.errors import Diagnostic, FileProblem, Mark
+from planar_cli.errors import refuse
 from planar_cli.loads.base import Load
 from planar_cli.problem.acting import kind_of
 from planar_cli.problem.expression import Quantity
@@ -34,7 +34,7 @@ class Reactions:
     def _of(self, q: Quantity) -> list[tuple[Push, Any]]:
         name = q.things[0]
         if name not in self.joints.values():
-            raise _refused(
+            raise refuse(
                 q.mark, "PL557", f"{name} is no joint", "N, friction, reaction, moment and tension take a joint's name"
             )
         return [(p, e) for p, e in self.pushes if self.joints.get(p.joint) == name]
@@ -78,14 +78,14 @@ class Reactions:
         bodies = list(dict.fromkeys(a.body for p in pushes for a in p.actions))
         if len(q.things) == 2:
             if q.things[1] not in bodies:
-                raise _refused(
+                raise refuse(
                     q.mark, "PL558", f"{q.things[1]} is not held by {q.things[0]}", f"it acts on {', '.join(bodies)}"
                 )
             return q.things[1]
         moving = [b for b in bodies if b != GROUND]
         if len(moving) == 1:
             return moving[0]
-        raise _refused(
+        raise refuse(
             q.mark,
             "PL559",
             f"{q.word}({q.things[0]}) acts on several bodies",
@@ -134,7 +134,3 @@ class Reactions:
                     force = None if a.force is None else a.force * expr
                     found.append(Wrench(joint, push.kind, a.body, a.point, force, a.couple * expr))
         return tuple(found)
-
-
-def _refused(mark: Mark, code: str, message: str, hint: str) -> FileProblem:
-    return FileProblem([Diagnostic(mark, code, message, hint)])

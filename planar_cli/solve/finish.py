@@ -8,12 +8,11 @@ import sympy as sp
 
 from planar_cli.equation.conditions import vector_or_jet
 from planar_cli.equation.displacement import Coordinate
-from planar_cli.equation.evaluate import refuse
 from planar_cli.equation.exact import Sample, Valuation
 from planar_cli.equation.plain import longer, rounded_inside, simplified
 from planar_cli.equation.quantities import Quantities
 from planar_cli.equation.system import System, mode_of
-from planar_cli.errors import Diagnostic, FileProblem, Mark, NoSolution
+from planar_cli.errors import Diagnostic, FileProblem, Mark, NoSolution, refuse
 from planar_cli.problem.dimensions import Kind, dimension_of
 from planar_cli.problem.expression import Quantity, Relation, Side
 from planar_cli.problem.geometry import Vec

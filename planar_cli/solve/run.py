@@ -9,11 +9,10 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.equation.evaluate import refuse
 from planar_cli.equation.exact import Unvalued
 from planar_cli.equation.setup import Earlier, first_unit
 from planar_cli.equation.system import System
-from planar_cli.errors import FileProblem, Mark, NoSolution, NotReached, Undecided
+from planar_cli.errors import FileProblem, Mark, NoSolution, NotReached, Undecided, refuse
 from planar_cli.problem.scene import Find, Problem
 from planar_cli.solve.diagnose import OPEN, explain_failure, place, singular_position
 from planar_cli.solve.diagnose_cases import demand_cancelled, several, several_cases

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import sympy as sp
 
 from planar_cli.equation.conditions import gap
-from planar_cli.equation.evaluate import refuse
 from planar_cli.equation.system import mode_of
+from planar_cli.errors import refuse
 from planar_cli.problem.check_dimensions import about
 from planar_cli.problem.dimensions import Kind, dimension_of
 from planar_cli.problem.expression import Name, Quantity, Relation

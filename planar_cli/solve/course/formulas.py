@@ -14,11 +14,10 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.conditions import vector_or_jet
-from planar_cli.equation.evaluate import refuse
 from planar_cli.equation.plain import longer, rounded_inside, simplified
 from planar_cli.equation.quantities import Quantities
 from planar_cli.equation.system import mode_of
-from planar_cli.errors import Diagnostic, NoSolution
+from planar_cli.errors import Diagnostic, NoSolution, refuse
 from planar_cli.problem.dimensions import dimension_of
 from planar_cli.problem.expression import Name, Quantity, Relation, Side
 from planar_cli.problem.formulas import formulas

@@ -13,10 +13,10 @@ import sympy as sp
 
 from planar_cli.calculus.curve_words import CIRCLE, POINT, Curve
 from planar_cli.calculus.curves import curve_of
-from planar_cli.equation.evaluate import refuse
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.plain import simplified
+from planar_cli.errors import refuse
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND, Find, Rod

@@ -7,9 +7,9 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.equation.evaluate import refuse
 from planar_cli.equation.plain import simplified
 from planar_cli.equation.quantities import Quantities
+from planar_cli.errors import refuse
 from planar_cli.loads.base import Load
 from planar_cli.problem.acting import kind_of
 from planar_cli.problem.expression import Quantity, Relation

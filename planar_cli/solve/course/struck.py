@@ -9,13 +9,13 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.conditions import ACCELERATION, VELOCITY, order
-from planar_cli.equation.evaluate import refuse
 from planar_cli.equation.ledger import Kind, Role
 from planar_cli.equation.motion import TreeBuilder, Twist
 from planar_cli.equation.setup import Course as Position
 from planar_cli.equation.setup import Setup
 from planar_cli.equation.struck import StruckScene
 from planar_cli.equation.system import Statements, mode_of
+from planar_cli.errors import refuse
 from planar_cli.joints.base import Joint
 from planar_cli.problem.expression import AtRest, Name, Quantity, Relation, Statement
 from planar_cli.problem.facts import Mode, Push

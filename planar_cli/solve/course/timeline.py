@@ -9,14 +9,14 @@ from typing import Any, TypeGuard
 import sympy as sp
 
 from planar_cli.equation.conditions import gap, vector_or_jet
-from planar_cli.equation.evaluate import Evaluator, refuse
+from planar_cli.equation.evaluate import Evaluator
 from planar_cli.equation.jets import Jet, constant
 from planar_cli.equation.ledger import Kind, Ledger, Role
 from planar_cli.equation.plain import simplified
 from planar_cli.equation.polar import vector_equations
 from planar_cli.equation.quantities import Quantities
 from planar_cli.equation.system import mode_of
-from planar_cli.errors import NOWHERE, Mark
+from planar_cli.errors import NOWHERE, Mark, refuse
 from planar_cli.problem.check_dimensions import about
 from planar_cli.problem.expression import (
     AtRest,
