@@ -16,6 +16,7 @@ from planar_cli.motion.scene import MovingScene
 from planar_cli.motion.terms import Term
 from planar_cli.problem.facts import Action, Anchor, Facts, Law, Mode, Pull, Push, Row, Test
 from planar_cli.problem.residuals import Residual
+from planar_cli.problem.scene import GROUND
 from planar_cli.problem.setting import Setting
 
 
@@ -51,25 +52,26 @@ class Encounter(Joint):
 
     def modes(self, scene: Setting) -> tuple[Mode, ...]:
         """Apart first; then in contact, sticking or slipping where it is rough."""
-        words = f"{self.gap.second} on {self.gap.first}"
+        words = " and ".join(sorted((self.gap.first, self.gap.second), key=lambda b: b == GROUND))
         across, sliding = self._row(self.gap.normal, "apart"), self._row(self.gap.normal.turned(), "sliding")
-        parts = Test(self.name, f"{words}: apart", row=across)
-        apart = Mode("apart", f"{words}: apart", Facts(), (parts,), touching=Facts(rows=(across,)))
+        parts = Test(self.name, f"{words} are apart", row=across)
+        apart = Mode("apart", f"{words} are apart", Facts(), (parts,), touching=Facts(rows=(across,)))
         normal = self._push("N", "normal", self.gap.normal)
-        pressed = Test(self.name, f"{words}: pressing", ((normal.name, 1),))
+        pressed = Test(self.name, f"{words} press on each other", ((normal.name, 1),))
         if self.smooth:
-            return (apart, Mode("slip", f"{words}: in contact", Facts(pushes=(normal,)), (pressed,)))
+            return (apart, Mode("slip", f"{words} stay in contact", Facts(pushes=(normal,)), (pressed,)))
         friction = self._push("F", "friction", self.gap.normal.turned())
         pushes = (normal, friction)
         within = tuple(
-            Test(self.name, f"{words}: friction within its limit", ((normal.name, self.mu), (friction.name, s)))
+            Test(self.name, f"friction between {words} within its limit", ((normal.name, self.mu), (friction.name, s)))
             for s in (-1, 1)
         )
-        found = [apart, Mode("stick", f"{words}: sticking", Facts(pushes=pushes), (pressed, *within), sliding)]
+        found = [apart, Mode("stick", f"{words} stick together", Facts(pushes=pushes), (pressed, *within), sliding)]
         for direction in (1, -1):
-            moves = Test(self.name, f"{words}: slipping as assumed", row=sliding, sense=direction, strict=True)
+            slips = f"{words} slide on each other"
+            moves = Test(self.name, f"{slips} as assumed", row=sliding, sense=direction, strict=True)
             facts = Facts(pushes=pushes, laws=(Law(friction.name, -direction * self.mu, normal.name),))
-            found.append(Mode("slip", f"{words}: slipping", facts, (pressed, moves), sliding, direction))
+            found.append(Mode("slip", slips, facts, (pressed, moves), sliding, direction))
         return tuple(found)
 
     def residuals(self, scene: Setting, mode: Mode) -> tuple[Residual, ...]:

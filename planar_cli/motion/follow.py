@@ -323,7 +323,7 @@ class Follower:
         """The limit of a sequence of impacts."""
         self.resting_at = None
         last = next(x for x in reversed(self.transitions) if x.kind == "impact")
-        words = f"impacts without number end at t = {self.t:.9g} s"
+        words = "the impacts, without number, have come to an end"
         rest = Transition(
             self.t, "rest", words, last.joints, self.y, self.y, self.choice, self.choice, count=float("inf")
         )

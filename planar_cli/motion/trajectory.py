@@ -30,6 +30,8 @@ class Transition:
     """The state just after: other velocities after an impact."""
     old: Choice
     new: Choice
+    begins: str = ""
+    """In a change of mode: what the joints do from now on."""
     impulses: Mapping[str, tuple[float, float]] = field(default_factory=dict)
     """In an impact: normal and friction impulse of every contact [N s]; of a rope its tension's."""
     given: Mapping[str, tuple[float, ...]] = field(default_factory=dict)

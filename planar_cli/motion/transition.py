@@ -198,13 +198,25 @@ def _chosen(
     if isinstance(found, Chosen):
         changed = _changed(moment.automaton, choice, found.choice)
         if changed:
-            done.append(Transition(moment.t, "mode", moment.words, changed, y, found.state, choice, found.choice))
+            begins = _begins(moment.automaton, changed, choice, found.choice)
+            new = Transition(moment.t, "mode", moment.words, changed, y, found.state, choice, found.choice, begins)
+            done.append(new)
         return Resolved(found.choice, found.state, tuple(done), found.tried, tuple(notes))
     return unanswered(moment.automaton, moment.t, found)
 
 
 def _changed(automaton: Automaton, old: Choice, new: Choice) -> tuple[str, ...]:
     return tuple(j for j, a, b in zip(automaton.choices, old, new, strict=True) if a != b)
+
+
+def _begins(automaton: Automaton, changed: tuple[str, ...], old: Choice, new: Choice) -> str:
+    """What the joints that changed do in their new modes."""
+    told = []
+    for (joint, modes), was, now in zip(automaton.choices.items(), old, new, strict=True):
+        if joint in changed and modes[now].words:
+            back = ", now the other way" if modes[now].words == modes[was].words else ""
+            told.append(modes[now].words + back)
+    return ", ".join(dict.fromkeys(told))
 
 
 def unanswered(automaton: Automaton, t: float, found: NoMode | SeveralModes) -> Outcome:

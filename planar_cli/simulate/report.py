@@ -176,7 +176,7 @@ def transition_words(x: Transition) -> str:
     """A transition in one line."""
     lost = f", {x.lost:.4g} J lost" if x.lost > 0 else ""
     law = f" ({x.law})" if x.law else ""
-    return f"{x.words}{lost}{law}"
+    return f"{x.begins or x.words}{lost}{law}"
 
 
 def _answers(found: Simulation, other: Simulation | None) -> Iterator[str]:
