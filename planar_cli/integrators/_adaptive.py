@@ -8,12 +8,14 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import ClassVar
 
 from planar_cli.integrators.base import (
+    OUTSIDE,
     Counts,
     Integrator,
     Rates,
     Setting,
     Step,
     StepTooSmall,
+    TooManySteps,
     Vector,
     first_step,
     shortest_step,
@@ -95,10 +97,16 @@ class Adaptive(Integrator):
             end = t1 if abs(span) == abs(t1 - t) else t + span
             if end == t:
                 raise StepTooSmall(f"the steps became too short at t = {t:.9g} s ({abs(span):.1g} s)", t, y)
-            if setting.project is not None:
-                new = setting.project(end, new)
-            after = f(end, new)
             counts.evaluations += 1
+            try:
+                if setting.project is not None:
+                    new = setting.project(end, new)
+                after = f(end, new)
+            except OUTSIDE as outside:
+                if control.fixed:
+                    raise StepTooSmall(f"there are no rates at t = {end:.9g} s ({outside})", t, y) from outside
+                control.rejected(t, y, abs(span), math.inf)
+                continue
             fastest = method.fastest(new, after)
             if fastest * abs(span) > STABLE and not (control.fixed or control.calmed):
                 control.calm(fastest)
@@ -158,4 +166,4 @@ class _Control:
         if self.done % RENEWED == 0:
             method.renew(y, (self.run - abs(t - self.t0)) / self.h)
         if self.counts.steps > self.most_steps:
-            raise StepTooSmall(f"more than {self.most_steps} steps until t = {t:.9g} s", t, y)
+            raise TooManySteps(f"more than {self.most_steps} steps until t = {t:.9g} s", t, y)

@@ -7,7 +7,17 @@ from abc import abstractmethod
 from collections.abc import Iterator, Sequence
 from typing import ClassVar
 
-from planar_cli.integrators.base import Integrator, Rates, Setting, Step, StepTooSmall, Vector, first_step, norm
+from planar_cli.integrators.base import (
+    OUTSIDE,
+    Integrator,
+    Rates,
+    Setting,
+    Step,
+    StepTooSmall,
+    Vector,
+    first_step,
+    norm,
+)
 
 
 class EqualSteps(Integrator):
@@ -34,18 +44,26 @@ class EqualSteps(Integrator):
         for i in range(number):
             start = t0 + (t1 - t0) * (i / number)
             end = t0 + (t1 - t0) * ((i + 1) / number)
-            new = self.advance(f, start, y, r, end - start)
-            if setting.project is not None:
-                new = setting.project(end, new)
-            if not math.isfinite(sum(new)):
-                raise StepTooSmall(
-                    f"steps of {abs(end - start):.3g} s are too long: nothing is finite any more", start, y
-                )
-            rates = f(end, new)
+            new, rates = self._advanced(f, start, y, r, end, setting)
             counts.evaluations += self.cost + 1
             counts.steps += 1
             yield Step(start, y, r, end, new, rates, Cubic(start, y, r, end, new, rates))
             y, r = new, rates
+
+    def _advanced(
+        self, f: Rates, start: float, y: Vector, r: Vector, end: float, setting: Setting
+    ) -> tuple[Vector, Vector]:
+        """State and rates at the end of a step."""
+        try:
+            new = self.advance(f, start, y, r, end - start)
+            if setting.project is not None:
+                new = setting.project(end, new)
+            if math.isfinite(sum(new)):
+                return new, f(end, new)
+        except OUTSIDE as outside:
+            message = f"there are no rates within {abs(end - start):.3g} s from t = {start:.9g} s ({outside})"
+            raise StepTooSmall(message, start, y) from outside
+        raise StepTooSmall(f"steps of {abs(end - start):.3g} s are too long: nothing is finite any more", start, y)
 
     def _length(self, f: Rates, t0: float, y: Vector, r: Vector, t1: float, setting: Setting) -> float:
         """A step that errs by no more than its share of the tolerance: one is compared with two of half its length."""

@@ -46,6 +46,10 @@ class StepTooSmall(Undecided):
         super().__init__(message)
 
 
+class TooManySteps(StepTooSmall):
+    """More steps than a run may make."""
+
+
 @dataclass(slots=True)
 class Counts:
     """The work that was done."""

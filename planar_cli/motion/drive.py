@@ -103,13 +103,14 @@ def drive(
     breakpoints: Sequence[float] = (),
     band: float = BAND,
     on_step: Callable[[Step], None] | None = None,
+    counts: Counts | None = None,
 ) -> Run:
     """Follow y' = f(t, y) from t0 to t1, or to the first crossing of a watched value.
 
     `kind`: a member of the shelf of integrators, or `auto`. `band`: the part of its scale below which a watched value
-    is zero. `on_step` sees every step. Raises StepTooSmall.
+    is zero. `on_step` sees every step. The work is added to `counts`. Raises StepTooSmall.
     """
-    y, steps, counts = list(y0), list[Step](), Counts()
+    y, steps, counts = list(y0), list[Step](), Counts() if counts is None else counts
     sentinel = Sentinel(watch, band) if watch is not None and watch.scales else None
     crossings = sentinel.at_start(t0, y) if sentinel is not None else []
     if setting.longest == math.inf:

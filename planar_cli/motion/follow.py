@@ -9,15 +9,16 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 
-from planar_cli.integrators.base import Setting, Step, StepTooSmall
+from planar_cli.integrators.base import Counts, Setting, Step, StepTooSmall
 from planar_cli.motion.automaton import Automaton, Choice, Regime, Stages, Start
 from planar_cli.motion.balance import ALLOWED, balance_of
 from planar_cli.motion.crossings import BAND, Watch
 from planar_cli.motion.drive import AUTOMATIC, Run, drive
+from planar_cli.motion.guards import LENGTH
 from planar_cli.motion.schedule import Event, Schedule
 from planar_cli.motion.segment import Segment
 from planar_cli.motion.source import Singular
-from planar_cli.motion.trajectory import Outcome, Trajectory, Transition, Work
+from planar_cli.motion.trajectory import Outcome, Trajectory, Transition, Work, stuck_at
 from planar_cli.motion.transition import Moment, Resolved, resolve
 from planar_cli.motion.unstable import growth_note
 from planar_cli.motion.waiting import Waiting, at_edge, fits, meant
@@ -167,8 +168,7 @@ class Follower:
             run = self._run(regime, end, taken)
         except StepTooSmall as stuck:
             self._close(regime, stuck.t, tuple(stuck.y), taken)
-            words = f"from t = {stuck.t:.9g} s the motion can not be followed: {stuck}"
-            self.outcome = Outcome("small", words, stuck.t, "", "PL703")
+            self.outcome = stuck_at(stuck)
             return
         except Singular:
             if taken:
@@ -193,24 +193,25 @@ class Follower:
             if self.progress is not None:
                 self.progress(step.t1)
 
-        run = drive(
-            regime.rates,
-            self.t,
-            self.y,
-            end,
-            setting,
-            kind=self.kind,
-            watch=self._watch(regime),
-            breakpoints=self.schedule.breakpoints,
-            band=self._band(regime),
-            on_step=seen,
-        )
+        counts = Counts()
+        try:
+            run = drive(
+                regime.rates,
+                self.t,
+                self.y,
+                end,
+                setting,
+                kind=self.kind,
+                watch=self._watch(regime),
+                breakpoints=self.schedule.breakpoints,
+                band=self._band(regime),
+                on_step=seen,
+                counts=counts,
+            )
+        finally:
+            self.work = self.work.more(counts)
         if run.changed is not None:
             self.notes.append(run.changed.words)
-        done, work = run.counts, self.work
-        self.work = Work(
-            work.steps + done.steps, work.rejected + done.rejected, work.evaluations + done.evaluations, work.choices
-        )
         return run
 
     def _band(self, regime: Regime) -> float:
@@ -281,6 +282,11 @@ class Follower:
         fallen = [c.index for c in run.crossings if c.index < number and c.way == "falls"]
         event = self.waiting.next()
         grazed = [c.index for c in run.crossings if c.index < number and c.way == "grazes"]
+        spent = next((g for g in (regime.guards[i] for i in (*fallen, *grazed)) if g.kind == LENGTH), None)
+        if spent is not None:
+            words = f"at t = {self.t:.9g} s a free part of {spent.joint} has run out: nothing tells what follows"
+            self.outcome = Outcome("spent", words, self.t, spent.joint, "PL712")
+            return
         for guard in (regime.guards[i] for i in grazed if regime.guards[i].kind == "gap"):
             words = f"only just touched: {guard.joint}"
             graze = Transition(self.t, "graze", words, (guard.joint,), self.y, self.y, self.choice, self.choice)

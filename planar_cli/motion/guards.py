@@ -11,6 +11,11 @@ from planar_cli.motion.terms import Graph, Term
 from planar_cli.problem.facts import Mode, Push, Row, Test
 from planar_cli.problem.setting import MovingSetting
 
+LENGTH = "length"
+"""The kind of a guard behind which nothing goes on: a free part of a rope has run out."""
+SHORTEST = 1e-3
+"""It has when its length is below this part of the scale."""
+
 
 @dataclass(frozen=True, slots=True)
 class Guard:
@@ -19,7 +24,7 @@ class Guard:
     joint: str
     """The joint, or the key of the load, whose mode it belongs to."""
     kind: str
-    """presses, limit, slips, gap, taut, stretch, tips or mass."""
+    """presses, limit, slips, gap, taut, stretch, tips, mass or length."""
     words: str
     """The condition, as it holds."""
     strict: bool
@@ -77,10 +82,31 @@ class Watch:
 
     def measured(self) -> list[Measured]:
         """All conditions of the mode; they are numbered later."""
-        found = [self._of(test) for test in self.mode.tests]
+        found = [*(self._of(test) for test in self.mode.tests), *self._lengths()]
         for skid, speed in zip(self.mode.facts.skids, self.speeds, strict=True):
             guard = Guard(self.joint, "slips", f"{skid.body} slides on {skid.base}", True, self.scales.speed, 0)
             found.append(Measured(guard, speed))
+        return found
+
+    def _lengths(self) -> list[Measured]:
+        """Free parts of a rope, by the squares of their lengths: what has no length left has no direction.
+
+        A square has a value, below zero, also where a point has come inside the rim that the part touches. They end
+        while the directions are still those of before.
+        """
+        graph, found = self.layout.graph, []
+        usual = self.scales.length**2
+        segments = [s for row in (*self.mode.facts.rows, *self.mode.touching.rows) for s in row.segments]
+        if self.mode.parted and len(segments) == 1:
+            # The ends of a slack rope may meet.
+            return []
+        for segment in segments:
+            length = graph.of(0.0 if segment.length is None else segment.length)
+            if not length.constant:
+                square = length.args[0] if length.op == "sqrt" else length * length
+                words = f"every free part of {self.joint} has a length"
+                guard = Guard(self.joint, LENGTH, words, True, usual, 0)
+                found.append(Measured(guard, square - SHORTEST**2 * usual))
         return found
 
     def _of(self, test: Test) -> Measured:

@@ -12,8 +12,9 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
+from planar_cli.integrators.base import OUTSIDE
 from planar_cli.motion.constraints import Constraint
-from planar_cli.motion.guards import Guard, Measured
+from planar_cli.motion.guards import LENGTH, Guard, Measured
 from planar_cli.motion.held import Held, add
 from planar_cli.motion.layout import Column, Layout
 from planar_cli.motion.project import Projector
@@ -97,10 +98,23 @@ class Regime:
     def watch(self, t: float, y: Sequence[float]) -> list[float]:
         """The values of the guards: >= 0, or > 0, as long as the regime holds."""
         if any(m.needs_forces for m in self.parts.measured):
-            return self._watch(t, y)
+            try:
+                return self._watch(t, y)
+            except OUTSIDE:
+                # Beyond the end of a free part of a rope nothing but that is looked at.
+                values = self._lengths(t, y)
+                if min(values, default=0.0) >= 0.0:
+                    raise
+                return values
         if self._still is None:
             self._still = compiled(self._watched([]), self.layout.state, self.layout.time)
         return self._still.function(t, y)
+
+    def _lengths(self, t: float, y: Sequence[float]) -> list[float]:
+        """The values of the guards, of those that are no lengths a usual one."""
+        graph = self.layout.graph
+        terms = [m.state if m.guard.kind == LENGTH else graph.number(m.guard.scale) for m in self.parts.measured]
+        return compiled(terms, self.layout.state, self.layout.time).function(t, y)
 
     def project(self, t: float, y: Sequence[float]) -> list[float]:
         """The nearest state, weighed by masses, that fulfils all constraints of places and velocities."""

@@ -6,6 +6,7 @@ from bisect import bisect_right
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+from planar_cli.integrators.base import Counts, StepTooSmall, TooManySteps
 from planar_cli.motion.automaton import Choice
 from planar_cli.motion.schedule import Reached
 from planar_cli.motion.segment import Segment
@@ -52,7 +53,8 @@ class Outcome:
 
     kind: str
     """until (the time is over), reached (the last state), rest (nothing moves any more), none (no consistent modes),
-    several (more than one consistent motion), singular, small (steps too small), endless (impacts or changes of mode
+    several (more than one consistent motion), singular, small (steps too small), long (too many of them), spent (a
+    free part of a rope has run out), endless (impacts or changes of mode
     without end), contradiction (joints that cannot all hold), unbalanced (momentum or energy does not add up)."""
     words: str
     """As a sentence, with the place and time."""
@@ -78,6 +80,18 @@ class Work:
     evaluations: int = 0
     choices: int = 0
     """Choices of modes that were looked at."""
+
+    def more(self, counts: Counts) -> Work:
+        """With the work of another run."""
+        steps, rejected = self.steps + counts.steps, self.rejected + counts.rejected
+        return Work(steps, rejected, self.evaluations + counts.evaluations, self.choices)
+
+
+def stuck_at(stuck: StepTooSmall) -> Outcome:
+    """What an integrator that does not go on makes of a motion."""
+    if isinstance(stuck, TooManySteps):
+        return Outcome("long", f"{stuck}", stuck.t, "", "PL703")
+    return Outcome("small", f"from t = {stuck.t:.9g} s the motion can not be followed: {stuck}", stuck.t, "", "PL703")
 
 
 @dataclass(frozen=True, slots=True)

@@ -61,6 +61,11 @@ _ENGINE = {
         "written `10 s`, a number for a letter `m=2 kg`, a quantity as in `find`, an effect as `planar simulate "
         "--effects` lists it."
     ),
+    "PL712": (
+        "A body has come to the pulley, or to the point, to which its part of a rope runs: that part has no length and "
+        "no direction any more. What follows, a blow or a body drawn over the pulley, the file does not say. End the "
+        "motion before it, with `--until` or a last state."
+    ),
 }
 
 CODES_ENGINE: Mapping[str, str] = MappingProxyType(_ENGINE)

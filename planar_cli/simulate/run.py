@@ -40,6 +40,8 @@ USUAL: Mapping[str, str] = MappingProxyType({})
 """Every find in the usual unit of its kind."""
 FREE_TIMES, SEARCHED_TIMES = 20.0, 2000.0
 """Without an end a scene is followed for so many of its characteristic times; to find a state, for so many at most."""
+FREE_STEPS = 3000
+"""Without an end so many steps are enough, too."""
 BEGINNING = 1e-6
 """So many characteristic times are the first moments."""
 ROUND = (1.0, 2.0, 5.0, 10.0)
@@ -195,7 +197,9 @@ def followed(scene: Prepared, settings: Settings, shift: float = 0.0) -> Run:
     measures.moments[first] = measures.moments[START] = Moment(model.regime(), {}, start.t, start.y)
 
     shown = settings.progress
-    setting = Setting(model.scale, settings.tolerance, settings.step, most_steps=settings.most_steps)
+    free = settings.until is None and not schedule.events and not settings.stops
+    most = min(settings.most_steps, FREE_STEPS) if free else settings.most_steps
+    setting = Setting(model.scale, settings.tolerance, settings.step, most_steps=most)
     follower = Follower(
         stages,
         start,
@@ -209,10 +213,21 @@ def followed(scene: Prepared, settings: Settings, shift: float = 0.0) -> Run:
     )
     began = time.perf_counter()
     trajectory = follower.trajectory()
+    if free:
+        trajectory = _as_far(trajectory)
     seconds = time.perf_counter() - began
     measures.moments |= moments_of(trajectory, measures.moments, settled)
     demand_agreement(problem, measures)
     return Run(scene, problem, model, measures, schedule, trajectory, settings, until, seconds)
+
+
+def _as_far(trajectory: Trajectory) -> Trajectory:
+    """A motion that nobody gave an end: it is followed as far as it goes by itself, and in reasonable time."""
+    outcome = trajectory.outcome
+    if outcome.kind not in ("spent", "long") or not trajectory.segments:
+        return trajectory
+    words = f"{outcome.words}; with --until it is followed further" if outcome.kind == "long" else outcome.words
+    return replace(trajectory, outcome=replace(outcome, words=words, code=""))
 
 
 def _end(schedule: Schedule, model: Model, t0: float, settings: Settings) -> float:

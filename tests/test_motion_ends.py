@@ -1,0 +1,66 @@
+"""How motions end that nobody gave an end, or that can go no further: said by name, with the place and the time."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import pytest
+
+from planar_cli.problem.structure import load
+from planar_cli.simulate.run import FREE_STEPS, Settings, Simulation, simulate
+
+PROBLEMS = Path(__file__).parent.parent / "problems"
+ATWOOD = """\
+title: Two blocks until one comes to the pulley
+plane: vertical
+points: {D: [0, 0], A: [-0.1 m, -1 m], B: [0.1 m, -1 m]}
+bodies:
+  pulley: {disk: D, radius: 0.1 m}
+  A_block: {particle: A, mass: 3 kg}
+  B_block: {particle: B, mass: 2 kg}
+joints:
+  - pin: {at: D, between: [ground, pulley]}
+  - rope: {path: [A, over pulley, B], name: rope}
+"""
+
+
+def simulated(path: Path, settings: Settings) -> Simulation:
+    problem, wrong, _ = load(str(path))
+    assert problem is not None, wrong
+    return simulate(problem, settings, {})
+
+
+@pytest.mark.parametrize("tolerance", [1e-3, 1e-6, 1e-9, 1e-12])
+def test_a_rope_of_which_a_part_has_run_out(tolerance: float) -> None:
+    """The wheel's centre comes to the pulley, 2 m up the slope: beyond it the cord has another direction."""
+    found = simulated(PROBLEMS / "systems/wheel-pulled-uphill.yaml", Settings(tolerance=tolerance, until=3.0))
+    outcome = found.run.trajectory.outcome
+    assert (outcome.kind, outcome.code, outcome.joint) == ("spent", "PL712", "cord")
+    assert outcome.t == pytest.approx(math.sqrt(2 * 2 / found.answers[0].values[0]), rel=3e-3)
+
+
+def test_without_an_end_a_rope_that_runs_out_is_one() -> None:
+    found = simulated(PROBLEMS / "systems/wheel-pulled-uphill.yaml", Settings())
+    assert found.run.trajectory.outcome.kind == "spent"
+    assert not found.run.trajectory.outcome.refused
+    assert found.answers[0].values == pytest.approx([1.64232], rel=1e-5)
+
+
+def test_a_block_that_comes_to_the_rim_of_its_pulley(tmp_path: Path) -> None:
+    """Inside the rim the free part would have the root of a negative number for a length."""
+    scene = tmp_path / "scene.yaml"
+    scene.write_text(ATWOOD + "instant: [at rest]\nfind: {a: a(A).y}\n", encoding="utf-8")
+    outcome = simulated(scene, Settings(until=3.0)).run.trajectory.outcome
+    assert outcome.kind == "spent"
+    assert outcome.t == pytest.approx(math.sqrt(2 * 1 / (9.81 / 5)), rel=2e-3)
+
+
+def test_without_an_end_a_motion_costs_no_more_than_it_may() -> None:
+    """A crank under a constant torque turns faster and faster."""
+    found = simulated(PROBLEMS / "plans/slider-crank-free.yaml", Settings(tolerance=1e-6, estimate=False))
+    trajectory = found.run.trajectory
+    assert trajectory.outcome.kind == "long"
+    assert not trajectory.outcome.refused
+    assert trajectory.work.steps == pytest.approx(FREE_STEPS, abs=1)
+    assert found.answers[0].values == pytest.approx([441.368], rel=1e-5)
