@@ -11,6 +11,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
+from planar_cli.records import record
+
 
 @dataclass(frozen=True, slots=True, order=True)
 class Mark:
@@ -28,7 +30,7 @@ class Mark:
 NOWHERE = Mark("", 0, 0)
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Diagnostic:
     """One thing that is wrong: `code` (PL101 …), a sentence, the place, and a hint that says what to write."""
 

@@ -9,17 +9,18 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
 from difflib import get_close_matches
 from fractions import Fraction
 from functools import lru_cache
 from types import MappingProxyType
 
+from planar_cli.records import record
+
 MAX_UNIT_LENGTH = 40
 MAX_UNIT_POWER = 12
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Dimension:
     """Exponents of length, mass and time; angles are pure numbers."""
 
@@ -68,7 +69,7 @@ DENSITY = _dimension(-3, 1, 0)
 LINE_DENSITY = _dimension(-1, 1, 0)
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Unit:
     """A unit as written; SI value = number * factor * pi**pi_power. `angle`: an angle or a rate of angle."""
 

@@ -14,8 +14,8 @@ MODULES = sorted(PACKAGE.rglob("*.py"))
 TESTS = sorted((ROOT / "tests").glob("*.py"))
 STAGES = ("problem", "motion", "simulate", "equation", "calculus", "solve", "homework", "report")
 SHELVES = ("joints", "loads", "principles", "integrators", "formats", "exports", "commands")
-COMMON = {"errors", "units", "registry"}
-# What members of a shelf may import, beside errors, units and their own shelf's base and private modules.
+COMMON = {"errors", "records", "registry", "units"}
+# What members of a shelf may import, beside errors, records, units and their own shelf's base and private modules.
 MEMBERS_SEE = {
     "joints": {"problem"},
     "loads": {"problem"},
@@ -112,7 +112,7 @@ def test_print_sees_only_the_trace_of_a_motion(path: Path) -> None:
 @pytest.mark.parametrize("path", [p for p in MODULES if parts_of(p)[:1] and parts_of(p)[0] in MEMBERS_SEE], ids=id_of)
 def test_members_see_little(path: Path) -> None:
     shelf = parts_of(path)[0]
-    allowed = {*MEMBERS_SEE[shelf], "errors", "units", shelf}
+    allowed = {*MEMBERS_SEE[shelf], "errors", "records", "units", shelf}
     assert not [".".join(t) for t in imports(path) if t[0] not in allowed]
 
 

@@ -6,7 +6,7 @@ Source: An Introduction to Planar Dynamics, 1.3.1, equations 1.19, 1.20 and 1.27
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import sympy as sp
 
@@ -15,9 +15,10 @@ from planar_cli.calculus.deciding import confirmed, sign
 from planar_cli.calculus.spans import bound
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.plain import simplified
+from planar_cli.records import record
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Separated:
     """What is known in closed form of dx/dt = f(x), x = x0 at the start; None: nothing is.
 

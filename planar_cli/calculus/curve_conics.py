@@ -7,7 +7,6 @@ A x² + B x y + C y² + D x + E y + F = 0.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 import sympy as sp
@@ -16,12 +15,13 @@ from planar_cli.calculus.curve_plain import hidden, plainer, rationally
 from planar_cli.calculus.curve_trial import Trial
 from planar_cli.calculus.curve_words import CIRCLE, CONIC, ELLIPSE, HYPERBOLA, LINE, PARABOLA, Curve
 from planar_cli.equation.plain import MANY, longer, operations
+from planar_cli.records import record
 
 FACTORED = 60
 """A polynomial of more terms is not factored."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Plane:
     """The two axes, what they are along the path, and the numbers to decide with."""
 

@@ -5,7 +5,7 @@ Everything is brought to c = cos u, s = sin u with s² = 1 - c²; cos n u and si
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from math import gcd
 from typing import Any
 
@@ -21,6 +21,7 @@ from planar_cli.calculus.curve_conics import (
 from planar_cli.calculus.curve_plain import hidden, plainer
 from planar_cli.calculus.curve_words import CURVE, ELLIPSE, PARABOLA, Curve, Step
 from planar_cli.equation.plain import MANY, longer
+from planar_cli.records import record
 
 C, S = sp.Dummy("c"), sp.Dummy("s")
 HIGHEST = 8
@@ -30,7 +31,7 @@ LETTERS, TERMS = 6, 32
 SQUARED = "squared and added, since cos² + sin² = 1"
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Waves:
     """A path in c = cos u and s = sin u; `x`, `y` may still hold the parameter beside them."""
 

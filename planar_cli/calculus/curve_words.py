@@ -6,10 +6,11 @@ Units: whatever the coordinates carry (SI inside); nothing here converts. Angles
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any
 
 import sympy as sp
+
+from planar_cli.records import record
 
 Step = tuple[str, Any]
 """Words, and the equation or expression that they introduce."""
@@ -26,7 +27,7 @@ POINT, LINE, CIRCLE, ELLIPSE, PARABOLA, HYPERBOLA, CONIC, CURVE = (
 )
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Curve:
     """The curve of a moving point.
 

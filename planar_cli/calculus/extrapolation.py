@@ -12,12 +12,12 @@ import decimal
 import math
 from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager, nullcontext
-from dataclasses import dataclass
 from typing import Any
 
 import mpmath
 
 from planar_cli.errors import NotReached, NoValue
+from planar_cli.records import record
 
 Rates = Callable[[Any, Sequence[Any]], list[Any]]
 
@@ -37,7 +37,7 @@ class Leaves(NotReached):
         super().__init__(f"{message} (the motion is known up to t = {float(reached):.12g})")
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Level:
     """An arithmetic: how to make its numbers, its rounding unit, the error allowed in a step, the highest column."""
 
@@ -72,7 +72,7 @@ def _mpf(x: Any) -> Any:
     return mpmath.mpf(str(x)) if isinstance(x, decimal.Decimal) else mpmath.mpf(x)
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Trial:
     """A step tried: the increments (None: rejected), the error left in each, and what to try next."""
 

@@ -11,11 +11,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
 
 from planar_cli.calculus.panels import EPS, Panel, Scan, period_of
 from planar_cli.calculus.polish import polish, polish_extreme
 from planar_cli.errors import NotReached
+from planar_cli.records import record
 
 __all__ = [
     "Extreme",
@@ -38,7 +38,7 @@ FEW, MOST = 20_000, 400_000
 Function = Callable[[float], float]
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Root:
     """A root and a bracket about it.
 
@@ -55,7 +55,7 @@ class Root:
     miss: float = 0.0
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Extreme:
     """The largest or smallest value and the first instant at which it is attained, with a bracket.
 

@@ -8,7 +8,6 @@ first m of these vanish; then z is the m-fold integral. Complex numbers are pair
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import comb, factorial
 
 import sympy as sp
@@ -16,6 +15,7 @@ import sympy as sp
 from planar_cli.calculus.deciding import vanishes
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.plain import MANY, longer, simplified
+from planar_cli.records import record
 
 Pair = tuple[sp.Expr, sp.Expr]
 _NOTHING: Pair = (sp.S.Zero, sp.S.Zero)
@@ -24,7 +24,7 @@ HIGHEST, HIGHEST_OF_WAVE = 12, 5
 """The highest power of t (or of a sine) that is taken, and the highest of t that multiplies a sine."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Forcing:
     """P(t) e^growth trig(phase): `powers` are the coefficients of P; growth and phase are linear in t."""
 

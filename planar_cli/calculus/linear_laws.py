@@ -7,8 +7,6 @@ Units: w2 in 1/s², c in 1/s. Source: An Introduction to Planar Dynamics, 1.3.1,
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import sympy as sp
 
 from planar_cli.calculus.antiderivative import definite
@@ -17,6 +15,7 @@ from planar_cli.calculus.forcing import particular
 from planar_cli.calculus.spans import Moment, Span, bound, span
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.plain import simplified
+from planar_cli.records import record
 
 _EQUATION = "λ² + c λ + ω² = 0"
 _WORDS = {
@@ -30,7 +29,7 @@ _WORDS = {
 }
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Characteristic:
     """The roots of λ² + c λ + w2 = 0, and the two fundamental solutions as functions of the time τ since the start.
 

@@ -10,9 +10,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
 from functools import lru_cache
 from itertools import pairwise
+
+from planar_cli.records import record
 
 DEGREE = 12
 TOLERANCE = 1e-10
@@ -24,7 +25,7 @@ FOREVER = 1e15
 """A search without an end stops after so many times its first width."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Panel:
     """One stretch of time: `times` and `values` are samples, ends included; `bernstein` the polynomial on it.
 

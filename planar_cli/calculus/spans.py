@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
 
 import sympy as sp
 
+from planar_cli.records import record
 
-@dataclass(frozen=True, slots=True)
+
+@record
 class Moment:
     """The symbols of one instant, all real: time t, coordinate q, speed v = dq/dt (its sign is that of growing q)."""
 
@@ -18,7 +19,7 @@ class Moment:
     v: sp.Symbol
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Span:
     """One relation between two instants.
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from difflib import get_close_matches
 from typing import TYPE_CHECKING, Any
 
@@ -19,6 +19,7 @@ from planar_cli import cli
 from planar_cli.commands._limit import time_limit
 from planar_cli.commands._output import write
 from planar_cli.errors import PlanarError
+from planar_cli.records import record
 from planar_cli.registry import members, modules
 
 if TYPE_CHECKING:
@@ -29,7 +30,7 @@ LARGEST_FIGURES = 40
 OUTCOMES = {cli.DISAGREES: "no solution", cli.BAD: "bad file", cli.UNDECIDED: "undecided", cli.FAULT: "fault"}
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Wanted:
     """The options of one run."""
 
@@ -47,7 +48,7 @@ class Wanted:
         return self.form == "json"
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Report:
     """What came of one file: its exit status, and a text for people or data for programs."""
 

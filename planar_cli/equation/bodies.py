@@ -8,7 +8,7 @@ centre at d = 4 r sin(span/2)/(3 span) from the apex; composites by the parallel
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import sympy as sp
 
@@ -18,11 +18,12 @@ from planar_cli.equation.plain import simplified
 from planar_cli.errors import refuse
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import Body, Composite, Outline, Particle, Piece, Plate, Rod, Round, Sector, Shape
+from planar_cli.records import record
 
 ZERO = sp.S.Zero
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class BodyModel:
     """One body as principles see it.
 
@@ -45,7 +46,7 @@ class BodyModel:
         return time in self.mass.free_symbols | self.inertia.free_symbols
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Uniform:
     """Mass centre of a uniform shape and its moment of inertia per unit of mass about it; direction of its angle."""
 

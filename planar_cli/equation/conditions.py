@@ -7,7 +7,6 @@ A condition is a residual that vanishes: a vector one may be projected on any di
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any
 
 import sympy as sp
@@ -35,6 +34,7 @@ from planar_cli.problem.facts import Row
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.polar import TOGETHER, VectorStatement, grouped
 from planar_cli.problem.scene import At, Particle, Polar
+from planar_cli.records import record
 
 POSITION, VELOCITY, ACCELERATION = 0, 1, 2
 ORDERS = {
@@ -45,7 +45,7 @@ ORDERS = {
 }  # fmt: skip
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Condition:
     """One relation between unknowns of one level.
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Protocol
 
 import sympy as sp
@@ -15,6 +14,7 @@ from planar_cli.equation.pose import HERE, Pose
 from planar_cli.problem.expression import Side
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND, Curve, Surface
+from planar_cli.records import record
 
 ZERO = sp.S.Zero
 Sign = Callable[[sp.Expr], int]
@@ -68,7 +68,7 @@ def parameter(curve: Curve, pose: Pose, point: Vec, sign: Sign) -> sp.Expr:
     return _direction(seen, sign) - pose.turn
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Bend:
     """A curve at one of its points: the place, the unit tangent towards growing x or theta, the curvature (1/m)."""
 

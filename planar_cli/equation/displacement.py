@@ -10,12 +10,13 @@ import sympy as sp
 from planar_cli.equation.ledger import Kind, Ledger, Role
 from planar_cli.equation.pose import Pose
 from planar_cli.problem.geometry import Vec
+from planar_cli.records import record
 from planar_cli.units import parse_unit
 
 ZERO = sp.S.Zero
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Coordinate:
     """One freedom of the tree; its rate is factor · speed + extra."""
 
@@ -68,7 +69,7 @@ class CoordinateNames:
         return self.made[key]
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Displacement:
     """Poses by body, places of points that no body carries along (points of contact), all coordinates;
     `formula`: bodies whose places the file itself writes with coordinates.

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from fractions import Fraction
 
 import sympy as sp
@@ -24,6 +23,7 @@ from planar_cli.problem.expression import (
     Word,
 )
 from planar_cli.problem.no_number import mode_misplaced, quantity_misplaced, state_misplaced
+from planar_cli.records import record
 from planar_cli.units import parse_unit
 
 FUNCTIONS = {
@@ -52,7 +52,7 @@ def no_quantity(quantity: Quantity) -> Jet:
     raise quantity_misplaced(quantity)
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Evaluator:
     """Evaluates sides. `motions`: rate and second derivative of symbols that vary (coordinates), by symbol.
 

@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Container
-from dataclasses import dataclass
 from typing import Any
 
 import sympy as sp
+
+from planar_cli.records import record
 
 
 class Nonlinear(ValueError):
     """An unknown stands in a power, a function or a product with another unknown."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Form:
     """constant + Σ coefficient · unknown; the coefficients hold no unknowns."""
 

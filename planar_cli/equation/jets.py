@@ -6,15 +6,15 @@ differentiated.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 import sympy as sp
 
 from planar_cli.problem.geometry import Vec
+from planar_cli.records import record
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Jet:
     """value, d/dt, d²/dt² as expressions; None: not known at one instant."""
 

@@ -18,6 +18,7 @@ import sympy as sp
 from planar_cli.equation.exact import PI, Sample, Valuation
 from planar_cli.equation.sample import fraction, generator
 from planar_cli.equation.scales import Scales
+from planar_cli.records import record
 from planar_cli.units import PURE, Unit, parse_unit
 
 DRAWS, WIDER, MANY = 2, 10, 30
@@ -39,7 +40,7 @@ class Kind(Enum):
     STATE = "value at a state"
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Role:
     """What a symbol is."""
 

@@ -7,7 +7,6 @@ rim, a rod or a plate with the end or corner that is nearest. (An Introduction t
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import sympy as sp
 
@@ -17,9 +16,10 @@ from planar_cli.errors import FileProblem, Mark, refuse
 from planar_cli.problem.facts import Meeting
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND, Circle, Line, Particle, Plate, Rod, Round
+from planar_cli.records import record
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Partner:
     """One of the two. `center`, `radius`: of a round one. `line`: a point and the direction of a straight one.
     `corners`: points with which it may meet another. `body`: who carries it.

@@ -13,7 +13,6 @@ guide the speed of the slide, free bodies two components and a rotation. Joints 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
 from typing import Any
 
 import sympy as sp
@@ -22,12 +21,13 @@ from planar_cli.equation.ledger import Kind, Ledger, Role
 from planar_cli.problem.facts import Joining, Row
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
+from planar_cli.records import record
 
 ZERO = sp.S.Zero
 STILL = Vec(ZERO, ZERO)
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Twist:
     """Motion of a body: velocity (or acceleration) of its material point at `point`, and ω (or α)."""
 
@@ -36,7 +36,7 @@ class Twist:
     angular: sp.Expr
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Edge:
     """How a body hangs on the tree: by a joining (None: free), from which body, with which new unknowns.
 
@@ -58,7 +58,7 @@ class Edge:
     particle: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Tree:
     """All edges in the order in which bodies are placed, and the joinings that are left over."""
 

@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import sympy as sp
 
 from planar_cli.equation.plain import simplified
 from planar_cli.problem.geometry import Vec
+from planar_cli.records import record
 
 ZERO = sp.S.Zero
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Pose:
     """Where a body is: what was drawn at `drawn` is at `place`; its angle was `before` and is `now`."""
 

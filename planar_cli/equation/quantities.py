@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import sympy as sp
 
@@ -18,6 +17,7 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.problem.no_number import mode_misplaced
 from planar_cli.problem.reactions import Reactions
 from planar_cli.problem.scene import GROUND
+from planar_cli.records import record
 
 LATER = {
     "path",
@@ -60,7 +60,7 @@ def resolved(v: Vec, unit: Vec, along: bool) -> Jet:
     return found
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Quantities:
     """Evaluates quantities in one scene, motion and set of reactions."""
 

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, fields, is_dataclass
+from dataclasses import fields, is_dataclass
 from decimal import Decimal
 from fractions import Fraction
 from typing import Any
@@ -23,6 +23,7 @@ from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.errors import NoValue
 from planar_cli.problem.expression import Number, Scaled
 from planar_cli.problem.scene import Problem
+from planar_cli.records import record
 from planar_cli.units import ACCELERATION, LENGTH, PURE, RATE, VELOCITY, Dimension, Unit, parse_unit
 
 GRAVITY = 9.81
@@ -32,7 +33,7 @@ PART = 1e-6
 """Parts of a formula are changed by this part of their size, to see how much of it each of them is."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Scales:
     """What counts as an ordinary size in a scene."""
 
@@ -56,7 +57,7 @@ class Scales:
         return Decimal(10) ** round(math.log10(self.of(dimension)))
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Sizes:
     """The largest length, speed and angular speed of a motion so far; for other quantities those of its scene."""
 
@@ -151,7 +152,7 @@ def _solved(square: list[list[Fraction]], right: list[float]) -> list[float]:
     return [rows[pivots[k]][1] / float(rows[pivots[k]][0][k]) if k in pivots else 0.0 for k in range(len(rows))]
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Here:
     """One state of a motion that is followed: its letters in numbers, and what each of them is measured by."""
 

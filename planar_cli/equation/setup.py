@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from decimal import Decimal
 
 import sympy as sp
@@ -21,10 +21,11 @@ from planar_cli.problem.dimensions import Kind, dimension_of
 from planar_cli.problem.expression import Binary, Function, Name, Negate, Number, Quantity, Relation, Scaled, Side
 from planar_cli.problem.facts import Mode
 from planar_cli.problem.scene import Problem, Symbol
+from planar_cli.records import record
 from planar_cli.units import PURE, Unit, default_unit, parse_unit
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Earlier:
     """A find of an earlier case: its exact value (or a rational close to sixty digits) and its unit."""
 
@@ -32,7 +33,7 @@ class Earlier:
     unit: str
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Course:
     """A scene in a general position: how it is displaced (None: as drawn), within which ranges letters are drawn, and
     how draws of coordinates are moved to where loops close. `parted`: modes of joints that have parted, as drawn; what

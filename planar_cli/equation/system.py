@@ -25,9 +25,10 @@ from planar_cli.equation.swaying import ROPES, sways
 from planar_cli.problem.expression import AtRest, Equilibrium, Extreme, Quantity, Relation, Statement, Word
 from planar_cli.problem.facts import Law, Mode, Push, Skid, Wrench
 from planar_cli.problem.reactions import Reactions
+from planar_cli.records import record
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Statements:
     """What the file states for one instant.
 

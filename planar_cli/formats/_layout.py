@@ -8,8 +8,8 @@ from __future__ import annotations
 import re
 import unicodedata
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 
+from planar_cli.records import record
 from planar_cli.report.blocks import Inline, Line, Math, Name, Relation, Text, Value
 from planar_cli.report.names import plain_name, printable
 from planar_cli.report.numbers import quantity
@@ -20,7 +20,7 @@ BEFORE_OPERATOR = "\ue000"
 _INNER_SPACES = str.maketrans({FIRM: " ", BEFORE_OPERATOR: " "})
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Span:
     """Text in one style: a `TextStyle`, or "title", "heading", "label", "math", "answer"."""
 
@@ -90,7 +90,7 @@ def indent(columns: int) -> list[Span]:
     return [Span(" " * columns)] if columns > 0 else []
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class _Chunk:
     """What must stay together, and how many spaces stand before it."""
 

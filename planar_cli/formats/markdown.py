@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import ClassVar, final
 
 from planar_cli.formats.base import Format, runs
+from planar_cli.records import record
 from planar_cli.report import latex
 from planar_cli.report.blocks import (
     Answer,
@@ -44,7 +44,7 @@ _OPENING = re.compile(r"^(\s*\d*)([-+.)])(?=\s|$)")
 
 
 @final
-@dataclass(frozen=True, slots=True)
+@record
 class Markdown(Format[str]):
     """Markdown with formulas in LaTeX. Each piece is a paragraph."""
 

@@ -5,12 +5,12 @@ from __future__ import annotations
 import os
 import shutil
 from collections.abc import Sequence
-from dataclasses import dataclass
 from io import StringIO
 from typing import ClassVar, TextIO, final
 
 from planar_cli.formats._layout import FIRM, Row, Span, fill, indent, row_cells, settled, side_spans, spans, words
 from planar_cli.formats.base import Format, runs
+from planar_cli.records import record
 from planar_cli.report.blocks import (
     Answer,
     Block,
@@ -52,7 +52,7 @@ _COLOURS = {
 
 
 @final
-@dataclass(frozen=True, slots=True)
+@record
 class Terminal(Format[Row]):
     """Plain text with aligned equations, wrapped to the width of the terminal."""
 
@@ -211,7 +211,7 @@ class Terminal(Format[Row]):
         return rows
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class _Columns:
     """Where a run of equations is aligned: column of the numbers and leads, widths of number, lead and left side."""
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from planar_cli.errors import Diagnostic, FileProblem, NoSolution, PlanarError
 from planar_cli.homework.answers import compare
@@ -11,6 +11,7 @@ from planar_cli.homework.supervisor import Ended, Supervisor
 from planar_cli.homework.verdict import Verdict
 from planar_cli.problem.scene import Problem
 from planar_cli.problem.structure import load
+from planar_cli.records import record
 from planar_cli.solve.run import solve_problem
 from planar_cli.solve.solved_problem import Solution
 
@@ -24,7 +25,7 @@ AGREES, DISAGREES, NO_SOLUTION, BAD, UNDECIDED, FAULT = (
 )
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Checked:
     """What came of one file: one of the outcomes above, a verdict for each stated answer, and what went wrong."""
 

@@ -15,12 +15,14 @@ from multiprocessing.connection import Connection, wait
 from multiprocessing.process import BaseProcess
 from typing import Any
 
+from planar_cli.records import record
+
 READY = "ready"
 MEMORY = 2 * 1024**3
 LONGEST_START = 120.0
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Ended:
     """How one task ended: `verdict` is ok, fault, timeout, memory or crashed; `result` is a value or a message."""
 

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from decimal import Decimal
+
+from planar_cli.records import record
 
 TOLERANCE = Decimal("0.01")
 """Relative, where the file says no other."""
@@ -11,7 +12,7 @@ FLOOR = Decimal("0.001")
 """Share of tolerance times scale that is allowed on top: at one per cent, 1e-5 of the scale for a true zero."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Verdict:
     """One stated answer beside the solved one."""
 

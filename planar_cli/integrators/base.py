@@ -20,6 +20,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from planar_cli.errors import Undecided
+from planar_cli.records import record
 
 Vector = list[float]
 Rates = Callable[[float, Vector], Vector]
@@ -61,7 +62,7 @@ class Counts:
     factorisations: int = 0
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Step:
     """One accepted step from (t0, y0) to (t1, y1)."""
 
@@ -87,7 +88,7 @@ class Step:
         return list(self.y0) if t == self.t0 else self.inside(t)
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Setting:
     """How exactly to integrate."""
 

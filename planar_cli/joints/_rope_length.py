@@ -8,16 +8,16 @@ the running rope (ρ = ±radius), it has the length L = √(d² - (ρ_2 - ρ_1)�
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any
 
 from planar_cli.joints._rope_path import Stop
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.residuals import Poses, Residual
+from planar_cli.records import record
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class _Rim:
     """A stop in numbers: its centre's place, and ρ; `wound`: the rope is fastened to the rim."""
 

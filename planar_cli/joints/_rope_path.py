@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any
 
@@ -12,9 +11,10 @@ from planar_cli.problem.facts import Action, Anchor, Segment
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.keys import RopeStop
 from planar_cli.problem.setting import Setting
+from planar_cli.records import record
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class RopePath:
     """How a rope runs, as the file says it."""
 
@@ -28,7 +28,7 @@ class RopePath:
     """The place of the entry in the file."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Stop:
     """One stop: the body that it is on, its centre (or point), its radius, and on which side of the rope the centre is.
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 from planar_cli.errors import Mark
@@ -24,9 +24,10 @@ from planar_cli.problem.facts import (
 )
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.setting import Setting
+from planar_cli.records import record
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class ContactPlace:
     """Where a contact is and between whom, as the file names it."""
 
@@ -40,7 +41,7 @@ class ContactPlace:
     """The place of the entry in the file."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Friction:
     """What a contact resists sliding with; None: not given."""
 

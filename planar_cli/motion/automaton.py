@@ -7,11 +7,11 @@ A regime is one choice of modes with its ordinary differential equations; its gu
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from typing import Protocol
 
 from planar_cli.motion.impact import Struck
 from planar_cli.problem.facts import Mode
+from planar_cli.records import record
 
 Resultant = Callable[[float, Sequence[float]], tuple[float, float, float]]
 """Force x, y [N] and moment about the origin [N m] at a time in a state."""
@@ -132,7 +132,7 @@ class Stages(Protocol):
         """The impulses of loads in the blow that ends in the state `after`; None where there are none."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Always:
     """A scene in which everything acts all the time."""
 
@@ -147,7 +147,7 @@ class Always:
         return None
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Start:
     """Where a motion begins."""
 

@@ -6,10 +6,10 @@ The engine follows accelerations; that energy and momentum add up is a check by 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 
 from planar_cli.integrators.base import Step
 from planar_cli.motion.automaton import Regime, Resultant
+from planar_cli.records import record
 
 Note = Callable[[float, Sequence[float]], None]
 NODES = (
@@ -24,7 +24,7 @@ ALLOWED = 1e4
 """A balance may be off by so many times the tolerance: errors of many steps add up, and grow in unstable motions."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Balance:
     """What does not add up."""
 

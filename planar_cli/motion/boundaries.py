@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from planar_cli.motion.carried import Carried
 from planar_cli.motion.places import unit_vector
@@ -24,9 +23,10 @@ from planar_cli.problem.scene import (
     Shape,
     Surface,
 )
+from planar_cli.records import record
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Corner:
     """A point."""
 
@@ -34,7 +34,7 @@ class Corner:
     place: Vec
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Edge:
     """A straight edge."""
 
@@ -48,7 +48,7 @@ class Edge:
     """The body is to the right of it, as round a plate; else it may be met from either side."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Rim:
     """A circle; from inside or from outside, as drawn."""
 
@@ -59,7 +59,7 @@ class Rim:
     """May something be inside? A surface or a ring, not a disk."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Bow:
     """A curve y(x) or r(theta)."""
 

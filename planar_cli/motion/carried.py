@@ -9,7 +9,6 @@ from __future__ import annotations
 import math
 import sys
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import Any
 
 from planar_cli.joints.base import Joint
@@ -23,6 +22,7 @@ from planar_cli.problem.expression import Name, Side
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND, Line, Problem, Surface
 from planar_cli.problem.shapes import own_points
+from planar_cli.records import record
 
 TINIEST = sys.float_info.min
 """Added to a square under a root, so that what is just zero does not divide zero by zero."""
@@ -30,7 +30,7 @@ EXACT = 1e-14
 """A part of an arm below this part of it is the rounding of a right angle."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Place:
     """One body: its coordinates, their rates, and what it carries."""
 

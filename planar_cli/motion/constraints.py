@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
 from planar_cli.motion.layout import Column, Layout
 from planar_cli.motion.replacing import replaced
 from planar_cli.motion.terms import Term
+from planar_cli.records import record
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Constraint:
     """φ(q, t) = 0, or only its rate φ̇ = row · v + drift = 0, and always row · a + rest = 0."""
 

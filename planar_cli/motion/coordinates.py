@@ -17,9 +17,10 @@ from planar_cli.motion.terms import Term
 from planar_cli.problem.expression import Side
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND, At, Midpoint, Point, Polar, Towards, TwoFacts
+from planar_cli.records import record
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Tie:
     """A residual of places that stays zero, beside those of the joints."""
 
@@ -29,7 +30,7 @@ class Tie:
     """m or rad."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class _Handle:
     """What the file writes with coordinates, and the same of the bodies."""
 

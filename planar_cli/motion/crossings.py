@@ -8,10 +8,10 @@ divided, and every part is searched, the first in time first.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from itertools import pairwise
 
 from planar_cli.integrators.base import EPSILON, Step, Vector
+from planar_cli.records import record
 
 BAND = 1e-12
 """A watched value below this part of its scale is zero."""
@@ -27,7 +27,7 @@ TOGETHER = 1e-9
 Values = Callable[[float, Vector], Sequence[float]]
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Watch:
     """Values along a motion, all given by one function."""
 
@@ -42,7 +42,7 @@ class Watch:
         return not self.falling or self.falling[index]
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Crossing:
     """A watched value reaches zero."""
 
@@ -55,7 +55,7 @@ class Crossing:
     """`falls`, `rises`, or `grazes`: touches zero with its smallest size and leaves to the same side again."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class _Node:
     """An instant of a step at which the values are known."""
 

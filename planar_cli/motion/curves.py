@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import Any
 
 from planar_cli.motion.carried import Carried
@@ -13,12 +12,13 @@ from planar_cli.motion.replacing import replaced
 from planar_cli.motion.terms import Term, evaluate
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND, Curve, Surface
+from planar_cli.records import record
 
 TURNS = 6
 """So many turns of a spiral are tried for a drawn place."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Bend:
     """A curve at one of its points."""
 
@@ -30,7 +30,7 @@ class Bend:
     """1/m, positive where the curve bends to the left of the tangent."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Formula:
     """A curve in the axes in which it is drawn: y(x), or r(theta)."""
 

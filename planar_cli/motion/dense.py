@@ -8,9 +8,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from planar_cli.motion.pivots import scales
+from planar_cli.records import record
 
 DEPENDENT = 1e-11
 """What is left of a column below this part of its size depends on the others."""
@@ -20,7 +20,7 @@ LARGE = 20
 Matrix = Sequence[Sequence[float]]
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Fit:
     """The solution of a system in the sense of least squares."""
 

@@ -18,11 +18,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import pairwise
 
 from planar_cli.integrators.base import EPSILON, Counts, Integrator, Rates, Setting, Step, Vector
 from planar_cli.motion.crossings import BAND, Crossing, Sentinel, Watch
+from planar_cli.records import record
 from planar_cli.registry import member
 
 AUTOMATIC, EXPLICIT, STIFF = "auto", "dop853", "radau"
@@ -44,7 +45,7 @@ FEWEST = 16
 """No step is longer than this part of the way to the end of the run."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Changed:
     """The run was given to the implicit method."""
 
@@ -62,7 +63,7 @@ class Changed:
         return text + lost if self.unresolved else text
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Run:
     """One run: its steps, and where and why it ended."""
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 
 from planar_cli.motion.constraints import Constraint, of_accelerations, of_places, of_velocities
 from planar_cli.motion.layout import Layout
@@ -13,6 +12,7 @@ from planar_cli.motion.stated import Stated, stated
 from planar_cli.motion.terms import Term, ordered
 from planar_cli.problem.expression import Quantity, Relation, Statement
 from planar_cli.problem.walk import walk
+from planar_cli.records import record
 
 FORCES = frozenset("N tension moment friction reaction force power mode".split())
 """Quantities that only the equations of motion tell."""
@@ -20,7 +20,7 @@ PLACES, VELOCITIES, ACCELERATIONS = 0, 1, 2
 """Of what a relation is."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Asked:
     """The quantities of a scene with its accelerations as variables."""
 

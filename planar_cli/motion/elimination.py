@@ -6,11 +6,11 @@ Where the system is symmetric, both halves are the same terms, so that the code 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
 from planar_cli.motion.pivots import Order, order
 from planar_cli.motion.source import Check
 from planar_cli.motion.terms import Graph, Term, evaluate
+from planar_cli.records import record
 
 SMALL_PIVOT = 1e-8
 """A pivot that shrinks below this part of its parts no longer serves, if it was larger where the order was chosen."""
@@ -23,7 +23,7 @@ Rows = Sequence[Mapping[int, Term]]
 """The coefficients of each equation, by unknown."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Step:
     """One pivot with what it makes of the equations below it."""
 
@@ -36,7 +36,7 @@ class Step:
     """By which multiple of it each other equation is lessened."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Factored:
     """A system after its elimination, for any right side."""
 

@@ -10,9 +10,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 
 from planar_cli.integrators.base import EPSILON
+from planar_cli.records import record
 
 TIGHTER = 1 / 32
 """The tolerance of the second run, in parts of that of the first."""
@@ -26,7 +26,7 @@ GROWN = 100.0
 """A unit in the last place that has not grown by more than this grows no further in any way that matters."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Estimate:
     """Numbers with their errors."""
 
@@ -35,7 +35,7 @@ class Estimate:
     """How far each may be off, in its own unit."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Growth:
     """What becomes of a small difference at the start."""
 

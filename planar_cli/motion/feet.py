@@ -6,7 +6,6 @@ It is found from the place of the rim's centre M at all times, touching or not: 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 
 from planar_cli.motion.boundaries import Rim, boundaries
 from planar_cli.motion.carried import Carried
@@ -14,6 +13,7 @@ from planar_cli.motion.coordinates import Tie
 from planar_cli.motion.curves import Bend, Formula, arc_of, bend_of, formula_of, seen_from
 from planar_cli.motion.terms import Term
 from planar_cli.problem.scene import Curve
+from planar_cli.records import record
 
 TRIED, STEPS = 400, 60
 """Points of the curve among which the nearest is sought, and steps of Newton's method from there."""
@@ -21,7 +21,7 @@ ARC = 0.05
 """So far x (in parts of the drawing) or theta (rad) goes in one panel of the quadrature of an arc."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Foot:
     """The point of a curve that is nearest to the centre of a rim."""
 

@@ -7,6 +7,8 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from itertools import pairwise
 
+from planar_cli.records import record
+
 EXACT = 4e-16
 """The part of two plain numbers below which their sum is nothing but the rounding of them."""
 FUNCTIONS: dict[str, Callable[..., float]] = {
@@ -77,7 +79,7 @@ class Sliding:
             self.x, self.y = vx / size, vy / size
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Table:
     """Values over an argument, in ascending order: straight in between (or steps), constant before and after."""
 

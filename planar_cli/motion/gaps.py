@@ -8,7 +8,7 @@ partner is drawn; the edges of a plate from outside.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from planar_cli.motion.boundaries import Boundary, Bow, Corner, Edge, Rim, boundaries, boundary_center
 from planar_cli.motion.carried import Carried
@@ -17,12 +17,13 @@ from planar_cli.motion.feet import Foot
 from planar_cli.motion.terms import Term
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
+from planar_cli.records import record
 
 Feet = Mapping[tuple[str, str], Foot]
 """Where rims are nearest to curves, by surface and body."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Gap:
     """One way in which two partners may touch."""
 

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 from planar_cli.motion.layout import Layout
 from planar_cli.motion.scales import Scales
 from planar_cli.motion.terms import Graph, Term
 from planar_cli.problem.facts import Mode, Push, Row, Test
 from planar_cli.problem.setting import MovingSetting
+from planar_cli.records import record
 
 LENGTH = "length"
 """The kind of a guard behind which nothing goes on: a free part of a rope has run out."""
@@ -17,7 +17,7 @@ SHORTEST = 1e-3
 """It has when its length is below this part of the scale."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Guard:
     """A value that is >= 0, or > 0 where it is strict, as long as its regime holds."""
 
@@ -35,7 +35,7 @@ class Guard:
     """Its place among the guards of the regime."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Measured:
     """A guard and how its value is computed: state + Σ factor · push, less the resultant of `within`."""
 
@@ -66,7 +66,7 @@ class Measured:
         return bool(self.forces or self.within)
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Watch:
     """What the guards of one joint in one mode are made with."""
 

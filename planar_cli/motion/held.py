@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
 from planar_cli.motion.constraints import Constraint
 from planar_cli.motion.elimination import factor
 from planar_cli.motion.layout import Column, Layout
 from planar_cli.motion.terms import Graph, Term
 from planar_cli.problem.facts import Mode, Push
+from planar_cli.records import record
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Held:
     """One joint in one mode."""
 

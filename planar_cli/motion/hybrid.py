@@ -7,7 +7,7 @@ places stands as long as the partners touch, along it only the velocities are he
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from planar_cli.joints.base import Joint
 from planar_cli.motion.constraints import Constraint, of_places, of_velocities
@@ -21,9 +21,10 @@ from planar_cli.motion.terms import Term
 from planar_cli.problem.expression import Law
 from planar_cli.problem.facts import Mode, Row
 from planar_cli.problem.geometry import Vec
+from planar_cli.records import record
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class End:
     """One end of a face that lies on another body: a corner about which it may tip."""
 

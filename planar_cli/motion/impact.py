@@ -12,9 +12,9 @@ Contacts, 1996, chapter 8). Without friction the velocities after it are unique.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from planar_cli.motion.complementarity import MOST_ENUMERATED, all_solutions, lemke
+from planar_cli.records import record
 
 ZERO = 1e-11
 """An entry below this part of its row's largest one is zero."""
@@ -22,7 +22,7 @@ AGREE = 1e-9
 """Speeds and impulses, in parts of their scales, that differ by less are the same."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Bond:
     """What holds on both sides throughout the impact: `row` · v = `rate` afterwards."""
 
@@ -36,7 +36,7 @@ class Bond:
     """What a unit of its impulse does to the momenta; None: the same as `row` (an ideal joint)."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class StruckContact:
     """A contact or a rope that can only press, or only pull, in the impact."""
 
@@ -56,7 +56,7 @@ class StruckContact:
     """The coefficient of friction of the impact."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Struck:
     """The scene at the moment of an impact."""
 
@@ -72,7 +72,7 @@ class Struck:
     """Impulses given by loads, for each velocity."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Outgoing:
     """What an impact leads to."""
 

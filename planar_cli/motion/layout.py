@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from planar_cli.motion.terms import Graph, Term
 from planar_cli.problem.facts import Action, Wrench
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
+from planar_cli.records import record
 
 Column = Mapping[int, Term]
 """A generalized force, or the coefficients of a relation between rates: by the number of the coordinate."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Slot:
     """One coordinate."""
 
@@ -28,7 +29,7 @@ class Slot:
     """x, y, theta, or coordinate."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Frame:
     """Where a body's coordinates stand in the state."""
 
@@ -37,7 +38,7 @@ class Frame:
     theta: int | None
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Layout:
     """What stands where in the state."""
 

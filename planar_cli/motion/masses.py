@@ -7,7 +7,6 @@ d = 4 r sin(span/2)/(3 span) from the apex; composites by the parallel-axis theo
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 from planar_cli.errors import refuse
@@ -17,13 +16,14 @@ from planar_cli.motion.terms import Term, ordered
 from planar_cli.problem.expression import Side
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import Body, Composite, Outline, Particle, Piece, Plate, Rod, Round, Sector, Shape
+from planar_cli.records import record
 
 ANY_MASS = 1.0
 """The mass of a body whose mass must cancel, kg."""
 SHARES = {"disk": 0.5, "ring": 1.0, "sphere": 0.4}
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Drawn:
     """One body where the file draws it."""
 
@@ -42,7 +42,7 @@ class Drawn:
     """The direction that its angle measures, rad."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class _Uniform:
     """Mass centre of a uniform shape, moment of inertia about it per unit of mass, direction of its angle."""
 

@@ -9,12 +9,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from heapq import heappop, heappush
 from itertools import combinations, islice, product
 
 from planar_cli.motion.automaton import Automaton, Choice, Guard, Regime
 from planar_cli.motion.source import Singular
+from planar_cli.records import record
 
 NEAR = 1e-9
 """A guard or a speed below this part of its scale may be zero."""
@@ -34,7 +34,7 @@ MOST_COMPARED = 24
 """So many choices are tried to see whether another motion is consistent too, those that differ in one joint first."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Violation:
     """Why a choice does not hold."""
 
@@ -46,7 +46,7 @@ class Violation:
     """Does it fail by places and velocities as they are, whatever the forces?"""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Verdict:
     """One choice looked at."""
 
@@ -61,7 +61,7 @@ class Verdict:
     """Does something that is apart stay where it touches: does nothing but another constraint keep it there?"""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Chosen:
     """The choice that holds."""
 
@@ -71,14 +71,14 @@ class Chosen:
     """How many choices were looked at."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class NoMode:
     """No choice of modes is consistent: each that was tried, with what fails in it."""
 
     verdicts: tuple[Verdict, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class SeveralModes:
     """More than one motion is consistent."""
 

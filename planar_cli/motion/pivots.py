@@ -11,7 +11,8 @@ from __future__ import annotations
 import heapq
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+
+from planar_cli.records import record
 
 SMALLEST = 1e-3
 """A pivot is at least this part of the largest entry of its column (rows and columns scaled to 1)."""
@@ -21,7 +22,7 @@ CANCELLED = 1e-9
 """An entry below this part of the terms that it is the difference of is zero."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Pivot:
     """One step of the elimination."""
 
@@ -35,7 +36,7 @@ class Pivot:
     """How large the parts are that it is the sum of."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Order:
     """In which order the system is eliminated."""
 

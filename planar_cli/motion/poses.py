@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import Any
 
 from planar_cli.motion.carried import Carried
@@ -13,9 +12,10 @@ from planar_cli.motion.terms import Term
 from planar_cli.problem.facts import Outline
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import Curve
+from planar_cli.records import record
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class MovingPoses:
     """What is drawn counts as it is in the reference configuration; from there the bodies carry it along."""
 

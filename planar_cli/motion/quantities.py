@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from planar_cli.errors import refuse
 from planar_cli.motion.carried import TINIEST, Carried
@@ -15,11 +15,12 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.problem.no_number import mode_misplaced
 from planar_cli.problem.reactions import Reactions
 from planar_cli.problem.scene import GROUND
+from planar_cli.records import record
 
 OVER_TIME = frozenset("path hodograph work impulse heat path_length mean count reached period frequency stable".split())
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Quantities:
     """Quantities of one scene."""
 

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from planar_cli.motion.constraints import Constraint
 from planar_cli.motion.dense import least_squares, null_space
@@ -17,6 +16,7 @@ from planar_cli.motion.layout import Layout
 from planar_cli.motion.scales import Scales
 from planar_cli.motion.source import compiled
 from planar_cli.motion.terms import Term
+from planar_cli.records import record
 
 DEPENDENT = 1e-11
 """What is left of a row below this part of its size says nothing new."""
@@ -26,7 +26,7 @@ CLEAR = 1e-3
 """Where more than this is left of every row that says something new, the position is far from singular ones."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Independent:
     """What the rank tells."""
 

@@ -2,20 +2,19 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from planar_cli.motion.sides import Constants, Sides, has_quantity, names_in
 from planar_cli.motion.terms import Graph, Term
 from planar_cli.problem.expression import Name, Quantity, Relation, Side
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import Particle, Problem
+from planar_cli.records import record
 from planar_cli.units import parse_unit
 
 GUESSED_ANGLE, GUESSED_LENGTH = 0.5, 1.0
 """From where an open coordinate is sought, rad and m: any place that is not a special one."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Reference:
     """Where and when a scene is drawn."""
 

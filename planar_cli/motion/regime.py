@@ -9,7 +9,6 @@ kinetic friction act through their pushes: the friction F = μ_k N goes with its
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 
 from planar_cli.integrators.base import OUTSIDE
@@ -25,6 +24,7 @@ from planar_cli.motion.scales import Scales
 from planar_cli.motion.source import Code, Singular, compiled
 from planar_cli.motion.terms import Term
 from planar_cli.problem.facts import Push, Wrench
+from planar_cli.records import record
 
 APART = 0.03
 """How far states before and after a singular position are from it, in parts of the scales."""
@@ -32,7 +32,7 @@ STILL = 1e-6
 """Below this part of the scale of speeds nothing moves through a singular position."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Parts:
     """What a regime is made of."""
 

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+
+from planar_cli.records import record
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Scales:
     """The usual size of each kind of quantity, in SI units."""
 

@@ -7,16 +7,16 @@ one that has a time may stand anywhere. Reading the relations of a file into the
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 
 from planar_cli.motion.automaton import Choice, Regime
+from planar_cli.records import record
 
 Measure = Callable[[Regime, Choice, float, Sequence[float]], float]
 """A number at an instant of the motion: in this regime, at this time, in this state."""
 Condition = Callable[[Regime, Choice, float, Sequence[float]], bool]
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Crossing:
     """A number whose zero tells that a state is reached."""
 
@@ -27,7 +27,7 @@ class Crossing:
     """-1: it must fall through zero (a largest value, by its rate); 1: rise (a smallest one); 0: either."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Reached:
     """A state of the schedule that was reached."""
 
@@ -42,7 +42,7 @@ class Reached:
     """In which segment, counted from 0."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Event:
     """A state of the file after the first one."""
 
@@ -61,7 +61,7 @@ class Event:
     """Reached when nothing moves."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Schedule:
     """All that a file says of time."""
 

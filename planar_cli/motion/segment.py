@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from bisect import bisect_right
-from dataclasses import dataclass
 
 from planar_cli.integrators.base import Step
 from planar_cli.motion.automaton import Choice, Regime
 from planar_cli.motion.balance import Balance
+from planar_cli.records import record
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Segment:
     """A regime from one time to another."""
 

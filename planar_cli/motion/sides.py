@@ -24,6 +24,7 @@ from planar_cli.problem.expression import (
 from planar_cli.problem.no_number import mode_misplaced, quantity_misplaced, state_misplaced
 from planar_cli.problem.scene import Problem
 from planar_cli.problem.walk import Tree, walk
+from planar_cli.records import record
 from planar_cli.units import parse_unit
 
 GRAVITY = 9.81
@@ -91,7 +92,7 @@ class Constants:
         return refuse(name.mark, "PL705", text, f"give it one: `--set {name.name}=…`")
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Sides:
     """Evaluates sides. `elsewhere`: what to do with `x @ 2`."""
 

@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
 
 from planar_cli.errors import PlanarError
 from planar_cli.motion.terms import Term, ordered
+from planar_cli.records import record
 
 DEEPEST = 24
 """So many operations are nested into each other at most: Python's own parser ends at some hundred."""
@@ -26,7 +26,7 @@ class Singular(PlanarError):
     """A pivot is too small at this configuration: the pivot order does not serve here."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Check:
     """A number that must stay away from zero: a pivot."""
 
@@ -35,7 +35,7 @@ class Check:
     """Its size must be at least this much, in its own unit."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Code:
     """A generated function."""
 

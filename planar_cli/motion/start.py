@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
 
 from planar_cli.errors import NOWHERE, Diagnostic, FileProblem, Mark, NoSolution
 from planar_cli.motion.constraints import Constraint, coefficients
@@ -20,6 +19,7 @@ from planar_cli.motion.source import Code, compiled
 from planar_cli.motion.terms import Term
 from planar_cli.problem.expression import AtRest, Equilibrium, Relation, Statement
 from planar_cli.problem.facts import Mode
+from planar_cli.records import record
 
 CLOSED = 1e-12
 """Residuals below this part of their scale are zero."""
@@ -32,7 +32,7 @@ MOST_ROUNDS, MOST_IDLE = 60, 12
 """So many steps of Newton's method are made, and so many that do not halve what is left."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Start:
     """Where a motion begins."""
 
@@ -44,7 +44,7 @@ class Start:
     """What the file does not say, in words."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Equation:
     """Something that is zero at the start."""
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 
 from planar_cli.errors import Mark
 from planar_cli.motion.places import unit_vector
@@ -12,9 +11,10 @@ from planar_cli.motion.terms import Term
 from planar_cli.problem.expression import Binary, Negate, Quantity, Relation, Side
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.polar import VectorStatement, grouped, vector_behind
+from planar_cli.records import record
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Stated:
     """One relation of the file, or two about one vector."""
 

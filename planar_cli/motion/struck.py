@@ -20,12 +20,13 @@ from planar_cli.motion.layout import Column
 from planar_cli.motion.source import Code, compiled
 from planar_cli.motion.terms import Term
 from planar_cli.problem.facts import Mode
+from planar_cli.records import record
 
 NEAR = 1e-9
 """Partners closer than this part of the scene's length touch."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Direction:
     """One place at which a joint presses or pulls in an impact."""
 

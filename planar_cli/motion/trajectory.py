@@ -4,15 +4,16 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from planar_cli.integrators.base import Counts, StepTooSmall, TooManySteps
 from planar_cli.motion.automaton import Choice
 from planar_cli.motion.schedule import Reached
 from planar_cli.motion.segment import Segment
+from planar_cli.records import record
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Transition:
     """What happens at one moment between two segments."""
 
@@ -47,7 +48,7 @@ class Transition:
     """How many impacts it stands for; infinite for the limit of a sequence."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Outcome:
     """How the motion ended."""
 
@@ -71,7 +72,7 @@ class Outcome:
         return bool(self.code)
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Work:
     """What it cost."""
 
@@ -94,7 +95,7 @@ def stuck_at(stuck: StepTooSmall) -> Outcome:
     return Outcome("small", f"from t = {stuck.t:.9g} s the motion can not be followed: {stuck}", stuck.t, "", "PL703")
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Trajectory:
     """A motion from its start to its end."""
 

@@ -7,7 +7,7 @@ than that is told as such.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from planar_cli.motion.automaton import Automaton, Choice
 from planar_cli.motion.impact import (
@@ -23,6 +23,7 @@ from planar_cli.motion.impact import (
 )
 from planar_cli.motion.mode import Chooser, Chosen, NoMode, SeveralModes, Verdict
 from planar_cli.motion.trajectory import Outcome, Transition
+from planar_cli.records import record
 
 MOST_IMPACTS = 30
 """So many impacts may follow each other at one instant."""
@@ -31,7 +32,7 @@ UNBALANCED = 1e-7
 SIMULTANEOUS = "all contacts at once, Newton's law of restitution at every one of them"
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Resolved:
     """After everything that happens at one instant."""
 
@@ -43,7 +44,7 @@ class Resolved:
     notes: tuple[str, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Moment:
     """An instant at which a regime ended, or begins."""
 

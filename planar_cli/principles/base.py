@@ -16,8 +16,9 @@ from __future__ import annotations
 
 from abc import ABC
 from collections.abc import Iterable
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar
+
+from planar_cli.records import record
 
 if TYPE_CHECKING:
     import sympy as sp
@@ -28,7 +29,7 @@ if TYPE_CHECKING:
     from planar_cli.equation.system import System
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Position:
     """A scene in one choice of modes, its velocities settled: what a principle may ask."""
 
@@ -53,7 +54,7 @@ class Position:
 # --- at an instant, across a sudden change ---------------------------------------------------------------------------
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class BodyFamily:
     """All equations of one body: any combination of three residuals that vanish."""
 
@@ -66,7 +67,7 @@ class BodyFamily:
     """About the origin [N m]."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Premise:
     """A line that stands before an equation: what something in it is."""
 
@@ -76,7 +77,7 @@ class Premise:
     words: str
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Single:
     """One equation of a whole scene, left = right."""
 
@@ -97,7 +98,7 @@ Family = BodyFamily | Single
 # --- over a stretch of time ------------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Source:
     """What changes an amount, at a rate, in the unknowns of the general position."""
 
@@ -107,7 +108,7 @@ class Source:
     """A function of place and time of which the rate is the derivative; None: it is looked for."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Balance:
     """amount at the end - amount at the beginning = Σ what the sources bring, over any stretch of time."""
 
@@ -144,12 +145,12 @@ class Balance:
     """With more operations an amount, or what a source brings, is not put on paper."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Integrated:
     """The equations of motion that follow from those at an instant, integrated from state to state."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Impulses:
     """Every equation of bodies at an instant whose coefficients are constant, integrated over time, with letters for
     the impulses of reactions.

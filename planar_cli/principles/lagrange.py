@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from typing import ClassVar, final
 
 import sympy as sp
@@ -15,6 +14,7 @@ from planar_cli.principles.base import Integrated, Position, Premise, Principle,
 from planar_cli.problem.acting import acting_loads
 from planar_cli.problem.facts import Action, Wrench
 from planar_cli.problem.geometry import Vec
+from planar_cli.records import record
 
 LONGEST = 200
 """Longer expressions are left as they come."""
@@ -76,7 +76,7 @@ class Lagrange(Principle):
         return (Integrated(),)
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class _Energies:
     """T and V of a scene in its coordinates and their rates, and what the rates are called."""
 

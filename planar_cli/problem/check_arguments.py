@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import Any
 
 from planar_cli.errors import Diagnostic
@@ -13,6 +12,7 @@ from planar_cli.problem.expression import Quantity
 from planar_cli.problem.reading import did_you_mean, listed
 from planar_cli.problem.scene import GROUND
 from planar_cli.problem.scope import Member, Scope
+from planar_cli.records import record
 from planar_cli.registry import members
 
 SPANNED = frozenset("work impulse heat path_length mean count".split())
@@ -24,7 +24,7 @@ OWN = "own"
 """Stands for the kinds of joints and loads among whose `quantities` a word is."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Takes:
     """`first`, `second`: what may stand there, of point, body, all, ground, and joints and loads (`joint`, `load` for
     every kind; OWN for those that answer to the word). No `second`: only one thing. `both`: the second must be there.

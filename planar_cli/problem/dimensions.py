@@ -7,7 +7,6 @@ does not know. For quantities, None means the table of this module.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from fractions import Fraction
 from types import MappingProxyType
 
@@ -31,10 +30,11 @@ from planar_cli.problem.expression import (
     Statement,
     Word,
 )
+from planar_cli.records import record
 from planar_cli.units import Dimension, UnitError, default_unit, describe, parse_unit
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Kind:
     """The dimension of a side; None fits every dimension (0, infinity, what is not known).
 

@@ -6,13 +6,13 @@ Numbers are exact rationals in the unit that was written.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from fractions import Fraction
 
 from planar_cli.errors import Mark
+from planar_cli.records import record
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Number:
     """A number as written, with its unit (`None`: none written) and sense: +1, or -1 after `cw`."""
 
@@ -22,7 +22,7 @@ class Number:
     mark: Mark
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Name:
     """A name of the file, `t`, `pi`, `infinity`, or `case.find`; `at` a state's name when `name @ state`."""
 
@@ -31,7 +31,7 @@ class Name:
     mark: Mark
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Word:
     """A mode word: stick, slip, apart, tip, taut or slack."""
 
@@ -39,13 +39,13 @@ class Word:
     mark: Mark
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Negate:
     operand: Side
     mark: Mark
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Binary:
     """`operator` is one of + - * / ^ ."""
 
@@ -55,7 +55,7 @@ class Binary:
     mark: Mark
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Scaled:
     """A bracket followed by a unit, `(pi/4) rad/s`; `sense` as in Number."""
 
@@ -65,7 +65,7 @@ class Scaled:
     mark: Mark
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Function:
     """sin cos tan asin acos atan sqrt exp log abs of one side."""
 
@@ -75,7 +75,7 @@ class Function:
     mark: Mark
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Grouped:
     """A bracket with an instant behind it, `(x - y) @ 2`."""
 
@@ -84,7 +84,7 @@ class Grouped:
     mark: Mark
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class PointPair:
     """`B/A` as a direction: from A to B."""
 
@@ -93,7 +93,7 @@ class PointPair:
     mark: Mark
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Part:
     """`.x .y .mag .angle .t .n .r .theta`, or `.along(direction)`, `.across(direction)`."""
 
@@ -102,7 +102,7 @@ class Part:
     mark: Mark
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Quantity:
     """`v(B/A).along(30 deg) @ 2`.
 
@@ -122,7 +122,7 @@ class Quantity:
 Side = Number | Name | Word | Negate | Binary | Scaled | Function | Grouped | Quantity
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Relation:
     """`left operator right`; operator is one of = < > <= >= ."""
 
@@ -133,7 +133,7 @@ class Relation:
     mark: Mark
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Extreme:
     """`side is largest` (sense +1) or `is smallest` (-1)."""
 
@@ -143,7 +143,7 @@ class Extreme:
     mark: Mark
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class AtRest:
     """`at rest` (body None: everything that motion does not drive) or `name at rest`."""
 
@@ -152,7 +152,7 @@ class AtRest:
     mark: Mark
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Equilibrium:
     """`equilibrium`: at rest, and all accelerations are zero; `body` as in AtRest."""
 
@@ -161,7 +161,7 @@ class Equilibrium:
     mark: Mark
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class JustAfter:
     """`just after 1`: same place and time as state 1; velocities changed by impulses only."""
 
@@ -173,7 +173,7 @@ class JustAfter:
 Statement = Relation | Extreme | AtRest | Equilibrium | JustAfter
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Law:
     """A statement of `motion`, with the span during which it holds (None: always)."""
 
@@ -181,7 +181,7 @@ class Law:
     during: tuple[str, str] | None
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Found:
     """What `find` names: a side or a relation (is it true?), and the unit that is wanted (None: the default)."""
 

@@ -8,13 +8,13 @@ in the fixed frame, x right, y up, rotation positive counterclockwise.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 from planar_cli.problem.geometry import Vec
+from planar_cli.records import record
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Anchor:
     """The material point of `body` that is now at `point`."""
 
@@ -22,7 +22,7 @@ class Anchor:
     point: Vec
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Path:
     """The curve, fixed in the base body, along which a point slides.
 
@@ -33,7 +33,7 @@ class Path:
     curvature: Any
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Rolling:
     """Two outlines that touch without slip: their signed curvatures [1/m] along the same `tangent`."""
 
@@ -42,7 +42,7 @@ class Rolling:
     base: Any
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Joining:
     """How `mover` is carried by `base` at one point.
 
@@ -64,7 +64,7 @@ class Joining:
     pace: Vec | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Pull:
     """direction · (velocity of the anchor): one part of a scalar relation."""
 
@@ -72,7 +72,7 @@ class Pull:
     direction: Vec
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Segment:
     """A straight free part of a rope or a link, from one anchor to the other.
 
@@ -85,7 +85,7 @@ class Segment:
     length: Any | None
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Row:
     """A scalar relation between velocities, Σ pulls + Σ factor · ω(body) = rate, and its derivative.
 
@@ -102,7 +102,7 @@ class Row:
     pace: Any = 0
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Action:
     """What a unit of a push does to one body: a force at a point (force None: none), and a couple."""
 
@@ -112,7 +112,7 @@ class Action:
     couple: Any = 0
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Push:
     """An unknown scalar reaction: its name, its unit ("N" or "N*m"), and what it does to each body.
 
@@ -127,7 +127,7 @@ class Push:
     unit: str = "N"
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Law:
     """A push that follows another one: `push` = factor · `of` (kinetic friction), or = factor when `of` is None."""
 
@@ -136,7 +136,7 @@ class Law:
     of: str | None
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Wrench:
     """A load on one body: a force at a point and a couple.
 
@@ -154,7 +154,7 @@ class Wrench:
     place: str = ""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Skid:
     """Dry friction of a fixed size on `body` at a point, against its velocity over `base`."""
 
@@ -165,7 +165,7 @@ class Skid:
     size: Any
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Effect:
     """How the effects of a scene are listed: what a load brings, and what is said of a scene without it."""
 
@@ -181,7 +181,7 @@ FAR = "far"
 """The mode of an impact whose bodies are apart: they do not strike each other in this blow."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Test:
     """A condition that an assumption must pass: Σ coefficient · push + constant ≥ 0, or > 0 when strict.
 
@@ -200,7 +200,7 @@ class Test:
     within: tuple[str, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Facts:
     """All that a joint states in one of its modes. `idle`: loads, by the key of their modes, that do not act."""
 
@@ -212,7 +212,7 @@ class Facts:
     idle: tuple[str, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Mode:
     """One way in which a joint may act.
 
@@ -238,7 +238,7 @@ class Mode:
         return self.facts == Facts() and self.touching != Facts()
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Outline:
     """The shape of a body or surface at a point of contact.
 
@@ -260,7 +260,7 @@ class Outline:
     curve: str = ""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Meeting:
     """Where two bodies strike each other: the point, and the unit normal from the first to the second. `told`: does the
     drawing tell on which side each of them is?

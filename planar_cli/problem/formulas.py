@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from planar_cli.errors import Mark
 from planar_cli.problem.expression import Side, Statement
@@ -29,11 +28,12 @@ from planar_cli.problem.scene import (
     TwoFacts,
 )
 from planar_cli.problem.scope import Member, members_of
+from planar_cli.records import record
 
 UNITS = {"length": "m", "angle": "deg", "mass": "kg", "weight": "N", "inertia": "kg*m^2", "speed": "m/s", "pure": "1"}
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Formula:
     """One formula: `what` it is in words, the `unit` whose dimension it must have (None: any), whether it is an angle.
 

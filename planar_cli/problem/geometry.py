@@ -5,11 +5,12 @@ x points right, y up; rotation is positive counterclockwise. No formula here nee
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
+from planar_cli.records import record
 
-@dataclass(frozen=True, slots=True)
+
+@record
 class Vec:
     """A vector (x, y); its elements are whatever numbers the caller works with."""
 

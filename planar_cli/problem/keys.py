@@ -10,38 +10,39 @@ A member of a shelf is a frozen dataclass; each field is one YAML key, declared 
 
 from __future__ import annotations
 
-from dataclasses import MISSING, dataclass, field, fields
+from dataclasses import MISSING, field, fields
 from typing import Any
 
 from planar_cli.errors import Mark
 from planar_cli.problem.expression import Side
+from planar_cli.records import record
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class PointKey:
     """The name of a point, as str."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class PointPairKey:
     """Two names of points, as (str, str)."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class BodyKey:
     """The name of a body, or `ground` where `ground` is set, as str."""
 
     ground: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class PartnersKey:
     """`between`: names of bodies, surfaces or `ground`, as tuple[str, ...]; two up to `most` (0: no limit)."""
 
     most: int = 2
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class SideKey:
     """One line of mathematics of the given unit's dimension, as Side. `angle`: an angle (a bare number is refused)."""
 
@@ -49,34 +50,34 @@ class SideKey:
     angle: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class DirectionKey:
     """An angle, or the name of a surface or body, as Side | str."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class FlagKey:
     """true or false, as bool."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class WordKey:
     """One of some words, as str."""
 
     words: tuple[str, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class StatementsKey:
     """A list of relations, as tuple[Statement, ...]."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class RopePathKey:
     """`[A, over D, under E, T on drum]`, as tuple[RopeStop, ...]."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class RopeStop:
     """One stop of a rope.
 
@@ -89,14 +90,14 @@ class RopeStop:
     body: str | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class MagnitudeKey:
     """One line of mathematics, or a table of instants and values, as Side | Table; `unit` as in SideKey."""
 
     unit: str
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Table:
     """`{table: [[0 s, 0 N], [2 s, 50 N]]}`: pairs of an instant and the value then; straight lines between them."""
 
@@ -104,12 +105,12 @@ class Table:
     mark: Mark
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class FlowKey:
     """`{at: A, speed: 20 m/s, angle: 0 deg}`, as Flow: where and how a stream enters or leaves a body."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Flow:
     """A stream at the point `at`: `speed` relative to the body, `angle` of that velocity from the fixed x axis."""
 
@@ -135,7 +136,7 @@ KeyType = (
 )
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Choice:
     """Of several groups of keys exactly one is written, whole; the empty group where none need be.
 
@@ -150,7 +151,7 @@ class Choice:
         return frozenset(name for group in self.groups for name in group)
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class KeySpec:
     """One key of a member: its name in the file, its type, what it means, and whether it must be there."""
 

@@ -19,6 +19,7 @@ import yaml
 from planar_cli.errors import Diagnostic, Mark
 from planar_cli.problem.words import CALL_HABITS, QUANTITIES
 from planar_cli.problem.yaml_errors import explain_error
+from planar_cli.records import record
 
 MAX_BYTES = 256_000
 MAX_DEPTH = 30
@@ -33,7 +34,7 @@ _QUOTES = ("'", '"')
 _BLOCKS = ("|", ">")
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Scalar:
     """A text, from `mark` to just before `end`; `quoted` if it stood in quotes or under `|` or `>`."""
 
@@ -43,13 +44,13 @@ class Scalar:
     end: Mark
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Sequence:
     items: tuple[Node, ...]
     mark: Mark
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Mapping:
     """Keys in the order of the file; no key stands twice."""
 

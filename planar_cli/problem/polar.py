@@ -10,15 +10,16 @@ So a known direction stays linear, and no root or arctangent hides an unknown.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from planar_cli.problem.expression import Quantity, Relation, Side
+from planar_cli.records import record
 
 TOGETHER = "; "
 """Stands between the texts of two relations that are one statement about a vector."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class VectorStatement:
     """What one relation, or two together, say of a vector: its size, its direction, or both (None: not said)."""
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any
 
 from planar_cli.errors import refuse
@@ -13,9 +12,10 @@ from planar_cli.problem.expression import Quantity
 from planar_cli.problem.facts import Action, Push, Wrench
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
+from planar_cli.records import record
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Reactions:
     """The pushes of one choice of modes and all loads, over any kind of number."""
 

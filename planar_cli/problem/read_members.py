@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import Field, dataclass
+from dataclasses import Field
 from typing import Any
 
 from planar_cli.joints.base import Joint
@@ -13,6 +13,7 @@ from planar_cli.problem.keys import KeySpec, RopeStop, keys_of
 from planar_cli.problem.nodes import Mapping, Node, Scalar
 from planar_cli.problem.read_values import Names, read_value
 from planar_cli.problem.reading import Report
+from planar_cli.records import record
 from planar_cli.registry import members
 
 COMMON = ("name", "during")
@@ -98,7 +99,7 @@ def _member_class(kind: Scalar, shelf: str, report: Report) -> type | None:
     return None
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class _Entry:
     """One entry of a list and what is needed to read it."""
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any
 
 from planar_cli.problem import reading
@@ -30,13 +29,14 @@ from planar_cli.problem.keys import (
 )
 from planar_cli.problem.nodes import Mapping, Node, Scalar, Sequence
 from planar_cli.problem.read_points import pair_of_names
+from planar_cli.records import record
 
 FLOW_KEYS = ("at", "speed", "angle")
 PATH_EXAMPLE = "path: [A, over D, under E, T on drum]"
 TABLE_EXAMPLE = "{table: [[0 s, 0 N], [2 s, 50 N]]}"
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Names:
     """Names already known when joints and loads are read."""
 

@@ -7,11 +7,11 @@ velocities or accelerations. A residual is a function of the poses of the bodies
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any, Protocol
 
 from planar_cli.problem.facts import Outline
 from planar_cli.problem.geometry import Vec
+from planar_cli.records import record
 
 
 class Poses(Protocol):
@@ -66,7 +66,7 @@ class Poses(Protocol):
         """A vector that keeps its angle with the curve where the body's point is that was drawn there."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Residual:
     """`of` gives a number that stays zero, or a Vec of which both parts do; `title` says what it keeps."""
 

@@ -5,11 +5,11 @@ Formulas stay syntax trees (`expression.py`); nothing is evaluated here and SymP
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from planar_cli.errors import Mark
 from planar_cli.problem.expression import Found, Law, Side, Statement
+from planar_cli.records import record
 
 if TYPE_CHECKING:
     from planar_cli.joints.base import Joint
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 GROUND = "ground"
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Symbol:
     """A name of `given` (value set), `symbols`, `unknowns` or `coordinates` (unit set)."""
 
@@ -28,7 +28,7 @@ class Symbol:
     mark: Mark
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class At:
     """A point by coordinates."""
 
@@ -36,7 +36,7 @@ class At:
     y: Side
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Polar:
     """A point at `distance` from `origin` in the direction `angle`."""
 
@@ -45,7 +45,7 @@ class Polar:
     angle: Side
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Towards:
     """A point at `distance` from `origin` in the direction of `towards`."""
 
@@ -54,7 +54,7 @@ class Towards:
     distance: Side
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Midpoint:
     """The point half-way between two."""
 
@@ -62,7 +62,7 @@ class Midpoint:
     b: str
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class TwoFacts:
     """A point by two of: x, y, a line (through a point, at an angle), distances from points.
 
@@ -79,26 +79,26 @@ class TwoFacts:
 Place = At | Polar | Towards | Midpoint | TwoFacts
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Point:
     name: str
     place: Place
     mark: Mark
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Line:
     through: str
     angle: Side
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Circle:
     center: str
     radius: Side
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Curve:
     """`y: c*x^2` (variable x) or `r: b*theta` (variable theta): `kind` is "y" or "r"."""
 
@@ -106,7 +106,7 @@ class Curve:
     formula: Side
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Surface:
     """`body`: the body that carries it (None: the ground); `speed`: of a belt running along its angle."""
 
@@ -117,14 +117,14 @@ class Surface:
     mark: Mark
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Particle:
     """`place`: a point's name, coordinates, or None (`free`: from the relations)."""
 
     place: str | At | None
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Rod:
     """Uniform slender rod: from `start` to `end`, or from `start` in the direction `angle`; `length` if a place is
     open.
@@ -136,7 +136,7 @@ class Rod:
     length: Side | None
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Round:
     """`kind`: disk, ring or sphere. `hub`: the radius of a second, concentric step."""
 
@@ -146,7 +146,7 @@ class Round:
     hub: Side | None
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Sector:
     """Circular sector with its apex at `apex`; `span` is the opening angle, `angle` the direction of its axis."""
 
@@ -156,7 +156,7 @@ class Sector:
     angle: Side | None
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Plate:
     """Rectangle about its centre; `angle` is the direction of its width."""
 
@@ -166,14 +166,14 @@ class Plate:
     angle: Side | None
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Outline:
     """Any other shape: some of its points and, if known, its mass centre."""
 
     center: str | None
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Piece:
     """A part of a composite; a hole has minus mass. `inertia`, `gyration`: about the part's own mass centre."""
 
@@ -185,7 +185,7 @@ class Piece:
     gyration: Side | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Composite:
     pieces: tuple[Piece, ...]
 
@@ -193,7 +193,7 @@ class Composite:
 Shape = Particle | Rod | Round | Sector | Plate | Outline | Composite
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Body:
     """`mass`, `weight`: one of them or neither (massless); `any_mass`: `mass: any`, must cancel.
 
@@ -218,21 +218,21 @@ class Body:
         return isinstance(self.shape, Round | Composite)
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class State:
     name: str
     relations: tuple[Statement, ...]
     mark: Mark
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Find:
     name: str
     found: Found
     mark: Mark
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Answer:
     """What a key says of one find: a side with unit, a pair of sides, a truth value, or words."""
 
@@ -242,7 +242,7 @@ class Answer:
     mark: Mark
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Case:
     """The file with the changes of one case; `problem.find` holds that case's finds only."""
 
@@ -251,7 +251,7 @@ class Case:
     mark: Mark
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Problem:
     """A whole problem file. `plane`: vertical, horizontal, or None. `us`: all of `given` is in US customary units.
 

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import Literal, NoReturn
 
 from planar_cli.errors import Diagnostic, Mark, PlanarError
+from planar_cli.records import record
 
 MAX_LENGTH = 2000
 MAX_TOKENS = 1500
@@ -17,7 +17,7 @@ MAX_NAME = 40
 Kind = Literal["number", "name", "sign", "end"]
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Token:
     """One piece of an expression; `start` and `end` are offsets in its text."""
 

@@ -8,9 +8,11 @@ module does not need SymPy.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from decimal import Decimal
 from typing import TYPE_CHECKING, Literal
+
+from planar_cli.records import record
 
 if TYPE_CHECKING:
     from sympy import Expr, Symbol
@@ -18,7 +20,7 @@ if TYPE_CHECKING:
 TextStyle = Literal["plain", "strong", "muted"]
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Text:
     """Words; they may come from a file, so a format escapes them."""
 
@@ -26,14 +28,14 @@ class Text:
     style: TextStyle = "plain"
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Name:
     """A name of the file or of a principle in mathematical notation: `omega_AB`, `ΣM_C`."""
 
     name: str
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Math:
     """A formula. `values`: texts to print in place of symbols, for the side that shows the substituted numbers."""
 
@@ -41,7 +43,7 @@ class Math:
     values: Mapping[Symbol, str] | None = field(default=None, hash=False)
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Value:
     """A number with its unit as the author writes units (`rad/s^2`; empty: none), printed to so many figures."""
 
@@ -53,7 +55,7 @@ class Value:
 Term = Text | Name | Math | Value
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Relation:
     """A short relation inside a line; `relation` is one of = ≠ < ≤ > ≥ ≈ →."""
 
@@ -77,14 +79,14 @@ def line(*parts: str | Inline | Line) -> Line:
     return tuple(pieces)
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Title:
     """The title of the document."""
 
     text: str
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Heading:
     """A section: `label` ("STEP 1", may be empty), its text, and an aside at the right."""
 
@@ -93,21 +95,21 @@ class Heading:
     aside: str | Line = ""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Paragraph:
     """A sentence or several."""
 
     line: Line
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Bullet:
     """One entry of a list."""
 
     line: Line
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Equation:
     """A display equation `side relation side = side …`.
 
@@ -122,14 +124,14 @@ class Equation:
     relation: str = "="
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Result:
     """An intermediate result, after the equations that gave it."""
 
     line: Line
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Forces:
     """One row of a free-body diagram = kinetic diagram: the body, what acts on it, what that amounts to.
 
@@ -141,7 +143,7 @@ class Forces:
     right: Line = ()
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Table:
     """Rows of lines under a header; a row has as many cells as the header."""
 
@@ -149,7 +151,7 @@ class Table:
     rows: tuple[tuple[Line, ...], ...]
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Answer:
     """The answer to one find: its name in the file, `relation` ("=" or ":"), and what it is."""
 
@@ -158,14 +160,14 @@ class Answer:
     relation: str = "="
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Check:
     """One check that was made; neighbours are printed together."""
 
     line: Line
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Note:
     """A line under a label of its own: "Effects", "Discussion"; neighbours of one kind are printed together."""
 
@@ -176,7 +178,7 @@ class Note:
 Block = Title | Heading | Paragraph | Bullet | Equation | Result | Forces | Table | Answer | Check | Note
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Document:
     """A whole report; formats print `title` first."""
 

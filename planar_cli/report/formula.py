@@ -7,7 +7,6 @@ unevaluated keeps the order of its author.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from decimal import Decimal
 from typing import Any
 
@@ -15,13 +14,14 @@ import sympy
 from sympy.core.function import AppliedUndef
 
 from planar_cli.equation.plain import simplified
+from planar_cli.records import record
 from planar_cli.report.numbers import significant
 from planar_cli.report.ordering import factor_key, term_key
 
 Values = Mapping[sympy.Symbol, str]
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Numeral:
     """A number as text, perhaps with a minus sign or a degree sign; `given`: it stands for a symbol."""
 
@@ -29,55 +29,55 @@ class Numeral:
     given: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Variable:
     """A name of the file."""
 
     name: str
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Sum:
     """Terms; True: the term is subtracted."""
 
     terms: tuple[tuple[bool, Formula], ...]
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Negative:
     inside: Formula
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Product:
     factors: tuple[Formula, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Quotient:
     above: Formula
     below: Formula
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Power:
     base: Formula
     exponent: Formula
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Root:
     inside: Formula
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Bars:
     """An absolute value."""
 
     inside: Formula
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Call:
     """A function of arguments, raised to a power (1: not raised); `bare` if it needs no brackets: cos θ."""
 
@@ -87,7 +87,7 @@ class Call:
     bare: bool
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Compared:
     """An equation or inequality."""
 
@@ -96,14 +96,14 @@ class Compared:
     right: Formula
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Pieces:
     """A formula in pieces, each with its condition (None: in all other cases)."""
 
     pieces: tuple[tuple[Formula, Formula | None], ...]
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Integration:
     """A definite integral over a variable."""
 

@@ -8,8 +8,9 @@ comma.
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from functools import lru_cache
+
+from planar_cli.records import record
 
 GREEK = {
     "alpha": "α",
@@ -66,7 +67,7 @@ _SPECIAL = {
 }
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class _Parts:
     """A name taken apart; `subscript` holds Unicode text, `dot` is "", "dot" or "ddot"."""
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
-from dataclasses import dataclass
 from decimal import Decimal
 from typing import Any
 
@@ -15,6 +14,7 @@ from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.equation.ledger import Ledger, display
 from planar_cli.equation.plain import PRINTABLE, longer
 from planar_cli.problem.expression import Quantity
+from planar_cli.records import record
 from planar_cli.report.blocks import Line, Math, Text, Value
 from planar_cli.report.numbers import quantity, rotation_words, significant, vector_arrow, vector_words
 from planar_cli.solve.solution import Found
@@ -46,7 +46,7 @@ def _short(number: sp.Expr, figures: int) -> sp.Expr:
 _PLAIN = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Phrases:
     """Phrases for one ledger and valuation. `figures`: significant figures. `symbolic`: letters remain, no numbers."""
 

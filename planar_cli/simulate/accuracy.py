@@ -11,13 +11,13 @@ from __future__ import annotations
 import math
 import statistics
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
 from typing import Protocol
 
 from planar_cli.errors import PlanarError
 from planar_cli.integrators.base import EPSILON, Integrator
 from planar_cli.motion.drive import AUTOMATIC
 from planar_cli.motion.estimate import Growth, growth, tighter
+from planar_cli.records import record
 from planar_cli.registry import members
 
 TOLERANCES = (1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13)
@@ -41,7 +41,7 @@ REPEATED, BRIEF = 3, 0.1
 """A run that takes less than so many seconds is timed so often."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Ran:
     """What one run gave."""
 
@@ -84,7 +84,7 @@ class Subject(Protocol):
         """The rows of each other package that follows the whole scene, as far as it is installed."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Row:
     """One integrator with one setting."""
 
@@ -110,7 +110,7 @@ class Row:
         return f"tolerance {self.tolerance:.0e}" if self.tolerance is not None else f"step {self.step:.2e} s"
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Reference:
     """What errors are measured against."""
 
@@ -123,7 +123,7 @@ class Reference:
     met: tuple[str, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Advice:
     """The quickest setting of our own that reaches an accuracy."""
 
@@ -132,7 +132,7 @@ class Advice:
     """None: none of those that were tried."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Study:
     """All that was found out."""
 
@@ -144,7 +144,7 @@ class Study:
     """The run of the reference."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Wanted:
     """What to try."""
 

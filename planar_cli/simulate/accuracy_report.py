@@ -6,9 +6,9 @@ import csv
 import io
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from typing import Any
 
+from planar_cli.records import record
 from planar_cli.simulate.accuracy import Advice, Row, Study
 from planar_cli.simulate.diagram import diagram
 from planar_cli.simulate.solving import Solved
@@ -34,7 +34,7 @@ CSV_HEADS = (
 )
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Told:
     """What was found out about one file."""
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 from planar_cli.errors import FileProblem, Undecided
 from planar_cli.motion.functions import FUNCTIONS
@@ -24,6 +23,7 @@ from planar_cli.problem.expression import (
 )
 from planar_cli.problem.scene import Find, Problem
 from planar_cli.problem.scope import Scope
+from planar_cli.records import record
 from planar_cli.simulate.measures import START, Measures, Moment
 from planar_cli.simulate.spans import Spans
 from planar_cli.simulate.timetable import Timetable, mode_of
@@ -41,7 +41,7 @@ EQUAL = 1e-9
 """Two sides that differ by less than this part of them are equal."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Answered:
     """One find."""
 

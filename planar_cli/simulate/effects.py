@@ -7,7 +7,7 @@ it does not use. What `--without` leaves out is left out of the problem itself, 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, fields, is_dataclass, replace
+from dataclasses import fields, is_dataclass, replace
 from fractions import Fraction
 from typing import Any
 
@@ -15,6 +15,7 @@ from planar_cli.joints.base import Joint
 from planar_cli.problem.expression import Number, Side
 from planar_cli.problem.facts import Effect
 from planar_cli.problem.scene import Problem
+from planar_cli.records import record
 from planar_cli.registry import members
 
 FRICTION = "friction"
@@ -22,7 +23,7 @@ COEFFICIENTS = ("mu", "mu_s", "mu_k", "friction", "friction_torque")
 """The keys of a joint that are its friction."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Entry:
     """One effect of the scene."""
 

@@ -21,6 +21,7 @@ from planar_cli.problem.expression import Function, Grouped, Name, Quantity, Rel
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.reactions import Reactions
 from planar_cli.problem.walk import walk
+from planar_cli.records import record
 
 Asked = TypeVar("Asked", bound=Side | Relation)
 
@@ -33,7 +34,7 @@ LATER = frozenset(
 """Where something changes, these have the value just after; places and velocities are those that arrive."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Moment:
     """An instant of the motion."""
 

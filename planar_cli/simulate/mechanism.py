@@ -4,19 +4,19 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
 from xml.sax.saxutils import quoteattr
 
 from planar_cli.errors import PlanarError
 from planar_cli.motion.model import Model
 from planar_cli.problem.facts import Joining
 from planar_cli.problem.scene import GROUND
+from planar_cli.records import record
 from planar_cli.simulate.run import Run
 
 __all__ = ["GROUND", "Mechanism"]
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Body:
     """A rigid body at the start, in SI units; x, y of its centre of mass."""
 
@@ -31,7 +31,7 @@ class Body:
     omega: float
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Pin:
     """A point that two bodies share: where it is on each, from its centre of mass, in its own directions [m]."""
 
@@ -47,7 +47,7 @@ class Pin:
         return Pin(self.b, self.a, self.on_b, self.on_a)
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Mechanism:
     """A scene at its start."""
 

@@ -10,12 +10,12 @@ import math
 import time
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from importlib.util import find_spec
 from typing import Any, ClassVar
 
 from planar_cli.errors import PlanarError
 from planar_cli.motion.regime import Regime
+from planar_cli.records import record
 from planar_cli.simulate.mechanism import GROUND, Mechanism
 from planar_cli.simulate.run import Run
 
@@ -23,7 +23,7 @@ Numbers = tuple[float | None, ...]
 """A state, with None for what a package does not tell."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Followed:
     """What a peer found."""
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TypeVar
 
 from planar_cli.errors import Diagnostic, FileProblem, Mark
@@ -11,6 +11,7 @@ from planar_cli.problem.checks import check
 from planar_cli.problem.expression import Found, Number, Relation
 from planar_cli.problem.parser import ParseError, parse_found, parse_side, parse_statement
 from planar_cli.problem.scene import Find, Problem, State
+from planar_cli.records import record
 from planar_cli.units import TIME, parse_unit
 
 STOP, QUANTITY = "--stop", "--quantity"
@@ -18,7 +19,7 @@ Parsed = TypeVar("Parsed")
 TABLE_ROWS, DATA_ROWS = 21, 201
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Request:
     """The options of one run."""
 

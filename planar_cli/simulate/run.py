@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from types import MappingProxyType
 
 from planar_cli.errors import Diagnostic, FileProblem, Mark
@@ -29,6 +29,7 @@ from planar_cli.motion.transition import Moment as Instant
 from planar_cli.motion.transition import Resolved, resolve
 from planar_cli.problem.expression import Quantity, Relation, Side
 from planar_cli.problem.scene import Answer, Problem
+from planar_cli.records import record
 from planar_cli.simulate.agreement import demand_agreement
 from planar_cli.simulate.answers import Answered, Answers
 from planar_cli.simulate.measures import START, Measures, Moment, modes_of, moments_of
@@ -47,7 +48,7 @@ BEGINNING = 1e-6
 ROUND = (1.0, 2.0, 5.0, 10.0)
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Settings:
     """How to simulate."""
 
@@ -75,7 +76,7 @@ class Settings:
     """Told how far the motion has been followed, and to where it goes [s]."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Prepared:
     """A scene ready to be followed: what all runs of it share, the generated code above all."""
 
@@ -95,7 +96,7 @@ class Prepared:
         return Start(t, y)
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Run:
     """One motion that was followed."""
 
@@ -112,7 +113,7 @@ class Run:
     """What the following took, without the preparation."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Simulation:
     """A motion with what was asked of it."""
 

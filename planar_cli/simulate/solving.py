@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from planar_cli.records import record
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Solved:
     """One problem solved."""
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from planar_cli.errors import Diagnostic, FileProblem, Mark, Undecided
 from planar_cli.integrators.base import Step
@@ -21,6 +21,7 @@ from planar_cli.motion.trajectory import Trajectory, Transition
 from planar_cli.problem.expression import Part, Quantity, Relation
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scope import Scope
+from planar_cli.records import record
 from planar_cli.simulate.measures import Measures
 from planar_cli.simulate.timetable import Timetable
 
@@ -41,7 +42,7 @@ HERE = Mark("<span>", 1, 1)
 Function = Callable[[float, Sequence[float]], Sequence[float]]
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Stretch:
     """A part of a segment."""
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
 from planar_cli.errors import Mark
 from planar_cli.motion.regime import Regime
@@ -13,6 +12,7 @@ from planar_cli.problem.expression import Found, Name, Quantity, Relation, Side
 from planar_cli.problem.scene import Find, Problem
 from planar_cli.problem.scope import Scope
 from planar_cli.problem.walk import walk
+from planar_cli.records import record
 from planar_cli.simulate.answers import in_si
 from planar_cli.simulate.run import Run
 from planar_cli.simulate.timetable import Timetable
@@ -21,7 +21,7 @@ from planar_cli.units import PURE, Unit, default_unit, parse_unit
 HERE = Mark("<table>", 1, 1)
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Column:
     """One quantity over time."""
 
@@ -31,7 +31,7 @@ class Column:
     side: Side
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Table:
     """Numbers over time; the first column is the time [s]."""
 

@@ -7,7 +7,6 @@ and a number; closed formulas are put together from them at the end, where they 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from decimal import Decimal
 
 import sympy as sp
@@ -15,6 +14,7 @@ import sympy as sp
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.equation.form import Nonlinear, linear_form
 from planar_cli.equation.plain import longer, tidy
+from planar_cli.records import record
 from planar_cli.solve.plan import Block
 from planar_cli.solve.written import Written
 
@@ -28,7 +28,7 @@ SHORT = 6
 """A coefficient of at most so many operations stays a formula while a block is solved."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Line:
     """One line of step 3: `symbol` = `formula` = `value`, from equations of these numbers.
 
@@ -42,7 +42,7 @@ class Line:
     letters: tuple[sp.Symbol, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class SolvedBlock:
     """One block with its lines."""
 

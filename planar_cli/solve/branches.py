@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from decimal import Decimal
 
 import sympy as sp
@@ -11,6 +11,7 @@ import sympy as sp
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.equation.form import Nonlinear, linear_form
 from planar_cli.errors import NoValue, Undecided
+from planar_cli.records import record
 from planar_cli.solve.algebra import Algebra, Line, SolvedBlock
 from planar_cli.solve.elimination import Pending, alone, closes, combined, eliminate
 from planar_cli.solve.plan import Block
@@ -18,7 +19,7 @@ from planar_cli.solve.roots import Root, real_roots
 from planar_cli.solve.written import Written
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Choice:
     """One equation in one unknown with all its real roots, and the one that this branch takes."""
 
@@ -29,7 +30,7 @@ class Choice:
     number: int
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Branch:
     """One way through the plan."""
 

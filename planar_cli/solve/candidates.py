@@ -8,7 +8,6 @@ which unknowns it contains; its words and symbols are made only when the plan us
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
 from decimal import Decimal
 
 import sympy as sp
@@ -17,6 +16,7 @@ from planar_cli.equation.conditions import Condition
 from planar_cli.equation.exact import CERTAIN, ONE, ZERO
 from planar_cli.principles.base import Single
 from planar_cli.problem.geometry import Vec
+from planar_cli.records import record
 from planar_cli.solve.linear import Row, clean, scaled
 
 ALONG_CONTACT = 0.95
@@ -25,7 +25,7 @@ AXIS, NAMED_POINT, ACROSS, NAMED_SLANT, SLANT, CONSTRUCTED, FAR = 1.0, 1.1, 1.2,
 PER_BODY, PER_UNKNOWN = 0.6, 0.15
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Choice:
     """Which member of a family: a direction, or a moment centre (`moment`), in symbols and in words.
 
@@ -45,7 +45,7 @@ class Choice:
         return self.place if isinstance(self.place, Vec) else self.place()
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Candidate:
     """One equation that could be written. `mask`: bit j set when it contains unknown j; `row`: its numbers. `single`:
     the equation itself, where a principle offers it as a whole.

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from planar_cli.errors import FileProblem
 from planar_cli.problem.scene import Problem
+from planar_cli.records import record
 from planar_cli.solve.principled import every_principle, principle_of
 from planar_cli.solve.run import solve_problem
 from planar_cli.solve.solved_problem import PartSolution
@@ -14,7 +15,7 @@ from planar_cli.solve.used import used_blocks
 NOT_REACHED = "PL570"
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Row:
     """One method: its equations in all parts together, the largest block, the finds it reaches, or why it does not."""
 

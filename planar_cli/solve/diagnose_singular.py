@@ -10,7 +10,6 @@ is not zero. The motions for which it is zero are the ways in which the linkage 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from decimal import Decimal
 
 import sympy as sp
@@ -21,6 +20,7 @@ from planar_cli.equation.form import Nonlinear, linear_form
 from planar_cli.equation.motion import Tree
 from planar_cli.equation.system import System
 from planar_cli.problem.expression import Relation
+from planar_cli.records import record
 from planar_cli.solve.instant import Instant
 from planar_cli.solve.linear import Row, solve
 from planar_cli.solve.study import certain, number_row
@@ -29,7 +29,7 @@ SMALL = CERTAIN * 10**10
 Vector = list[Decimal]
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class DeadCentre:
     """The given relation that says nothing here, and the motions that the joints allow."""
 
@@ -37,7 +37,7 @@ class DeadCentre:
     motions: tuple[dict[sp.Symbol, Decimal], ...]
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class ChangePoint:
     """The motions that the joints' velocities allow, and those with which the linkage can leave (() when not worked
     out).

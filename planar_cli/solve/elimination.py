@@ -8,7 +8,6 @@ polynomials the resultant is taken.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from decimal import Decimal
 from itertools import combinations
 
@@ -18,6 +17,7 @@ from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.equation.form import Form, Nonlinear, linear_form
 from planar_cli.equation.plain import longer, tidy
 from planar_cli.errors import NoValue
+from planar_cli.records import record
 from planar_cli.solve.algebra import Line
 
 CLOSE = Decimal("1e-25")
@@ -25,7 +25,7 @@ HIGHEST = 8
 """Resultants of polynomials whose degrees multiply to more than this are not taken."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Pending:
     """An equation that is still to be used: its residual, and the numbers of the equations that it comes from."""
 
@@ -33,7 +33,7 @@ class Pending:
     numbers: tuple[int, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Step:
     """One unknown expressed, and the equations that are left."""
 

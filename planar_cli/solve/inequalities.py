@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from decimal import Decimal
 
 import sympy as sp
@@ -11,9 +10,10 @@ import sympy as sp
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.quantities import Quantities
 from planar_cli.problem.expression import Relation
+from planar_cli.records import record
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Broken:
     """An inequality that does not hold, with the values of its sides in SI units."""
 

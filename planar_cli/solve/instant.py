@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from decimal import Decimal
 from typing import Any
 
@@ -25,6 +25,7 @@ from planar_cli.problem.facts import Mode, Push, Test
 from planar_cli.problem.keys import Flow, keys_of
 from planar_cli.problem.polar import TOGETHER
 from planar_cli.problem.scene import Problem
+from planar_cli.records import record
 from planar_cli.solve.asked import is_pure_kinematics, names_anywhere, quantities_in
 from planar_cli.solve.inequalities import Broken, broken
 from planar_cli.solve.locked import LOCKED, locked
@@ -36,7 +37,7 @@ MOST_MODES = 400
 TINY = Decimal("1e-25")
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Trial:
     """One choice of modes: its system, its velocities and outcomes for each valuation, and what speaks against it.
 

@@ -6,15 +6,15 @@ elimination, so that "zero" means: cancelled to forty digits.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from decimal import Decimal
 
 from planar_cli.equation.exact import CERTAIN, ONE, ZERO
+from planar_cli.records import record
 
 Row = list[Decimal]
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Solved:
     """What a system says.
 

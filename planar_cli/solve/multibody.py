@@ -24,6 +24,7 @@ from planar_cli.equation.motion import Motion
 from planar_cli.equation.system import System
 from planar_cli.problem.facts import Action, Wrench
 from planar_cli.problem.geometry import Vec
+from planar_cli.records import record
 from planar_cli.solve.instant import distinct
 from planar_cli.solve.poses import NearPoses, Place
 from planar_cli.solve.sparse import CONSTANT, Echelon, Line
@@ -38,7 +39,7 @@ NOTHING = Decimal(10) ** -FULL
 FEW = Decimal(10) ** -ENOUGH
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Agreement:
     """How far two solutions agree.
 

@@ -9,7 +9,6 @@ cross product of two wrenches.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from decimal import Decimal
 from functools import cached_property, partial
 
@@ -22,6 +21,7 @@ from planar_cli.equation.system import System
 from planar_cli.principles.base import BodyFamily, Family, Single
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
+from planar_cli.records import record
 from planar_cli.solve import candidates as c
 from planar_cli.solve.candidates import Candidate, Choice, combine, cross3, priced
 from planar_cli.solve.linear import Row
@@ -33,7 +33,7 @@ CLOSE = Decimal("1e-30")
 Three = tuple[Decimal, Decimal, Decimal]
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Group:
     """A connected group of bodies: its three rows (Σ F_x, Σ F_y, Σ M about the origin, less inertia), and which columns
     are lines of force that may be killed: their wrenches (f_x, f_y, m).

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 import sympy as sp
 
+from planar_cli.records import record
 
-@dataclass(frozen=True, slots=True)
+
+@record
 class Row:
     """Words before a line, and the line: an equation, its sides one after the other, or a formula."""
 
@@ -23,7 +24,7 @@ def sides_of(row: Row) -> tuple[Any, ...]:
     return row.line if isinstance(row.line, tuple) else (row.line,)
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Passage:
     """A sentence, and the lines that it introduces."""
 
@@ -31,7 +32,7 @@ class Passage:
     rows: tuple[Row, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Tale:
     """What a part tells by itself. `whole`: its instants need no telling of their own, but for their checks."""
 

@@ -10,8 +10,8 @@ from __future__ import annotations
 import heapq
 import itertools
 import math
-from dataclasses import dataclass
 
+from planar_cli.records import record
 from planar_cli.solve import rough
 from planar_cli.solve.candidates import Candidate
 from planar_cli.solve.linear import Row, Span, determined, determines
@@ -26,7 +26,7 @@ GOALS = 12
 WIDEST = 4
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Block:
     """Equations solved together for as many unknowns. `letters`: the unknowns carried as letters until the end."""
 
@@ -35,7 +35,7 @@ class Block:
     letters: tuple[int, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Plan:
     """Blocks in order. `systematic`: found by plain ordering, beyond the budget of the search."""
 

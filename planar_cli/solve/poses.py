@@ -15,12 +15,13 @@ from typing import Any
 from planar_cli.equation.exact import Valuation
 from planar_cli.problem.facts import Outline, center_of
 from planar_cli.problem.geometry import Vec
+from planar_cli.records import record
 from planar_cli.solve.time_jets import ONE, TWO, ZERO, TimeJet, constant
 
 ELAPSED = TimeJet(ZERO, ONE, ZERO, {})
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Place:
     """One body: its centre, its velocity there and ω; the numbers of its coordinates x, y, θ (None: a particle)."""
 

@@ -8,7 +8,6 @@ only.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 from decimal import Decimal
 
 import mpmath
@@ -16,12 +15,13 @@ import sympy as sp
 
 from planar_cli.equation.exact import DIGITS, PI, Unvalued, Valuation
 from planar_cli.errors import NoValue, Undecided
+from planar_cli.records import record
 
 TINY = Decimal("1e-25")
 EDGE_STEPS = 40
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Root:
     """A root: its closed form where there is one, and its value."""
 

@@ -10,13 +10,14 @@ import sympy as sp
 from planar_cli.calculus.curve_words import Curve
 from planar_cli.equation.exact import Settled, Valuation
 from planar_cli.problem.scene import Find
+from planar_cli.records import record
 from planar_cli.solve.instant import Instant, Trial
 from planar_cli.solve.stages import Stage
 from planar_cli.solve.written import Explicit
 from planar_cli.units import Unit
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Found:
     """One find with its answer.
 

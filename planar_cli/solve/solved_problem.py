@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from planar_cli.problem.scene import Problem
+from planar_cli.records import record
 from planar_cli.solve.course.trace import MotionTrace
 from planar_cli.solve.passages import Tale
 from planar_cli.solve.solution import Found, InstantSolution
@@ -16,7 +17,7 @@ if TYPE_CHECKING:
     from planar_cli.simulate.run import Simulation
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Confirmation:
     """What following a motion by independent facts says of answers that were found otherwise."""
 

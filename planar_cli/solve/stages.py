@@ -14,6 +14,7 @@ from planar_cli.equation.form import mentions
 from planar_cli.equation.system import System
 from planar_cli.principles.base import Family
 from planar_cli.problem.geometry import Vec
+from planar_cli.records import record
 from planar_cli.solve.adjoint import adjoint_candidates, sum_masks
 from planar_cli.solve.algebra import Algebra, SolvedBlock
 from planar_cli.solve.candidates import Candidate
@@ -25,7 +26,7 @@ from planar_cli.solve.write import Writer
 from planar_cli.solve.written import Explicit
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Stage:
     """One stage, solved: the plan, its blocks, the explicit lines, the constructed centres.
 

@@ -8,7 +8,6 @@ f = 0 is negative there.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from decimal import Decimal
 
 import sympy as sp
@@ -19,11 +18,12 @@ from planar_cli.equation.form import Nonlinear, linear_form
 from planar_cli.equation.kinetics import body_residuals
 from planar_cli.errors import Undecided
 from planar_cli.problem.expression import Extreme
+from planar_cli.records import record
 from planar_cli.solve.seeker import Seeker, Sought
 from planar_cli.solve.stationary_point import eliminated
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Stationary:
     """`condition`: `slope` vanishes, X does not change with a small change of what is free; `related`: f; `objective`:
     X; `letters`: z.

@@ -8,8 +8,9 @@ the actual velocities, and its second derivative at zero accelerations, so that 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from decimal import Decimal
+
+from planar_cli.records import record
 
 ZERO = Decimal(0)
 ONE = Decimal(1)
@@ -18,7 +19,7 @@ Number = Decimal | int
 Slopes = dict[int, Decimal]
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class TimeJet:
     """One number that varies; constants mix in as Decimal or int."""
 

@@ -4,7 +4,6 @@ modes.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from decimal import Decimal
 
 import sympy as sp
@@ -13,6 +12,7 @@ from planar_cli.equation.exact import ZERO, Unvalued, Valuation
 from planar_cli.equation.kinetics import body_residuals
 from planar_cli.equation.system import System
 from planar_cli.errors import Undecided
+from planar_cli.records import record
 from planar_cli.solve.instant import Trial
 from planar_cli.solve.multibody import Agreement, second_road
 from planar_cli.solve.study import Outcome
@@ -26,7 +26,7 @@ class Disagreement(Undecided):
     """Two roads to the same answer differ: the solution is not to be trusted, and is not shown as solved."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Checks:
     """`equations`: how many were put in; `residual`: the largest remainder relative to its terms; `agreement`: of the
     second road.

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from decimal import Decimal
 
 import sympy as sp
@@ -13,13 +12,14 @@ from planar_cli.equation.motion import Edge
 from planar_cli.equation.system import System
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
+from planar_cli.records import record
 from planar_cli.solve.study import Outcome
 
 PARTS = ("x", "y", "turn")
 Twist = tuple[Vec, Decimal]
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Worked:
     """Velocities, accelerations and pushes of one instant.
 

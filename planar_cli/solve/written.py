@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import sympy as sp
 
 from planar_cli.principles.base import Premise
+from planar_cli.records import record
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Written:
     """One numbered equation, left = right.
 
@@ -33,7 +32,7 @@ class Written:
         return self.left - self.right
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Explicit:
     """A line that only names something: symbol = expression (acceleration of a mass centre, moment of inertia)."""
 

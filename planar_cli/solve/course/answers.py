@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 import sympy as sp
@@ -12,6 +11,7 @@ from planar_cli.equation.plain import longer, rounded_inside, simplified, with_s
 from planar_cli.equation.system import mode_of
 from planar_cli.errors import Undecided
 from planar_cli.problem.expression import Quantity, Relation
+from planar_cli.records import record
 from planar_cli.solve.asked import is_energy
 from planar_cli.solve.course.asked_finds import TRUTHS, AskedFind
 from planar_cli.solve.course.derivation import Route
@@ -32,7 +32,7 @@ from planar_cli.units import parse_unit
 CLOSED_OPS, LONGEST = 90, 600
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class AnsweredFind:
     """The answer of one find."""
 
@@ -44,7 +44,7 @@ class AnsweredFind:
     """Of a curve, what is told of it."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Answering:
     """Answers the finds of one motion."""
 

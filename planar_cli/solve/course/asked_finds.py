@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 import sympy as sp
 
@@ -16,6 +15,7 @@ from planar_cli.problem.expression import Name, Quantity, Relation
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import Find
 from planar_cli.problem.scope import Scope
+from planar_cli.records import record
 from planar_cli.solve.course.regime_sequence import RegimeSequence
 from planar_cli.solve.course.timeline import Reader, Stop
 from planar_cli.solve.roads import is_curve
@@ -24,7 +24,7 @@ from planar_cli.units import IMPULSE, Unit, parse_unit
 TRUTHS = ("reached", "stable")
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class AskedFind:
     """One find of the file."""
 

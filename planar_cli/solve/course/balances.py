@@ -8,13 +8,13 @@ A balance is put on paper where everything that a source brings is a function of
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from itertools import pairwise
 
 import sympy as sp
 
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.principles.base import Balance
+from planar_cli.records import record
 from planar_cli.solve.course.equations import NO_MASS, Equation
 from planar_cli.solve.course.potential import potential
 from planar_cli.solve.course.regime import Regime
@@ -25,7 +25,7 @@ COMPARED = 60
 """A law with more operations is not compared with others."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Offered:
     """A balance in the unknowns of a general position, and whose it is."""
 
@@ -39,7 +39,7 @@ class Offered:
         return found + [s.rate if s.function is None else s.function for s in self.balance.sources]
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Closed:
     """The same in coordinates, free speeds and t."""
 
@@ -63,7 +63,7 @@ class Closed:
         )
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class StateBalance:
     """One equation between two states, in their letters."""
 

@@ -25,6 +25,7 @@ from planar_cli.problem.facts import FAR
 from planar_cli.problem.formulas import formulas
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.walk import walk
+from planar_cli.records import record
 from planar_cli.solve.course.equations import Equation
 from planar_cli.solve.course.handing import handed
 from planar_cli.solve.course.plot import Span
@@ -47,7 +48,7 @@ def arriving(regime: Regime) -> dict[str, tuple[Vec, sp.Expr]]:
     return {b: (motion.velocity(scene.center(b), b), motion.velocities[b].angular) for b in scene.bodies}
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Stroke:
     """A blow in numbers: `after`, by the letters of the general position; `own`: its impulses; `objection`: what speaks
     against its modes; `misfit`: what speaks against the modes after it.

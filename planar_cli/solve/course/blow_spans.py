@@ -8,7 +8,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import sympy as sp
 
@@ -18,13 +18,14 @@ from planar_cli.problem.facts import Wrench
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.reactions import Reactions
 from planar_cli.problem.scene import GROUND
+from planar_cli.records import record
 from planar_cli.solve.course.blow import Blow
 from planar_cli.solve.course.span_rates import moment_or_force, on_bodies
 
 HALF = sp.Rational(1, 2)
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class MeanMotion:
     """The mean of the velocities just before and just after a blow."""
 

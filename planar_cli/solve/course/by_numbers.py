@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping
-from dataclasses import dataclass
 
 import sympy as sp
 
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.plain import longer
+from planar_cli.records import record
 from planar_cli.solve.course.derivation import Edge
 from planar_cli.solve.course.equations import Equation
 from planar_cli.solve.course.regime_sequence import RegimeSequence
@@ -16,7 +16,7 @@ from planar_cli.solve.course.regime_sequence import RegimeSequence
 LONGEST = 60
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class ByNumbers:
     """`equations`: one for each letter; `order`: of the letters of all states, which state they belong to."""
 

@@ -7,13 +7,13 @@ in small steps, and the position follows: so it stays on the branch that was dra
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from decimal import Decimal
 
 import sympy as sp
 
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.errors import Diagnostic, NoSolution
+from planar_cli.records import record
 from planar_cli.solve.course.chain import Branch
 from planar_cli.solve.course.motion_equations import MotionEquations
 from planar_cli.solve.course.regime_sequence import RegimeSequence
@@ -87,7 +87,7 @@ def _led(course: MotionEquations, name: str) -> Places | None:
     return _Carrier(known, now, course.natural(now)).run(equations, start)
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class _Carrier:
     """Leads letters from one position to another."""
 

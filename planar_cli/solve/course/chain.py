@@ -18,6 +18,7 @@ from planar_cli.calculus.polish import polish
 from planar_cli.equation.exact import PI, Unvalued, Valuation
 from planar_cli.equation.scales import slack_of
 from planar_cli.errors import NoValue, Undecided
+from planar_cli.records import record
 from planar_cli.solve.branches import vanishes
 from planar_cli.solve.course.equations import Equation
 from planar_cli.solve.course.holding import taken_out
@@ -43,7 +44,7 @@ REACHES = (Decimal("1e-10"), Decimal("1e-8"), Decimal("5e-7"))
 """So far about the truth, in parts of its size, a root is looked for."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Line:
     """unknown = formula = value. `roots`: all that were found for it, `taken` the one of this branch."""
 
@@ -55,7 +56,7 @@ class Line:
     taken: int = 0
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Step:
     """One block: its equations, the unknowns that were eliminated and the one that was left, line by line."""
 
@@ -64,7 +65,7 @@ class Step:
     lines: tuple[Line, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Branch:
     """One way through all blocks."""
 

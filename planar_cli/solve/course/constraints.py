@@ -28,6 +28,7 @@ from planar_cli.loads.base import Load
 from planar_cli.problem.facts import Mode, Outline
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND, Curve, Surface
+from planar_cli.records import record
 from planar_cli.solve.instant import Instant
 from planar_cli.solve.linear import solve
 from planar_cli.units import parse_unit
@@ -36,7 +37,7 @@ STEPS = 60
 SMALL = Decimal("1e-45")
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Constraint:
     """A residual that vanishes in every position; `title` says what it keeps, `joint` whose it is. `kind`: "loop", or
     "motion" where the file itself states it, or "kept" where it only stays what it was as the joint took hold.

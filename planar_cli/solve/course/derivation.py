@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import sympy as sp
 
+from planar_cli.records import record
 from planar_cli.solve.course.equations import Equation
 from planar_cli.solve.course.trace import Result
 
@@ -14,7 +15,7 @@ Edge = tuple[tuple[Equation, ...], tuple[sp.Symbol, ...], frozenset[sp.Symbol], 
 """Equations, the unknowns that they fix, what must be known for that, and what it costs."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Derivation:
     """Unknowns from equations, all else in them being known."""
 
@@ -24,7 +25,7 @@ class Derivation:
     cost: float
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Leg:
     """One derivation worked out. `datum`: it only says what is given."""
 
@@ -33,7 +34,7 @@ class Leg:
     datum: bool
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Route:
     """The way to the targets."""
 

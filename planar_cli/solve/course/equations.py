@@ -5,7 +5,7 @@ what is drawn and what is stated. Each knows where it comes from.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from decimal import Decimal
 from typing import Any
 
@@ -19,6 +19,7 @@ from planar_cli.equation.ledger import Kind
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.errors import NOWHERE, Mark
 from planar_cli.problem.expression import Name
+from planar_cli.records import record
 from planar_cli.solve.course.constraints import fixed_by, start_of
 from planar_cli.solve.course.plot import fixed_time
 from planar_cli.solve.course.regime import Regime
@@ -39,7 +40,7 @@ LONGEST = 150
 DATA = ("given", "drawn", "start", "turn", "motion", "followed")
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Equation:
     """`residual` vanishes. `kind`: given, drawn, start, motion, link, loop, extreme, that of a span, or followed: in
     numbers alone. `family`: of which only `rank` are independent. `stop`: the state at its end, `since` the one at its
@@ -70,7 +71,7 @@ class Equation:
         return COSTS.get(self.kind, 0.0) + extra + self.surcharge
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Link:
     """A coordinate that follows others: its change is Σ factor · change of other + ∫ drift dt."""
 
@@ -79,7 +80,7 @@ class Link:
     drift: sp.Expr
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Laws:
     """All that is known of a regime. `loose`: coordinates that only loops, or only numbers, can follow."""
 

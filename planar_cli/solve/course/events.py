@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
 from decimal import Decimal
 
 import sympy as sp
@@ -14,6 +13,7 @@ from planar_cli.calculus.flow import Flow
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.equation.scales import SLACK
 from planar_cli.errors import NoValue
+from planar_cli.records import record
 from planar_cli.solve.course.regime import Regime, number_function
 from planar_cli.units import RATE
 
@@ -28,7 +28,7 @@ NEAR = 1e-7
 State = dict[sp.Symbol, float]
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Leg:
     """One stretch in numbers: from t0 to t1, the letters of its regime by `flow`. `swing`: a time in which its laws
     themselves change; `length`: what counts as a large length in it; `pace`: an ordinary time of the scene, in s.

@@ -6,10 +6,11 @@ from dataclasses import dataclass, field
 
 import sympy as sp
 
+from planar_cli.records import record
 from planar_cli.solve.course.events import Leg, State
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Ends:
     """A stretch ends before its state: `expr` vanishes at `time`; `words` say what ends. `again`: what had parted meets
     again.

@@ -13,6 +13,7 @@ from planar_cli.equation.displacement import Coordinate
 from planar_cli.equation.exact import PI, Unvalued, Valuation
 from planar_cli.equation.plain import simplified
 from planar_cli.errors import Undecided
+from planar_cli.records import record
 from planar_cli.solve.course.equations import laws_of
 from planar_cli.solve.course.regime import Regime
 from planar_cli.solve.roots import real_roots
@@ -21,7 +22,7 @@ SAME = Decimal("1e-20")
 INVERSE = {sp.asin: sp.sin, sp.acos: sp.cos}
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Function:
     """coordinate = expr. `words`: from where it follows; `sides`: ∫ dq = ∫ v dt, where it was integrated."""
 

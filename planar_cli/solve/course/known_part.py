@@ -7,12 +7,13 @@ farthest, the brake that is put on when a car has coasted against drag.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from decimal import Decimal
 
 import sympy as sp
 
 from planar_cli.equation.exact import Unvalued
+from planar_cli.records import record
 from planar_cli.solve.course.branch_order import ranked
 from planar_cli.solve.course.chain import Branch
 from planar_cli.solve.course.equations import Equation
@@ -28,7 +29,7 @@ FOLLOWED = Decimal("1e-9")
 """To so many digits equations hold with numbers that a step method gave."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class KnownPart:
     """What was followed: the letters it tells, exactly as far as its equations do, `guessed` by the numbers alone."""
 
@@ -48,7 +49,7 @@ class KnownPart:
         ]
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Beginning:
     """The motion up to where something that is sought acts, followed over so many stretches."""
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 import sympy as sp
@@ -12,6 +12,7 @@ from planar_cli.equation.displacement import CoordinateNames
 from planar_cli.equation.system import System
 from planar_cli.principles.base import Family, Premise, Principle, Single
 from planar_cli.problem.scene import Problem
+from planar_cli.records import record
 from planar_cli.solve.course.general import General, drawn_instant, make_general
 from planar_cli.solve.principled import position_of
 
@@ -19,7 +20,7 @@ DEPTH = 40
 """So deep named intermediates may rest on each other."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Lift:
     """Lifts the instants of one problem into a general position."""
 

@@ -6,12 +6,12 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
 import sympy as sp
 
 from planar_cli.equation.form import Nonlinear, linear_form
 from planar_cli.equation.plain import longer, tidy
+from planar_cli.records import record
 from planar_cli.solve.course.equations import Equation
 
 KERNEL = 2
@@ -20,7 +20,7 @@ LONG = 120
 Block = tuple[tuple[Equation, ...], tuple[sp.Symbol, ...]]
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Reduced:
     """One equation with others put in: its residual, and which equations it rests on."""
 

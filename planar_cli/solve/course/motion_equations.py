@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from decimal import Decimal
 
 import sympy as sp
 
 from planar_cli.equation.exact import Unvalued
 from planar_cli.errors import NoValue
+from planar_cli.records import record
 from planar_cli.solve.course.chain import Chain
 from planar_cli.solve.course.equations import (
     Equation,
@@ -32,7 +33,7 @@ from planar_cli.units import TIME
 TINY = Decimal("1e-15")
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class MotionEquations(StatedMotion):
     """The equations of a motion between the symbols of its states, and the search for their roots."""
 

@@ -6,7 +6,6 @@ The loop is followed in numbers; the places to more than forty digits tell wheth
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from decimal import Decimal
 
 import sympy as sp
@@ -16,6 +15,7 @@ from planar_cli.calculus.curves import curve_numeric
 from planar_cli.equation.displacement import Coordinate
 from planar_cli.equation.exact import Valuation
 from planar_cli.problem.geometry import Vec
+from planar_cli.records import record
 from planar_cli.solve.course.constraints import Constraint, drawn_starts, fixed_by, project
 from planar_cli.solve.course.regime import Regime
 from planar_cli.units import LENGTH
@@ -27,7 +27,7 @@ SMALL = Decimal("0.1")
 GIVEN = "x and y and what ties its coordinates"
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Loops:
     """The conditions between coordinates that hold at any time, and the coordinates in them."""
 

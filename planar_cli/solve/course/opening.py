@@ -3,19 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
 from decimal import Decimal
 
 import sympy as sp
 
 from planar_cli.equation.exact import Unvalued
 from planar_cli.errors import NoValue
+from planar_cli.records import record
 from planar_cli.solve.course.general import General
 
 DRAW = Decimal("0.61803")
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Gap:
     """What opens where a joint has parted, a formula of the general position. `senses`: by the index of the mode in
     which it held, 1 where the formula grows as it opens, else -1.

@@ -11,7 +11,7 @@ stability. SI units.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import mpmath
 import sympy as sp
@@ -20,6 +20,7 @@ from planar_cli.equation.exact import DIGITS, Sample, Unvalued, Valuation
 from planar_cli.equation.plain import simplified
 from planar_cli.errors import Diagnostic, FileProblem, Mark, NoSolution, NoValue, Undecided
 from planar_cli.problem.expression import Quantity
+from planar_cli.records import record
 from planar_cli.solve.course.regime import Regime
 from planar_cli.solve.course.regime_sequence import RegimeSequence
 from planar_cli.solve.course.timeline import Stop
@@ -30,7 +31,7 @@ HIGHEST = 5
 SLOW = mpmath.mpf("1e-25")
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Oscillation:
     """The motion near one equilibrium state.
 

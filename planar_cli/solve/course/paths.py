@@ -20,6 +20,7 @@ from planar_cli.errors import refuse
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND, Find, Rod
+from planar_cli.records import record
 from planar_cli.solve.course.functions import Functions, explained
 from planar_cli.solve.course.one_freedom import driver_of, followed_curve, loops_of
 from planar_cli.solve.course.regime import Regime
@@ -32,7 +33,7 @@ HODOGRAPH = (("v_x", "v_y"), ("v", "phi"))
 PLAIN_NAMES = {"v_x": "vx", "v_y": "vy"}
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Single:
     """A place in one parameter."""
 

@@ -12,12 +12,13 @@ from planar_cli.equation.displacement import CoordinateNames
 from planar_cli.equation.setup import has_quantity, names_in
 from planar_cli.problem.expression import JustAfter, Name, Relation, Statement
 from planar_cli.problem.scene import Problem, State
+from planar_cli.records import record
 from planar_cli.solve.course.general import General, drawn_instant, make_general
 from planar_cli.solve.course.regime import Regime
 from planar_cli.solve.instant import Instant
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Span:
     """From one state of the file to the next: what acts meanwhile."""
 
@@ -31,7 +32,7 @@ class Span:
         return tuple(id(x) for x in members)
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Stretch:
     """What acts from one state (also one that we put in) to the next: a span in one choice of modes. `still`: names of
     free speeds that are zero from the beginning and stay so. `ways`: signs of free speeds by name, where a resistance
@@ -48,7 +49,7 @@ class Stretch:
     blow_choice: tuple[int, ...] | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Plot:
     """`stretches[i]` runs from `states[i]` to `states[i + 1]`. `turnings`: states that we put in, each with what
     vanishes there (a formula of the general position) and what happens. `equilibria`: states that stand beside the

@@ -23,6 +23,7 @@ from planar_cli.equation.plain import longer, simplified
 from planar_cli.equation.sample import anywhere
 from planar_cli.errors import NoValue
 from planar_cli.problem.facts import Test
+from planar_cli.records import record
 from planar_cli.solve.course.balance import balance_of
 from planar_cli.solve.course.general import General, loose_tree
 from planar_cli.solve.course.handing import edges_of, handed
@@ -34,7 +35,7 @@ LONGEST = 150
 """A formula with more operations is not simplified."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Watch:
     """A test of the assumed modes as a formula: it must stay positive (or not negative)."""
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, fields
+from dataclasses import fields
 from decimal import Decimal
 from typing import Any
 
@@ -15,6 +15,7 @@ from planar_cli.equation.motion import Edge
 from planar_cli.equation.scales import Scales
 from planar_cli.equation.scene import Scene
 from planar_cli.problem.scene import Problem, State
+from planar_cli.records import record
 from planar_cli.solve.course.after import asked_after
 from planar_cli.solve.course.handing import edges_of
 from planar_cli.solve.course.plot import Plot, Workshop
@@ -22,7 +23,7 @@ from planar_cli.solve.course.regime import Regime
 from planar_cli.solve.course.timeline import Reader, Stop, stop_of
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class RegimeSequence:
     """What acts from state to state along one plot, before anything that is stated is read."""
 

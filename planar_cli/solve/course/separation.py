@@ -6,18 +6,17 @@ from zero; where it closes again things strike each other, and only an `impact` 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import sympy as sp
 
 from planar_cli.equation.displacement import Coordinate, Displacement
 from planar_cli.equation.motion import Motion
 from planar_cli.problem.facts import Mode
+from planar_cli.records import record
 from planar_cli.solve.course.constraints import kept_while_held
 from planar_cli.solve.instant import Instant
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Parted:
     """A joint that has parted, in velocity unknowns. `residual`: what it kept, of places; `openings`: by the mode in
     which it held (its index), the velocity with which that opens, as drawn.

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import sympy as sp
 
 from planar_cli.equation.exact import Valuation
+from planar_cli.records import record
 from planar_cli.solve.course.asked_finds import AskedFind
 from planar_cli.solve.course.chain import Branch
 from planar_cli.solve.course.followed import Followed
@@ -15,7 +14,7 @@ from planar_cli.solve.course.oscillation import Oscillation
 from planar_cli.solve.course.trace import SpanIntegral
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class SolvedMotion:
     """The branch of the equations of a motion that happens."""
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import Any
 
 import sympy as sp
@@ -11,6 +10,7 @@ import sympy as sp
 from planar_cli.equation.exact import Unvalued
 from planar_cli.errors import Undecided
 from planar_cli.problem.expression import Quantity, Statement
+from planar_cli.records import record
 from planar_cli.solve.course.blow import Blow
 from planar_cli.solve.course.blow_spans import over_blow
 from planar_cli.solve.course.potential import potential, signed_speed
@@ -18,7 +18,7 @@ from planar_cli.solve.course.regime_sequence import RegimeSequence
 from planar_cli.solve.course.span_rates import rates_of
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class SpanQuantity:
     """A quantity over a span: what is integrated, by the regime that acts (closed later, when that is worked out)."""
 

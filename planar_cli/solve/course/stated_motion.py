@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
 import sympy as sp
 
@@ -11,6 +10,7 @@ from planar_cli.equation.conditions import order
 from planar_cli.equation.exact import Valuation
 from planar_cli.problem.expression import Relation, Statement
 from planar_cli.problem.scene import State
+from planar_cli.records import record
 from planar_cli.solve.course.blow import Blow, arriving, asked_of_blows, make_blow
 from planar_cli.solve.course.equations import Laws, laws_of
 from planar_cli.solve.course.laws_between import LawsBetween
@@ -23,7 +23,7 @@ from planar_cli.solve.course.takeover import handing_of
 from planar_cli.solve.course.timeline import Demand
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class StatedMotion(RegimeSequence):
     """The regimes of a plot, worked out, with all that is stated of its states."""
 

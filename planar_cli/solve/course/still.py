@@ -5,7 +5,6 @@ and what equilibrium demands (free speeds and their rates vanish) are solved on 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from decimal import Decimal
 from typing import Any
 
@@ -15,6 +14,7 @@ from planar_cli.equation.exact import PI, Unvalued, Valuation
 from planar_cli.errors import Diagnostic, NoSolution, NoValue
 from planar_cli.problem.expression import Equilibrium, Statement
 from planar_cli.problem.scene import State
+from planar_cli.records import record
 from planar_cli.solve.course.chain import Branch, Chain
 from planar_cli.solve.course.equations import Equation, drawn_equations, loop_equations, stated_equations
 from planar_cli.solve.course.regime_sequence import RegimeSequence
@@ -25,7 +25,7 @@ SAME = Decimal("1e-12")
 Raw = Mapping[str, list[tuple[Statement, tuple[Any, ...]]]]
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Still:
     """The equilibrium states of a problem: their equations, and the one way in which these hold."""
 

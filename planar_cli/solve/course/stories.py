@@ -16,6 +16,7 @@ from planar_cli.equation.quantities import Quantities, direction_angle
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.scene import GROUND, Find
 from planar_cli.problem.walk import walk
+from planar_cli.records import record
 from planar_cli.solve.course.functions import Functions, explained
 from planar_cli.solve.course.regime import Regime
 from planar_cli.solve.passages import Passage, Row, told_function
@@ -141,7 +142,7 @@ class Story:
             yield Row("", (symbol, part, self.clean(part.xreplace(inside))))
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Use:
     """One quantity of a find, and how often what it is about is differentiated."""
 

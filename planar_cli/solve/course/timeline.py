@@ -33,12 +33,13 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.problem.polar import VectorStatement, grouped
 from planar_cli.problem.scene import Problem
 from planar_cli.problem.scope import Scope
+from planar_cli.records import record
 from planar_cli.solve.course.after import changes_at_once
 from planar_cli.solve.course.regime import Regime
 from planar_cli.solve.roads import SPANNED
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Stop:
     """One state with its letters."""
 
@@ -63,7 +64,7 @@ class Stop:
         return self.letters[self.time]
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Demand:
     """What the file states of one state. `residual` vanishes; or it is positive (`sign` 1), or not negative (0).
 

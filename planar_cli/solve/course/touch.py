@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection, Mapping
-from dataclasses import dataclass
 from decimal import Decimal
 
 import sympy as sp
@@ -16,6 +15,7 @@ import sympy as sp
 from planar_cli.equation.displacement import Coordinate
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.errors import NoValue
+from planar_cli.records import record
 from planar_cli.solve.course.events import length_of
 from planar_cli.solve.course.regime import Regime
 
@@ -24,7 +24,7 @@ SLIGHT = 1e-9
 TOUCHED = "released at rest in an unstable equilibrium: the limit of a slight touch"
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Touch:
     """The free speed that is touched, its value then, and the time in which a deviation grows e-fold."""
 

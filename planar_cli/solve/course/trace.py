@@ -6,7 +6,6 @@ Expressions are in the symbols of states (`x__2` of x in state 2), of the file, 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from decimal import Decimal
 
 import mpmath
@@ -19,6 +18,7 @@ from planar_cli.equation.ledger import Ledger
 from planar_cli.principles.base import Balance
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.scene import Find, Problem
+from planar_cli.records import record
 from planar_cli.solve.roots import Root
 from planar_cli.solve.solution import InstantSolution
 from planar_cli.units import Unit
@@ -26,7 +26,7 @@ from planar_cli.units import Unit
 # --- relations between states ----------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Law:
     """How one coordinate moves: q̇ = f (order 1) or q̈ = f (order 2)."""
 
@@ -46,7 +46,7 @@ class Law:
     """What it takes to find it, beside what its integral costs."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class BalanceTrace:
     """One balance of a principle between two states, in SI units."""
 
@@ -71,7 +71,7 @@ class BalanceTrace:
         return sp.Add(*(e for _, e in self.brought))
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Impact:
     """Impacts and impulses between two states of one instant."""
 
@@ -83,7 +83,7 @@ class Impact:
     """Its plan of equations, with velocities where an instant has accelerations; None: nothing had to be planned."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Centre:
     """A moment centre without a name: where two lines of action meet."""
 
@@ -95,7 +95,7 @@ class Centre:
     """The impulses whose lines meet there."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class ImpactEquation:
     """One equation of the plan of an impact."""
 
@@ -117,7 +117,7 @@ class ImpactEquation:
     """The moment centre, where it has no name."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Relation:
     """One equation between states: `residual` vanishes."""
 
@@ -146,7 +146,7 @@ class Relation:
 # --- the route -------------------------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Result:
     """One line: unknown = formula = value."""
 
@@ -160,7 +160,7 @@ class Result:
     """All roots of its equation, with those that do not happen."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class RouteStep:
     """Unknowns from relations in which all else is known."""
 
@@ -176,7 +176,7 @@ class RouteStep:
     """Does it only say what is given?"""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class RouteTrace:
     """The way to what is asked."""
 
@@ -191,7 +191,7 @@ class RouteTrace:
 # --- spans and equilibria --------------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Piece:
     """Part of a span in one regime, between two states."""
 
@@ -217,7 +217,7 @@ class Piece:
     """Of a path length: the instants at which the velocity vanishes, s."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class SpanIntegral:
     """A quantity over a span worked out."""
 
@@ -237,7 +237,7 @@ class SpanIntegral:
     """Of a count: the times of what is counted, s."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Verdict:
     """Does a small deviation from an equilibrium stay small?"""
 
@@ -251,7 +251,7 @@ class Verdict:
         return self.kind == "stable"
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class OscillationTrace:
     """Small oscillations about one equilibrium: s̈ + c ṡ + ω₀² s = 0 where there is one freedom."""
 
@@ -276,7 +276,7 @@ class OscillationTrace:
 # --- the motion ------------------------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Turning:
     """A state that was put in: until when an assumption holds, or what happens there."""
 
@@ -290,7 +290,7 @@ class Turning:
     """What held up to there, or what happens."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Request:
     """A find of the file."""
 
@@ -302,7 +302,7 @@ class Request:
     """The unit of its answer; None: it is a relation or a word."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class RegimeTrace:
     """One regime of the motion."""
 
@@ -314,7 +314,7 @@ class RegimeTrace:
     """Names of the unknowns of its general position on which the motion rests; None: all of them."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class MotionTrace:
     """A motion over time with the way to what is asked of it."""
 

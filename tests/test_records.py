@@ -1,0 +1,85 @@
+"""Records are frozen dataclasses like those of the standard library."""
+
+from __future__ import annotations
+
+import copy
+import pickle
+from dataclasses import FrozenInstanceError, dataclass, field, fields, is_dataclass, replace
+
+import pytest
+
+from planar_cli.records import record
+
+
+@record
+class Ours:
+    """Two fields that must be given, and others."""
+
+    a: int
+    b: tuple[int, ...]
+    c: list[int] = field(default_factory=list, compare=False)
+    d: float = 1.5
+    e: int = field(init=False, compare=False, repr=False)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "e", self.a + 1)
+
+
+@record
+class One:
+    """A single field."""
+
+    a: int
+
+
+@record
+class Nothing:
+    """No field."""
+
+
+@dataclass(frozen=True, slots=True)
+class More(One):
+    """What derives from a record is the standard library's."""
+
+    b: int = 2
+
+
+def test_it_is_made_from_its_fields() -> None:
+    first, second = Ours(1, (2, 3)), Ours(b=(2, 3), a=1, d=1.5)
+    assert first == second
+    assert hash(first) == hash(second)
+    assert first.c is not second.c
+    assert first.e == 2
+    assert repr(first) == "Ours(a=1, b=(2, 3), c=[], d=1.5)"
+    assert replace(first, a=4).e == 5
+    assert [f.name for f in fields(Ours)] == ["a", "b", "c", "d", "e"]
+    assert is_dataclass(Ours)
+
+
+def test_records_of_different_classes_differ() -> None:
+    assert One(1) != More(1)
+    assert One(1) != Ours(1, ())
+    assert {One(1): "one"}[One(1)] == "one"
+    assert Nothing() == Nothing()
+    assert More(1) == More(1, 2)
+
+
+def test_it_can_not_be_changed() -> None:
+    one = One(1)
+    with pytest.raises(FrozenInstanceError):
+        one.a = 2
+    with pytest.raises(FrozenInstanceError):
+        del one.a
+    with pytest.raises(TypeError):
+        One()
+    assert not hasattr(one, "__dict__")
+
+
+def test_it_is_matched_copied_and_pickled() -> None:
+    first = Ours(1, (2, 3))
+    match first:
+        case Ours(a, b, d=d):
+            assert (a, b, d) == (1, (2, 3), 1.5)
+        case _:
+            pytest.fail("not matched by its fields")
+    assert pickle.loads(pickle.dumps(first)) == copy.deepcopy(first) == copy.copy(first) == first
