@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from planar_cli.errors import FileProblem
 from planar_cli.problem.structure import load
 from planar_cli.simulate.run import FREE_STEPS, Settings, Simulation, simulate
 
@@ -64,3 +65,21 @@ def test_without_an_end_a_motion_costs_no_more_than_it_may() -> None:
     assert not trajectory.outcome.refused
     assert trajectory.work.steps == pytest.approx(FREE_STEPS, abs=1)
     assert found.answers[0].values == pytest.approx([441.368], rel=1e-5)
+
+
+def test_a_state_where_a_force_is_largest() -> None:
+    """A force has no formula for its rate; it is a difference along the motion."""
+    found = simulated(PROBLEMS / "motion/body-hoist-starting-softly.yaml", Settings(estimate=False))
+    answers = {a.name: a.values[0] for a in found.answers}
+    assert answers["t_max"] == pytest.approx(2.0, rel=1e-9)
+    assert answers["T_max"] == pytest.approx(3084.3716694, rel=1e-9)
+    assert not found.run.trajectory.missed
+
+
+def test_the_rate_of_a_force_is_refused(tmp_path: Path) -> None:
+    """It was told to be zero."""
+    scene = tmp_path / "scene.yaml"
+    text = "states:\n  1: [t = 0, at rest]\n  2: [t = 0.1 s]\nfind: {rate: dot(tension(rope)) @ 2}\n"
+    scene.write_text(ATWOOD + text, encoding="utf-8")
+    with pytest.raises(FileProblem, match="rate of a force"):
+        simulated(scene, Settings())

@@ -9,7 +9,7 @@ from planar_cli.errors import refuse
 from planar_cli.motion.carried import TINIEST, Carried
 from planar_cli.motion.places import unit_vector
 from planar_cli.motion.sides import Sides
-from planar_cli.motion.terms import Term
+from planar_cli.motion.terms import Term, ordered
 from planar_cli.problem.expression import Name, Part, PointPair, Quantity, Relation, Side
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.no_number import mode_misplaced
@@ -69,6 +69,11 @@ class Quantities:
         """The time derivative."""
         return self.scene.graph.rate(of, {**self.scene.rates(), **self.accelerations})
 
+    def followed(self, of: Term) -> bool:
+        """Is its rate a formula too: do places, velocities and the time tell it, without accelerations and forces?"""
+        known = {self.scene.time, *self.scene.rates(), *self.accelerations}
+        return all(t in known for t in ordered([of]) if t.op == "variable")
+
     def _rate(self, of: Vec) -> Vec:
         return Vec(self.rate(of.x), self.rate(of.y))
 
@@ -79,6 +84,10 @@ class Quantities:
         assert not isinstance(argument, Relation)
         found = self.any(argument) if isinstance(argument, Quantity) else self.sides.value(argument)
         for _ in range(1 if q.word == "dot" else 2):
+            parts = (found.x, found.y) if isinstance(found, Vec) else (found,)
+            if self.accelerations and not all(self.followed(p) for p in parts):
+                hint = "velocities and accelerations are known at an instant, their rates beyond are not"
+                raise refuse(q.mark, "PL552", "the rate of a force or an acceleration is not known", hint)
             found = self._rate(found) if isinstance(found, Vec) else self.rate(found)
         return found
 

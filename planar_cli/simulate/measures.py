@@ -26,6 +26,11 @@ from planar_cli.records import record
 Asked = TypeVar("Asked", bound=Side | Relation)
 
 
+Values = Callable[[float, Sequence[float]], list[float]]
+"""f(t, y)."""
+ASIDE = 1e-3
+"""Rates of forces are differences over this part of the time scale, exact up to its fourth power."""
+DIFFERENCES = ((-2, 1 / 12), (-1, -2 / 3), (1, 2 / 3), (2, -1 / 12))
 START = ""
 """The name under which the beginning of the motion is kept, beside that of the first state."""
 LATER = frozenset(
@@ -64,6 +69,7 @@ class Measures:
     """The states of the file that have been reached, by name."""
     _accelerations: list[Term] = field(default_factory=list)
     _pushes: dict[str, Term] = field(default_factory=dict)
+    _rates: dict[tuple[Regime, Side], Values] = field(default_factory=dict)
     _routines: dict[tuple[Regime, str, Side | Relation], Routine] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
@@ -103,13 +109,22 @@ class Measures:
         return self.routine("gap", relation, regime, less)
 
     def rate(self, what: Side, regime: Regime) -> Callable[[float, Sequence[float]], list[float]]:
-        """The time derivative of a side that holds no accelerations or forces."""
+        """The time derivative of a side, along the motion."""
+        key = (regime, what)
+        if key not in self._rates:
+            self._rates[key] = self._rate(what, regime)
+        return self._rates[key]
 
+    def _rate(self, what: Side, regime: Regime) -> Values:
         def derived(side: Side, regime: Regime) -> list[Term]:
             quantities = self.quantities(regime)
             return [quantities.rate(term) for term in self.terms(side, quantities)]
 
-        return self.routine("rate", what, regime, derived)
+        quantities = self.quantities(regime)
+        if all(quantities.followed(term) for term in self.terms(what, quantities)):
+            return self.routine("rate", what, regime, derived)
+        # Accelerations and forces have no formula for their rates.
+        return along(self.function(what, regime), regime, ASIDE * self.model.time_scale)
 
     # --- terms -------------------------------------------------------------------------------------------------------
 
@@ -160,6 +175,21 @@ class Measures:
             unknowns = [*self._accelerations, *(self._push(p.name) for p in regime.reactions)]
             self._routines[key] = regime.routine(made(what, regime), unknowns)
         return self._routines[key]
+
+
+def along(values: Values, regime: Regime, h: float) -> Values:
+    """The rates of values on the way that a regime goes: on its tangent they change as on itself, to first order."""
+
+    def rates(t: float, y: Sequence[float]) -> list[float]:
+        towards = regime.rates(t, y)
+        found: list[float] = []
+        for place, weight in DIFFERENCES:
+            step = place * h
+            beside = values(t + step, [a + step * r for a, r in zip(y, towards, strict=True)])
+            found = [a + weight / h * b for a, b in zip(found or [0.0] * len(beside), beside, strict=True)]
+        return found
+
+    return rates
 
 
 def names_of_states(tree: Side | Relation) -> set[str]:
