@@ -46,6 +46,8 @@ class Edge:
     """None: it goes on without end."""
     solid: bool
     """The body is to the right of it, as round a plate; else it may be met from either side."""
+    depth: Term | None = None
+    """How far the opposite edge of a plate is [m]."""
 
 
 @record
@@ -131,9 +133,9 @@ def _of_plate(scene: Carried, body: str, shape: Plate) -> Iterator[Boundary]:
     # Round the plate counterclockwise, so that its inside is to the left: edges run the other way.
     corner = center + along * (width / 2) + along.turned() * (height / 2)
     way = along.turned()
-    for length in (height, width, height, width):
+    for length, depth in ((height, width), (width, height), (height, width), (width, height)):
         yield Corner(body, corner)
-        yield Edge(body, corner, -way, length, True)
+        yield Edge(body, corner, -way, length, True, depth)
         corner = corner - way * length
         way = -way.turned()
 

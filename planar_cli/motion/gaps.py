@@ -41,6 +41,8 @@ class Gap:
     """Not negative where this pair is the one that touches: the foot is inside the edge, m."""
     told: bool = True
     """Does the drawing tell on which side of each other they are?"""
+    thin: tuple[Vec, Term] | None = None
+    """Of a rod's long side, which may be met from both: the centre of what meets it, and its radius [m]."""
 
     def reversed(self) -> Gap:
         """The same with the partners exchanged."""
@@ -91,12 +93,24 @@ def _on_edge(scene: Carried, one: Corner | Rim, edge: Edge) -> Gap:
     side = 1 if edge.solid else _edge_side(scene, one, edge)
     out = left * (side or _side(scene, scene.graph.of(left.y)))
     distance, foot = graph.of(reach.dot(out)), graph.of(reach.dot(edge.along))
-    if isinstance(one, Rim):
-        distance, point = distance - one.radius, center - out * one.radius
-    else:
-        point = center
-    within = () if edge.length is None else (foot, edge.length - foot)
-    return Gap(one.body, edge.body, distance, point, -out, within, side != 0)
+    radius = one.radius if isinstance(one, Rim) else graph.number(0.0)
+    within = _beside(edge, foot, distance)
+    thin = (center, radius) if edge.length is not None and not edge.solid else None
+    return Gap(one.body, edge.body, distance - radius, center - out * radius, -out, within, side != 0, thin)
+
+
+def _beside(edge: Edge, foot: Term, off: Term) -> tuple[Term, ...]:
+    """Not negative where the edge is the one that is met, `off` beside it.
+
+    Inside a plate that is up to the middle, and to the lines that halve the angles at its corners: what lies on another
+    edge, or behind the opposite one, has not come through this one.
+    """
+    if edge.length is None:
+        return ()
+    if edge.depth is None:
+        return (foot, edge.length - foot)
+    inner = (off - off.graph.call("abs", off)) * 0.5
+    return (foot + inner, edge.length - foot + inner, off + edge.depth * 0.5)
 
 
 def _edge_side(scene: Carried, one: Corner | Rim, edge: Edge) -> int:

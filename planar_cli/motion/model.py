@@ -104,9 +104,11 @@ class Model:
             for name, angle in zip(turned, self._turnings.function(t, y), strict=True):
                 self.graph.turnings[name].last = angle
         self.skids.note(t, y)
+        self.scene.facings.note(self.layout.state, self.layout.time, t, y)
 
     def begin(self) -> None:
         """Forget what was noted: a motion begins anew."""
+        self.scene.facings.begin()
         for turning in self.graph.turnings.values():
             turning.last = turning.start
         for sliding in self.skids.slidings.values():

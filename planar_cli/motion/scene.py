@@ -12,6 +12,7 @@ from planar_cli.joints.base import Joint
 from planar_cli.loads.base import Load
 from planar_cli.motion.carried import TINIEST, Carried
 from planar_cli.motion.coordinates import Coordinates, Tie
+from planar_cli.motion.facing import Facings
 from planar_cli.motion.feet import Foot, feet_of
 from planar_cli.motion.gaps import Gap, gaps_of
 from planar_cli.motion.outlines import edges_at, outline_of
@@ -45,6 +46,7 @@ class MovingScene(Carried):
         """
         super().__init__(problem, values)
         self._sides = sides or {}
+        self.facings = Facings(self.graph, self.extent)
         self.feet: dict[tuple[str, str], Foot] = feet_of(self)
         self._points |= spots_of(self, self.feet)
         self._outlines: dict[tuple[str, Vec], Outline] = {}
@@ -208,7 +210,8 @@ class MovingScene(Carried):
             return ()
         found = gaps_of(self, self.feet, between, None if normal is None else self.unit(normal))
         other = self.pressed(joint.name) < 0
-        return tuple(g.from_other_side() if other and not g.told else g for g in found)
+        found = tuple(g.from_other_side() if other and not g.told else g for g in found)
+        return tuple(self.facings.both_sides(g) for g in found)
 
     def arriving(self, point: Vec, body: str) -> Vec:
         """The velocity of a body's point just before a blow."""

@@ -1,0 +1,86 @@
+"""On which side of a thin rod something is that may go round its ends.
+
+The side counts that was noted last while it was beyond the ends: so the distance keeps its sign where they strike, and
+what has gone round meets the rod from the other side.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field, replace
+
+from planar_cli.motion.gaps import Gap
+from planar_cli.motion.source import Code, compiled
+from planar_cli.motion.terms import Graph, Term
+
+NEAR = 1e-9
+"""Nearer to the rod's line, or to its end, than this part of the scene's extent, the side does not change."""
+
+
+@dataclass(slots=True)
+class Facing:
+    """One of them."""
+
+    off: Term
+    """How far it is from the rod's line, on the side where it is drawn > 0 [m]."""
+    within: tuple[Term, ...]
+    """All positive beside the rod, not beyond its ends [m]."""
+    near: float
+    """A distance that is none [m]."""
+    side: float = 1.0
+    """1: where it is drawn; -1: on the other side."""
+
+    def at(self, off: float) -> float:
+        """The side last noted, wherever it is now."""
+        return self.side
+
+    def note(self, off: float, *within: float) -> None:
+        """It is here now."""
+        if min(within) <= self.near < abs(off):
+            self.side = 1.0 if off > 0 else -1.0
+
+
+@dataclass(slots=True)
+class Facings:
+    """All of one scene."""
+
+    graph: Graph
+    extent: float
+    """Of the scene [m]."""
+    members: list[Facing] = field(default_factory=list)
+    _code: Code | None = None
+
+    def both_sides(self, gap: Gap) -> Gap:
+        """A gap as it is on the side where the partners are."""
+        if gap.thin is None:
+            return gap
+        center, radius = gap.thin
+        facing = Facing(gap.distance + radius, gap.within, NEAR * self.extent)
+        self.members.append(facing)
+        self._code = None
+        name = f"facing{len(self.members)}"
+        self.graph.others[name] = facing.at
+        self.graph.slopes[name] = lambda off: self.graph.number(0.0)
+        side = self.graph.call(name, facing.off)
+        point = center + (gap.point - center) * side
+        return replace(gap, distance=side * facing.off - radius, point=point, normal=gap.normal * side)
+
+    def note(self, state: Sequence[Term], time: Term, t: float, y: Sequence[float]) -> None:
+        """From now on the sides of this state count. `state`: the variables that `y` holds."""
+        if not self.members:
+            return
+        if self._code is None:
+            self._code = compiled(list(self._terms()), state, time)
+        numbers = iter(self._code.function(t, y))
+        for facing in self.members:
+            facing.note(next(numbers), *(next(numbers) for _ in facing.within))
+
+    def begin(self) -> None:
+        """A motion begins anew, as drawn."""
+        for facing in self.members:
+            facing.side = 1.0
+
+    def _terms(self) -> Iterator[Term]:
+        for facing in self.members:
+            yield facing.off
+            yield from facing.within
