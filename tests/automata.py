@@ -102,7 +102,9 @@ class Scene:
     def note(self, t: float, y: Sequence[float]) -> None:
         pass
 
-    def struck(self, choice: Choice, t: float, y: Sequence[float], near: float, forced: bool) -> Struck:
+    def struck(
+        self, choice: Choice, t: float, y: Sequence[float], near: float, forced: bool = False, drawn: bool = False
+    ) -> Struck:
         n = len(self.masses)
         speeds = tuple(self.scale[n:])
         return Struck(tuple(y[n:]), self.masses, speeds, (), tuple(self.contacts(choice, t, y)))

@@ -116,9 +116,12 @@ class Automaton(Protocol):
     def note(self, t: float, y: Sequence[float]) -> None:
         """A state has been reached: angles that go on over many turns count from it."""
 
-    def struck(self, choice: Choice, t: float, y: Sequence[float], near: float, forced: bool) -> Struck:
+    def struck(
+        self, choice: Choice, t: float, y: Sequence[float], near: float, forced: bool = False, drawn: bool = False
+    ) -> Struck:
         """What an impact at this moment has to do with: all that holds in this choice, and all that is closer than
-        the part `near` of the scene's length. `forced`: with all that the file lets strike between two states.
+        the part `near` of the scene's length. `forced`: with all that the file lets strike between two states. `drawn`:
+        nothing but impacts makes it a blow, and no motion led there, so that particles may be drawn apart.
         """
 
 
@@ -128,8 +131,8 @@ class Stages(Protocol):
     def automaton(self, reached: Sequence[str]) -> Automaton:
         """The scene once these states have been reached."""
 
-    def applied(self, after: str, t: float, y: Sequence[float]) -> tuple[float, ...] | None:
-        """The impulses of loads in the blow that ends in the state `after`; None where there are none."""
+    def applied(self, after: str, t: float, y: Sequence[float]) -> Mapping[str, tuple[float, ...]]:
+        """The impulses of loads, by their names, in the blow that ends in the state `after`, for each velocity."""
 
 
 @record
@@ -142,9 +145,9 @@ class Always:
         """The same always."""
         return self.scene
 
-    def applied(self, after: str, t: float, y: Sequence[float]) -> tuple[float, ...] | None:
+    def applied(self, after: str, t: float, y: Sequence[float]) -> Mapping[str, tuple[float, ...]]:
         """None."""
-        return None
+        return {}
 
 
 @record

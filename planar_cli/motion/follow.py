@@ -6,7 +6,7 @@ changes at one instant without end is told, and an integrator that can not go on
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from planar_cli.integrators.base import Counts, Setting, Step, StepTooSmall
@@ -123,7 +123,8 @@ class Follower:
                 self._settle(f"the state {state}", striking=True)
             return changed
         applied = self.stages.applied(follower.name, self.t, self.y)
-        self._settle(f"the state {follower.name}", applied=applied, striking=True, blow=True)
+        drawn = not (self.segments or changed or applied)
+        self._settle(f"the state {follower.name}", applied=applied, striking=True, blow=True, drawn=drawn)
         if self.outcome is not None:
             return True
         self.waiting.arrive(follower, self.t, self.y, self.choice, len(self.segments))
@@ -339,12 +340,15 @@ class Follower:
         self,
         words: str,
         joint: str = "",
-        applied: tuple[float, ...] | None = None,
+        applied: Mapping[str, tuple[float, ...]] | None = None,
         striking: bool = False,
         inelastic: bool = False,
         blow: bool = False,
+        drawn: bool = False,
     ) -> None:
-        """Impacts and the choice of modes at this instant; `blow`: what the file puts between two states."""
+        """Impacts and the choice of modes at this instant; `blow`: what the file puts between two states. `drawn`:
+        nothing but impacts makes it one, and no motion led there.
+        """
         self.at_once += 1
         if self.at_once > MOST_AT_ONCE or len(self.transitions) > MOST_IMPACTS:
             told = f"at t = {self.t:.9g} s the modes change without end: {words}"
@@ -358,9 +362,10 @@ class Follower:
             words,
             self.setting.tolerance,
             inelastic=inelastic,
-            applied=applied,
+            applied=applied or {},
             striking=striking or inelastic,
             forced=blow,
+            drawn=drawn,
             lasting=not blow,
         )
         found = resolve(moment)

@@ -128,9 +128,11 @@ class SceneAutomaton:
         """Angles that go on over many turns and directions of sliding count from this state."""
         self.model.note(t, y)
 
-    def struck(self, choice: Choice, t: float, y: Sequence[float], near: float, forced: bool) -> Struck:
+    def struck(
+        self, choice: Choice, t: float, y: Sequence[float], near: float, forced: bool = False, drawn: bool = False
+    ) -> Struck:
         """The scene at the moment of an impact."""
-        return self.strikes.at(choice, t, y, near, forced)
+        return self.strikes.at(choice, t, y, near, forced, drawn)
 
     def _misses(self, choice: Choice) -> tuple[list[str], list[float], Code]:
         """Residuals of places and velocities, with their joints and sizes."""
@@ -208,18 +210,19 @@ class SceneStages:
     def _idle(self, reached: Sequence[str]) -> list[Member]:
         return [m for m in self.passing if not self._acts(m, reached)]
 
-    def applied(self, after: str, t: float, y: Sequence[float]) -> tuple[float, ...] | None:
+    def applied(self, after: str, t: float, y: Sequence[float]) -> Mapping[str, tuple[float, ...]]:
         """The impulses of the loads that strike before the state `after`."""
         loads = [x for x in self.scene.problem.loads if x.strikes and x.during is not None and x.during[1] == after]
-        if not loads:
-            return None
         layout = self.automaton(()).model.layout
-        column = layout.of_actions(w for x in loads for w in x.impulses(self.scene))
-        numbers = compiled(list(column.values()), layout.state, layout.time).function(t, y)
-        total = [0.0] * layout.count
-        for i, x in zip(column, numbers, strict=True):
-            total[i] = x
-        return tuple(total)
+        found: dict[str, tuple[float, ...]] = {}
+        for load in loads:
+            column = layout.of_actions(load.impulses(self.scene))
+            numbers = compiled(list(column.values()), layout.state, layout.time).function(t, y)
+            total = list(found.get(load.name, (0.0,) * layout.count))
+            for i, x in zip(column, numbers, strict=True):
+                total[i] += x
+            found[load.name] = tuple(total)
+        return found
 
     def _acts(self, member: Member | Law, reached: Sequence[str]) -> bool:
         """Has the state been reached from which it acts, and not yet that until which it does?"""

@@ -58,13 +58,20 @@ class Equation:
 
 def start_of(model: Model, statements: Sequence[Statement] | None = None) -> Start:
     """The start of a model; `statements`: others than those of the first state or the instant."""
+    return _Search(model, _given(model) if statements is None else statements).start()
+
+
+def fixed(model: Model, number: Term) -> bool:
+    """Do the places that the file states at the start tell a number of places that the joints leave open?"""
+    return _Search(model, _given(model)).fixed(number)
+
+
+def _given(model: Model) -> tuple[Statement, ...]:
+    """What the file says of the start."""
     problem = model.scene.problem
-    if statements is None:
-        given = (
-            problem.instant if problem.instant is not None else problem.states[0].relations if problem.states else ()
-        )
-        statements = tuple(given)
-    return _Search(model, statements).start()
+    if problem.instant is not None:
+        return tuple(problem.instant)
+    return tuple(problem.states[0].relations) if problem.states else ()
 
 
 class _Search:
@@ -89,6 +96,15 @@ class _Search:
         return Start(self.time, tuple(self.state), assumed)
 
     # --- places ------------------------------------------------------------------------------------------------------
+
+    def fixed(self, number: Term) -> bool:
+        """Do relations of places tell a number that the joints leave open, near the drawing?"""
+        joints = [self._of_place(c) for c in self._everything() if c.place is not None]
+        every, left = (
+            null_space(self._matrix(equations, range(self.half)), self.half)
+            for equations in (joints, [*joints, *self._relations(PLACES)])
+        )
+        return self._varies(number, every) and not self._varies(number, left)
 
     def _places(self) -> None:
         """Newton's method from the drawing, each step the shortest."""

@@ -18,6 +18,7 @@ from planar_cli.motion.hybrid import HybridModel
 from planar_cli.motion.impact import Bond, Struck, StruckContact
 from planar_cli.motion.layout import Column
 from planar_cli.motion.source import Code, compiled
+from planar_cli.motion.start import fixed
 from planar_cli.motion.terms import Term
 from planar_cli.problem.facts import Mode
 from planar_cli.records import record
@@ -49,6 +50,10 @@ class Direction:
     """The modes of the joint, by index, in which they touch."""
     forced: bool = False
     """Does it strike whatever the distance, between the states that the file names?"""
+    meets: bool = False
+    """Is it one of the file's impacts?"""
+    loose: bool = False
+    """Is one partner a particle, which may be drawn beside what it strikes, and does nothing tell how far?"""
 
 
 @dataclass(slots=True)
@@ -59,9 +64,18 @@ class Strikes:
     directions: tuple[Direction, ...]
     _codes: dict[Choice, Code] = field(default_factory=dict)
 
-    def at(self, choice: Choice, t: float, y: Sequence[float], near: float, forced: bool = False) -> Struck:
+    def at(
+        self,
+        choice: Choice,
+        t: float,
+        y: Sequence[float],
+        near: float,
+        forced: bool = False,
+        drawn: bool = False,
+    ) -> Struck:
         """The scene at this moment. `near`: partners closer than this part of its length touch. `forced`: between
-        states that the file names.
+        states that the file names. `drawn`: no motion led there, and nothing but impacts makes it a blow; where none of
+        them touches, particles are only drawn apart.
         """
         layout = self.model.layout
         bonds = self._bonds(choice)
@@ -78,15 +92,23 @@ class Strikes:
                 rate = sum(a * v for a, v in zip(row, velocities, strict=True))
             made.append(Bond(constraint.joint, row, rate))
         indices = self.model.chosen(choice)
-        contacts = []
+        contacts: list[StruckContact] = []
+        beside: list[StruckContact] = []
+        meet = False
         for d in self.directions:
             normal = self._row(numbers, d.normal)
             tangent = None if d.tangent is None else self._row(numbers, d.tangent)
             belt, mu, restitution = next(numbers), next(numbers), next(numbers)
             gap = None if d.gap is None else next(numbers)
             touches = gap is None or abs(gap) <= max(NEAR, near) * self.model.scales.length or (d.forced and forced)
+            contact = StruckContact(d.name, normal, 0.0, tangent, belt, restitution, mu)
             if indices.get(d.joint, 0) in d.holding or touches:
-                contacts.append(StruckContact(d.name, normal, 0.0, tangent, belt, restitution, mu))
+                contacts.append(contact)
+                meet = meet or d.meets
+            elif d.loose:
+                beside.append(contact)
+        if drawn and not meet:
+            contacts += beside
         speeds = tuple(self.model.scale[layout.count :])
         return Struck(velocities, masses, speeds, tuple(made), tuple(contacts))
 
@@ -152,8 +174,10 @@ def _pressing(model: HybridModel, joint: Joint, modes: Sequence[Mode]) -> list[D
 def _meeting(model: HybridModel, joint: Encounter, modes: Sequence[Mode]) -> Direction:
     """The direction of an impact."""
     found = _direction(model, joint, modes, [m for m in modes if not m.parted])
-    found = replace(found, name=joint.impact, gap=joint.distance, forced=joint.forced)
-    return replace(found, restitution=joint.restitution, mu=joint.mu)
+    found = replace(found, name=joint.impact, gap=joint.distance, forced=joint.forced, meets=True)
+    frames = [model.layout.frames.get(body) for body in (joint.gap.first, joint.gap.second)]
+    loose = any(f is not None and f.theta is None for f in frames) and not fixed(model, joint.distance)
+    return replace(found, restitution=joint.restitution, mu=joint.mu, loose=loose)
 
 
 def _with_impact(model: HybridModel, joint: Joint, direction: Direction) -> Direction:
@@ -161,9 +185,8 @@ def _with_impact(model: HybridModel, joint: Joint, direction: Direction) -> Dire
     partners = set(getattr(joint, "between", ()))
     for impact in model.impacts:
         if partners and set(getattr(impact, "between", ())) == partners:
-            found = replace(
-                direction, restitution=restitution_of(model.scene, impact), forced=impact.during is not None
-            )
+            restitution = restitution_of(model.scene, impact)
+            found = replace(direction, restitution=restitution, forced=impact.during is not None, meets=True)
             mu = friction_of(model.scene, impact)
             return replace(found, mu=mu) if direction.tangent is not None and mu.value else found
     return direction

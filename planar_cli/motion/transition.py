@@ -6,8 +6,8 @@ than that is told as such.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import replace
+from collections.abc import Mapping, Sequence
+from dataclasses import field, replace
 
 from planar_cli.motion.automaton import Automaton, Choice
 from planar_cli.motion.impact import (
@@ -29,6 +29,9 @@ MOST_IMPACTS = 30
 """So many impacts may follow each other at one instant."""
 UNBALANCED = 1e-7
 """In parts of a usual impulse, by how much momentum may be off after an impact."""
+NAMED = 1e-4
+"""Where the file says that there is an impact, partners touch that are closer than this part of the scene's length: its
+places have some four digits."""
 SIMULTANEOUS = "all contacts at once, Newton's law of restitution at every one of them"
 
 
@@ -58,10 +61,12 @@ class Moment:
     """That of the motion so far."""
     inelastic: bool = False
     """Do the partners stay together, whatever their restitution: the limit of a sequence of impacts."""
-    applied: tuple[float, ...] | None = None
-    """Impulses of loads at this instant."""
+    applied: Mapping[str, tuple[float, ...]] = field(default_factory=dict)
+    """Impulses of loads at this instant, by their names, for each velocity."""
     forced: bool = False
     """Does everything strike that the file lets strike between two states?"""
+    drawn: bool = False
+    """Does nothing but impacts make it a blow, without a motion that led there?"""
     lasting: bool = True
     """Is a choice of modes sought for what follows?"""
     striking: bool = False
@@ -74,12 +79,13 @@ def resolve(moment: Moment) -> Resolved | Outcome:
     notes: list[str] = []
     y, choice = moment.y, moment.choice
     for count in range(MOST_IMPACTS):
-        struck = moment.automaton.struck(
-            choice, moment.t, y, max(1e-9, 10 * moment.tolerance), moment.forced and count == 0
-        )
         first = count == 0
-        if first and moment.applied is not None:
-            struck = replace(struck, applied=moment.applied)
+        named = moment.forced and first
+        near = NAMED if named else max(1e-9, 10 * moment.tolerance)
+        struck = moment.automaton.struck(choice, moment.t, y, near, named, moment.drawn and first)
+        if first and moment.applied:
+            applied = tuple(sum(column) for column in zip(*moment.applied.values(), strict=True))
+            struck = replace(struck, applied=applied)
         if not (first and moment.striking) and not _closes(struck, moment.tolerance):
             if not moment.lasting:
                 return Resolved(choice, y, tuple(done), 0, tuple(notes))
@@ -88,7 +94,8 @@ def resolve(moment: Moment) -> Resolved | Outcome:
         if isinstance(hit, Outcome):
             return hit
         transition, note = hit
-        done.append(transition)
+        if _does_something(transition):
+            done.append(transition)
         notes += [note] if note else []
         y = transition.after
     words = f"more than {MOST_IMPACTS} impacts follow each other at t = {moment.t:.9g} s"
@@ -126,7 +133,7 @@ def _impact(moment: Moment, struck: Struck, y: tuple[float, ...], choice: Choice
     before = kinetic_energy(struck.masses, struck.velocities)
     lost = before - kinetic_energy(struck.masses, found.velocities)
     note = ""
-    driven = moment.applied is not None or any(b.rate for b in struck.bonds) or _moved(struck)
+    driven = bool(moment.applied) or any(b.rate for b in struck.bonds) or _moved(struck)
     if not driven and lost < -1e-9 * max(before, 1e-300):
         note = f"the impact at t = {moment.t:.9g} s wins energy: Newton's restitution does not suit this friction"
     pressed = [k for k, n in enumerate(found.normals) if n > 0]
@@ -144,7 +151,7 @@ def _impact(moment: Moment, struck: Struck, y: tuple[float, ...], choice: Choice
         old=choice,
         new=choice,
         impulses=_impulses(struck, found, taking),
-        given=_given(struck, found),
+        given={**moment.applied, **_given(struck, found)},
         lost=lost,
         law=SIMULTANEOUS if len(joints) > 1 else "",
         unbalanced=unbalanced(struck, found),
@@ -153,6 +160,11 @@ def _impact(moment: Moment, struck: Struck, y: tuple[float, ...], choice: Choice
         words = f"in the impact at t = {moment.t:.9g} s momentum does not add up"
         return Outcome("unbalanced", words, moment.t, joints[0] if joints else "", "PL710")
     return transition, note
+
+
+def _does_something(impact: Transition) -> bool:
+    """Does anything change in it, or is anything given?"""
+    return impact.after != impact.before or any(any(column) for column in impact.given.values())
 
 
 def _moved(struck: Struck) -> bool:

@@ -11,17 +11,18 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 
-from planar_cli.errors import Diagnostic, FileProblem, Mark, Undecided
+from planar_cli.errors import Diagnostic, FileProblem, Undecided
 from planar_cli.integrators.base import Step
-from planar_cli.motion.guards import speed_of
 from planar_cli.motion.regime import Regime
 from planar_cli.motion.segment import Segment
 from planar_cli.motion.terms import Term
-from planar_cli.motion.trajectory import Trajectory, Transition
+from planar_cli.motion.trajectory import Trajectory
 from planar_cli.problem.expression import Part, Quantity, Relation
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scope import Scope
 from planar_cli.records import record
+from planar_cli.simulate.blows import Blows
+from planar_cli.simulate.heat import heat_of
 from planar_cli.simulate.measures import Measures
 from planar_cli.simulate.timetable import Timetable
 
@@ -38,7 +39,6 @@ LOOKS, HALVINGS, NEAR = 8, 60, 1e-8
 zero."""
 CLOSE, DEEPEST = 1e-13, 24
 """A step is halved until the rule agrees with itself to this part, at most so many times."""
-HERE = Mark("<span>", 1, 1)
 Function = Callable[[float, Sequence[float]], Sequence[float]]
 
 
@@ -99,6 +99,7 @@ class Spans:
 
     def __init__(self, measures: Measures, trajectory: Trajectory, scope: Scope) -> None:
         self.measures, self.trajectory, self.scope = measures, trajectory, scope
+        self.blows = Blows(measures, trajectory, scope)
 
     def value(self, q: Quantity) -> tuple[float, ...]:
         """The quantity over its span, with its parts."""
@@ -140,8 +141,10 @@ class Spans:
             case "impulse":
                 return self._impulse(q, t0, t1)
             case "work":
-                return self._integral(q, t0, t1, self._power)
-        return self._integral(q, t0, t1, self._heat)
+                (steady,) = self._integral(q, t0, t1, self._power)
+                return (steady + sum(self.blows.work(q, x) for x in self.blows.between(q)),)
+        (steady,) = self._integral(q, t0, t1, self._heat)
+        return (steady + sum(self.blows.heat(q, x) for x in self.blows.between(q)),)
 
     def stretches(self, t0: float, t1: float) -> Iterator[Stretch]:
         """The parts of the segments in a span."""
@@ -177,16 +180,8 @@ class Spans:
         return self.measures.terms(replace(q, word="power", at=None, parts=()), self.measures.quantities(regime))
 
     def _heat(self, q: Quantity, regime: Regime) -> list[Term]:
-        """Of a contact that slips: its friction times the speed of slip, also on a belt; else what is lost."""
-        quantities = self.measures.quantities(regime)
-        reactions, graph = quantities.reactions, self.measures.model.graph
-        assert reactions is not None
-        for held in regime.parts.held:
-            friction = [e for p, e in reactions.pushes if p.joint == held.joint and p.kind == "friction"]
-            own = reactions.joints.get(held.joint, held.joint) == q.things[0]
-            if own and friction and held.mode.sliding is not None:
-                return [-friction[0] * speed_of(graph, self.measures.model.scene, held.mode.sliding)]
-        return [-self._power(q, regime)[0]]
+        """Of one joint, or of all joints and of the loads that waste energy."""
+        return [heat_of(q.things[0], self.measures.quantities(regime), regime, self.measures.model.scene)]
 
     def _force(self, q: Quantity, regime: Regime) -> list[Term]:
         """The resultant on the body, and its moment about the point behind the stroke."""
@@ -217,62 +212,10 @@ class Spans:
     def _impulse(self, q: Quantity, t0: float, t1: float) -> tuple[float, ...]:
         """∫ F dt, and the impulses of impacts in between."""
         steady = self._integral(q, t0, t1, self._force) if t1 > t0 else ()
-        total = list(steady or ((0.0,) if self._about(q) is not None else (0.0, 0.0)))
-        for x in self.trajectory.transitions:
-            if x.kind == "impact" and self._between(x, q):
-                total = [a + b for a, b in zip(total, self._struck(q, x), strict=True)]
+        total: Sequence[float] = steady or ((0.0,) if self._about(q) is not None else (0.0, 0.0))
+        for x in self.blows.between(q):
+            total = [a + b for a, b in zip(total, self.blows.impulse(q, self._about(q), x), strict=True)]
         return tuple(total)
-
-    def _between(self, x: Transition, q: Quantity) -> bool:
-        """Does an impact lie between the two states? At their very time the velocities tell."""
-        first, last = (self.measures.moments[s] for s in q.at or ())
-        if x.t in (first.t, last.t):
-            after_first = x.t > first.t or x.before == first.y
-            before_last = x.t < last.t or x.after == last.y
-            return after_first and before_last
-        return first.t < x.t < last.t
-
-    def _struck(self, q: Quantity, x: Transition) -> list[float]:
-        """What the joint or load named, or all forces on a body, give in one impact: on a body, or about a point."""
-        layout = self.measures.model.layout
-        name, about = q.things[0], self._about(q)
-        given = [x.given[key] for key in self._pressing(name, x)]
-        if given:
-            change: Sequence[float] = [sum(column) for column in zip(*given, strict=True)]
-            bodies = [b for b in layout.frames if any(change[i] for i in self._numbers(b))]
-            body = q.things[1] if len(q.things) == 2 and about is None else next(iter(bodies), "")
-            chosen = bodies if about is not None else [body]
-        else:
-            half = layout.count
-            change = [
-                s.mass.value * (a - b) for s, a, b in zip(layout.slots, x.after[half:], x.before[half:], strict=True)
-            ]
-            chosen = list(layout.frames) if name == "all" else [name]
-        parts = [self._parts(change, b, x, about) for b in chosen if b in layout.frames]
-        return [sum(column) for column in zip(*parts, strict=True)] or [0.0, 0.0][: 1 if about else 2]
-
-    def _pressing(self, name: str, x: Transition) -> list[str]:
-        """Who gives it: the joint, each place where an impact strikes, or the contact through which it acts."""
-        joints = self.measures.model.scene.problem.joints
-        own = [key for key in x.given if key == name or key.rpartition("_")[0] == name]
-        partners = [set(getattr(j, "between", ())) for j in joints if j.name == name and j.strikes]
-        if own or not partners:
-            return own
-        return [j.name for j in joints if j.name in x.given and set(getattr(j, "between", ())) in partners][:1]
-
-    def _numbers(self, body: str) -> list[int]:
-        frame = self.measures.model.layout.frames[body]
-        return [n for n in (frame.x, frame.y, frame.theta) if n is not None]
-
-    def _parts(self, change: Sequence[float], body: str, x: Transition, about: str | None) -> list[float]:
-        frame = self.measures.model.layout.frames[body]
-        if about is None:
-            return [change[frame.x], change[frame.y]]
-        moment = next(m for m in self.measures.moments.values() if m.t <= x.t)
-        there = Quantity("r", (about,), None, (), None, HERE)
-        px, py = self.measures.function(there, moment.regime)(x.t, x.before)
-        turning = 0.0 if frame.theta is None else change[frame.theta]
-        return [turning + (x.before[frame.x] - px) * change[frame.y] - (x.before[frame.y] - py) * change[frame.x]]
 
     def _count(self, q: Quantity, t0: float, t1: float) -> int:
         """How often a relation comes to hold: by a change of sign, or of an equation by a touch."""

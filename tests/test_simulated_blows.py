@@ -1,0 +1,72 @@
+"""Blows in a motion that is followed in numbers: who strikes, and what impulses do over a span."""
+
+from __future__ import annotations
+
+import pytest
+
+from planar_cli.problem.structure import load_text
+from planar_cli.simulate.answers import Answered
+from planar_cli.simulate.run import Settings, simulate
+
+PARTICLES = """
+title: Two particles collide head on
+plane: horizontal
+bodies: {A: {particle: [0, 0], mass: 2 kg}, B: {particle: [1 m, 0], mass: 3 kg}}
+joints:
+  - impact: {between: [A, B], restitution: 0.25, name: hit}
+states:
+  1: [v(A).x = 5 m/s, v(A).y = 0, v(B).x = -1 m/s, v(B).y = 0%s]
+  2: [just after 1]
+find: {u: v(A).x @ 2, J: impulse(hit/B).x @ 1->2, W: work(hit/A) @ 1->2, all: work(all) @ 1->2, Q: heat(hit) @ 1->2}
+"""
+BLOCK = """
+title: Block on a floor, struck
+plane: vertical
+points: {C: [0, 0]}
+surfaces: {floor: {through: C, angle: 0 deg}}
+bodies: {block: {particle: C, mass: 2 kg}}
+joints:
+  - contact: {between: [block, floor], at: C, mu: 0.3}
+loads:
+  - impulse: {name: blow, body: block, magnitude: 6 N*s, angle: %s deg, during: 1->2}
+states: {1: [t = 0, at rest], 2: [just after 1]}
+find: {mode: mode(C) @ 2, W: work(blow) @ 1->2, T: KE(block) @ 2, J: impulse(C).y @ 1->2, Q: heat(all) @ 1->2}
+"""
+
+
+def answers(text: str) -> dict[str, Answered]:
+    problem, wrong = load_text(text)
+    assert problem is not None
+    assert not wrong
+    return {a.name: a for a in simulate(problem, Settings(estimate=False)).answers}
+
+
+def test_particles_drawn_apart_strike_where_the_file_says_so() -> None:
+    """They stand for bodies of any size; every impulse works by the mean of the velocities where it acts."""
+    found = answers(PARTICLES % "")
+    numbers = [found[n].values[0] for n in ("u", "J", "W", "all", "Q")]
+    assert numbers == pytest.approx([0.5, 9.0, -9 * (5 + 0.5) / 2, -20.25, 20.25])
+
+
+def test_particles_that_a_state_holds_apart_do_not_strike() -> None:
+    found = answers(PARTICLES % ", x(B) - x(A) = 1 m, y(B) = y(A)")
+    assert [found[n].values[0] for n in ("u", "J", "Q")] == [5.0, 0.0, 0.0]
+
+
+@pytest.mark.parametrize(("angle", "mode"), [(30, "apart"), (-30, "slip"), (-80, "stick")])
+def test_a_mode_just_after_a_blow_is_the_one_of_what_follows(angle: float, mode: str) -> None:
+    assert answers(BLOCK % angle)["mode"].word == mode
+
+
+def test_what_an_impulse_of_a_load_works_and_what_friction_takes() -> None:
+    """J (v_1 + v_2)/2 of the load is what the block gets and what friction takes from it."""
+    found = {n: a.values[0] for n, a in answers(BLOCK % -30).items() if a.values}
+    assert found["J"] == pytest.approx(3.0)
+    assert found["W"] == pytest.approx(found["T"] + found["Q"])
+    assert found["Q"] > 0
+
+
+def test_a_blow_that_moves_nothing_has_impulses() -> None:
+    found = {n: a.values[0] for n, a in answers(BLOCK % -80).items() if a.values}
+    assert found["J"] == pytest.approx(6 * 0.984807753012208)
+    assert found["W"] == found["Q"] == 0
