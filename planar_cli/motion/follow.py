@@ -354,20 +354,9 @@ class Follower:
             told = f"at t = {self.t:.9g} s the modes change without end: {words}"
             self.outcome = Outcome("endless", told, self.t, joint, "PL709")
             return
-        moment = Moment(
-            self.automaton,
-            self.t,
-            self.y,
-            self.choice,
-            words,
-            self.setting.tolerance,
-            inelastic=inelastic,
-            applied=applied or {},
-            striking=striking or inelastic,
-            forced=blow,
-            drawn=drawn,
-            lasting=not blow,
-        )
+        moment = Moment(self.automaton, self.t, self.y, self.choice, words, self.setting.tolerance, lasting=not blow)
+        moment = replace(moment, inelastic=inelastic, striking=striking or inelastic)
+        moment = replace(moment, applied=applied or {}, forced=blow, drawn=drawn)
         found = resolve(moment)
         if isinstance(found, Resolved):
             found = self._limit(moment, found)
@@ -398,5 +387,4 @@ class Follower:
         if isinstance(closed, Resolved):
             self.resting_at = limit[0]
             self.bounces.forget()
-            return closed
         return closed
