@@ -133,9 +133,11 @@ class Coordinates:
             length = scene.length(reach)
             if not length.zero:
                 direction = scene.graph.turning(reach.y, reach.x) + angle.value
+                # A distance may be drawn negative: against the written direction.
+                along = -length if distance.value < 0 else length
                 return [
                     _Handle(title, name, "direction", angle, direction),
-                    _Handle(title, name, "distance", distance, length),
+                    _Handle(title, name, "distance", distance, along),
                 ]
         formula = drawing.point(name)
         return [

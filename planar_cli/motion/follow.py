@@ -147,7 +147,7 @@ class Follower:
     def _advance(self) -> None:
         """One regime until it ends, and what happens then."""
         if self.t >= self.until:
-            self.outcome = Outcome("until", f"the time is over at t = {self.t:.9g} s", self.t)
+            self.outcome = Outcome("until", f"the time is over at t = {self.t:.9g} s{self.waiting.wanting}", self.t)
             return
         regime = self.automaton.regime(self.choice)
         changed = bool(self.transitions) and self.transitions[-1].t == self.t
@@ -236,7 +236,7 @@ class Follower:
 
     def _end(self) -> float:
         """The latest time of this segment: the end, or the next time that is known beforehand."""
-        known = [self.until, *self.schedule.breakpoints, *self.waiting.times()]
+        known = [self.until, *self.schedule.breakpoints, *self.waiting.times(self.t, self.automaton.time_scale)]
         if self.resting_at is not None:
             known.append(self.resting_at)
         return min(t for t in known if t > self.t or t == self.until)
@@ -323,6 +323,8 @@ class Follower:
             self._at_rest()
         for event in self.waiting.due(self.t):
             self._reach(event)
+        if self.outcome is None and self.waiting.settles(self.automaton, self.segments, self.setting.tolerance):
+            self._reach(self.waiting.ordered[0])
         if self.outcome is None and self.t < self.until:
             self._settle("what acts has changed")
 

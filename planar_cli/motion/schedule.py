@@ -59,6 +59,8 @@ class Event:
     """`just after` this state: when that one is reached and what strikes there has struck."""
     rest: bool = False
     """Reached when nothing moves."""
+    endless: bool = False
+    """At t = infinity: reached when the motion has settled."""
 
 
 @record

@@ -8,6 +8,7 @@ from functools import cached_property
 from planar_cli.motion.automaton import Choice, Resultant, Start
 from planar_cli.motion.constraints import Constraint
 from planar_cli.motion.dense import null_space
+from planar_cli.motion.equilibrium import in_equilibrium
 from planar_cli.motion.gaps import Gap
 from planar_cli.motion.hybrid import HybridModel
 from planar_cli.motion.impact import Struck
@@ -237,6 +238,7 @@ def stages_of(problem: Problem, values: Mapping[str, float]) -> SceneStages:
     the start; once it has left that side it does not press on the other. What is drawn on a line comes from the side
     from which it moves. `values`: numbers for letters, by name.
     """
+    values = in_equilibrium(problem, values)
     scene = MovingScene(problem, values)
     stages = SceneStages(scene)
     automaton = stages.automaton((problem.states[0].name,) if problem.states else ())

@@ -7,6 +7,8 @@ from collections.abc import Sequence
 from planar_cli.motion.automaton import Automaton, Choice, Regime
 from planar_cli.motion.drive import Run
 from planar_cli.motion.schedule import Event, Reached, Schedule
+from planar_cli.motion.segment import Segment
+from planar_cli.motion.settling import next_look, settled
 
 NEAR = 1e-9
 """A number below this part of its scale is zero."""
@@ -47,9 +49,37 @@ class Waiting:
         waiting = {e.name for e in (*self.ordered, *self.timed)}
         return [e for e in self.schedule.events if e.name in waiting]
 
-    def times(self) -> list[float]:
-        """The times that the file names and that are still to come."""
-        return [_time(e) for e in self.timed]
+    def times(self, t: float, span: float) -> list[float]:
+        """Times at which something is to be looked at: those that the file names and that are still to come.
+
+        Where the next state is at t = infinity, also when to see whether the motion has settled. `span`: time scale.
+        """
+        found = [_time(e) for e in self.timed]
+        return [*found, next_look(self.last, t, span)] if self._endless else found
+
+    @property
+    def _endless(self) -> bool:
+        """Is the next state at t = infinity?"""
+        event = self.next()
+        return event is not None and event.endless
+
+    @property
+    def wanting(self) -> str:
+        """What is still wanting for the next state, in words, where the time is over."""
+        return ", and the motion has not settled" if self._endless else ""
+
+    def settles(self, automaton: Automaton, segments: Sequence[Segment], tolerance: float) -> bool:
+        """Is the next state at t = infinity, and has the motion come to where it goes without end?"""
+        event = self.next()
+        if event is None or not event.endless or not segments:
+            return False
+        end = segments[-1]
+        lasted = end.t1 - self.last >= automaton.time_scale
+        return (
+            lasted
+            and settled(segments, self.last, automaton.scale, tolerance)
+            and fits(event, automaton.regime(end.choice), end.choice, end.t1, end.end)
+        )
 
     def just_after(self, state: str) -> Event | None:
         """The state that is `just after` this one."""

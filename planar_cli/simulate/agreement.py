@@ -6,9 +6,11 @@ that its bodies, joints and loads give has left out what causes them, so that it
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from planar_cli.errors import Diagnostic, NoSolution
+from planar_cli.motion.model import Model
+from planar_cli.motion.regime import Regime
 from planar_cli.problem.expression import Equilibrium, Quantity, Relation, Statement
 from planar_cli.problem.scene import Problem
 from planar_cli.problem.walk import walk
@@ -17,6 +19,8 @@ from planar_cli.simulate.timetable import Timetable, mode_of
 
 AGREES = 1e-6
 """What differs by less than this part of its scale agrees."""
+ASIDE = 1e-4
+"""Rates of driven velocities are differences over this part of the time scale."""
 HINT = "write under `motion` what is driven, or give the load that causes it"
 
 
@@ -25,6 +29,24 @@ def demand_agreement(problem: Problem, measures: Measures) -> None:
     wrong = list(_wrong(problem, measures))
     if wrong:
         raise NoSolution(wrong)
+
+
+def _stays(model: Model, regime: Regime, t: float, y: Sequence[float]) -> bool:
+    """Does nothing move but what is driven, and does it go on so?"""
+    half, time = model.layout.count, model.time_scale
+    off = [a - b for a, b in zip(regime.rates(t, y), [*_driven(regime, t, y[:half]), *([0.0] * half)], strict=True)]
+    if model.drives:
+        step = ASIDE * time
+        later, before = (
+            _driven(regime, t + h, [q + h * v for q, v in zip(y[:half], y[half:], strict=True)]) for h in (step, -step)
+        )
+        off[half:] = [a - (b - c) / (2 * step) for a, b, c in zip(off[half:], later, before, strict=True)]
+    return all(abs(r) * time <= AGREES * s for r, s in zip(off, model.scale, strict=True))
+
+
+def _driven(regime: Regime, t: float, q: Sequence[float]) -> list[float]:
+    """The velocities that what is driven has there, of everything else none."""
+    return regime.project(t, [*q, *([0.0] * len(q))])[len(q) :]
 
 
 def _stated(problem: Problem) -> tuple[Statement, ...]:
@@ -41,12 +63,9 @@ def _wrong(problem: Problem, measures: Measures) -> Iterator[Diagnostic]:
         return
     regime, y = moment.after
     for statement in _stated(problem):
-        if isinstance(statement, Equilibrium):
-            rates, sizes = regime.rates(moment.t, y), measures.model.scale
-            time = measures.model.time_scale
-            if any(abs(r) * time > AGREES * s for r, s in zip(rates, sizes, strict=True)):
-                text = "this is no equilibrium: what acts sets it in motion"
-                yield Diagnostic(statement.mark, "PL704", text, "solve for the place with `planar solve`")
+        if isinstance(statement, Equilibrium) and not _stays(measures.model, regime, moment.t, y):
+            text = "this is no equilibrium: what acts sets it in motion"
+            yield Diagnostic(statement.mark, "PL704", text, "solve for the place with `planar solve`")
         if not isinstance(statement, Relation) or statement.operator != "=":
             continue
         stated = mode_of(statement)

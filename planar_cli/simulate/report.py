@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
 from planar_cli.errors import Diagnostic, FileProblem, Mark
@@ -34,8 +34,10 @@ def told(problem: Problem, request: Request, progress: Progress) -> tuple[str, A
     if request.effects:
         return FOLLOWED, _joined([_effects(p) for _, p in parts], request)
     status, told_parts = FOLLOWED, []
+    earlier: dict[str, float] = {}
     for case, part in parts:
-        more, piece = _part(case, part, problem.answers, request, progress)
+        found, more, piece = _part(case, part, problem.answers, request, progress, earlier)
+        earlier |= {f"{case}.{a.name}": a.values[0] for a in found.answers if len(a.values) == 1}
         status = max(status, more, key=WORST.index)
         told_parts.append(piece)
     if request.output in ("json", "npz"):
@@ -65,15 +67,21 @@ def _parts(problem: Problem, request: Request) -> Iterator[tuple[str, Problem]]:
 
 
 def _part(
-    case: str, problem: Problem, stated: Sequence[Answer], request: Request, progress: Progress
-) -> tuple[str, Any]:
+    case: str,
+    problem: Problem,
+    stated: Sequence[Answer],
+    request: Request,
+    progress: Progress,
+    earlier: Mapping[str, float],
+) -> tuple[Simulation, str, Any]:
+    """The file or a case of it: its motion, how it ended, and a text or data. `earlier`: finds of cases before it."""
     asked = columns(problem, request)
     settings = Settings(
         request.until,
         request.tolerance,
         request.integrator,
         request.step,
-        dict(request.values),
+        {**earlier, **dict(request.values)},
         stops=stops(problem, request),
         progress=progress,
     )
@@ -81,12 +89,12 @@ def _part(
     table = table_of(found.run, asked, request.times, request.rows)
     other = _without(problem, request, settings, stated)
     if request.output in ("json", "npz"):
-        return _status(found), _data(case, found, table, other)
+        return found, _status(found), _data(case, found, table, other)
     if request.output == "csv":
-        return _status(found), "\n".join([*_csv(table), ""])
+        return found, _status(found), "\n".join([*_csv(table), ""])
     lines = [f"CASE  {case.replace('_', ' ')}", ""] if case else []
     lines += [*_head(found.run), "", *_aligned(table), *_happened(found.run.trajectory), *_answers(found, other)]
-    return _status(found), "\n".join([*lines, *_checks(found), ""])
+    return found, _status(found), "\n".join([*lines, *_checks(found), ""])
 
 
 def _without(problem: Problem, request: Request, settings: Settings, stated: Sequence[Answer]) -> Simulation | None:

@@ -57,7 +57,7 @@ class Timetable:
     def event(self, state: State) -> Event:
         """One state after the first."""
         crossing: Crossing | None = None
-        time, after, rest = None, "", False
+        time, after, rest, endless = None, "", False, False
         modes: list[tuple[str, str]] = []
         conditions: list[Condition] = []
         for statement in state.relations:
@@ -76,8 +76,8 @@ class Timetable:
                 case Relation() if is_time(statement) and time is None:
                     time = self._time(statement)
                     if time == math.inf:
-                        # No motion that is followed comes there.
-                        time, conditions = None, [*conditions, _never]
+                        # Where the motion goes: it is followed until it has settled.
+                        time, endless = None, True
                 case Relation() if statement.operator == "=" and crossing is None and time is None:
                     size = _vanishing(statement)
                     if size is None:
@@ -88,7 +88,7 @@ class Timetable:
                         conditions.append(self._condition(statement))
                 case Relation():
                     conditions.append(self._condition(statement))
-        return Event(state.name, time, crossing, tuple(modes), tuple(conditions), after, rest)
+        return Event(state.name, time, crossing, tuple(modes), tuple(conditions), after, rest, endless)
 
     # --- what tells it -----------------------------------------------------------------------------------------------
 
@@ -173,10 +173,6 @@ class Timetable:
                     scales.length ** float(d.length) * scales.mass ** float(d.mass) * scales.time ** float(d.time)
                 )
         return 1.0
-
-
-def _never(regime: AnyRegime, choice: Choice, t: float, y: Sequence[float]) -> bool:
-    return False
 
 
 def mode_of(relation: Relation) -> tuple[str, str] | None:
