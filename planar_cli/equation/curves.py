@@ -13,6 +13,7 @@ from planar_cli.equation.plain import simplified
 from planar_cli.equation.pose import HERE, Pose
 from planar_cli.problem.expression import Side
 from planar_cli.problem.geometry import Vec
+from planar_cli.problem.outlines import Bend
 from planar_cli.problem.scene import GROUND, Curve, Surface
 from planar_cli.records import record
 
@@ -66,15 +67,6 @@ def parameter(curve: Curve, pose: Pose, point: Vec, sign: Sign) -> sp.Expr:
     if curve.kind == "y":
         return simplified(sp.cos(pose.turn) * seen.x + sp.sin(pose.turn) * seen.y)
     return _direction(seen, sign) - pose.turn
-
-
-@record
-class Bend:
-    """A curve at one of its points: the place, the unit tangent towards growing x or theta, the curvature (1/m)."""
-
-    place: Vec
-    tangent: Vec
-    curvature: sp.Expr
 
 
 def bend_at(scene: CurveSetting, curve: Curve, pose: Pose, point: Vec) -> Bend:

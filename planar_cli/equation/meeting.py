@@ -10,11 +10,11 @@ from collections.abc import Callable
 
 import sympy as sp
 
-from planar_cli.equation.outlines import outline_of
 from planar_cli.equation.scene import Scene
 from planar_cli.errors import FileProblem, Mark, refuse
 from planar_cli.problem.facts import Meeting
 from planar_cli.problem.geometry import Vec
+from planar_cli.problem.outlines import outline_of
 from planar_cli.problem.scene import GROUND, Circle, Line, Particle, Plate, Rod, Round
 from planar_cli.records import record
 
@@ -57,7 +57,7 @@ def partner_of(scene: Scene, name: str) -> Partner:
     if surface is not None:
         body, form = surface.body or GROUND, surface.shape
         if isinstance(form, Line):
-            return Partner(name, body, line=(scene.point(form.through), scene.surface_angle(surface)))
+            return Partner(name, body, line=(scene.point(form.through), scene.surface_direction(surface)))
         if isinstance(form, Circle):
             return Partner(name, body, scene.point(form.center), scene.value(form.radius))
         return Partner(name, body)
@@ -86,8 +86,7 @@ def _rod(scene: Scene, name: str, shape: Rod) -> Partner:
 
 
 def _corners(scene: Scene, name: str, shape: Plate) -> tuple[Vec, ...]:
-    angle = (scene.value(shape.angle) if shape.angle is not None else sp.S.Zero) + scene.turn(name)
-    along, center = Vec(sp.cos(angle), sp.sin(angle)), scene.point(shape.center)
+    along, center = scene.along_plate(name, shape), scene.point(shape.center)
     half, depth = scene.value(shape.width) / 2, scene.value(shape.height) / 2
     return tuple(center + along * (i * half) + along.turned() * (j * depth) for i in (-1, 1) for j in (-1, 1))
 

@@ -10,19 +10,21 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.bodies import BodyModel, MassReader
+from planar_cli.equation.curves import bend_at, carrier_pose
 from planar_cli.equation.decided import Decided
 from planar_cli.equation.displacement import Displacement
 from planar_cli.equation.evaluate import Evaluator
 from planar_cli.equation.ledger import Ledger
-from planar_cli.equation.outlines import edges_at, outline_of
 from planar_cli.equation.places import at_relations, place_jet
 from planar_cli.equation.plain import longer, trigonometric
 from planar_cli.errors import Mark, refuse
 from planar_cli.problem.expression import Name, Side, Statement
 from planar_cli.problem.facts import Outline
 from planar_cli.problem.geometry import Vec
+from planar_cli.problem.outlines import Bend, edges_at, outline_of
 from planar_cli.problem.scene import (
     GROUND,
+    Curve,
     Line,
     Particle,
     Plate,
@@ -101,7 +103,7 @@ class Scene(Decided):
         """The angle by which a body has turned from where it was drawn."""
         return self._turns.get(body, sp.S.Zero)
 
-    def surface_angle(self, surface: Surface) -> Vec:
+    def surface_direction(self, surface: Surface) -> Vec:
         """The direction of a straight surface, which turns with the body that carries it."""
         assert isinstance(surface.shape, Line)
         angle = self.value(surface.shape.angle) + self.turn(surface.body or GROUND)
@@ -228,7 +230,7 @@ class Scene(Decided):
         if not isinstance(along, str):
             return self.unit(along)
         if along in self.surfaces:
-            return self.surface_angle(self.surfaces[along])
+            return self.surface_direction(self.surfaces[along])
         body = self.bodies[along]
         if isinstance(body.shape, Rod) and body.shape.end is not None:
             reach = self.point(body.shape.end) - self.point(body.shape.start)
@@ -284,6 +286,23 @@ class Scene(Decided):
         """The radius of a round body."""
         shape = self.bodies[body].shape
         return self.value(shape.radius) if isinstance(shape, Round) else sp.S.Zero
+
+    def shape(self, body: str) -> Any:
+        """The shape of a body as the file gives it."""
+        return self.bodies[body].shape
+
+    def carried(self, body: str, point: str) -> Vec:
+        """The place of a point that goes with a body."""
+        return self.point(point)
+
+    def along_plate(self, body: str, shape: Plate) -> Vec:
+        """The direction of a plate's width, which turns with the body."""
+        angle = (self.value(shape.angle) if shape.angle is not None else sp.S.Zero) + self.turn(body)
+        return Vec(sp.cos(angle), sp.sin(angle))
+
+    def bend(self, surface: Surface, shape: Curve, point: Vec) -> Bend:
+        """A curve where a point of it is now."""
+        return bend_at(self, shape, carrier_pose(self, surface), point)
 
     def edges(self, body: str, point: Vec) -> list[Outline]:
         """The edges of a plate through a point."""

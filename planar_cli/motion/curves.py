@@ -11,23 +11,12 @@ from planar_cli.motion.places import unit_vector
 from planar_cli.motion.replacing import replaced
 from planar_cli.motion.terms import Term, evaluate
 from planar_cli.problem.geometry import Vec
+from planar_cli.problem.outlines import Bend
 from planar_cli.problem.scene import GROUND, Curve, Surface
 from planar_cli.records import record
 
 TURNS = 6
 """So many turns of a spiral are tried for a drawn place."""
-
-
-@record
-class Bend:
-    """A curve at one of its points."""
-
-    place: Vec
-    """The point of the curve, m."""
-    tangent: Vec
-    """The unit tangent towards growing x or theta."""
-    curvature: Term
-    """1/m, positive where the curve bends to the left of the tangent."""
 
 
 @record

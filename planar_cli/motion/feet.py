@@ -10,8 +10,9 @@ import math
 from planar_cli.motion.boundaries import Rim, boundaries
 from planar_cli.motion.carried import Carried
 from planar_cli.motion.coordinates import Tie
-from planar_cli.motion.curves import Bend, Formula, arc_of, bend_of, formula_of, seen_from
+from planar_cli.motion.curves import Formula, arc_of, bend_of, formula_of, seen_from
 from planar_cli.motion.terms import Term
+from planar_cli.problem.outlines import Bend
 from planar_cli.problem.scene import Curve
 from planar_cli.records import record
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from functools import cached_property
+from functools import cached_property, partial
 from itertools import pairwise
 from typing import Any
 
@@ -12,10 +12,10 @@ from planar_cli.joints.base import Joint
 from planar_cli.loads.base import Load
 from planar_cli.motion.carried import TINIEST, Carried
 from planar_cli.motion.coordinates import Coordinates, Tie
+from planar_cli.motion.curves import curve_at
 from planar_cli.motion.facing import Facings
 from planar_cli.motion.feet import Foot, feet_of
 from planar_cli.motion.gaps import Gap, gaps_of
-from planar_cli.motion.outlines import edges_at, outline_of
 from planar_cli.motion.places import unit_vector
 from planar_cli.motion.poses import MovingPoses
 from planar_cli.motion.quantities import Quantities
@@ -27,7 +27,8 @@ from planar_cli.problem.expression import Name, Relation, Side, Statement
 from planar_cli.problem.facts import Meeting, Outline, Wrench
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.keys import Table
-from planar_cli.problem.scene import GROUND, Line, Plate, Problem, Round
+from planar_cli.problem.outlines import Bend, edges_at, outline_of
+from planar_cli.problem.scene import GROUND, Curve, Line, Plate, Problem, Round, Surface
 from planar_cli.units import parse_unit
 
 
@@ -48,7 +49,7 @@ class MovingScene(Carried):
         self._sides = sides or {}
         self.facings = Facings(self.graph, self.extent)
         self.feet: dict[tuple[str, str], Foot] = feet_of(self)
-        self._points |= spots_of(self, self.feet)
+        self._points |= spots_of(self, partial(outline_of, self), self.feet)
         self._outlines: dict[tuple[str, Vec], Outline] = {}
         self.coordinates, self.ties = self._coordinates()
 
@@ -91,6 +92,19 @@ class MovingScene(Carried):
         if (partner, point) not in self._outlines:
             self._outlines[partner, point] = outline_of(self, partner, point, mark)
         return self._outlines[partner, point]
+
+    def shape(self, body: str) -> Any:
+        """The shape of a body as the file gives it."""
+        return self.drawn[body].shape
+
+    def along_plate(self, body: str, shape: Plate) -> Vec:
+        """The direction of a plate's width, which turns with the body."""
+        drawn = self.sides.value(shape.angle).value if shape.angle is not None else 0.0
+        return self.turned_with(body, unit_vector(self.graph, self.graph.number(drawn)))
+
+    def bend(self, surface: Surface, shape: Curve, point: Vec) -> Bend:
+        """A curve where a point of it is now."""
+        return curve_at(self, surface, shape, point)
 
     def edges(self, body: str, point: Vec) -> list[Outline]:
         """The edges of a plate through a point."""

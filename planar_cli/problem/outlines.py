@@ -1,49 +1,82 @@
-"""The outline of a body or surface at a point of contact: a corner, a straight edge or an arc, with its curvature."""
+"""The outline of a body or surface at a point of contact: a corner, a straight edge or an arc, with its curvature.
+
+Written once for whatever numbers a scene is made of: exact expressions, or terms of coordinates.
+"""
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+from typing import Any, Protocol
+
 from planar_cli.errors import Mark, refuse
-from planar_cli.motion.carried import Carried
-from planar_cli.motion.curves import curve_at
-from planar_cli.motion.places import unit_vector
+from planar_cli.problem.expression import Side
 from planar_cli.problem.facts import Outline
 from planar_cli.problem.geometry import Vec
-from planar_cli.problem.scene import GROUND, Circle, Composite, Line, Plate, Rod, Round, Sector, Surface
+from planar_cli.problem.scene import GROUND, Circle, Composite, Curve, Line, Plate, Rod, Round, Sector, Surface
 
 
-def outline_of(scene: Carried, partner: str, point: Vec, mark: Mark) -> Outline:
-    """The outline of `partner` (a body or a surface) at `point`. Refused when the point is not on it."""
+@dataclass(frozen=True, slots=True)
+class Bend:
+    """A curve at one of its points."""
+
+    place: Vec
+    """The point of the curve, m."""
+    tangent: Vec
+    """The unit tangent towards growing x or theta."""
+    curvature: Any
+    """1/m, positive where the curve bends to the left of the tangent."""
+
+
+class Outlined(Protocol):
+    """What an outline asks of the scene: shapes and surfaces where they are now."""
+
+    surfaces: dict[str, Surface]
+
+    def shape(self, body: str) -> Any: ...
+    def carried(self, body: str, point: str) -> Vec:
+        """A named point that goes with a body (or the ground)."""
+
+    def surface_direction(self, surface: Surface) -> Vec: ...
+    def direction(self, along: Side | str) -> Vec: ...
+    def along_plate(self, body: str, shape: Plate) -> Vec:
+        """The direction of a plate's width."""
+
+    def bend(self, surface: Surface, shape: Curve, point: Vec) -> Bend:
+        """A curve at the place nearest to a point of it."""
+
+    def value(self, side: Side) -> Any: ...
+    def length(self, v: Vec) -> Any: ...
+    def sign(self, expr: Any) -> int: ...
+    def is_zero(self, expr: Any) -> bool: ...
+    def vanishes(self, expr: Any) -> bool: ...
+
+
+def outline_of(scene: Outlined, partner: str, point: Vec, mark: Mark) -> Outline:
+    """The outline of `partner` (a body or a surface) at `point`. FileProblem where the point is not on it."""
     surface = scene.surfaces.get(partner)
     if surface is not None:
         return _surface(scene, surface, point, mark)
-    shape = scene.drawn[partner].shape
-    match shape:
-        case Composite():
+    match scene.shape(partner):
+        case Composite() as shape:
             return _composite(scene, partner, shape, point)
-        case Round():
+        case Round() as shape:
             return _round(scene, partner, shape, point, mark)
-        case Plate():
+        case Plate() as shape:
             return _plate(scene, partner, shape, point, mark)
-        case Rod():
+        case Rod() as shape:
             return _rod(scene, partner, shape, point)
-        case Sector():
+        case Sector() as shape:
             center = scene.carried(partner, shape.apex)
             if not _same(scene, center, point):
-                return arc(scene, partner, center, shape.apex, point)
+                out = point - center
+                radius = scene.length(out)
+                return Outline("arc", partner, (out / radius).turned(), 1 / radius, center, shape.apex)
     return Outline("corner", partner)
 
 
-def arc(scene: Carried, body: str, center: Vec, name: str, point: Vec) -> Outline:
-    """An arc about `center`; its tangent is k × (outward normal), its curvature +1/R."""
-    out = point - center
-    radius = scene.length(out)
-    return Outline("arc", body, (out / radius).turned(), 1 / radius, center, name)
-
-
-def edges_at(scene: Carried, body: str, shape: Plate, point: Vec) -> list[Outline]:
-    """The edges of a plate that pass through a point (two at a corner)."""
-    drawn = scene.sides.value(shape.angle) if shape.angle is not None else scene.graph.number(0.0)
-    along = scene.turned_with(body, unit_vector(scene.graph, scene.graph.number(drawn.value)))
+def edges_at(scene: Outlined, body: str, shape: Plate, point: Vec) -> list[Outline]:
+    """The edges of a plate that pass through a point (two at a corner), with the distances to their ends."""
+    along = scene.along_plate(body, shape)
     out = point - scene.carried(body, shape.center)
     width, height = scene.value(shape.width) / 2, scene.value(shape.height) / 2
     found = []
@@ -54,44 +87,40 @@ def edges_at(scene: Carried, body: str, shape: Plate, point: Vec) -> list[Outlin
     return found
 
 
-def _surface(scene: Carried, surface: Surface, point: Vec, mark: Mark) -> Outline:
+def _surface(scene: Outlined, surface: Surface, point: Vec, mark: Mark) -> Outline:
     body, shape = surface.body or GROUND, surface.shape
     if isinstance(shape, Line):
         tangent = scene.surface_direction(surface)
         off = (point - scene.carried(body, shape.through)).cross(tangent)
-        _on_it(scene, surface, mark, scene.is_zero(off), "let the line go `through:` it")
+        _demand_on(scene.is_zero(off), surface, mark, "let the line go `through:` it")
         return Outline("straight", body, tangent, drift=_drift(scene, surface, tangent))
     if isinstance(shape, Circle):
         center, radius = scene.carried(body, shape.center), scene.value(shape.radius)
         out = point - center
         fits = scene.is_zero(out.dot(out) - radius * radius)
-        _on_it(scene, surface, mark, fits, "its distance from the centre is the radius")
+        _demand_on(fits, surface, mark, "its distance from the centre is the radius")
         if surface.speed is not None:
             text, hint = f"{surface.name}: a belt runs along a line", "give `speed:` to a line; let a disk turn instead"
             raise refuse(mark, "PL543", text, hint)
-        normal = out / scene.length(out)
-        return Outline("arc", body, normal.turned(), 1 / radius, center, shape.center)
-    bend = curve_at(scene, surface, shape, point)
+        return Outline("arc", body, (out / scene.length(out)).turned(), 1 / radius, center, shape.center)
+    bend = scene.bend(surface, shape, point)
     off = bend.place - point
-    _on_it(scene, surface, mark, scene.is_zero(off.x) and scene.is_zero(off.y), "")
-    kind = "straight" if scene.is_zero(bend.curvature) and bend.curvature.constant else "arc"
-    drift = _drift(scene, surface, bend.tangent)
+    _demand_on(scene.is_zero(off.x) and scene.is_zero(off.y), surface, mark, "")
+    kind, drift = "straight" if scene.vanishes(bend.curvature) else "arc", _drift(scene, surface, bend.tangent)
     return Outline(kind, body, bend.tangent, bend.curvature, drift=drift, curve=surface.name)
 
 
-def _on_it(scene: Carried, surface: Surface, mark: Mark, fits: bool, hint: str) -> None:
+def _demand_on(fits: bool, surface: Surface, mark: Mark, hint: str) -> None:
     if not fits:
         raise refuse(mark, "PL521", f"the point of contact is not on {surface.name}", hint)
 
 
-def _drift(scene: Carried, surface: Surface, tangent: Vec) -> Vec | None:
-    if surface.speed is None:
-        return None
-    found: Vec = tangent * scene.value(surface.speed)
-    return found
+def _drift(scene: Outlined, surface: Surface, tangent: Vec) -> Vec | None:
+    """The velocity of a belt's surface."""
+    return None if surface.speed is None else Vec(tangent.x, tangent.y) * scene.value(surface.speed)
 
 
-def _round(scene: Carried, body: str, shape: Round, point: Vec, mark: Mark) -> Outline:
+def _round(scene: Outlined, body: str, shape: Round, point: Vec, mark: Mark) -> Outline:
     center = scene.carried(body, shape.center)
     out = point - center
     for side in (shape.radius, shape.hub):
@@ -105,7 +134,7 @@ def _round(scene: Carried, body: str, shape: Round, point: Vec, mark: Mark) -> O
     raise refuse(mark, "PL522", f"the point of contact is not on the rim of {body}", hint)
 
 
-def _plate(scene: Carried, body: str, shape: Plate, point: Vec, mark: Mark) -> Outline:
+def _plate(scene: Outlined, body: str, shape: Plate, point: Vec, mark: Mark) -> Outline:
     """An edge of the rectangle through the point; both edges at a corner are offered by `edges_at`."""
     edges = edges_at(scene, body, shape, point)
     if not edges:
@@ -114,7 +143,7 @@ def _plate(scene: Carried, body: str, shape: Plate, point: Vec, mark: Mark) -> O
     return edges[0] if len(edges) == 1 else Outline("corner", body)
 
 
-def _rod(scene: Carried, body: str, shape: Rod, point: Vec) -> Outline:
+def _rod(scene: Outlined, body: str, shape: Rod, point: Vec) -> Outline:
     start = scene.carried(body, shape.start)
     if shape.end is None or _same(scene, start, point) or _same(scene, scene.carried(body, shape.end), point):
         return Outline("corner", body)
@@ -122,7 +151,7 @@ def _rod(scene: Carried, body: str, shape: Rod, point: Vec) -> Outline:
     return Outline("straight", body, along) if scene.is_zero(along.cross(point - start)) else Outline("corner", body)
 
 
-def _composite(scene: Carried, body: str, shape: Composite, point: Vec) -> Outline:
+def _composite(scene: Outlined, body: str, shape: Composite, point: Vec) -> Outline:
     """The first part on whose rim the point is; a corner when none."""
     for piece in shape.pieces:
         part = piece.shape
@@ -138,5 +167,5 @@ def _composite(scene: Carried, body: str, shape: Composite, point: Vec) -> Outli
     return Outline("corner", body)
 
 
-def _same(scene: Carried, a: Vec, b: Vec) -> bool:
+def _same(scene: Outlined, a: Vec, b: Vec) -> bool:
     return scene.is_zero(a.x - b.x) and scene.is_zero(a.y - b.y)
