@@ -1,8 +1,6 @@
 """Mass, mass centre and moment of inertia of the bodies, with the lines that show how they were found.
 
-Uniform shapes, about their mass centre (An Introduction to Planar Dynamics, appendix on moments of inertia):
-slender rod m l²/12, disk m r²/2, ring m r², sphere 2 m r²/5, plate m (w² + h²)/12, sector m r²/2 - m d² with its mass
-centre at d = 4 r sin(span/2)/(3 span) from the apex; composites by the parallel-axis theorem, I = Σ (I_i + m_i d_i²).
+Composites by the parallel-axis theorem, I = Σ (I_i + m_i d_i²); of uniform shapes see problem/uniform.py.
 """
 
 from __future__ import annotations
@@ -12,13 +10,15 @@ from dataclasses import replace
 
 import sympy as sp
 
+from planar_cli.records import record
 from planar_cli.equation.evaluate import Evaluator, demand_time
 from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.plain import simplified
 from planar_cli.errors import refuse
+from planar_cli.problem.expression import Side
 from planar_cli.problem.geometry import Vec
-from planar_cli.problem.scene import Body, Composite, Outline, Particle, Piece, Plate, Rod, Round, Sector, Shape
-from planar_cli.records import record
+from planar_cli.problem.scene import Body, Composite, Outline, Particle, Piece, Rod, Shape
+from planar_cli.problem.uniform import Uniform, uniform
 
 ZERO = sp.S.Zero
 
@@ -47,54 +47,25 @@ class BodyModel:
 
 
 @record
-class Uniform:
-    """Mass centre of a uniform shape and its moment of inertia per unit of mass about it; direction of its angle."""
+class _Measures:
+    """Shapes in exact expressions."""
 
-    center: Vec
-    center_name: str
-    gyration_squared: sp.Expr
-    theta: sp.Expr
+    point: Callable[[str], Vec]
+    evaluator: Evaluator
+    zero: sp.Expr = ZERO
 
+    def value(self, side: Side) -> sp.Expr:
+        return self.evaluator.value(side)
 
-def uniform(shape: Shape, points: Callable[[str], Vec], evaluator: Evaluator) -> Uniform:
-    """The uniform properties of a simple shape."""
-    match shape:
-        case Particle():
-            center = points(shape.place) if isinstance(shape.place, str) else Vec(ZERO, ZERO)
-            return Uniform(center, shape.place if isinstance(shape.place, str) else "", ZERO, ZERO)
-        case Rod():
-            return _rod(shape, points, evaluator)
-        case Round():
-            radius = evaluator.value(shape.radius)
-            share = {"disk": sp.Rational(1, 2), "ring": sp.S.One, "sphere": sp.Rational(2, 5)}[shape.kind]
-            return Uniform(points(shape.center), shape.center, share * radius**2, ZERO)
-        case Plate():
-            width, height = evaluator.value(shape.width), evaluator.value(shape.height)
-            angle = evaluator.value(shape.angle) if shape.angle is not None else ZERO
-            return Uniform(points(shape.center), shape.center, (width**2 + height**2) / 12, angle)
-        case Sector():
-            radius, span = evaluator.value(shape.radius), evaluator.value(shape.span)
-            angle = evaluator.value(shape.angle) if shape.angle is not None else ZERO
-            reach = 4 * radius * sp.sin(span / 2) / (3 * span)
-            center = points(shape.apex) + Vec(sp.cos(angle), sp.sin(angle)) * reach
-            return Uniform(center, "", radius**2 / 2 - reach**2, angle)
-        case Outline():
-            center = points(shape.center) if shape.center else Vec(ZERO, ZERO)
-            return Uniform(center, shape.center or "", ZERO, ZERO)
-    raise TypeError(type(shape).__name__)
+    def sine(self, angle: sp.Expr) -> sp.Expr:
+        return sp.sin(angle)
 
+    def unit_vector(self, angle: sp.Expr) -> Vec:
+        return Vec(sp.cos(angle), sp.sin(angle))
 
-def _rod(shape: Rod, points: Callable[[str], Vec], evaluator: Evaluator) -> Uniform:
-    start = points(shape.start)
-    if shape.end is not None:
-        reach = points(shape.end) - start
-        length_squared = simplified(reach.dot(reach)) if not reach.dot(reach).is_number else reach.dot(reach)
-        angle = sp.atan2(reach.y, reach.x)
-    else:
-        angle = evaluator.value(shape.angle) if shape.angle is not None else ZERO
-        length = evaluator.value(shape.length) if shape.length is not None else ZERO
-        reach, length_squared = Vec(sp.cos(angle), sp.sin(angle)) * length, length**2
-    return Uniform(start + reach * sp.Rational(1, 2), "", length_squared / 12, angle)
+    def rod(self, reach: Vec) -> tuple[sp.Expr, sp.Expr]:
+        square = reach.dot(reach)
+        return square if square.is_number else simplified(square), sp.atan2(reach.y, reach.x)
 
 
 class MassReader:
@@ -110,6 +81,7 @@ class MassReader:
         alone: bool,
     ) -> None:
         self.ledger, self.evaluator, self.points, self.gravity, self.alone = ledger, evaluator, points, gravity, alone
+        self.measures = _Measures(points, evaluator)
         self.span = span
         self.cancelling: list[sp.Symbol] = []
 
@@ -117,9 +89,7 @@ class MassReader:
         """The model of one body."""
         if isinstance(body.shape, Composite):
             return self._composite(body, body.shape)
-        shape = uniform(body.shape, self.points, self.evaluator)
-        if isinstance(body.shape, Particle) and not shape.center_name:
-            shape = replace(shape, center=self.points(body.name), center_name=body.name)
+        shape = uniform(body.shape, self.measures, body.name)
         if isinstance(body.shape, Rod) and body.shape.end is not None:
             length = self.span(body.shape.start, body.shape.end)
             shape = shape if length is None else replace(shape, gyration_squared=length**2 / 12)
@@ -208,8 +178,7 @@ class MassReader:
     def _composite(self, body: Body, shape: Composite) -> BodyModel:
         """Mass centre and moment of inertia of the parts together."""
         parts = [
-            (self._piece(p, body, i), uniform(p.shape, self.points, self.evaluator))
-            for i, p in enumerate(shape.pieces, 1)
+            (self._piece(p, body, i), uniform(p.shape, self.measures, body.name)) for i, p in enumerate(shape.pieces, 1)
         ]
         whole = sp.Add(*(mass for (mass, _), _ in parts))
         if whole == 0:
@@ -238,7 +207,11 @@ class MassReader:
     def _piece(self, piece: Piece, body: Body, number: int) -> tuple[sp.Expr, sp.Expr]:
         """Mass of a part and its moment of inertia about its own mass centre."""
         mass = self.evaluator.value(piece.mass) if piece.mass is not None else ZERO
+        if piece.weight is not None:
+            mass = self.evaluator.value(piece.weight) / self.gravity
         shown = self._shown(mass, f"m_{body.name}_{number}", "kg", f"mass of part {number} of {body.name}")
         if piece.inertia is not None:
             return shown, self.evaluator.value(piece.inertia)
-        return shown, shown * uniform(piece.shape, self.points, self.evaluator).gyration_squared
+        if piece.gyration is not None:
+            return shown, shown * self.evaluator.value(piece.gyration) ** 2
+        return shown, shown * uniform(piece.shape, self.measures, body.name).gyration_squared

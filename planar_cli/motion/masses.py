@@ -1,26 +1,24 @@
 """Mass, mass centre, moment of inertia and direction of the bodies as drawn.
 
-Uniform shapes, about their mass centre (An Introduction to Planar Dynamics, appendix on moments of inertia): slender
-rod m l²/12, disk m r²/2, ring m r², sphere 2 m r²/5, plate m (w² + h²)/12, sector m r²/2 - m d² with its mass centre at
-d = 4 r sin(span/2)/(3 span) from the apex; composites by the parallel-axis theorem, I = Σ (I_i + m_i d_i²).
+Composites by the parallel-axis theorem, I = Σ (I_i + m_i d_i²); of uniform shapes see problem/uniform.py.
 """
 
 from __future__ import annotations
 
 from typing import Any
 
+from planar_cli.records import record
 from planar_cli.errors import refuse
 from planar_cli.motion.places import Drawing, length_of, unit_vector
 from planar_cli.motion.replacing import replaced
 from planar_cli.motion.terms import Term, ordered
 from planar_cli.problem.expression import Side
 from planar_cli.problem.geometry import Vec
-from planar_cli.problem.scene import Body, Composite, Outline, Particle, Piece, Plate, Rod, Round, Sector, Shape
-from planar_cli.records import record
+from planar_cli.problem.scene import Body, Composite, Outline, Particle, Piece, Shape
+from planar_cli.problem.uniform import Uniform, uniform
 
 ANY_MASS = 1.0
 """The mass of a body whose mass must cancel, kg."""
-SHARES = {"disk": 0.5, "ring": 1.0, "sphere": 0.4}
 
 
 @record
@@ -43,13 +41,31 @@ class Drawn:
 
 
 @record
-class _Uniform:
-    """Mass centre of a uniform shape, moment of inertia about it per unit of mass, direction of its angle."""
+class _Measures:
+    """Shapes in terms."""
 
-    center: Vec
-    name: str
-    gyration_squared: Term
-    theta: Term
+    drawing: Drawing
+
+    @property
+    def zero(self) -> Term:
+        return self.drawing.sides.graph.number(0.0)
+
+    def point(self, name: str) -> Vec:
+        return self.drawing.point(name)
+
+    def value(self, side: Side) -> Term:
+        return self.drawing.sides.value(side)
+
+    def sine(self, angle: Term) -> Term:
+        return self.drawing.sides.graph.call("sin", angle)
+
+    def unit_vector(self, angle: Term) -> Vec:
+        return unit_vector(self.drawing.sides.graph, angle)
+
+    def rod(self, reach: Vec) -> tuple[Term, Term]:
+        graph = self.drawing.sides.graph
+        length = length_of(graph, reach)
+        return length * length, graph.call("atan2", graph.of(reach.y), graph.of(reach.x))
 
 
 def drawn_bodies(drawing: Drawing) -> dict[str, Drawn]:
@@ -60,55 +76,11 @@ def drawn_bodies(drawing: Drawing) -> dict[str, Drawn]:
 def _drawn(drawing: Drawing, body: Body) -> Drawn:
     if isinstance(body.shape, Composite):
         return _composite(drawing, body, body.shape)
-    shape = _uniform(drawing, body.shape, body.name)
+    shape = uniform(body.shape, _Measures(drawing), body.name)
     mass, zero = _mass(drawing, body), drawing.sides.graph.number(0.0)
     rigid = not isinstance(body.shape, Particle)
     inertia = _inertia(drawing, body, shape, mass) if rigid else zero
-    return Drawn(body.shape, rigid, mass, inertia, shape.center, shape.name, shape.theta)
-
-
-def _uniform(drawing: Drawing, shape: Shape, body: str) -> _Uniform:
-    """The uniform properties of a simple shape."""
-    sides, zero = drawing.sides, drawing.sides.graph.number(0.0)
-    match shape:
-        case Particle():
-            name = shape.place if isinstance(shape.place, str) else body
-            return _Uniform(drawing.point(name), name, zero, zero)
-        case Rod():
-            return _rod(drawing, shape)
-        case Round():
-            radius = sides.value(shape.radius)
-            return _Uniform(drawing.point(shape.center), shape.center, radius * radius * SHARES[shape.kind], zero)
-        case Plate():
-            width, height = sides.value(shape.width), sides.value(shape.height)
-            square = (width * width + height * height) / 12
-            return _Uniform(drawing.point(shape.center), shape.center, square, _angle(drawing, shape.angle))
-        case Sector():
-            radius, span, angle = sides.value(shape.radius), sides.value(shape.span), _angle(drawing, shape.angle)
-            reach = radius * sides.graph.call("sin", span / 2) * 4 / (span * 3)
-            center = drawing.point(shape.apex) + unit_vector(sides.graph, angle) * reach
-            return _Uniform(center, "", radius * radius / 2 - reach * reach, angle)
-        case Outline():
-            at = drawing.point(shape.center) if shape.center else Vec(zero, zero)
-            return _Uniform(at, shape.center or "", zero, zero)
-    raise TypeError(type(shape).__name__)
-
-
-def _angle(drawing: Drawing, side: Side | None) -> Term:
-    return drawing.sides.graph.number(0.0) if side is None else drawing.sides.value(side)
-
-
-def _rod(drawing: Drawing, shape: Rod) -> _Uniform:
-    graph, start = drawing.sides.graph, drawing.point(shape.start)
-    if shape.end is not None:
-        reach = drawing.point(shape.end) - start
-        length = length_of(graph, reach)
-        angle = graph.call("atan2", graph.of(reach.y), graph.of(reach.x))
-    else:
-        angle = _angle(drawing, shape.angle)
-        length = _angle(drawing, shape.length)
-        reach = unit_vector(graph, angle) * length
-    return _Uniform(start + reach * 0.5, "", length * length / 12, angle)
+    return Drawn(body.shape, rigid, mass, inertia, shape.center, shape.center_name, shape.theta)
 
 
 def _mass(drawing: Drawing, body: Body) -> Term:
@@ -120,7 +92,7 @@ def _mass(drawing: Drawing, body: Body) -> Term:
     return sides.graph.number(0.0) if body.mass is None else sides.value(body.mass)
 
 
-def _inertia(drawing: Drawing, body: Body, shape: _Uniform, mass: Term) -> Term:
+def _inertia(drawing: Drawing, body: Body, shape: Uniform, mass: Term) -> Term:
     if body.inertia is not None:
         value = _with_mass(drawing, body, drawing.sides.value(body.inertia), mass)
         return value if body.about is None else value - mass * _shift(drawing, body, shape.center)
@@ -131,7 +103,8 @@ def _inertia(drawing: Drawing, body: Body, shape: _Uniform, mass: Term) -> Term:
     if isinstance(body.shape, Outline) and not (mass.constant and mass.value == 0):
         # Its moment of inertia is not told, so that it must cancel as a mass may.
         return mass * ANY_MASS
-    return mass * shape.gyration_squared
+    found: Term = mass * shape.gyration_squared
+    return found
 
 
 def _with_mass(drawing: Drawing, body: Body, inertia: Term, mass: Term) -> Term:
@@ -153,7 +126,7 @@ def _shift(drawing: Drawing, body: Body, center: Vec) -> Any:
 
 def _composite(drawing: Drawing, body: Body, shape: Composite) -> Drawn:
     """Mass centre and moment of inertia of the parts together."""
-    parts = [(_piece(drawing, body, p), _uniform(drawing, p.shape, body.name)) for p in shape.pieces]
+    parts = [(_piece(drawing, body, p), uniform(p.shape, _Measures(drawing), body.name)) for p in shape.pieces]
     mass = parts[0][0][0]
     for (m, _), _ in parts[1:]:
         mass = mass + m
@@ -167,7 +140,7 @@ def _composite(drawing: Drawing, body: Body, shape: Composite) -> Drawn:
         arm = u.center - center
         inertia = inertia + own + m * arm.dot(arm)
     if body.inertia is not None or body.gyration is not None:
-        inertia = _inertia(drawing, body, _Uniform(center, "", mass * 0, parts[0][1].theta), mass)
+        inertia = _inertia(drawing, body, Uniform(center, "", mass * 0, parts[0][1].theta), mass)
     return Drawn(shape, True, mass, inertia, center, "", parts[0][1].theta)
 
 
@@ -184,4 +157,4 @@ def _piece(drawing: Drawing, body: Body, piece: Piece) -> tuple[Term, Term]:
     if piece.gyration is not None:
         radius = sides.value(piece.gyration)
         return mass, mass * radius * radius
-    return mass, mass * _uniform(drawing, piece.shape, body.name).gyration_squared
+    return mass, mass * uniform(piece.shape, _Measures(drawing), body.name).gyration_squared
