@@ -15,12 +15,13 @@ from planar_cli.equation.decided import Decided
 from planar_cli.equation.displacement import Displacement
 from planar_cli.equation.evaluate import Evaluator
 from planar_cli.equation.ledger import Ledger
-from planar_cli.equation.places import at_relations, place_jet
+from planar_cli.equation.places import Jets, at_relations
 from planar_cli.equation.plain import longer, trigonometric
 from planar_cli.errors import Mark, refuse
 from planar_cli.problem.expression import Name, Side, Statement
 from planar_cli.problem.facts import Outline
 from planar_cli.problem.geometry import Vec
+from planar_cli.problem.located import located
 from planar_cli.problem.outlines import Bend, edges_at, outline_of
 from planar_cli.problem.scene import (
     GROUND,
@@ -145,7 +146,7 @@ class Scene(Decided):
                 f"the place of {name} is given through itself: {' -> '.join([*self._building, name])}",
             )
         self._building.append(name)
-        jets = place_jet(place, self.evaluator, self.formula, lambda: self.valuations[0])
+        jets = located(place, Jets(self.evaluator, self.formula, lambda: self.valuations[0]))
         self._building.pop()
         self.formulas[name] = jets
         self.points[name] = Vec(*(self._named(getattr(jets, axis).value, f"{axis}_{name}") for axis in ("x", "y")))

@@ -3,18 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from dataclasses import dataclass, field
 
 from planar_cli.errors import Mark, refuse
 from planar_cli.motion.sides import Sides
 from planar_cli.motion.terms import Graph, Term
+from planar_cli.problem.expression import Side
 from planar_cli.problem.geometry import Vec
-from planar_cli.problem.scene import At, Midpoint, Particle, Place, Point, Polar, Problem, Towards, TwoFacts
-
-Lookup = Callable[[str], Vec]
-CLEAR = 1e-9
-"""A difference of places below this part of their distance does not tell a side."""
+from planar_cli.problem.located import located
+from planar_cli.problem.scene import At, Particle, Place, Point, Problem
 
 
 def unit_vector(graph: Graph, angle: Term) -> Vec:
@@ -57,82 +54,36 @@ class Drawing:
             way = " -> ".join([*self._building, name])
             raise refuse(point.mark, "PL531", f"the place of {name} is given through itself: {way}")
         self._building.append(name)
-        found = self.places[name] = self._place(point)
+        found = self.places[name] = located(point, self)
         self._building.pop()
         return found
 
-    def _place(self, point: Point) -> Vec:
-        sides, place = self.sides, point.place
-        match place:
-            case At():
-                return Vec(sides.value(place.x), sides.value(place.y))
-            case Polar():
-                direction = unit_vector(sides.graph, sides.value(place.angle))
-                polar: Vec = self.point(place.origin) + direction * sides.value(place.distance)
-                return polar
-            case Towards():
-                origin = self.point(place.origin)
-                reach = self.point(place.towards) - origin
-                length = length_of(sides.graph, reach)
-                if length.zero:
-                    text = f"{place.origin} and {place.towards} are the same place: no direction"
-                    raise refuse(point.mark, "PL510", text)
-                towards: Vec = origin + reach * (sides.value(place.distance) / length)
-                return towards
-            case Midpoint():
-                middle: Vec = (self.point(place.a) + self.point(place.b)) * 0.5
-                return middle
-            case TwoFacts():
-                return self._two_facts(point, place)
-        raise TypeError(type(place).__name__)
+    # --- the numbers of which places are made (problem/located.py) ---------------------------------------------------
 
-    def _two_facts(self, point: Point, place: TwoFacts) -> Vec:
-        """The intersection of two of: a vertical (x), a horizontal (y), a line, circles (distances)."""
-        lines = self._lines(place)
-        circles = [(self.point(name), self.sides.value(distance)) for name, distance in place.distances]
-        if len(lines) + len(circles) != 2:
-            raise refuse(point.mark, "PL511", f"{point.name} needs just two facts of x, y, line, distances")
-        if len(lines) == 2:
-            (p, d), (q, e) = lines
-            determinant = d.cross(e)
-            if determinant.zero:
-                raise refuse(point.mark, "PL512", f"{point.name}: the two lines are parallel")
-            crossing: Vec = p + d * ((q - p).cross(e) / determinant)
-            return crossing
-        if len(lines) == 1:
-            return _choose(point, place, self._line_and_circle(*lines[0], *circles[0]))
-        return _choose(point, place, self._two_circles(*circles[0], *circles[1]))
+    def value(self, side: Side) -> Term:
+        return self.sides.value(side)
 
-    def _lines(self, place: TwoFacts) -> list[tuple[Vec, Vec]]:
-        sides = self.sides
-        zero, one = sides.graph.number(0.0), sides.graph.number(1.0)
-        lines: list[tuple[Vec, Vec]] = []
-        if place.x is not None:
-            lines.append((Vec(sides.value(place.x), zero), Vec(zero, one)))
-        if place.y is not None:
-            lines.append((Vec(zero, sides.value(place.y)), Vec(one, zero)))
-        if place.line is not None:
-            lines.append((self.point(place.line[0]), unit_vector(sides.graph, sides.value(place.line[1]))))
-        return lines
+    def number(self, value: int) -> Term:
+        return self.sides.graph.number(float(value))
 
-    def _line_and_circle(self, base: Vec, direction: Vec, center: Vec, radius: Term) -> tuple[Vec, Vec]:
-        """Foot of the perpendicular from the centre, plus and minus half the chord."""
-        along, across = (center - base).dot(direction), (center - base).cross(direction)
-        half = self._root(radius * radius - across * across)
-        return base + direction * (along + half), base + direction * (along - half)
+    def unit_vector(self, angle: Term) -> Vec:
+        return unit_vector(self.sides.graph, angle)
 
-    def _two_circles(self, a: Vec, r: Term, b: Vec, s: Term) -> tuple[Vec, Vec]:
-        """Along the line of centres by (r² - s² + d²)/(2 d²), across it by half the chord."""
-        d = b - a
-        square = d.dot(d)
-        along = ((r * r - s * s) / square + 1) * 0.5
-        across = self._root(r * r / square - along * along)
-        foot, offset = a + d * along, d.turned() * across
-        return foot + offset, foot - offset
+    def length(self, v: Vec) -> Term:
+        return length_of(self.sides.graph, v)
 
-    def _root(self, square: Term) -> Term:
+    def root(self, square: Term) -> Term:
         """The square root; of what is zero but for rounding, zero."""
         return square.graph.number(0.0) if square.zero else square.graph.call("sqrt", square)
+
+    def is_nothing(self, value: Term) -> bool:
+        return value.zero
+
+    def apart(self, v: Vec) -> tuple[float, float] | None:
+        """A difference of two places as drawn; None: a root of it is not real."""
+        if math.isnan(v.x.value) or math.isnan(v.y.value):
+            return None
+        return (0.0, 0.0) if v.x.zero and v.y.zero else (v.x.value, v.y.value)
 
 
 def points_of(problem: Problem) -> dict[str, Point]:
@@ -143,26 +94,3 @@ def points_of(problem: Problem) -> dict[str, Point]:
         if isinstance(place, At):
             found[body.name] = Point(body.name, place, body.mark)
     return found
-
-
-def _choose(point: Point, place: TwoFacts, candidates: tuple[Vec, Vec]) -> Vec:
-    """The place on the named side of the other one."""
-    one, other = candidates
-    dx, dy = one.x.value - other.x.value, one.y.value - other.y.value
-    if math.isnan(dx) or math.isnan(dy):
-        raise refuse(
-            point.mark,
-            "PL513",
-            f"{point.name}: there is no such place, the distances do not reach",
-            "make a distance larger, or move a point: a link cannot be shorter than the gap that it spans",
-        )
-    if (one.x - other.x).zero and (one.y - other.y).zero:
-        return one
-    if place.side is None:
-        hint = "add `side: left`, right, above or below (the other)"
-        raise refuse(point.mark, "PL514", f"{point.name}: two places fit", hint)
-    lead = {"right": dx, "left": -dx, "above": dy, "below": -dy}[place.side]
-    if abs(lead) <= (abs(dx) + abs(dy)) * CLEAR:
-        text = f"{point.name}: neither place is {place.side} of the other"
-        raise refuse(point.mark, "PL515", text, "choose by the other axis")
-    return one if lead > 0 else other
