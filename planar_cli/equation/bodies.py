@@ -10,7 +10,6 @@ from dataclasses import replace
 
 import sympy as sp
 
-from planar_cli.records import record
 from planar_cli.equation.evaluate import Evaluator, demand_time
 from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.plain import simplified
@@ -19,6 +18,7 @@ from planar_cli.problem.expression import Side
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import Body, Composite, Outline, Particle, Piece, Rod, Shape
 from planar_cli.problem.uniform import Uniform, uniform
+from planar_cli.records import record
 
 ZERO = sp.S.Zero
 

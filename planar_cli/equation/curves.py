@@ -15,7 +15,6 @@ from planar_cli.problem.expression import Side
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.outlines import Bend
 from planar_cli.problem.scene import GROUND, Curve, Surface
-from planar_cli.records import record
 
 ZERO = sp.S.Zero
 Sign = Callable[[sp.Expr], int]

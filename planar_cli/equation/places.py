@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import sympy as sp
 
@@ -14,11 +13,12 @@ from planar_cli.equation.ledger import Ledger
 from planar_cli.errors import NoValue, refuse
 from planar_cli.problem.expression import Name, Relation, Side, Statement
 from planar_cli.problem.geometry import Vec
+from planar_cli.records import record
 
 HALF = sp.Rational(1, 2)
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Jets:
     """Places as Vecs of jets (problem/located.py)."""
 

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from typing import Any
 
-from planar_cli.records import record
 from planar_cli.errors import refuse
 from planar_cli.motion.places import Drawing, length_of, unit_vector
 from planar_cli.motion.replacing import replaced
@@ -16,6 +15,7 @@ from planar_cli.problem.expression import Side
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import Body, Composite, Outline, Particle, Piece, Shape
 from planar_cli.problem.uniform import Uniform, uniform
+from planar_cli.records import record
 
 ANY_MASS = 1.0
 """The mass of a body whose mass must cancel, kg."""

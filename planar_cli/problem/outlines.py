@@ -5,7 +5,6 @@ Written once for whatever numbers a scene is made of: exact expressions, or term
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any, Protocol
 
 from planar_cli.errors import Mark, refuse
@@ -13,9 +12,10 @@ from planar_cli.problem.expression import Side
 from planar_cli.problem.facts import Outline
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND, Circle, Composite, Curve, Line, Plate, Rod, Round, Sector, Surface
+from planar_cli.records import record
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Bend:
     """A curve at one of its points."""
 

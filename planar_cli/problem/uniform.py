@@ -7,18 +7,18 @@ d = 4 r sin(span/2)/(3 span) from the apex. Written once for whatever numbers a 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any, Protocol
 
 from planar_cli.problem.expression import Side
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import Outline, Particle, Plate, Rod, Round, Sector, Shape
+from planar_cli.records import record
 
 SHARES = {"disk": (1, 2), "ring": (1, 1), "sphere": (2, 5)}
 """I/(m r²), as a fraction."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Uniform:
     """A uniform shape where the file draws it."""
 
