@@ -130,6 +130,7 @@ class Follower:
         self.waiting.arrive(follower, self.t, self.y, self.choice, len(self.segments))
         if not self._blow(follower.name):
             self._settle(f"after the state {follower.name}")
+        self._finish()
         return True
 
     def _act(self, reached: Sequence[str]) -> bool:
@@ -314,6 +315,10 @@ class Follower:
         """A state has been reached."""
         self.waiting.arrive(event, self.t, self.y, self.choice, len(self.segments))
         self._blow(event.name)
+        self._finish()
+
+    def _finish(self) -> None:
+        """Is it over, as the last state has been reached?"""
         if self.outcome is None and self.waiting.done:
             self.outcome = Outcome("reached", f"the last state is reached at t = {self.t:.9g} s", self.t)
 

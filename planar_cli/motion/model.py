@@ -48,7 +48,9 @@ class Model:
         self.joints = [j for j in distinct(scene.problem.joints) if acts(j)]
         self.loads = [x for x in scene.loads() if acts(x) and not x.strikes]
         self.modes: dict[str, tuple[Mode, ...]] = {j.name: j.modes(scene) for j in self.joints}
-        self.modes |= {mode_key(x.name): found for x in self.loads if (found := x.modes(scene))}
+        self.ways = {x: found for x in self.loads if (found := x.modes(scene))}
+        """The modes of the loads that have several."""
+        self.modes |= {mode_key(x.name): found for x, found in self.ways.items()}
         self.choices: dict[str, tuple[Mode, ...]] = {n: m for n, m in self.modes.items() if len(m) > 1}
         """The modes of every joint and load that has several, the natural one first."""
         self.wrenches: dict[Load, tuple[Wrench, ...]] = {x: x.wrenches(scene) for x in self.loads}
@@ -131,7 +133,8 @@ class Model:
         indices = self.chosen(choice)
         held = tuple(self.held(j, indices[j.name]) for j in self.joints)
         idle = {key for name, i in indices.items() for key in self.modes[name][i].facts.idle}
-        acting = [x for x in self.loads if mode_key(x.name) not in idle]
+        # A weight is called by its body, as a load of the file may be.
+        acting = [x for x in self.loads if x not in self.ways or mode_key(x.name) not in idle]
         potential, stored = self.graph.number(0.0), []
         for load in acting:
             part = load.potential(self.scene)

@@ -16,6 +16,8 @@ NEAR = 1e-9
 
 SOON = 1e-9
 """Within this part of the time scale after a state the next one is not looked for."""
+SMALL = 0.5
+"""At a zero a number is below this part of what it was so long before."""
 LOOKS = (0.01, 0.03, 0.1)
 """So many time scales before a zero its function must have been more than rounding."""
 
@@ -115,16 +117,20 @@ class Waiting:
         return event if fits(event, regime, choice, t, y) else None
 
     def counts(self, event: Event, regime: Regime, choice: Choice, run: Run, noise: float, span: float) -> bool:
-        """Is a zero at the end of a run, of what tells a state, more than rounding?
+        """Is a change of sign at the end of a run, of what tells a state, a zero, and more than rounding?
 
-        Just after the state before it is still that one's zero; and what has died out has no zeros. `noise`: what has
-        come of the tolerance, in parts of scales; `span`: the time scale [s].
+        Just after the state before it is still that one's zero; what has died out has no zeros; and at a pole or a jump
+        it does not become small. `noise`: what has come of the tolerance, in parts of scales; `span`: the time scale
+        [s].
         """
         assert event.crossing is not None
         if run.t1 - self.last <= max(SOON, noise) * span:
             return False
         looks = [t for part in LOOKS if (t := run.t1 - part * span) >= run.t0]
         values = [event.crossing.value(regime, choice, t, run.at(t)) for t in looks]
+        here = abs(event.crossing.value(regime, choice, run.t1, run.y1))
+        if here > max(noise * event.crossing.scale, SMALL * max(map(abs, values), default=0.0)):
+            return False
         return not values or max(map(abs, values)) > noise * event.crossing.scale
 
     def due(self, t: float) -> list[Event]:

@@ -6,7 +6,8 @@ reached.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import TypeVar
 
@@ -67,6 +68,10 @@ class Measures:
     model: Model
     moments: dict[str, Moment] = field(default_factory=dict)
     """The states of the file that have been reached, by name."""
+    way: Sequence[tuple[float, Sequence[float]]] = ()
+    """Times and states along the motion, once it has been followed, close enough to count turns."""
+    _wound: tuple[float, int] = (math.nan, 0)
+    """The time up to which turns are counted, and of how many angles."""
     _accelerations: list[Term] = field(default_factory=list)
     _pushes: dict[str, Term] = field(default_factory=dict)
     _rates: dict[tuple[Regime, Side], Values] = field(default_factory=dict)
@@ -81,7 +86,20 @@ class Measures:
     def at(self, what: Side, moment: Moment) -> tuple[float, ...]:
         """A number, or the two components of a vector, in SI units."""
         regime, y = moment.instant(what)
-        return tuple(self.function(what, regime)(moment.t, y))
+        function = self.function(what, regime)
+        self._wind(moment.t)
+        return tuple(function(moment.t, y))
+
+    def _wind(self, time: float) -> None:
+        """Count turns from the beginning to a moment; while the motion is being followed they are at hand."""
+        turns = len(self.model.graph.turned)
+        if self.way and turns and self._wound != (time, turns):
+            self._wound = time, turns
+            self.model.begin()
+            for t, y in self.way:
+                if t > time:
+                    break
+                self.model.note(t, y)
 
     def number(self, what: Side, moment: Moment) -> float:
         """A number."""
@@ -228,6 +246,15 @@ def moments_of(
         regime = moment.regime if after is None else after[0]
         found[name] = replace(moment, modes=modes_of(regime), after=after)
     return found
+
+
+def way_of(trajectory: Trajectory) -> Iterator[tuple[float, Sequence[float]]]:
+    """The states at the beginning of every segment and at the end of every step."""
+    for segment in trajectory.segments:
+        yield segment.t0, segment.start
+        for step in segment.steps:
+            if step.t1 <= segment.t1:
+                yield step.t1, step.y1
 
 
 def _mark(side: Side) -> Mark:

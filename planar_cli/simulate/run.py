@@ -32,7 +32,7 @@ from planar_cli.problem.scene import Answer, Problem
 from planar_cli.records import record
 from planar_cli.simulate.agreement import demand_agreement
 from planar_cli.simulate.answers import Answered, Answers
-from planar_cli.simulate.measures import START, Measures, Moment, modes_of, moments_of
+from planar_cli.simulate.measures import START, Measures, Moment, modes_of, moments_of, way_of
 from planar_cli.simulate.stops import first_stop
 from planar_cli.simulate.timetable import breakpoints_of, schedule_of
 
@@ -217,6 +217,7 @@ def followed(scene: Prepared, settings: Settings, shift: float = 0.0) -> Run:
     if free:
         trajectory = _as_far(trajectory)
     seconds = time.perf_counter() - began
+    measures.way = tuple(way_of(trajectory))
     measures.moments |= moments_of(trajectory, measures.moments, settled)
     demand_agreement(problem, measures)
     return Run(scene, problem, model, measures, schedule, trajectory, settings, until, seconds)

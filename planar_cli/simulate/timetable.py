@@ -60,7 +60,7 @@ class Timetable:
         time, after, rest, endless = None, "", False, False
         modes: list[tuple[str, str]] = []
         conditions: list[Condition] = []
-        for statement in state.relations:
+        for statement in self._telling(state):
             match statement:
                 case JustAfter():
                     after = statement.state
@@ -91,6 +91,18 @@ class Timetable:
         return Event(state.name, time, crossing, tuple(modes), tuple(conditions), after, rest, endless)
 
     # --- what tells it -----------------------------------------------------------------------------------------------
+
+    def _telling(self, state: State) -> list[Statement]:
+        """The statements, what tells most sharply when they hold first.
+
+        Rest tells better than a place that is only just reached in it. Of something that is largest where something
+        else dates the state, a sought constant makes the most, not the time.
+        """
+        rest = [s for s in state.relations if isinstance(s, AtRest | Equilibrium)]
+        other = [s for s in state.relations if not isinstance(s, AtRest | Equilibrium)]
+        if self.problem.unknowns and (rest or any(_dates(s) for s in other)):
+            other = [s for s in other if not isinstance(s, Extreme)]
+        return [*rest, *other]
 
     def _time(self, relation: Relation) -> float:
         side = relation.right if isinstance(relation.left, Name) and relation.left.name == "t" else relation.left
@@ -196,6 +208,13 @@ def _vanishing(relation: Relation) -> Side | None:
         if _without_mag(side) is not None and isinstance(other, Number) and other.value == 0:
             return side
     return None
+
+
+def _dates(statement: Statement) -> bool:
+    """Does a statement tell when a state is reached?"""
+    if isinstance(statement, Relation):
+        return statement.operator == "=" and mode_of(statement) is None
+    return isinstance(statement, JustAfter)
 
 
 def is_time(statement: Statement) -> bool:

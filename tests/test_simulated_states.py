@@ -1,0 +1,94 @@
+"""States of a motion that is followed in numbers: when each is reached, and what is read off there."""
+
+from __future__ import annotations
+
+from math import atan, pi, sqrt
+
+import pytest
+
+from planar_cli.problem.structure import load_text
+from planar_cli.simulate.answers import Answered
+from planar_cli.simulate.run import Settings, Simulation, simulate
+
+CORD = """
+title: Stone on an elastic cord
+plane: vertical
+points: {O: [0, 0]}
+bodies: {stone: {particle: [0, -1 m], mass: 2 kg}}
+joints:
+  - guide: {point: stone, along: 90 deg}
+loads:
+  - spring: {between: [O, stone], stiffness: 200 N/m, natural_length: 2 m, acts: pull}
+states: {0: [t = 0, at rest], lowest: [v(stone).y = 0, y(stone) < -2 m]}
+find: {y: y(stone) @ lowest}
+"""
+THROWN = """
+title: Stone thrown up
+plane: vertical
+bodies: {P: {particle: [0, 0], mass: 1 kg}}
+states: {1: [t = 0, v(P).x = 0, v(P).y = sqrt(2*g*(3 m))], 2: [y(P) = 3 m, at rest]}
+find: {t: t @ 2}
+"""
+TURNING = """
+title: Turning crank
+points: {O: [0, 0], P: [1 m, 0]}
+bodies: {crank: {rod: [O, P]}}
+joints: [pin: {at: O, between: [ground, crank]}]
+motion: [omega(crank) = 1 rad/s]
+states: {1: [t = 0], 2: [%s], 3: [t = 40 s]}
+find: {t: t @ 2, turned: r(P).angle @ 2}
+"""
+LONGEST = """
+title: Longest throw
+plane: vertical
+unknowns: {beta: deg}
+bodies: {P: {particle: [0, 0], mass: 1 kg}}
+states:
+  1: [t = 0, v(P).mag = 10 m/s, v(P).angle = beta]
+  2: [y(P) = 0, x(P) is largest]
+find: {d: x(P) @ 2}
+"""
+
+
+def simulated(text: str, **values: float) -> Simulation:
+    problem, wrong = load_text(text)
+    assert problem is not None
+    assert not wrong
+    return simulate(problem, Settings(values=values, estimate=False))
+
+
+def answers(text: str, **values: float) -> dict[str, Answered]:
+    return {a.name: a for a in simulated(text, **values).answers}
+
+
+def test_a_load_without_a_name_leaves_the_weight_alone() -> None:
+    """Both are called by the body: as long as the cord is slack the stone falls. 2 g (1 + s) = 100 s²."""
+    weight = 2 * 9.81
+    assert answers(CORD)["y"].values == pytest.approx([-2 - (weight + sqrt(weight**2 + 400 * weight)) / 200])
+
+
+def test_a_place_that_is_only_just_reached_at_rest() -> None:
+    assert answers(THROWN)["t"].values == pytest.approx([sqrt(6 / 9.81)])
+
+
+def test_a_pole_is_no_zero() -> None:
+    """tan θ = 2 with x < 0; at 90° the difference changes its sign as well."""
+    found = answers(TURNING % "tan(theta(crank)) = 2, x(P) < 0")
+    assert found["t"].values == pytest.approx([pi + atan(2)])
+
+
+def test_turns_are_counted_up_to_the_state_that_is_asked_about() -> None:
+    """Six more turns follow until the last state."""
+    found = answers(TURNING % "t = 1 s")
+    assert found["turned"].values == pytest.approx([1.0])
+
+
+def test_what_is_largest_over_a_constant_leaves_the_time_to_the_other_relation() -> None:
+    assert answers(LONGEST, beta=pi / 4)["d"].values == pytest.approx([100 / 9.81])
+
+
+def test_a_motion_of_blows_alone_ends_with_its_last_state() -> None:
+    text = THROWN.replace("[y(P) = 3 m, at rest]", "[just after 1]")
+    trajectory = simulated(text).run.trajectory
+    assert trajectory.outcome.kind == "reached"
+    assert trajectory.t1 == 0
