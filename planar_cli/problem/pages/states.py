@@ -14,6 +14,7 @@ Order
   the *first* instant after the one before it at which its relations hold, so that `land` above is not the launch
   itself, and `y(P) = 2 m` after `top` is on the way down. A state with a given time, `t = 3 s`, may stand anywhere.
   Inequalities choose among positions and roots: `[x(P) = 4 m, y(P) > 0]`.
+  `[mode(C) = slip]` alone is the first instant at which it is so.
 
 What starts a motion
   `at rest`: whatever `motion` does not drive has no velocity; `P at rest` says it of one body. What is not stated of
