@@ -23,9 +23,9 @@ class Impact(Joint):
         `during` whenever they meet: in every blow in which they touch and approach, and on the way between states.
         Places that a motion or the state itself tells, and bodies that are drawn with their sizes, must touch; a
         particle may be drawn beside what it strikes. They meet where a particle is, where a round rim touches, or with
-        the end of a rod or the corner of a plate that is nearest. `normal` is the direction of the common normal, where the shapes leave it open (particles at one place,
-        corners). `restitution` is the ratio of the speeds of separation and approach along it; left out, it is unknown,
-        and something is stated of the velocities after it.
+        the end of a rod or the corner of a plate that is nearest. `normal` is the direction of the common normal,
+        where the shapes leave it open (particles at one place, corners). `restitution` is the ratio of the speeds of
+        separation and approach along it; left out, it is unknown, and something is stated of the velocities after it.
         `mu` adds a friction impulse; without it the impact is smooth. Several impacts in one blow happen at once, each
         with its own restitution: planar explain blows.
 
