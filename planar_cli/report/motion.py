@@ -19,7 +19,7 @@ from planar_cli.report.blocks import Block, Equation, Heading, Line, Math, Name,
 from planar_cli.report.origins import HAPPENS, head, named, told_once, turning
 from planar_cli.report.oscillation import oscillation_blocks
 from planar_cli.report.span_integrals import span_blocks
-from planar_cli.report.words import Phrases, told_unit
+from planar_cli.report.words import Phrases, in_si, told_unit
 from planar_cli.solve.asked import is_energy
 from planar_cli.solve.course.trace import ImpactEquation, MotionTrace, Relation, Result, RouteStep, RouteTrace
 
@@ -95,7 +95,9 @@ class MotionTelling:
                     unit, energy = asked.unit, is_energy(asked.find.found.what)
                     value = Decimal(0) if self.found.value.is_zero(part) else self.found.value(part)
                     shown = Value(display(value, unit), told_unit(unit, energy), self.phrases.figures)
-                    sides += [*self.phrases.substituted(part, shown), shown]
+                    coherent = unit.text == "deg" or (unit.factor == 1 and unit.pi_power == 0)
+                    first = shown if coherent else Value(value, told_unit(in_si(unit), energy), self.phrases.figures)
+                    sides += [*self.phrases.substituted(part, first), first, *([] if coherent else [shown])]
                 yield Equation(tuple(sides))
 
     def _signed(self, expr: sp.Expr) -> sp.Expr:

@@ -18,7 +18,7 @@ from planar_cli.records import record
 from planar_cli.report.blocks import Line, Math, Text, Value
 from planar_cli.report.numbers import quantity, rotation_words, significant, vector_arrow, vector_words
 from planar_cli.solve.solution import Found
-from planar_cli.units import Unit
+from planar_cli.units import Unit, default_unit
 
 LONG = 7
 """A rational with more digits than this is shown rounded."""
@@ -151,11 +151,14 @@ def _in_radians(expr: sp.Expr, apart: Mapping[sp.Symbol, sp.Symbol]) -> sp.Expr:
     return expr.func(*(_in_radians(a, apart) for a in expr.args))
 
 
-def si_text(unit: Unit) -> str:
-    """The SI unit of the same dimension, as text."""
-    from planar_cli.units import default_unit
+def in_si(unit: Unit) -> Unit:
+    """The SI unit of the same dimension."""
+    return default_unit(unit.dimension, unit.angle)
 
-    return default_unit(unit.dimension, unit.angle).text
+
+def si_text(unit: Unit) -> str:
+    """The same as text."""
+    return in_si(unit).text
 
 
 def answer_line(found: Found, phrases: Phrases) -> Line:
