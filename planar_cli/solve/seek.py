@@ -89,7 +89,7 @@ def _best(seeker: Seeker, targets: set[sp.Symbol], rejected: list[Sought]) -> So
     quantities = seeker.system.quantities()
     side = quantities.evaluator.value(extremes[0].side)
     targets = targets | {s for s in side.free_symbols if s in seeker.unknowns}
-    limits = seeker.limit_conditions()
+    limits = seeker.told_limits(targets)
     for count in range(1, MOST_LIMITS + 1):
         for chosen in itertools.combinations(limits, count):
             for sought in seeker.branches(targets, chosen):
@@ -101,7 +101,8 @@ def _best(seeker: Seeker, targets: set[sp.Symbol], rejected: list[Sought]) -> So
                 (rejected if sought.objection or sought.objective is None else held).append(sought)
         if held:
             break
-    held = held or stationary_branches(seeker, targets, side, rejected)
+    if not held and len(limits) == len(seeker.limit_conditions()):
+        held = stationary_branches(seeker, targets, side, rejected)
     if not held:
         return None
     best = max(held, key=lambda s: extremes[0].sense * (s.objective or Decimal(0)))

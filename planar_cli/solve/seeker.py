@@ -254,6 +254,15 @@ class Seeker:
         tests = [test for mode in self.system.modes.values() for test in mode.tests]
         return [_limit(test, values) for test in tests if (test.pushes or test.within) and not test.strict]
 
+    def told_limits(self, targets: set[sp.Symbol]) -> list[Condition]:
+        """Those of forces that the equations at hand speak of: from others, such as ideal reactions in Lagrange's
+        equations, nothing follows.
+        """
+        found, numbers = self.candidates((), targets)
+        told = {x for j, x in enumerate(numbers.unknowns) if any(c.mask >> j & 1 for c in found)}
+        forces = set(numbers.unknowns) - set(self.ledger.sought)
+        return [c for c in self.limit_conditions() if all(e.free_symbols & forces <= told for e in c.rows())]
+
 
 def at_the_limit(words: str) -> str:
     """An assumption as it reads where it only just holds."""
