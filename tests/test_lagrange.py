@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -10,7 +11,7 @@ from answered import assert_close, number
 
 from planar_cli.errors import FileProblem
 from planar_cli.problem.scene import Problem
-from planar_cli.problem.structure import load_text
+from planar_cli.problem.structure import load, load_text
 from planar_cli.registry import members
 from planar_cli.report.narrate import narrate
 from planar_cli.solve.run import solve_problem
@@ -159,3 +160,13 @@ def test_reactions_of_ideal_joints_are_not_reached() -> None:
     text = PENDULUM + "states: {1: [at rest], 2: [theta(rod) = -90 deg]}\nfind: {pull: reaction(O).y @ 2}\n"
     with pytest.raises(FileProblem, match="method lagrange alone does not reach O_"):
         part_of(text, "lagrange")
+
+
+def test_a_limit_that_it_does_not_tell_is_not_taken() -> None:
+    """N = 0 stood beside |F| = μ N, since no Lagrange equation speaks of N: it left a remainder in Newton's law."""
+    path = Path(__file__).parent.parent / "problems/friction/whirling-collar.yaml"
+    problem, _, _ = load(str(path))
+    assert problem is not None
+    slow = replace(problem, find=problem.cases[0].problem.find, cases=(), instant=problem.cases[0].problem.instant)
+    with pytest.raises(FileProblem, match="lagrange alone does not reach w_min"):
+        solve_problem(slow, "lagrange")
