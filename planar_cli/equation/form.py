@@ -7,6 +7,7 @@ from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.plain import letters
 from planar_cli.records import record
 
 
@@ -59,4 +60,4 @@ def _collect(
 
 def mentions(expr: sp.Expr, unknowns: Container[sp.Symbol]) -> bool:
     """Does any of the unknowns occur in the expression?"""
-    return any(s in unknowns for s in expr.free_symbols)
+    return any(s in unknowns for s in letters(expr))

@@ -51,6 +51,18 @@ def _surely_longer(expr: sp.Expr, limit: int) -> bool:
 
 
 @lru_cache(maxsize=_KEPT)
+def letters(expr: sp.Expr) -> frozenset[sp.Symbol]:
+    """The free symbols of an expression, which SymPy gathers anew each time it is asked."""
+    return frozenset(expr.free_symbols)
+
+
+@lru_cache(maxsize=_KEPT)
+def slope(expr: sp.Expr, x: sp.Symbol) -> sp.Expr:
+    """The derivative of an expression: whoever plans asks for the same ones again and again."""
+    return sp.diff(expr, x) if x in letters(expr) else sp.S.Zero
+
+
+@lru_cache(maxsize=_KEPT)
 def trigonometric(expr: sp.Expr) -> sp.Expr:
     """`trigsimp` where it can do something: where sines and cosines multiply each other. sin² + cos² = 1 goes first."""
     if _degree(expr) < 2:

@@ -9,7 +9,7 @@ import sympy as sp
 from planar_cli.equation.conditions import vector_or_jet
 from planar_cli.equation.displacement import Coordinate
 from planar_cli.equation.exact import Sample, Valuation
-from planar_cli.equation.plain import longer, rounded_inside, simplified
+from planar_cli.equation.plain import letters, longer, rounded_inside, simplified
 from planar_cli.equation.quantities import Quantities
 from planar_cli.equation.system import System, mode_of
 from planar_cli.errors import Diagnostic, FileProblem, Mark, NoSolution, refuse
@@ -265,10 +265,10 @@ class Finisher:
         for stage in stages:
             formulas.update(dict.fromkeys(stage.zero, sp.S.Zero))
         for _ in range(80):
-            inside = {s: formulas[s] for s in expr.free_symbols if s in formulas}
-            inside |= {s: self.ledger.definitions[s] for s in expr.free_symbols if s in self.ledger.definitions}
+            inside = {s: formulas[s] for s in letters(expr) if s in formulas}
+            inside |= {s: self.ledger.definitions[s] for s in letters(expr) if s in self.ledger.definitions}
             inside |= {
-                s: v for s in expr.free_symbols if (v := self.ledger.values.get(s)) is not None and v.free_symbols
+                s: v for s in letters(expr) if (v := self.ledger.values.get(s)) is not None and v.free_symbols
             }
             if not inside:
                 break

@@ -16,6 +16,7 @@ import sympy as sp
 from planar_cli.calculus.first import roots
 from planar_cli.calculus.polish import polish
 from planar_cli.equation.exact import PI, Unvalued, Valuation
+from planar_cli.equation.plain import letters
 from planar_cli.equation.scales import slack_of
 from planar_cli.errors import NoValue, Undecided
 from planar_cli.records import record
@@ -105,7 +106,7 @@ class Chain:
     # --- search ------------------------------------------------------------------------------------------------------
 
     def _open(self, equation: Equation, values: dict[sp.Symbol, Decimal]) -> frozenset[sp.Symbol]:
-        return frozenset(s for s in equation.residual.free_symbols if s in self.unknowns and s not in values)
+        return (letters(equation.residual) & self.unknowns).difference(values)
 
     def _advance(
         self,

@@ -10,7 +10,7 @@ from collections.abc import Iterator, Sequence
 import sympy as sp
 
 from planar_cli.equation.form import Nonlinear, linear_form
-from planar_cli.equation.plain import longer, tidy
+from planar_cli.equation.plain import letters, longer, tidy
 from planar_cli.records import record
 from planar_cli.solve.course.equations import Equation
 
@@ -52,7 +52,7 @@ def linked_blocks(
 
 
 def _put(p: Reduced, x: sp.Symbol, formula: sp.Expr, by: Reduced) -> Reduced:
-    if x not in p.residual.free_symbols:
+    if x not in letters(p.residual):
         return p
     return Reduced(tidy(sp.expand(p.residual.xreplace({x: formula}))), p.members | by.members)
 
@@ -63,7 +63,7 @@ def _next(
     """The equation with the fewest unknowns that gives one of them linearly; no time."""
     best: tuple[int, int, sp.Symbol, sp.Expr] | None = None
     for i, p in enumerate(pool):
-        inside = [s for s in p.residual.free_symbols if s in left]
+        inside = letters(p.residual) & left
         if longer(p.residual, LONG) or (best is not None and len(inside) >= best[0]):
             continue
         for x in sorted(inside, key=lambda s: s.name):
@@ -74,7 +74,7 @@ def _next(
             except Nonlinear:
                 continue
             factor = form.terms.get(x, sp.S.Zero)
-            if factor != 0 and not factor.free_symbols & left:
+            if factor != 0 and not letters(factor) & left:
                 best = (len(inside), i, x, tidy(-form.constant / factor))
                 break
     return None if best is None else best[1:]
@@ -84,7 +84,7 @@ def _kernels(
     pool: Sequence[Reduced], left: set[sp.Symbol], equations: Sequence[Equation], unknowns: frozenset[sp.Symbol]
 ) -> Iterator[Block]:
     """Up to two of the equations that are left, in as many unknowns."""
-    open_in = [frozenset(s for s in p.residual.free_symbols if s in left) for p in pool]
+    open_in = [letters(p.residual) & left for p in pool]
     for size in range(1, KERNEL + 1):
         small = [i for i, u in enumerate(open_in) if 0 < len(u) <= size]
         for group in itertools.combinations(small, size):
@@ -93,7 +93,7 @@ def _kernels(
             if len(inside) != size or not _independent(members, equations):
                 continue
             block = tuple(equations[i] for i in sorted(members))
-            every = frozenset().union(*(e.residual.free_symbols for e in block)) & unknowns
+            every = frozenset().union(*(letters(e.residual) for e in block)) & unknowns
             if len(every) == len(block):
                 yield block, tuple(sorted(every, key=lambda s: s.name))
 

@@ -10,6 +10,7 @@ import mpmath
 import sympy as sp
 
 from planar_cli.equation.exact import DIGITS, Valuation
+from planar_cli.equation.plain import letters, slope
 from planar_cli.errors import NotReached
 from planar_cli.solve.course.chain import Branch
 from planar_cli.solve.course.motion_equations import MotionEquations
@@ -48,10 +49,10 @@ def refined(
     ArithmeticError: Newton's method goes elsewhere than to the values it starts from.
     """
     exprs = [e for e in residuals if not e.has(sp.Integral)]
-    used = [x for x in unknowns if any(x in e.free_symbols for e in exprs)]
+    used = [x for x in unknowns if any(x in letters(e) for e in exprs)]
     if not exprs or not used:
         return {}
-    slopes = [[sp.diff(e, x) if x in e.free_symbols else sp.S.Zero for x in used] for e in exprs]
+    slopes = [[slope(e, x) for x in used] for e in exprs]
     at = {x: Decimal(repr(truth[x])) for x in used}
     sizes = {x: max(abs(at[x]), LEAST * natural[x]) for x in used}
     with mpmath.workdps(DIGITS):

@@ -16,7 +16,7 @@ from decimal import Decimal
 import sympy as sp
 
 from planar_cli.equation.exact import Unvalued, Valuation
-from planar_cli.equation.plain import longer, simplified
+from planar_cli.equation.plain import letters, longer, simplified, slope
 from planar_cli.errors import Undecided
 from planar_cli.solve.course.by_numbers import ByNumbers
 from planar_cli.solve.course.chain import Step
@@ -55,11 +55,17 @@ class Router:
         self.unknowns, self.value, self.symbolic, self.blocks = unknowns, value, symbolic, blocks
         self.followed, self.natural = followed, natural or {}
         self.plain = self._plain(equations)
+        self._residuals: dict[sp.Expr, sp.Expr] = {}
         self.equations = [e for e in equations if self._inside(e) and self._true(e)]
 
     def residual(self, equation: Equation) -> sp.Expr:
         """With zeros and names of the file put in."""
-        return equation.residual.xreplace(self.plain) if self.plain else equation.residual
+        if not self.plain:
+            return equation.residual
+        found = self._residuals.get(equation.residual)
+        if found is None:
+            found = self._residuals[equation.residual] = equation.residual.xreplace(self.plain)
+        return found
 
     def _true(self, equation: Equation) -> bool:
         """Does a time by the place hold? Only as long as the motion does not turn round."""
@@ -72,7 +78,7 @@ class Router:
             return False
 
     def _inside(self, equation: Equation) -> frozenset[sp.Symbol]:
-        return frozenset(s for s in self.residual(equation).free_symbols if s in self.unknowns)
+        return letters(self.residual(equation)) & self.unknowns
 
     def _plain(self, equations: Sequence[Equation]) -> dict[sp.Symbol, sp.Expr]:
         """Data that need no line: zeros, names of the file, times from which time is counted; and what stays so."""
@@ -84,14 +90,14 @@ class Router:
                 if e.kind not in (*DATA, "v(t)", "link", "q(t)"):
                     continue
                 residual = e.residual.xreplace(found)
-                inside = [s for s in residual.free_symbols if s in self.unknowns]
-                if len(inside) != 1 or inside[0] in found:
+                inside = letters(residual) & self.unknowns
+                if len(inside) != 1 or inside & found.keys():
                     continue
-                x = inside[0]
-                slope = sp.diff(residual, x)
-                if slope.free_symbols & {x} or slope == 0:
+                (x,) = inside
+                rate = slope(residual, x)
+                if x in letters(rate) or rate == 0:
                     continue
-                datum = simplified(-residual.subs(x, 0) / slope)
+                datum = simplified(-residual.subs(x, 0) / rate)
                 if datum == 0 or (datum.is_Symbol and e.kind in DATA):
                     found[x] = datum
                     found = {k: v.xreplace({x: datum}) for k, v in found.items()}
@@ -242,7 +248,7 @@ class Router:
         """Are these equations independent in these unknowns?"""
         columns = sorted(unknowns, key=lambda s: s.name)
         try:
-            rows = [[self.value(sp.diff(self.residual(e), x)) for x in columns] + [Decimal(0)] for e in equations]
+            rows = [[self.value(slope(self.residual(e), x)) for x in columns] + [Decimal(0)] for e in equations]
         except (ArithmeticError, Unvalued):
             return False
         return len(solve(rows, len(columns)).null) == len(columns) - len(equations)
@@ -250,22 +256,22 @@ class Router:
     def _hidden(self, equation: Equation, x: sp.Symbol) -> float | None:
         """What it costs to solve for x: nothing where it enters plainly. None: the equation does not fix x here."""
         residual = self.residual(equation)
-        slope = sp.diff(residual, x)
+        rate = slope(residual, x)
         try:
-            if self.value.is_zero(slope):
-                return None if x not in slope.free_symbols else self._double(slope, x)
+            if self.value.is_zero(rate):
+                return None if x not in letters(rate) else self._double(rate, x)
         except (ArithmeticError, Unvalued):
             return None
         if residual.has(sp.Integral):
             return HIDDEN if equation.kind != "t(q)" or x in _outer(residual) else None
-        if x not in slope.free_symbols:
+        if x not in letters(rate):
             return 0.0
         return 0.3 if residual.is_polynomial(x) else HIDDEN
 
-    def _double(self, slope: sp.Expr, x: sp.Symbol) -> float | None:
+    def _double(self, rate: sp.Expr, x: sp.Symbol) -> float | None:
         """A double root, as at a turning point, still fixes x if the equation is quadratic there."""
         try:
-            return None if self.value.is_zero(sp.diff(slope, x)) else HIDDEN
+            return None if self.value.is_zero(slope(rate, x)) else HIDDEN
         except (ArithmeticError, Unvalued):
             return None
 
@@ -274,7 +280,7 @@ class Router:
         if any(e.residual.has(sp.Integral) for e in equations):
             return False
         try:
-            rows = [[self.value(sp.diff(self.residual(e), x)) for x in unknowns] for e in equations]
+            rows = [[self.value(slope(self.residual(e), x)) for x in unknowns] for e in equations]
             scaled = [[c / (max(abs(v) for v in row) or Decimal(1)) for c in row] for row in rows]
         except (ArithmeticError, Unvalued):
             return False
@@ -339,16 +345,16 @@ def _linear_step(
     found: list[tuple[int, int, sp.Symbol, sp.Expr]] = []
     for x in left:
         for index, residual in enumerate(pool):
-            slope = sp.diff(residual, x)
-            if slope == 0 or x in slope.free_symbols:
+            rate = slope(residual, x)
+            if rate == 0 or x in letters(rate):
                 continue
             try:
-                if value.is_zero(slope):
+                if value.is_zero(rate):
                     continue
             except (ArithmeticError, Unvalued):
                 continue
-            formula = simplified(-(residual - slope * x).expand() / slope) if not longer(residual, most) else None
-            formula = -sp.expand(residual - slope * x) / slope if formula is None else formula
+            formula = simplified(-(residual - rate * x).expand() / rate) if not longer(residual, most) else None
+            formula = -sp.expand(residual - rate * x) / rate if formula is None else formula
             found.append((int(sp.count_ops(formula)), index, x, formula))
     if not found:
         return None
