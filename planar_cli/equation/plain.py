@@ -57,9 +57,25 @@ def letters(expr: sp.Expr) -> frozenset[sp.Symbol]:
 
 
 @lru_cache(maxsize=_KEPT)
-def slope(expr: sp.Expr, x: sp.Symbol) -> sp.Expr:
-    """The derivative of an expression: whoever plans asks for the same ones again and again."""
-    return sp.diff(expr, x) if x in letters(expr) else sp.S.Zero
+def derivative(expr: sp.Expr, x: sp.Symbol) -> sp.Expr:
+    """The derivative of an expression, put together as SymPy does it from those of its parts, which are remembered:
+    equations of one motion have most parts in common, and whoever plans asks for the same ones again and again.
+    """
+    if x not in letters(expr):
+        return sp.S.Zero
+    if expr == x:
+        return sp.S.One
+    if expr.is_Add:
+        return sp.Add(*(derivative(a, x) for a in expr.args))
+    if expr.is_Mul:
+        args = expr.args
+        rates = ((i, derivative(a, x)) for i, a in enumerate(args))
+        return sp.Add(*(sp.Mul(*args[:i], rate, *args[i + 1 :]) for i, rate in rates if rate != 0))
+    if expr.is_Pow and x not in letters(expr.exp):
+        return expr * (derivative(expr.base, x) * expr.exp / expr.base)
+    if isinstance(expr, sp.sin | sp.cos | sp.tan | sp.exp | sp.log):
+        return expr.fdiff(1) * derivative(expr.args[0], x)
+    return sp.diff(expr, x)
 
 
 @lru_cache(maxsize=_KEPT)

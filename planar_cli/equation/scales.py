@@ -20,6 +20,7 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.equation.plain import derivative
 from planar_cli.errors import NoValue
 from planar_cli.problem.expression import Number, Scaled
 from planar_cli.problem.scene import Problem
@@ -232,7 +233,7 @@ def slack_of(
     for s in letters:
         if s in residual.free_symbols:
             try:
-                total += abs(value(sp.diff(residual, s))) * natural[s]
+                total += abs(value(derivative(residual, s))) * natural[s]
             except (NoValue, Unvalued):
                 continue
     return total

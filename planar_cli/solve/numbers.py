@@ -10,6 +10,7 @@ import sympy as sp
 
 from planar_cli.equation.exact import ZERO, Valuation
 from planar_cli.equation.form import Form, linear_form
+from planar_cli.equation.plain import derivative
 from planar_cli.solve.linear import Row
 
 
@@ -64,7 +65,7 @@ class Numbers:
     def _slope(self, expr: sp.Expr, x: sp.Symbol) -> Decimal:
         """The exact derivative in numbers; a difference quotient would leave traces where terms cancel."""
         opened = opened_for(expr, x, self.value.definitions)
-        return self._clean(sp.diff(opened, x)) if x in opened.free_symbols else ZERO
+        return self._clean(derivative(opened, x)) if x in opened.free_symbols else ZERO
 
 
 def opened_for(expr: sp.Expr, x: sp.Symbol, definitions: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:

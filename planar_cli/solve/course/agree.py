@@ -14,6 +14,7 @@ from decimal import Decimal
 import sympy as sp
 
 from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.equation.plain import derivative
 from planar_cli.solve.course.equations import DATA
 from planar_cli.solve.course.events import LOOKS
 from planar_cli.solve.course.followed import Followed
@@ -98,8 +99,8 @@ def power_digits(regime: Regime) -> int | None:
         return None
     u = regime.free[0]
     total, given = (regime.closed(e) for e in regime.balance)
-    left = sp.diff(total, u) * regime.accelerations[u]
-    left += sp.Add(*(sp.diff(total, q) * r for q, r in regime.rates.items()))
+    left = derivative(total, u) * regime.accelerations[u]
+    left += sp.Add(*(derivative(total, q) * r for q, r in regime.rates.items()))
     here = _anywhere(regime)
     try:
         a, b = here(left), here(given)

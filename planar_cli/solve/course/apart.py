@@ -14,6 +14,7 @@ import sympy as sp
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.equation.meeting import partner_of
 from planar_cli.equation.nearness import distance
+from planar_cli.equation.plain import derivative
 from planar_cli.errors import Diagnostic, NoSolution, NoValue
 from planar_cli.joints.base import Joint
 from planar_cli.solve.course.blow import Blow
@@ -75,7 +76,7 @@ def _fixed(course: StatedMotion, i: int, between: tuple[str, ...], here: Valuati
     rate = [(gap(now.extended({x: now(x) + STEP * natural[o]})) - gap(now)) / STEP for o, x in names.items()]
     stated = [d.residual for d in course.demands[stop.name] if d.kind == "equation"]
     stated = [r for r in stated if _of_places(r, names, here)]
-    rows = [[float(here(sp.diff(r, own)) * natural[own]) for own in names] for r in stated]
+    rows = [[float(here(derivative(r, own)) * natural[own]) for own in names] for r in stated]
     return _spans(rows, [float(r) for r in rate])
 
 

@@ -15,6 +15,7 @@ import sympy as sp
 
 from planar_cli.calculus.first import first_extreme
 from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.equation.plain import derivative
 from planar_cli.equation.sample import anywhere
 from planar_cli.equation.scales import slack_of
 from planar_cli.errors import NOWHERE, Diagnostic, Mark, NoSolution, NoValue, Undecided
@@ -60,7 +61,7 @@ def loose_letters(course: MotionEquations) -> list[sp.Symbol]:
     ]
     for e in _independent(laws):
         try:
-            row = [value(sp.diff(e.residual, x)) if e.residual.has(x) else Decimal(0) for x in unknowns]
+            row = [value(derivative(e.residual, x)) if e.residual.has(x) else Decimal(0) for x in unknowns]
         except (NoValue, Unvalued):
             continue
         rows.append([*row, Decimal(0)])

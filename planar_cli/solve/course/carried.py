@@ -12,6 +12,7 @@ from decimal import Decimal
 import sympy as sp
 
 from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.equation.plain import derivative
 from planar_cli.errors import Diagnostic, NoSolution
 from planar_cli.records import record
 from planar_cli.solve.course.chain import Branch
@@ -102,7 +103,7 @@ class _Carrier:
         here = self.known.extended(start)
         chosen: list[Way] = []
         for residual, goal in equations:
-            slopes = tuple(sp.diff(residual, x) for x in self.letters)
+            slopes = tuple(derivative(residual, x) for x in self.letters)
             trial = [*chosen, (residual, here(residual) if goal else Decimal(0), slopes)]
             if solve(self._rows(trial, start, Decimal(0)), len(self.letters)).rank == len(trial):
                 chosen = trial

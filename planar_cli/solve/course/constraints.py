@@ -17,7 +17,7 @@ import sympy as sp
 from planar_cli.equation.curves import bend_at, off_curve
 from planar_cli.equation.displacement import Coordinate, Displacement
 from planar_cli.equation.exact import DIGITS, Valuation
-from planar_cli.equation.plain import simplified
+from planar_cli.equation.plain import derivative, simplified
 from planar_cli.equation.pose import HERE, Pose
 from planar_cli.equation.sample import anywhere
 from planar_cli.equation.scales import Scales
@@ -227,7 +227,7 @@ def project(
     ArithmeticError: it does not converge.
     """
     exprs = [c.residual for c in constraints]
-    slopes = [[sp.diff(e, x) if x in e.free_symbols else sp.S.Zero for x in unknowns] for e in exprs]
+    slopes = [[derivative(e, x) if x in e.free_symbols else sp.S.Zero for x in unknowns] for e in exprs]
     at = {x: value(x) for x in unknowns}
     with mpmath.workdps(DIGITS):
         for _ in range(STEPS):
@@ -245,7 +245,7 @@ def fixed_by(
     constraints: tuple[Constraint, ...], unknowns: tuple[sp.Symbol, ...], value: Valuation
 ) -> frozenset[sp.Symbol]:
     """The coordinates that the constraints leave no freedom at one time."""
-    rows = [[value(sp.diff(c.residual, x)) for x in unknowns] + [Decimal(0)] for c in constraints]
+    rows = [[value(derivative(c.residual, x)) for x in unknowns] + [Decimal(0)] for c in constraints]
     solved = solve(rows, len(unknowns))
     return frozenset(x for j, x in enumerate(unknowns) if solved.unique(j))
 

@@ -11,7 +11,7 @@ from itertools import combinations
 
 import sympy as sp
 
-from planar_cli.equation.plain import longer, simplified
+from planar_cli.equation.plain import derivative, longer, simplified
 from planar_cli.solve.course.asked_finds import AskedFind
 from planar_cli.solve.course.equations import Equation
 from planar_cli.solve.course.motion_equations import MotionEquations
@@ -65,7 +65,7 @@ def _only_difference(expr: sp.Expr, a: sp.Symbol, b: sp.Symbol) -> bool:
     if not {a, b} <= expr.free_symbols or longer(expr, LONG) or expr.has(sp.Integral):
         return False
     d = sp.Dummy("d", real=True)
-    rate = sp.diff(expr.xreplace({a: b - d}), b)
+    rate = derivative(expr.xreplace({a: b - d}), b)
     return not _differs_from_zero(rate) and bool(simplified(rate) == 0)
 
 

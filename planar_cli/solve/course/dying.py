@@ -13,6 +13,7 @@ import sympy as sp
 
 from planar_cli.calculus.first import roots
 from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.equation.plain import derivative
 from planar_cli.errors import Undecided
 from planar_cli.solve.course.events import WINDOWS, Leg, State, scale_of
 from planar_cli.solve.course.legs import explicit
@@ -129,7 +130,7 @@ def _is_steady(leg: Leg) -> bool:
     if any(f.free_symbols & letters for f in regime.accelerations.values()):
         return False
     return all(
-        r.free_symbols & letters <= free and all(not sp.diff(r, u).free_symbols & letters for u in free)
+        r.free_symbols & letters <= free and all(not derivative(r, u).free_symbols & letters for u in free)
         for r in regime.rates.values()
     )
 

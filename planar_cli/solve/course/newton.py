@@ -10,7 +10,7 @@ import mpmath
 import sympy as sp
 
 from planar_cli.equation.exact import DIGITS, Valuation
-from planar_cli.equation.plain import letters, slope
+from planar_cli.equation.plain import derivative, letters
 from planar_cli.errors import NotReached
 from planar_cli.solve.course.chain import Branch
 from planar_cli.solve.course.motion_equations import MotionEquations
@@ -52,7 +52,7 @@ def refined(
     used = [x for x in unknowns if any(x in letters(e) for e in exprs)]
     if not exprs or not used:
         return {}
-    slopes = [[slope(e, x) for x in used] for e in exprs]
+    slopes = [[derivative(e, x) for x in used] for e in exprs]
     at = {x: Decimal(repr(truth[x])) for x in used}
     sizes = {x: max(abs(at[x]), LEAST * natural[x]) for x in used}
     with mpmath.workdps(DIGITS):

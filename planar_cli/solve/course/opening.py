@@ -8,6 +8,7 @@ from decimal import Decimal
 import sympy as sp
 
 from planar_cli.equation.exact import Unvalued
+from planar_cli.equation.plain import derivative
 from planar_cli.errors import NoValue
 from planar_cli.records import record
 from planar_cli.solve.course.general import General
@@ -48,8 +49,8 @@ def gaps_of(
         # What stands between bars keeps its sign until the gap has closed again.
         bars = {a: a.args[0] if value(a.args[0]) >= 0 else -a.args[0] for a in parted.residual.atoms(sp.Abs)}
         kept = parted.residual.xreplace(bars)
-        rate = sp.diff(kept, general.time)
-        rate += sum(sp.diff(kept, q) * r for q, r in rates.items())
+        rate = derivative(kept, general.time)
+        rate += sum(derivative(kept, q) * r for q, r in rates.items())
         senses = []
         for index, opening in parted.openings:
             try:

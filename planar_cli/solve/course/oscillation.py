@@ -17,7 +17,7 @@ import mpmath
 import sympy as sp
 
 from planar_cli.equation.exact import DIGITS, Sample, Unvalued, Valuation
-from planar_cli.equation.plain import simplified
+from planar_cli.equation.plain import derivative, simplified
 from planar_cli.errors import Diagnostic, FileProblem, Mark, NoSolution, NoValue, Undecided
 from planar_cli.problem.expression import Quantity
 from planar_cli.records import record
@@ -73,7 +73,7 @@ def linearised(regime: Regime, stop: Stop) -> Oscillation:
         text = f"state {stop.name}: nothing is free to move, so nothing can oscillate"
         raise FileProblem([Diagnostic(stop.mark, "PL631", text, "leave a coordinate free of `motion` and of friction")])
     still = dict.fromkeys(speeds, sp.S.Zero)
-    rates = {q: {u: simplified(sp.diff(r, u)) for u in speeds if r.has(u)} for q, r in regime.rates.items()}
+    rates = {q: {u: simplified(derivative(r, u)) for u in speeds if r.has(u)} for q, r in regime.rates.items()}
     drift = {q: r.xreplace(still) for q, r in regime.rates.items()}
     laws = tuple(regime.accelerations[u] for u in speeds)
     for law in laws:
@@ -84,13 +84,13 @@ def linearised(regime: Regime, stop: Stop) -> Oscillation:
         return stop.at(expr.xreplace(still))
 
     stiffness = tuple(tuple(at_rest(-_slope(law, u, rates)) for u in speeds) for law in laws)
-    damping = tuple(tuple(at_rest(-sp.diff(law, u)) for u in speeds) for law in laws)
+    damping = tuple(tuple(at_rest(-derivative(law, u)) for u in speeds) for law in laws)
     return Oscillation(stop, regime, speeds, laws, stiffness, damping)
 
 
 def _slope(law: sp.Expr, u: sp.Symbol, rates: dict[sp.Symbol, dict[sp.Symbol, sp.Expr]]) -> sp.Expr:
     """How a law changes with the deviation of a free speed: all coordinates that follow it change."""
-    return sp.Add(*(sp.diff(law, q) * own[u] for q, own in rates.items() if u in own and law.has(q)))
+    return sp.Add(*(derivative(law, q) * own[u] for q, own in rates.items() if u in own and law.has(q)))
 
 
 def _demand_steady(law: sp.Expr, drift: dict[sp.Symbol, sp.Expr], regime: Regime, stop: Stop) -> None:
@@ -229,7 +229,7 @@ def _single(found: Oscillation, value: Valuation) -> Verdict:
     if not value.is_zero(w2):
         return Verdict("stable" if value(w2) > 0 else "unstable")
     u, law = found.speeds[0], found.laws[0]
-    rates = {q: {u: sp.diff(r, u)} for q, r in found.regime.rates.items() if r.has(u)}
+    rates = {q: {u: derivative(r, u)} for q, r in found.regime.rates.items() if r.has(u)}
     slope = law.xreplace({u: sp.S.Zero})
     for power in range(1, HIGHEST + 1):
         slope = _slope(slope, u, rates)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sympy as sp
 
 from planar_cli.calculus.antiderivative import antiderivative
-from planar_cli.equation.plain import longer, simplified
+from planar_cli.equation.plain import derivative, longer, simplified
 from planar_cli.solve.course.regime import Regime
 
 LONG = 400
@@ -32,7 +32,7 @@ def potential(rate: sp.Expr, regime: Regime) -> sp.Expr | None:
         if part is None:
             continue
         total += part
-        change = sum((sp.diff(part, q) * r for q, r in regime.rates.items()), sp.diff(part, regime.time))
+        change = sum((derivative(part, q) * r for q, r in regime.rates.items()), derivative(part, regime.time))
         rest = simplified(sp.expand(rest - change))
         if rest == 0:
             return total
@@ -51,10 +51,10 @@ def _along(rest: sp.Expr, q: sp.Symbol, pace: sp.Expr, regime: Regime) -> sp.Exp
         own = rest.xreplace(dict.fromkeys(regime.free, sp.S.Zero))
         return None if own.free_symbols & set(regime.letters) - {q} else simplified(own / pace)
     u = speeds[0]
-    slope = simplified(sp.diff(rest, u))
+    slope = simplified(derivative(rest, u))
     if slope.has(*regime.free):
         return None
-    ratio = simplified(slope / sp.diff(pace, u))
+    ratio = simplified(slope / derivative(pace, u))
     return None if ratio.has(*regime.free) else ratio
 
 

@@ -19,7 +19,7 @@ import sympy as sp
 from planar_cli.calculus.first import polish, roots
 from planar_cli.equation.displacement import Coordinate
 from planar_cli.equation.exact import Unvalued, Valuation
-from planar_cli.equation.plain import longer, simplified
+from planar_cli.equation.plain import derivative, longer, simplified
 from planar_cli.equation.sample import anywhere
 from planar_cli.errors import NoValue
 from planar_cli.problem.facts import Test
@@ -175,9 +175,9 @@ class Regime:
 
     def derivative(self, expr: sp.Expr) -> sp.Expr:
         """The rate of a closed formula."""
-        parts = [sp.diff(expr, self.time)]
-        parts += [sp.diff(expr, q) * r for q, r in self.rates.items() if q in expr.free_symbols]
-        parts += [sp.diff(expr, u) * f for u, f in self.accelerations.items() if u in expr.free_symbols]
+        parts = [derivative(expr, self.time)]
+        parts += [derivative(expr, q) * r for q, r in self.rates.items() if q in expr.free_symbols]
+        parts += [derivative(expr, u) * f for u, f in self.accelerations.items() if u in expr.free_symbols]
         return simplified(sp.Add(*parts))
 
     def _watches(self) -> tuple[Watch, ...]:

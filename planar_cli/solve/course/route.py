@@ -16,7 +16,7 @@ from decimal import Decimal
 import sympy as sp
 
 from planar_cli.equation.exact import Unvalued, Valuation
-from planar_cli.equation.plain import letters, longer, simplified, slope
+from planar_cli.equation.plain import derivative, letters, longer, simplified
 from planar_cli.errors import Undecided
 from planar_cli.solve.course.by_numbers import ByNumbers
 from planar_cli.solve.course.chain import Step
@@ -94,7 +94,7 @@ class Router:
                 if len(inside) != 1 or inside & found.keys():
                     continue
                 (x,) = inside
-                rate = slope(residual, x)
+                rate = derivative(residual, x)
                 if x in letters(rate) or rate == 0:
                     continue
                 datum = simplified(-residual.subs(x, 0) / rate)
@@ -248,7 +248,7 @@ class Router:
         """Are these equations independent in these unknowns?"""
         columns = sorted(unknowns, key=lambda s: s.name)
         try:
-            rows = [[self.value(slope(self.residual(e), x)) for x in columns] + [Decimal(0)] for e in equations]
+            rows = [[self.value(derivative(self.residual(e), x)) for x in columns] + [Decimal(0)] for e in equations]
         except (ArithmeticError, Unvalued):
             return False
         return len(solve(rows, len(columns)).null) == len(columns) - len(equations)
@@ -256,7 +256,7 @@ class Router:
     def _hidden(self, equation: Equation, x: sp.Symbol) -> float | None:
         """What it costs to solve for x: nothing where it enters plainly. None: the equation does not fix x here."""
         residual = self.residual(equation)
-        rate = slope(residual, x)
+        rate = derivative(residual, x)
         try:
             if self.value.is_zero(rate):
                 return None if x not in letters(rate) else self._double(rate, x)
@@ -271,7 +271,7 @@ class Router:
     def _double(self, rate: sp.Expr, x: sp.Symbol) -> float | None:
         """A double root, as at a turning point, still fixes x if the equation is quadratic there."""
         try:
-            return None if self.value.is_zero(slope(rate, x)) else HIDDEN
+            return None if self.value.is_zero(derivative(rate, x)) else HIDDEN
         except (ArithmeticError, Unvalued):
             return None
 
@@ -280,7 +280,7 @@ class Router:
         if any(e.residual.has(sp.Integral) for e in equations):
             return False
         try:
-            rows = [[self.value(slope(self.residual(e), x)) for x in unknowns] for e in equations]
+            rows = [[self.value(derivative(self.residual(e), x)) for x in unknowns] for e in equations]
             scaled = [[c / (max(abs(v) for v in row) or Decimal(1)) for c in row] for row in rows]
         except (ArithmeticError, Unvalued):
             return False
@@ -345,7 +345,7 @@ def _linear_step(
     found: list[tuple[int, int, sp.Symbol, sp.Expr]] = []
     for x in left:
         for index, residual in enumerate(pool):
-            rate = slope(residual, x)
+            rate = derivative(residual, x)
             if rate == 0 or x in letters(rate):
                 continue
             try:

@@ -9,7 +9,7 @@ from enum import Enum
 import sympy as sp
 
 from planar_cli.equation.exact import CERTAIN, Unvalued, Valuation
-from planar_cli.equation.plain import longer, simplified
+from planar_cli.equation.plain import derivative, longer, simplified
 from planar_cli.errors import NoValue
 from planar_cli.solve.course.motion_equations import MotionEquations
 from planar_cli.solve.course.regime import Regime
@@ -147,5 +147,5 @@ def _vanishes(expr: sp.Expr, letters: Iterable[sp.Symbol], value: Valuation) -> 
     if expr == 0 or value.is_zero(expr):
         return True
     inside = [s for s in letters if s in expr.free_symbols]
-    slack = sum((abs(value(sp.diff(expr, s)) * value(s)) for s in inside), Decimal(0))
+    slack = sum((abs(value(derivative(expr, s)) * value(s)) for s in inside), Decimal(0))
     return abs(value(expr)) <= CERTAIN * slack

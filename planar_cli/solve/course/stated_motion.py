@@ -8,6 +8,7 @@ import sympy as sp
 
 from planar_cli.equation.conditions import order
 from planar_cli.equation.exact import Valuation
+from planar_cli.equation.plain import derivative
 from planar_cli.problem.expression import Relation, Statement
 from planar_cli.problem.scene import State
 from planar_cli.records import record
@@ -56,7 +57,7 @@ class StatedMotion(RegimeSequence):
             for d in self.demands[state.name]:
                 if d.kind == "limit":
                     letter = max(d.residual.free_symbols, key=lambda s: s in self.stops[state.name].letters.values())
-                    found[letter] = sp.oo if value(sp.diff(d.residual, letter)) > 0 else -sp.oo
+                    found[letter] = sp.oo if value(derivative(d.residual, letter)) > 0 else -sp.oo
         return found
 
     def is_set(self, state: State) -> bool:

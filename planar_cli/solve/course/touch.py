@@ -14,6 +14,7 @@ import sympy as sp
 
 from planar_cli.equation.displacement import Coordinate
 from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.equation.plain import derivative
 from planar_cli.errors import NoValue
 from planar_cli.records import record
 from planar_cli.solve.course.events import length_of
@@ -58,7 +59,7 @@ def touch_of(
         else length_of(regime, state, still, value, regime.general.instant.scene.ledger.scales.length)
     )
     pace = math.sqrt(growth)
-    slope = abs(float(value(sp.diff(regime.rates[c.symbol], u))))
+    slope = abs(float(value(derivative(regime.rates[c.symbol], u))))
     return Touch(u, Decimal(repr(sense * SLIGHT * pace * size / slope)), 1 / pace)
 
 
@@ -74,6 +75,6 @@ def _growth(regime: Regime, u: sp.Symbol, value: Valuation) -> float:
     if c is None:
         return 0.0
     try:
-        return float(value(sp.diff(regime.accelerations[u], c.symbol) * sp.diff(regime.rates[c.symbol], u)))
+        return float(value(derivative(regime.accelerations[u], c.symbol) * derivative(regime.rates[c.symbol], u)))
     except (NoValue, Unvalued):
         return 0.0
