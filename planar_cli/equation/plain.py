@@ -11,6 +11,8 @@ from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.trigonometry import put_together
+
 MANY = 60
 """An expression of more operations than this is left as it is by `tidy`."""
 SOME = 30
@@ -80,11 +82,11 @@ def derivative(expr: sp.Expr, x: sp.Symbol) -> sp.Expr:
 
 @lru_cache(maxsize=_KEPT)
 def trigonometric(expr: sp.Expr) -> sp.Expr:
-    """`trigsimp` where it can do something: where sines and cosines multiply each other. sin² + cos² = 1 goes first."""
+    """Angles put together where sines and cosines multiply each other. sin² + cos² = 1 goes first."""
     if _degree(expr) < 2:
         return expr
     short = _with_one(expr)
-    return short if _degree(short) < 2 or longer(short, MANY) else sp.trigsimp(short)
+    return short if _degree(short) < 2 or longer(short, MANY) else put_together(short)
 
 
 @lru_cache(maxsize=_KEPT)

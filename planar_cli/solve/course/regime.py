@@ -21,6 +21,7 @@ from planar_cli.equation.displacement import Coordinate
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.equation.plain import derivative, longer, simplified
 from planar_cli.equation.sample import anywhere
+from planar_cli.equation.trigonometry import put_together
 from planar_cli.errors import NoValue
 from planar_cli.problem.facts import Test
 from planar_cli.records import record
@@ -131,7 +132,7 @@ class Regime:
         except Unvalued:
             return expr
         except ArithmeticError:
-            return simplified(sp.trigsimp(expr))
+            return simplified(put_together(expr))
         return expr
 
     def _rate(self, c: Coordinate) -> sp.Expr:
