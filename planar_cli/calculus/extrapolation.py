@@ -30,10 +30,10 @@ NOISY = 1e4
 
 
 class Leaves(NotReached):
-    """The motion cannot be followed further: `reached` is the last instant known."""
+    """The motion cannot be followed further: `told` says why, `reached` is the last instant known."""
 
     def __init__(self, message: str, reached: Any) -> None:
-        self.reached = reached
+        self.told, self.reached = message, reached
         super().__init__(f"{message} (the motion is known up to t = {float(reached):.12g})")
 
 

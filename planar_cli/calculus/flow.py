@@ -58,6 +58,8 @@ class _Step:
     sizes: list[float]
     scales: list[float]
     cells: list[_Cell] = field(default_factory=list)
+    broken: tuple[int, Leaves] | None = None
+    """Why there are none, and the column aimed at when they were tried."""
 
 
 @lru_cache(maxsize=16)
@@ -96,7 +98,7 @@ class _Branch:
         """The index of the first step that ends at t or later."""
         while (self.steps[-1].t - t) * self.direction < 0:
             if self.barrier is not None:
-                raise Leaves(self.barrier.args[0].split(" (the motion is known")[0], self.steps[-1].t) from self.barrier
+                raise Leaves(self.barrier.told, self.steps[-1].t) from self.barrier
             try:
                 self._extend(t)
             except Leaves as e:
@@ -159,7 +161,13 @@ class _Branch:
         if t == before.t:
             return list(before.y)
         if not step.cells:
-            step.cells = self._cells(before.t, before.y, step.t, step.y, step.scales, 0)
+            if step.broken is not None and step.broken[0] == self.target:
+                raise Leaves(step.broken[1].told, step.broken[1].reached) from step.broken[1]
+            try:
+                step.cells = self._cells(before.t, before.y, step.t, step.y, step.scales, 0)
+            except Leaves as e:
+                step.broken = self.target, e
+                raise
         cell = next(c for c in step.cells if (t - c.b) * self.direction <= 0)
         return cell.at(t)
 

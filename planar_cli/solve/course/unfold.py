@@ -292,7 +292,9 @@ class Unfolder(Choosing):
             if other is not None:
                 changed = changed or other
                 continue
-            if followed.missed == course.states[-1].name and at_a_top(course, followed.missed, value):
+            last = course.states[-1].name
+            # Rounding decides whether a motion that is followed gets to such a place.
+            if followed.missed in (None, last) and at_a_top(course, last, value):
                 return SolvedMotion(course, finds, branch, None, value, checks=(AT_A_TOP,))
             if followed.missed is None and same_motion(course, followed, branch):
                 more = {s: Decimal(repr(v)) for s, v in followed.values.items() if s not in branch.values}
