@@ -49,6 +49,17 @@ states:
 find: {d: x(P) @ 2}
 """
 
+SWINGING = """
+title: Ball on a spring, x = cos(t)
+plane: horizontal
+points: {O: [0, 0]}
+bodies: {P: {particle: [1 m, 0], mass: 1 kg}}
+joints: [guide: {point: P, along: 0 deg}]
+loads: [spring: {between: [O, P], stiffness: 1 N/m, natural_length: 0 m}]
+states: {start: [t = 0, at rest], %s}
+find: {t: t @ it}
+"""
+
 
 def simulated(text: str, **values: float) -> Simulation:
     problem, wrong = load_text(text)
@@ -85,6 +96,24 @@ def test_turns_are_counted_up_to_the_state_that_is_asked_about() -> None:
 
 def test_what_is_largest_over_a_constant_leaves_the_time_to_the_other_relation() -> None:
     assert answers(LONGEST, beta=pi / 4)["d"].values == pytest.approx([100 / 9.81])
+
+
+@pytest.mark.parametrize(
+    ("states", "time"),
+    [
+        ("late: [t = 6 s], it: [x(P) = 0]", 2.5 * pi),
+        ("late: [t = 6 s], 2: [x(P) = 0], it: [v(P).x = 0]", 3 * pi),
+        ("2: [v(P).x = 0], late: [t = 6 s], it: [x(P) = 0]", 2.5 * pi),
+        ("2: [v(P).x = 0], soon: [t = 1 s], it: [x(P) = 0]", 0.5 * pi),
+        ("later: [t = 9 s], late: [t = 6 s], it: [x(P) = 0]", 2.5 * pi),
+        ("late: [t = 6 s], it: [x(P) = 0, t < 2 s]", 0.5 * pi),
+        ("late: [t = 3 s], later: [t = 6 s], it: [x(P) = 0, t < 2 s]", 0.5 * pi),
+        ("late: [t = 6 s], 2: [x(P) = 0, t < 2 s], it: [v(P).x = 0]", pi),
+    ],
+)
+def test_what_is_listed_behind_a_given_time_comes_after_it(states: str, time: float) -> None:
+    """But what never happens after it may have happened before it."""
+    assert answers(SWINGING % states)["t"].values == pytest.approx([time])
 
 
 def test_a_motion_of_blows_alone_ends_with_its_last_state() -> None:

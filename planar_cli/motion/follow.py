@@ -223,17 +223,17 @@ class Follower:
         return max(BAND, min(1.5 * below, WIDEST_BAND))
 
     def _watch(self, regime: Regime) -> Watch:
-        """The guards, and behind them what tells that the next state is reached."""
+        """The guards, and behind them what tells that the next states are reached."""
         scales, falling = [g.scale for g in regime.guards], [True] * len(regime.guards)
-        event = self.waiting.next()
-        if event is None or event.crossing is None:
+        crossings = [e.crossing for e in self.waiting.next() if e.crossing is not None]
+        if not crossings:
             return Watch(regime.watch, scales, falling)
-        value, choice = event.crossing.value, self.choice
+        choice = self.choice
 
         def values(t: float, y: list[float]) -> list[float]:
-            return [*regime.watch(t, y), value(regime, choice, t, y)]
+            return [*regime.watch(t, y), *(c.value(regime, choice, t, y) for c in crossings)]
 
-        return Watch(values, [*scales, event.crossing.scale], [*falling, False])
+        return Watch(values, [*scales, *(c.scale for c in crossings)], [*falling, *(False for _ in crossings)])
 
     def _end(self) -> float:
         """The latest time of this segment: the end, or the next time that is known beforehand."""
@@ -282,7 +282,7 @@ class Follower:
         """What ended the run: guards, the next state, or the time."""
         number = len(regime.guards)
         fallen = [c.index for c in run.crossings if c.index < number and c.way == "falls"]
-        event = self.waiting.next()
+        events = [e for e in self.waiting.next() if e.crossing is not None]
         grazed = [c.index for c in run.crossings if c.index < number and c.way == "grazes"]
         spent = next((g for g in (regime.guards[i] for i in (*fallen, *grazed)) if g.kind == LENGTH), None)
         if spent is not None:
@@ -294,20 +294,21 @@ class Follower:
             graze = Transition(self.t, "graze", words, (guard.joint,), self.y, self.y, self.choice, self.choice)
             self.transitions.append(graze)
         for crossing in run.crossings:
-            if crossing.index == number and event is not None and meant(event, crossing.way):
+            event = events[crossing.index - number] if crossing.index >= number else None
+            if event is not None and meant(event, crossing.way):
                 noise = NOISE * self.setting.tolerance, self.automaton.time_scale
                 real = self.waiting.counts(event, regime, self.choice, run, *noise)
                 if real and fits(event, regime, self.choice, self.t, self.y):
                     self._reach(event)
-                break
         if self.outcome is None and fallen:
             guards = [regime.guards[i] for i in fallen]
             words = ", ".join(dict.fromkeys(f"no longer: {g.words}" for g in guards))
             # What parts and falls back within rounding does not part.
             self._settle(words, guards[0].joint, inelastic=run.t1 == run.t0)
         elif self.outcome is None and not run.crossings:
-            if event is not None and at_edge(event, regime, self.choice, run, self.setting.tolerance):
-                self._reach(event)
+            for event in events:
+                if at_edge(event, regime, self.choice, run, self.setting.tolerance):
+                    self._reach(event)
             if self.outcome is None:
                 self._timed()
 
@@ -328,8 +329,10 @@ class Follower:
             self._at_rest()
         for event in self.waiting.due(self.t):
             self._reach(event)
-        if self.outcome is None and self.waiting.settles(self.automaton, self.segments, self.setting.tolerance):
-            self._reach(self.waiting.ordered[0])
+        if self.outcome is None:
+            tends = self.waiting.settles(self.automaton, self.segments, self.setting.tolerance)
+            if tends is not None:
+                self._reach(tends)
         if self.outcome is None and self.t < self.until:
             self._settle("what acts has changed")
 

@@ -1,7 +1,8 @@
 """What a file says of time, in numbers: states in their order, each with what tells that it has been reached.
 
 The first state is the start. Every later one is the first instant after the one before it at which its relations hold;
-one that has a time may stand anywhere. Reading the relations of a file into these is for whoever knows the scene.
+one that has a time may stand anywhere, and what is listed behind it comes after it. Reading the relations of a file
+into these is for whoever knows the scene.
 """
 
 from __future__ import annotations
@@ -61,6 +62,8 @@ class Event:
     """Reached when nothing moves."""
     endless: bool = False
     """At t = infinity: reached when the motion has settled."""
+    back: int = 0
+    """It comes before so many of the given times that are listed just before it: after them it never happens."""
 
 
 @record

@@ -30,16 +30,16 @@ class Waiting:
 
     def __init__(self, schedule: Schedule, t: float) -> None:
         self.schedule = schedule
-        self.ordered = [e for e in schedule.events if e.time is None]
-        self.timed = sorted((e for e in schedule.events if e.time is not None), key=_time)
+        self.chains = chains_of(schedule.events)
+        """What is still to come: in each chain every state comes after the one before it."""
+        self.since = [t] * len(self.chains)
+        """When the latest state of each chain was reached."""
         self.reached: list[Reached] = []
-        self.last = t
-        """When the latest state was reached."""
 
     @property
     def done(self) -> bool:
         """Has every state been reached?"""
-        return bool(self.schedule.events) and not self.ordered and not self.timed
+        return bool(self.schedule.events) and not any(self.chains)
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -48,7 +48,7 @@ class Waiting:
 
     def left(self) -> list[Event]:
         """The states that have not been reached."""
-        waiting = {e.name for e in (*self.ordered, *self.timed)}
+        waiting = {e.name for chain in self.chains for e in chain}
         return [e for e in self.schedule.events if e.name in waiting]
 
     def times(self, t: float, span: float) -> list[float]:
@@ -56,40 +56,50 @@ class Waiting:
 
         Where the next state is at t = infinity, also when to see whether the motion has settled. `span`: time scale.
         """
-        found = [_time(e) for e in self.timed]
-        return [*found, next_look(self.last, t, span)] if self._endless else found
+        found = [_time(chain[0]) for chain in self.chains if chain and chain[0].time is not None]
+        return [*found, *(next_look(self._since(e), t, span) for e in self._endless)]
 
     @property
-    def _endless(self) -> bool:
-        """Is the next state at t = infinity?"""
-        event = self.next()
-        return event is not None and event.endless
+    def _endless(self) -> list[Event]:
+        """The next states that are at t = infinity."""
+        return [e for e in self.next() if e.endless]
 
     @property
     def wanting(self) -> str:
         """What is still wanting for the next state, in words, where the time is over."""
         return ", and the motion has not settled" if self._endless else ""
 
-    def settles(self, automaton: Automaton, segments: Sequence[Segment], tolerance: float) -> bool:
-        """Is the next state at t = infinity, and has the motion come to where it goes without end?"""
-        event = self.next()
-        if event is None or not event.endless or not segments:
-            return False
+    def settles(self, automaton: Automaton, segments: Sequence[Segment], tolerance: float) -> Event | None:
+        """The next state at t = infinity, if the motion has come to where it goes without end."""
+        if not segments:
+            return None
         end = segments[-1]
-        lasted = end.t1 - self.last >= automaton.time_scale
-        return (
-            lasted
-            and settled(segments, self.last, automaton.scale, tolerance)
-            and fits(event, automaton.regime(end.choice), end.choice, end.t1, end.end)
-        )
+        for event in self._endless:
+            since = self._since(event)
+            if (
+                end.t1 - since >= automaton.time_scale
+                and settled(segments, since, automaton.scale, tolerance)
+                and fits(event, automaton.regime(end.choice), end.choice, end.t1, end.end)
+            ):
+                return event
+        return None
 
     def just_after(self, state: str) -> Event | None:
         """The state that is `just after` this one."""
-        return next((e for e in self.ordered if e.after and e.after == state), None)
+        return next((e for chain in self.chains for e in chain if e.after and e.after == state), None)
 
-    def next(self) -> Event | None:
-        """The state that is looked for now: the first in the order of the file; one `just after` another is not."""
-        return self.ordered[0] if self.ordered and not self.ordered[0].after else None
+    def next(self) -> list[Event]:
+        """The states that are looked for now, the first of every chain; one `just after` another or at a given time is
+        not looked for.
+        """
+        return [chain[0] for chain in self.chains if chain and chain[0].time is None and not chain[0].after]
+
+    def _chain(self, event: Event) -> int:
+        return next(k for k, chain in enumerate(self.chains) if event in chain)
+
+    def _since(self, event: Event) -> float:
+        """When the state before this one was reached."""
+        return self.since[self._chain(event)]
 
     def arrive(self, event: Event, t: float, y: Sequence[float], choice: Choice, segment: int) -> None:
         """A state has been reached."""
@@ -97,24 +107,27 @@ class Waiting:
         self.reached.append(reached)
         if self.schedule.heard is not None:
             self.schedule.heard(reached)
-        self.last = t
-        (self.timed if event.time is not None else self.ordered).remove(event)
+        chain = self._chain(event)
+        self.since[chain] = t
+        self.chains[chain].remove(event)
 
     def already(self, regime: Regime, choice: Choice, t: float, y: tuple[float, ...]) -> Event | None:
-        """The next state, if what has just happened reaches it."""
-        event = self.next()
-        if event is None or event.crossing is None or event.crossing.sense or t <= self.last:
-            return None
-        value = event.crossing.value(regime, choice, t, y)
-        near = abs(value) <= NEAR * event.crossing.scale
-        return event if near and fits(event, regime, choice, t, y) else None
+        """A next state that what has just happened reaches."""
+        for event in self.next():
+            if event.crossing is None or event.crossing.sense or t <= self._since(event):
+                continue
+            value = event.crossing.value(regime, choice, t, y)
+            if abs(value) <= NEAR * event.crossing.scale and fits(event, regime, choice, t, y):
+                return event
+        return None
 
     def at_rest(self, regime: Regime, choice: Choice, t: float, y: tuple[float, ...]) -> Event | None:
-        """The next state, if it is the one at which nothing moves any more."""
-        event = self.next()
-        if event is None or not event.rest or event.crossing is not None or t <= self.last:
-            return None
-        return event if fits(event, regime, choice, t, y) else None
+        """A next state that is one at which nothing moves any more."""
+        for event in self.next():
+            late = event.rest and event.crossing is None and t > self._since(event)
+            if late and fits(event, regime, choice, t, y):
+                return event
+        return None
 
     def counts(self, event: Event, regime: Regime, choice: Choice, run: Run, noise: float, span: float) -> bool:
         """Is a change of sign at the end of a run, of what tells a state, a zero, and more than rounding?
@@ -124,7 +137,7 @@ class Waiting:
         [s].
         """
         assert event.crossing is not None
-        if run.t1 - self.last <= max(SOON, noise) * span:
+        if run.t1 - self._since(event) <= max(SOON, noise) * span:
             return False
         looks = [t for part in LOOKS if (t := run.t1 - part * span) >= run.t0]
         values = [event.crossing.value(regime, choice, t, run.at(t)) for t in looks]
@@ -135,16 +148,37 @@ class Waiting:
 
     def due(self, t: float) -> list[Event]:
         """The states whose time has come."""
-        return [e for e in self.timed if _time(e) <= t]
+        timed = [chain[0] for chain in self.chains if chain and chain[0].time is not None]
+        return sorted((e for e in timed if _time(e) <= t), key=_time)
 
     def by_modes(self, automaton: Automaton, choice: Choice, t: float, y: tuple[float, ...]) -> Event | None:
-        """The next state, if it says nothing but modes and these are the modes now."""
-        event = self.next()
-        if event is None or event.crossing is not None or not event.modes:
-            return None
+        """A next state that says nothing but modes, if these are the modes now."""
         present = {j: automaton.choices[j][k].name for j, k in zip(automaton.choices, choice, strict=True)}
-        has = all(present.get(joint) == mode for joint, mode in event.modes)
-        return event if has and fits(event, automaton.regime(choice), choice, t, y) else None
+        for event in self.next():
+            if event.crossing is not None or not event.modes:
+                continue
+            has = all(present.get(joint) == mode for joint, mode in event.modes)
+            if has and fits(event, automaton.regime(choice), choice, t, y):
+                return event
+        return None
+
+
+def chains_of(events: Sequence[Event]) -> list[list[Event]]:
+    """The states after the first one in chains, in each of which every one comes after the one before it.
+
+    A state at a given time may stand anywhere in the file: it begins a chain of its own, as what is listed behind it
+    comes after it, whenever what is listed before it happens.
+    """
+    chains: list[list[Event]] = [[]]
+    places = [0]
+    for event in events:
+        if event.time is not None:
+            chains.append([])
+            places.append(len(chains) - 1)
+        else:
+            places.append(places[-1 - event.back])
+        chains[places[-1]].append(event)
+    return chains
 
 
 def fits(event: Event, regime: Regime, choice: Choice, t: float, y: Sequence[float]) -> bool:

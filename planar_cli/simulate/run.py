@@ -22,7 +22,7 @@ from planar_cli.motion.estimate import shifts, tighter
 from planar_cli.motion.follow import Follower
 from planar_cli.motion.model import Model
 from planar_cli.motion.regime import Regime
-from planar_cli.motion.schedule import Reached, Schedule
+from planar_cli.motion.schedule import Event, Reached, Schedule
 from planar_cli.motion.stages import SceneStages, stages_of
 from planar_cli.motion.trajectory import Trajectory
 from planar_cli.motion.transition import Moment as Instant
@@ -173,10 +173,36 @@ def _first(problem: Problem) -> str:
 
 
 def followed(scene: Prepared, settings: Settings, shift: float = 0.0) -> Run:
-    """One run. `shift`: from a start that is displaced by this part of the scales."""
+    """One run. `shift`: from a start that is displaced by this part of the scales.
+
+    A state that never happens after the given time listed before it may have happened before that time.
+    """
+    back: dict[str, int] = {}
+    run = _followed(scene, settings, shift, back)
+    while (event := _never_after_its_time(run)) is not None:
+        back[event.name] = event.back + 1
+        run = _followed(scene, settings, shift, back)
+    return run
+
+
+def _never_after_its_time(run: Run) -> Event | None:
+    """A state that has not happened after the given time that it comes after."""
+    events, missed = run.schedule.events, run.trajectory.missed
+    for k, event in enumerate(events):
+        given = events[k - 1 - event.back] if k > event.back else None
+        passed = given is not None and given.time is not None and given.name not in missed
+        if passed and event.time is None and event.name in missed:
+            return event
+    return None
+
+
+def _followed(scene: Prepared, settings: Settings, shift: float, back: Mapping[str, int]) -> Run:
+    """One run; `back`: before how many given times listed just before them some states come."""
     problem, stages, model, first = scene.problem, scene.stages, scene.model, _first(scene.problem)
     measures = Measures(model)
     schedule = schedule_of(problem, measures, breakpoints_of(stages.scene))
+    events = tuple(replace(e, back=back.get(e.name, 0)) for e in schedule.events)
+    schedule = replace(schedule, events=events)
     start = scene.begin(shift)
     until = settings.until if settings.until is not None else _end(schedule, model, start.t, settings)
     if until <= start.t:
