@@ -110,7 +110,13 @@ def _wanted(part: PartSolution, why: str | None) -> frozenset[str] | None:
 def _stretches(part: PartSolution, instant: InstantSolution) -> str:
     """From which state to which a regime acts."""
     assert part.motion is not None
-    return ", ".join(f"from {since} to {stop}" for since, stop in part.motion.regime(instant).stretches)
+    return ", ".join(_stretch(since, stop) for since, stop in part.motion.regime(instant).stretches)
+
+
+def _stretch(since: str, stop: str) -> str:
+    if since == stop:
+        return f"in {since}"
+    return f"from {since} to {stop}" if stop else f"from {since} on"
 
 
 def _letters(part: PartSolution, why: str | None) -> frozenset[str] | None:

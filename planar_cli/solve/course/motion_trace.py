@@ -103,8 +103,15 @@ def _oscillation(found: Oscillation, value: Valuation) -> OscillationTrace:
 
 def _regime(course: RegimeSequence, instant: InstantSolution, wanted: frozenset[str] | None) -> RegimeTrace:
     names = [s.name for s in course.states]
-    acts = [i for i, r in enumerate(course.regimes) if r.general.solution is instant and i + 1 < len(names)]
-    return RegimeTrace(instant, tuple((names[i], names[i + 1]) for i in acts), wanted)
+    acts = [(names[i], names[i + 1]) for i, r in enumerate(course.regimes) if r.general.solution is instant]
+    if not acts and course.beyond is not None and course.beyond.general.solution is instant:
+        acts = [(names[-1], "")]
+    acts += [
+        (state.name, state.name)
+        for state, stretch in course.plot.equilibria
+        if course.workshop.regime(stretch).general.solution is instant
+    ]
+    return RegimeTrace(instant, tuple(acts), wanted)
 
 
 class _Tracer:

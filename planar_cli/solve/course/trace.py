@@ -309,7 +309,7 @@ class RegimeTrace:
     solution: InstantSolution
     """Its general position, worked out."""
     stretches: tuple[tuple[str, str], ...]
-    """From which state to which it acts."""
+    """From which state to which it acts; to "" beyond the last, and to itself of a state that no motion leads to."""
     wanted: frozenset[str] | None
     """Names of the unknowns of its general position on which the motion rests; None: all of them."""
 
