@@ -301,6 +301,7 @@ class MotionTelling:
         formula = r.formula
         if formula is not None and formula.free_symbols & self.varying:
             return self.phrases.math(r.unknown), self.phrases.math(formula)
+        formula = None if formula is None else self._integrated_over_coordinates(formula)
         if (
             formula is not None
             and not longer(formula, self._longest(r))
@@ -316,6 +317,19 @@ class MotionTelling:
         elif formula is None:
             sides.append(line("the root that this motion reaches"))
         return tuple(sides)
+
+    def _integrated_over_coordinates(self, formula: sp.Expr) -> sp.Expr:
+        """Under an integral a coordinate runs, not its value at a state."""
+
+        def renamed(integral: Any) -> Any:
+            variable, low, high = integral.limits[0]
+            general = next((g for own, g in self.general.items() if own.name == variable.name), None)
+            if general is None:
+                return integral
+            running = sp.Symbol(general.name, real=True)
+            return sp.Integral(integral.function.xreplace({variable: running}), (running, low, high))
+
+        return formula.replace(lambda x: isinstance(x, sp.Integral), renamed)
 
     def _longest(self, r: Result) -> int:
         """A formula out of a balance that was just printed is told only where it is short."""
