@@ -143,6 +143,14 @@ def test_nothing_is_silenced_or_left_undone(path: Path) -> None:
     assert not [mark for mark in marks if mark in text]
 
 
+@pytest.mark.parametrize("path", [p for p in MODULES if parts_of(p)[:1] == ("solve",)], ids=id_of)
+def test_no_fault_of_arithmetic_is_swallowed(path: Path) -> None:
+    """Formulas without a value are told by `NoValue`; any other error of arithmetic is a fault of the program."""
+    caught = [n for n in ast.walk(ast.parse(path.read_text(encoding="utf-8"))) if isinstance(n, ast.ExceptHandler)]
+    names = {x.id for n in caught if n.type is not None for x in ast.walk(n.type) if isinstance(x, ast.Name)}
+    assert not names & {"ArithmeticError", "Exception", "BaseException", "AssertionError", "KeyError"}
+
+
 @pytest.mark.parametrize("path", MODULES, ids=id_of)
 def test_every_module_says_what_it_is(path: Path) -> None:
     tree = ast.parse(path.read_text(encoding="utf-8"))

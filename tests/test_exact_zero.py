@@ -30,6 +30,16 @@ def test_zeros_of_angles(expr: sp.Expr, zero: bool) -> None:
     assert value.is_zero(sp.sympify(expr)) is zero
 
 
+def test_what_has_no_value_is_told_as_none() -> None:
+    value = Valuation({PHI: PI / 2})
+    assert value.known(sp.sin(PHI)) == 1
+    assert value.known(PSI) is None
+    assert value.known(sp.sqrt(-PHI)) is None
+    assert value.vanishes(sp.cos(PHI))
+    assert not value.vanishes(PSI)
+    assert not value.vanishes(sp.log(-PHI))
+
+
 BLOCK = """
 title: Block on a track
 plane: vertical

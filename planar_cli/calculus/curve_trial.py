@@ -67,10 +67,7 @@ class Trial:
             return bool(expr == 0)
         if expr.has(self.parameter):
             return self.true(expr, {})
-        try:
-            return all(draw.is_zero(expr) for draw in self.draws)
-        except (ArithmeticError, Unvalued):
-            return False
+        return all(draw.vanishes(expr) for draw in self.draws)
 
     def sign(self, expr: Any) -> int | None:
         """The sign of an expression; None where it hangs on letters or cannot be told."""
@@ -79,12 +76,8 @@ class Trial:
             return 0
         if expr.is_positive or expr.is_negative:
             return 1 if expr.is_positive else -1
-        signs = set()
-        try:
-            for draw in [*self.draws, *self.wide] if self.letters else self.draws:
-                signs.add(1 if draw(expr) > 0 else -1)
-        except (ArithmeticError, Unvalued):
-            return None
+        numbers = [draw.known(expr) for draw in ([*self.draws, *self.wide] if self.letters else self.draws)]
+        signs = {None if v is None else 1 if v > 0 else -1 for v in numbers}
         return signs.pop() if len(signs) == 1 else None
 
     def true(

@@ -6,7 +6,7 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.equation.exact import Valuation
 from planar_cli.equation.plain import MANY, longer, simplified
 from planar_cli.equation.sample import generator
 
@@ -23,11 +23,9 @@ def sign(expr: sp.Expr, value: Valuation | None = None) -> int | None:
         return 1
     if expr.is_negative:
         return -1
-    try:
-        known = value or _NUMBERS
-        return 0 if known.is_zero(expr) else int(Decimal(1).copy_sign(known(expr)))
-    except (Unvalued, ArithmeticError):
-        return None
+    numbers = value or _NUMBERS
+    number = numbers.known(expr)
+    return None if number is None else 0 if numbers.is_zero(expr) else int(Decimal(1).copy_sign(number))
 
 
 def vanishes(expr: sp.Expr, value: Valuation | None = None) -> bool:
@@ -39,10 +37,7 @@ def vanishes(expr: sp.Expr, value: Valuation | None = None) -> bool:
             return False
     elif not longer(expr, MANY) and simplified(expr).is_zero:
         return True
-    try:
-        return value is not None and value.is_zero(expr)
-    except (Unvalued, ArithmeticError):
-        return False
+    return value is not None and value.vanishes(expr)
 
 
 def confirmed(difference: sp.Expr, value: Valuation | None = None, free: tuple[sp.Symbol, ...] = ()) -> bool:
@@ -60,19 +55,19 @@ def confirmed(difference: sp.Expr, value: Valuation | None = None, free: tuple[s
             if symbol in free and not symbol.is_positive and trial % 3 == 2:
                 drawn = -drawn
             numbers[symbol] = drawn if symbol in free else _value(symbol, value, drawn)
-        try:
-            if not Valuation(numbers).is_zero(difference):
-                return False
-            found += 1
-        except ArithmeticError:
+        point = Valuation(numbers)
+        if point.known(difference) is None:
             continue
+        if not point.is_zero(difference):
+            return False
+        found += 1
         if found == CONFIRMED:
             return True
     return False
 
 
 def _value(symbol: sp.Symbol, value: Valuation | None, drawn: Decimal) -> Decimal:
-    try:
-        return drawn if value is None else value(symbol)
-    except (Unvalued, ArithmeticError):
-        return -drawn if symbol.is_negative else drawn
+    if value is None:
+        return drawn
+    known = value.known(symbol)
+    return known if known is not None else -drawn if symbol.is_negative else drawn

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.equation.exact import Valuation
 
 
 def limit(expr: sp.Expr, letter: sp.Symbol, value: Valuation) -> sp.Expr | None:
@@ -23,10 +23,7 @@ def limit(expr: sp.Expr, letter: sp.Symbol, value: Valuation) -> sp.Expr | None:
 
 
 def _sign(expr: sp.Expr, value: Valuation) -> int:
-    try:
-        number = value(expr)
-    except (ArithmeticError, Unvalued):
-        return 0
+    number = value.known(expr) or 0
     return 1 if number > 0 else -1 if number < 0 else 0
 
 

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Any
 import sympy as sp
 
 from planar_cli.equation.displacement import Displacement
-from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.equation.exact import Valuation
 from planar_cli.equation.ledger import Ledger
-from planar_cli.errors import Mark, NoValue, refuse
+from planar_cli.errors import Mark, refuse
 from planar_cli.problem.expression import Relation, Side
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import Problem
@@ -141,7 +141,4 @@ class Decided:
 
 
 def _negative(expr: Any, valuation: Valuation) -> bool:
-    try:
-        return bool(valuation(expr) < 0)
-    except (NoValue, Unvalued):
-        return False
+    return (valuation.known(expr) or 0) < 0

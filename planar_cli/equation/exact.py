@@ -163,6 +163,13 @@ class Valuation:
                 raise NoValue("a formula has no real value here") from error
         return known
 
+    def known(self, expr: Any) -> Decimal | None:
+        """The value of an expression; None where it has none: a symbol has none, or it is not real here."""
+        try:
+            return self(expr)
+        except (Unvalued, NoValue):
+            return None
+
     def _evaluate(self, expr: Any) -> Decimal:
         if expr.is_Rational:
             return Decimal(int(expr.p)) / Decimal(int(expr.q))
@@ -242,6 +249,10 @@ class Valuation:
         """Does the expression vanish to all certain digits?"""
         value = self(expr)
         return not value or abs(value) <= CERTAIN * max(self.size(expr), CERTAIN)
+
+    def vanishes(self, expr: Any) -> bool:
+        """Has the expression a value, and is it zero to all certain digits?"""
+        return self.known(expr) is not None and self.is_zero(expr)
 
 
 class Sample(Valuation):

@@ -19,7 +19,7 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.equation.exact import Valuation
 from planar_cli.equation.plain import derivative
 from planar_cli.errors import NoValue
 from planar_cli.problem.expression import Number, Scaled
@@ -211,7 +211,7 @@ def measured(
 def _called(made: Any, numbers: list[float]) -> list[float]:
     try:
         return [float(x) for x in made(*numbers)]
-    except ValueError as error:
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise NoValue("a formula has no real value here") from error
 
 
@@ -220,7 +220,7 @@ def _moved(made: Any, numbers: list[float], i: int, step: float) -> list[float] 
     for way in (step, -step):
         try:
             return _called(made, [x + way if k == i else x for k, x in enumerate(numbers)])
-        except ArithmeticError:
+        except NoValue:
             continue
     return None
 
@@ -232,8 +232,5 @@ def slack_of(
     total = Decimal(0)
     for s in letters:
         if s in residual.free_symbols:
-            try:
-                total += abs(value(derivative(residual, s))) * natural[s]
-            except (NoValue, Unvalued):
-                continue
+            total += abs(value.known(derivative(residual, s)) or Decimal(0)) * natural[s]
     return total

@@ -9,9 +9,8 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from planar_cli.equation.exact import PI, Unvalued
+from planar_cli.equation.exact import PI
 from planar_cli.equation.plain import longer, simplified
-from planar_cli.errors import NoValue
 from planar_cli.problem.geometry import Vec
 
 if TYPE_CHECKING:
@@ -46,8 +45,8 @@ def counted_angle(scene: Scene, v: Vec) -> sp.Expr | None:
 def _whole_turns(scene: Scene, v: Vec, angle: sp.Expr) -> sp.Expr:
     """What is to be added so that the angle lies between -180 and 180 deg near the drawn position."""
     value = scene.valuations[0]
-    try:
-        turns = (value(sp.atan2(v.y, v.x)) - value(angle)) / (2 * PI)
-    except (NoValue, Unvalued):
+    here, there = value.known(angle), value.known(sp.atan2(v.y, v.x))
+    if here is None or there is None:
         return sp.S.Zero
+    turns = (there - here) / (2 * PI)
     return 2 * sp.pi * int(turns.to_integral_value())

@@ -13,7 +13,7 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.evaluate import Evaluator
-from planar_cli.equation.exact import PI, Unvalued, Valuation
+from planar_cli.equation.exact import PI, Valuation
 from planar_cli.equation.ledger import Ledger, display
 from planar_cli.equation.plain import PRINTABLE, longer
 from planar_cli.homework.curves import same_curve
@@ -123,14 +123,8 @@ class _Comparison:
         for symbol, expr in self.ledger.values.items():
             known = self.ledger.units.get(symbol)
             if known is not None and known.dimension == unit.dimension:
-                sizes.append(abs(self._or_zero(expr)))
+                sizes.append(abs(self.value.known(expr) or Decimal(0)))
         return max(sizes, default=Decimal(0)) or Decimal(1) / display(Decimal(1), unit)
-
-    def _or_zero(self, expr: sp.Expr) -> Decimal:
-        try:
-            return self.value(expr)
-        except (Unvalued, ArithmeticError):
-            return Decimal(0)
 
     def tolerance(self) -> Decimal:
         """Relative: of this answer, else of the file, else one per cent."""
@@ -150,12 +144,11 @@ class _Comparison:
         errors = []
         for valuation in self.scene.valuations:
             draw = self._with_lines(valuation)
-            try:
-                wanted = tuple(draw(e) for e in exprs)
-                off = _size(tuple(draw(a) - w for a, w in zip(solved, wanted, strict=True)))
-                errors.append(off / max(_size(wanted), *(draw.size(e) * EXACT for e in (*exprs, *solved)), EXACT))
-            except (Unvalued, ArithmeticError):
+            if any(draw.known(e) is None for e in (*exprs, *solved)):
                 return self._told(*texts, False, None)
+            wanted = tuple(draw(e) for e in exprs)
+            off = _size(tuple(draw(a) - w for a, w in zip(solved, wanted, strict=True)))
+            errors.append(off / max(_size(wanted), *(draw.size(e) * EXACT for e in (*exprs, *solved)), EXACT))
         return self._told(*texts, max(errors) <= tolerance, max(errors))
 
     def _with_lines(self, draw: Valuation) -> Valuation:

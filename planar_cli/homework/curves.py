@@ -10,7 +10,7 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.evaluate import Evaluator
-from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.equation.exact import Valuation
 from planar_cli.equation.sample import generator
 from planar_cli.errors import NOWHERE
 from planar_cli.problem.expression import Relation
@@ -47,8 +47,8 @@ def _constant_ratio(ours: sp.Expr, theirs: sp.Expr, draw: Valuation, axes: list[
     ratios: list[Decimal] = []
     for _ in range(POINTS):
         point = draw.extended({axis: Decimal(rng.randrange(1, 10**12)) / 10**12 for axis in axes})
-        try:
-            ratios.append(point(ours) / point(theirs))
-        except (Unvalued, ArithmeticError):
+        one, other = point.known(ours), point.known(theirs)
+        if one is None or not other:
             return False
+        ratios.append(one / other)
     return all(abs(r - ratios[0]) <= SAME * abs(ratios[0]) for r in ratios) and ratios[0] != 0

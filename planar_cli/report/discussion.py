@@ -6,9 +6,7 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.exact import Unvalued
 from planar_cli.equation.plain import longer
-from planar_cli.errors import NoValue
 from planar_cli.report.blocks import Line, Math, Name, Relation, Value, line
 from planar_cli.report.words import Phrases
 from planar_cli.solve.roots import linear_or_square_roots
@@ -56,10 +54,9 @@ def _distance(symbol: sp.Symbol, root: sp.Expr, phrases: Phrases) -> Decimal:
 
 
 def _remark(answer: Found, symbol: sp.Symbol, root: sp.Expr, turning: sp.Expr, phrases: Phrases) -> Line | None:
-    try:
-        value = phrases.value(root)
-        rises = phrases.value(sp.diff(turning, symbol).subs(symbol, root))
-    except (NoValue, Unvalued):
+    value = phrases.value.known(root)
+    rises = phrases.value.known(sp.diff(turning, symbol).subs(symbol, root))
+    if value is None or rises is None:
         return None
     if value <= 0 or not rises or root.has(sp.I):
         return None

@@ -8,10 +8,8 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.equation.exact import Unvalued
 from planar_cli.equation.ledger import Kind, display
 from planar_cli.equation.plain import longer, simplified
-from planar_cli.errors import NoValue
 from planar_cli.problem.check_dimensions import Kinds
 from planar_cli.problem.scope import Scope
 from planar_cli.report.between import BetweenTelling
@@ -107,10 +105,7 @@ class MotionTelling:
         expr = expr.replace(lambda x: isinstance(x, sp.atan2), self._direction)
 
         def sense(a: sp.Expr) -> int:
-            try:
-                return int(self.found.value(sp.sign(a)))
-            except (NoValue, Unvalued):
-                return 0
+            return int(self.found.value.known(sp.sign(a)) or 0)
 
         def put(x: Any) -> Any:
             s = sense(x.args[0])

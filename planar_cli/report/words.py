@@ -10,7 +10,7 @@ import sympy as sp
 from sympy.functions.elementary.trigonometric import InverseTrigonometricFunction, TrigonometricFunction
 
 from planar_cli.calculus.curve_words import Curve
-from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.equation.exact import Valuation
 from planar_cli.equation.ledger import Ledger, display
 from planar_cli.equation.plain import PRINTABLE, longer
 from planar_cli.problem.expression import Quantity
@@ -72,9 +72,8 @@ class Phrases:
         degrees = [s for s in expr.free_symbols if self._in_degrees(s)]
         apart = {} if is_angle(expr, degrees) else {s: sp.Symbol(f"{s.name} rad", **s.assumptions0) for s in degrees}
         for symbol in expr.free_symbols:
-            try:
-                value = self.value(symbol)
-            except (Unvalued, ArithmeticError):
+            value = self.value.known(symbol)
+            if value is None:
                 return None
             texts[symbol] = significant(value, self.figures)
             if symbol in apart:

@@ -8,7 +8,7 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.equation.exact import Valuation
 from planar_cli.equation.form import Nonlinear, linear_form
 from planar_cli.errors import NoValue, Undecided
 from planar_cli.records import record
@@ -117,7 +117,7 @@ class Brancher:
             after = copied(algebra)
             try:
                 back = self._back(after, lines)
-            except ArithmeticError:
+            except NoValue:
                 return
             if all(closes(p.residual, after.value) for p in pool):
                 yield after, (*lines, *back), ()
@@ -185,10 +185,7 @@ class Brancher:
 def vanishes(residual: sp.Expr, x: sp.Symbol, value: Valuation) -> bool:
     """Does an equation hold for every value of its unknown? Then it follows from the others and says nothing of it."""
     tried = (value.extended({x: Decimal(n)}) for n in ("0.73205", "1.31607", "0.27915"))
-    try:
-        return all(v.is_zero(residual) for v in tried)
-    except (NoValue, Unvalued):
-        return False
+    return all(v.vanishes(residual) for v in tried)
 
 
 def holds(definitions: Mapping[sp.Symbol, sp.Expr], symbol: sp.Symbol, unknowns: set[sp.Symbol]) -> bool:

@@ -6,8 +6,7 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.exact import Unvalued
-from planar_cli.errors import Diagnostic, Mark, NoSolution, NoValue
+from planar_cli.errors import Diagnostic, Mark, NoSolution
 from planar_cli.problem.facts import Mode, Test
 from planar_cli.problem.scene import Find
 from planar_cli.solve.diagnose_words import in_unit, listed, push_name
@@ -144,8 +143,7 @@ def demand_cancelled(instant: Instant, finds: tuple[Find, ...], found: list[Foun
 def _matters(instant: Instant, expr: sp.Expr, symbol: sp.Symbol) -> bool:
     """Does the value change with the symbol?"""
     base = instant.scene.valuations[0]
-    try:
-        one, other = (base.extended({symbol: Decimal(n)})(expr) for n in ("0.7", "1.9"))
-    except (Unvalued, NoValue):
+    one, other = (base.extended({symbol: Decimal(n)}).known(expr) for n in ("0.7", "1.9"))
+    if one is None or other is None:
         return False
     return abs(one - other) > Decimal("1e-25") * max(abs(one), abs(other), Decimal(1))

@@ -194,8 +194,10 @@ def _as_drawn(instant: Instant, relation: Relation) -> Diagnostic | None:
             return _vectors_off(instant, relation, gap(sides[0], sides[1])) if relation.operator == "=" else None
         if any(instant.scene.rests_on_sought(sp.sympify(s.value)) for s in sides):
             return None
-        left, right = (value(sp.sympify(s.value)) for s in sides)
-    except (PlanarError, Unvalued, ArithmeticError):
+    except PlanarError:
+        return None
+    left, right = (value.known(sp.sympify(s.value)) for s in sides)
+    if left is None or right is None:
         return None
     if abs(left - right) <= NEGLIGIBLE * max(abs(left), abs(right), Decimal("1e-3")):
         return None

@@ -8,7 +8,7 @@ from planar_cli.equation.conditions import Condition
 from planar_cli.equation.exact import Unvalued
 from planar_cli.equation.form import Nonlinear, linear_form
 from planar_cli.equation.kinetics import body_residuals
-from planar_cli.errors import Diagnostic
+from planar_cli.errors import Diagnostic, NoValue
 from planar_cli.solve.candidates import Candidate
 from planar_cli.solve.diagnose_open import demand
 from planar_cli.solve.diagnose_words import listed, one_of, unknown_name
@@ -63,7 +63,7 @@ def contradiction(seeker: Seeker) -> Diagnostic | None:
         try:
             form = linear_form(expr, set(unknowns))
             rows.append([*(seeker.value(form.terms.get(x, sp.S.Zero)) for x in unknowns), seeker.value(form.constant)])
-        except (Nonlinear, Unvalued, ArithmeticError):
+        except (Nonlinear, Unvalued, NoValue):
             continue
         sources.append(condition)
     found = solve(rows, len(unknowns)).conflict

@@ -13,10 +13,9 @@ from itertools import combinations
 
 import sympy as sp
 
-from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.equation.exact import Valuation
 from planar_cli.equation.form import Form, Nonlinear, linear_form
 from planar_cli.equation.plain import longer, tidy
-from planar_cli.errors import NoValue
 from planar_cli.records import record
 from planar_cli.solve.algebra import Line
 
@@ -51,10 +50,8 @@ def alone(pool: Sequence[Pending], left: Sequence[sp.Symbol]) -> int | None:
 
 def closes(residual: sp.Expr, value: Valuation) -> bool:
     """Does an equation hold in numbers?"""
-    try:
-        return abs(value(residual)) <= CLOSE * max(value.size(residual), CLOSE)
-    except (NoValue, Unvalued):
-        return False
+    number = value.known(residual)
+    return number is not None and abs(number) <= CLOSE * max(value.size(residual), CLOSE)
 
 
 def eliminate(
@@ -105,20 +102,12 @@ def _linear(
             factor = form.terms.get(x, sp.S.Zero)
             if factor == 0 or (constant and any(s in factor.free_symbols for s in left)):
                 continue
-            if _zero(factor, value):
+            if value.vanishes(factor):
                 continue
             formula = tidy(-form.constant / factor)
             rest = [Pending(tidy(o.residual.xreplace({x: formula})), o.numbers) for j, o in enumerate(pool) if j != i]
             return Step(Line(x, formula, None, p.numbers), rest)
     return None
-
-
-def _zero(factor: sp.Expr, value: Valuation) -> bool:
-    """Does a factor vanish where everything in it is known?"""
-    try:
-        return value.is_zero(factor)
-    except (NoValue, Unvalued):
-        return False
 
 
 def _form(residual: sp.Expr, x: sp.Symbol) -> Form | None:

@@ -267,9 +267,7 @@ class Finisher:
         for _ in range(80):
             inside = {s: formulas[s] for s in letters(expr) if s in formulas}
             inside |= {s: self.ledger.definitions[s] for s in letters(expr) if s in self.ledger.definitions}
-            inside |= {
-                s: v for s in letters(expr) if (v := self.ledger.values.get(s)) is not None and v.free_symbols
-            }
+            inside |= {s: v for s in letters(expr) if (v := self.ledger.values.get(s)) is not None and v.free_symbols}
             if not inside:
                 break
             expr = expr.xreplace(inside)

@@ -12,12 +12,12 @@ import sympy as sp
 
 from planar_cli.equation.displacement import Coordinate
 from planar_cli.equation.driving import driving_pushes
-from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.equation.exact import Valuation
 from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.motion import Motion, TreeBuilder
 from planar_cli.equation.setup import Setup, names_in
 from planar_cli.equation.system import Statements, System, make_system
-from planar_cli.errors import NoValue, Undecided
+from planar_cli.errors import Undecided
 from planar_cli.joints.base import Joint
 from planar_cli.loads.base import Load, mode_key
 from planar_cli.principles.base import Family, Principle
@@ -252,12 +252,10 @@ class Instant:
             return ""
         numbers = outcome.value.extended(unknowns_of(system, outcome))
         for text, sense in senses:
-            try:
-                if numbers(sense) < -TINY:
-                    parts = " and ".join(f"`{t}`" for t in text.split(TOGETHER))
-                    return f"{parts} would hold only with the opposite direction"
-            except (Unvalued, NoValue):
-                continue
+            number = numbers.known(sense)
+            if number is not None and number < -TINY:
+                parts = " and ".join(f"`{t}`" for t in text.split(TOGETHER))
+                return f"{parts} would hold only with the opposite direction"
         return ""
 
     def _false(self, system: System, outcome: Outcome) -> Broken | None:

@@ -13,7 +13,7 @@ from decimal import Decimal
 import mpmath
 import sympy as sp
 
-from planar_cli.equation.exact import DIGITS, PI, Unvalued, Valuation
+from planar_cli.equation.exact import DIGITS, PI, Valuation
 from planar_cli.errors import NoValue, Undecided
 from planar_cli.records import record
 
@@ -61,19 +61,11 @@ def linear_or_square_roots(expr: sp.Expr, x: sp.Symbol) -> list[sp.Expr]:
     return []
 
 
-def _cancels(coefficient: sp.Expr, value: Valuation) -> bool:
-    """Does a coefficient vanish by what is known of its letters?"""
-    try:
-        return value.is_zero(coefficient)
-    except (NoValue, Unvalued):
-        return False
-
-
 def _real(e: sp.Expr, value: Valuation) -> Decimal | None:
     """The value, None where it is not real or not finite."""
     try:
         found = value(e)
-    except (ArithmeticError, ValueError):
+    except NoValue:
         return None
     return found if found.is_finite() else None
 
@@ -96,7 +88,7 @@ def _closed(numerator: sp.Expr, x: sp.Symbol, value: Valuation) -> list[sp.Expr]
     """Closed forms: linear, quadratic, a pure power, or A cos x + B sin x = C."""
     if numerator.is_polynomial(x):
         poly = sp.Poly(numerator, x)
-        terms = [(m[0], c) for m, c in poly.terms() if c.is_number or not _cancels(c, value)]
+        terms = [(m[0], c) for m, c in poly.terms() if c.is_number or not value.vanishes(c)]
         if not terms:
             return []
         low = min(m for m, _ in terms)
@@ -190,20 +182,15 @@ def _half_angle(numbers: sp.Expr, x: sp.Symbol) -> list[Decimal] | None:
 
 def _vanishes(numbers: sp.Expr, x: sp.Symbol, v: Decimal) -> bool:
     value = Valuation({x: v})
-    try:
-        return abs(value(numbers)) <= Decimal("1e-18") * max(value.size(numbers), Decimal("1e-30"))
-    except NoValue:
-        return False
+    number = value.known(numbers)
+    return number is not None and abs(number) <= Decimal("1e-18") * max(value.size(numbers), Decimal("1e-30"))
 
 
 def _scan(expr: sp.Expr, x: sp.Symbol, value: Valuation, angle: bool) -> list[Decimal]:
     """Changes of sign over a wide range, each refined by bisection and secants."""
 
     def f(v: Decimal) -> Decimal | None:
-        try:
-            return value.extended({x: v})(expr)
-        except (ArithmeticError, Unvalued, ValueError):
-            return None
+        return value.extended({x: v}).known(expr)
 
     if angle:
         grid = [PI * Decimal(i) / 180 - PI for i in range(0, 361, 2)]

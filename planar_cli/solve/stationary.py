@@ -16,7 +16,7 @@ from planar_cli.equation.conditions import Condition
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.equation.form import Nonlinear, linear_form
 from planar_cli.equation.kinetics import body_residuals
-from planar_cli.errors import Undecided
+from planar_cli.errors import NoValue, Undecided
 from planar_cli.problem.expression import Extreme
 from planar_cli.records import record
 from planar_cli.solve.seeker import Seeker, Sought
@@ -39,7 +39,7 @@ class Stationary:
         """Is X largest (sense 1) or smallest (-1) at this solution, beside the solutions near by?"""
         try:
             return sense * self._bend(value) < 0
-        except (Unvalued, ArithmeticError, sp.matrices.exceptions.MatrixError):
+        except (Unvalued, NoValue, sp.matrices.exceptions.MatrixError):
             return False
 
     def _bend(self, value: Valuation) -> Decimal:

@@ -13,8 +13,9 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.equation.exact import Valuation
 from planar_cli.equation.plain import derivative
+from planar_cli.errors import NoValue
 from planar_cli.solve.course.equations import DATA
 from planar_cli.solve.course.events import LOOKS
 from planar_cli.solve.course.followed import Followed
@@ -62,9 +63,8 @@ def followed_digits(found: SolvedMotion, followed: Followed) -> int | None:
     for s, v in followed.values.items():
         if s in found.guessed or s in stated or s not in kinds or not sizes[kinds[s]]:
             continue
-        try:
-            exact = found.value(s)
-        except Unvalued:
+        exact = found.value.known(s)
+        if exact is None:
             continue
         off = abs(float(exact) - v) / sizes[kinds[s]]
         worst = off if worst is None else max(worst, off)
@@ -88,7 +88,7 @@ def _passed(followed: Followed) -> Iterator[tuple[sp.Symbol, float]]:
         for k in range(1, LOOKS):
             try:
                 here = leg.at(leg.t0 + (leg.t1 - leg.t0) * k / LOOKS)
-            except ArithmeticError:
+            except NoValue:
                 break
             yield from here.items()
 
@@ -102,11 +102,10 @@ def power_digits(regime: Regime) -> int | None:
     left = derivative(total, u) * regime.accelerations[u]
     left += sp.Add(*(derivative(total, q) * r for q, r in regime.rates.items()))
     here = _anywhere(regime)
-    try:
-        a, b = here(left), here(given)
-        size = max(abs(a), abs(b), here.size(left) if left.is_Add else abs(a))
-    except (ArithmeticError, Unvalued):
+    a, b = here.known(left), here.known(given)
+    if a is None or b is None:
         return None
+    size = max(abs(a), abs(b), here.size(left) if left.is_Add else abs(a))
     if size == 0:
         return FULL
     off = abs(a - b) / size

@@ -114,10 +114,8 @@ def _hint(course: MotionEquations, fitting: Sequence[Branch], state: State) -> s
     stop, regime = course.stops[state.name], course.readers[state.name].regime
     for name, body in regime.general.instant.scene.bodies.items():
         for axis, place in (("x", body.center.x), ("y", body.center.y)):
-            try:
-                numbers = [course.base().extended(b.values)(stop.at(place)) for b in fitting]
-            except (NoValue, Unvalued):
-                continue
-            if min(numbers) < 0 < max(numbers):
+            found = [course.base().extended(b.values).known(stop.at(place)) for b in fitting]
+            numbers = [v for v in found if v is not None]
+            if len(numbers) == len(found) and min(numbers) < 0 < max(numbers):
                 return f"say which is meant in state {state.name}, such as `{axis}({name}) > 0` or `{axis}({name}) < 0`"
     return "say which is meant: an inequality of the sought constant, or of a place"

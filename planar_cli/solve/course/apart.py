@@ -11,11 +11,11 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.equation.exact import Valuation
 from planar_cli.equation.meeting import partner_of
 from planar_cli.equation.nearness import distance
 from planar_cli.equation.plain import derivative
-from planar_cli.errors import Diagnostic, NoSolution, NoValue
+from planar_cli.errors import Diagnostic, NoSolution
 from planar_cli.joints.base import Joint
 from planar_cli.solve.course.blow import Blow
 from planar_cli.solve.course.stated_motion import StatedMotion
@@ -82,11 +82,7 @@ def _fixed(course: StatedMotion, i: int, between: tuple[str, ...], here: Valuati
 
 def _of_places(residual: sp.Expr, names: dict[sp.Symbol, sp.Symbol], here: Valuation) -> bool:
     """Does a relation speak of places, and is everything in it known?"""
-    try:
-        here(residual)
-    except (NoValue, Unvalued):
-        return False
-    return bool(residual.free_symbols & set(names))
+    return here.known(residual) is not None and bool(residual.free_symbols & set(names))
 
 
 def _spans(rows: Sequence[Sequence[float]], direction: Sequence[float]) -> bool:

@@ -3,12 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.exact import Unvalued, Valuation
-from planar_cli.errors import NoValue
 from planar_cli.solve.course.answers import put_in
 from planar_cli.solve.course.blow import Blow
 from planar_cli.solve.course.derivation import Route
@@ -24,7 +21,7 @@ def presumed(found: SolvedMotion, routes: Iterable[Route]) -> tuple[sp.Expr, ...
         for route in routes:
             expr = put_in(expr, route)
         if expr.free_symbols and expr.free_symbols <= set(scene.ledger.letters):
-            told.append(expr if _value(expr, found.value) > 0 else -expr)
+            told.append(expr if (found.value.known(expr) or 0) > 0 else -expr)
     named = periods_asked(found.course)
     squares = [s.square for s in found.oscillations if s.single and s.stop.name in named]
     told += [e for e in squares if e.free_symbols and e.free_symbols <= set(scene.ledger.letters)]
@@ -37,10 +34,3 @@ def _approaches(blow: Blow) -> Iterator[sp.Expr]:
         for mode in joint.blows(blow.scene) if joint.strikes else ():
             if mode.name == "apart":
                 yield from (blow.here(sp.sympify(t.constant)) for t in mode.tests if t.constant != 0)
-
-
-def _value(expr: sp.Expr, value: Valuation) -> Decimal:
-    try:
-        return value(expr)
-    except (NoValue, Unvalued):
-        return Decimal(0)

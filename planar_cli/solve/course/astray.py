@@ -60,11 +60,10 @@ def loose_letters(course: MotionEquations) -> list[sp.Symbol]:
         if not isinstance(e.source, StateBalance) or course.laws[places.index(e.stop) - 1].loose
     ]
     for e in _independent(laws):
-        try:
-            row = [value(derivative(e.residual, x)) if e.residual.has(x) else Decimal(0) for x in unknowns]
-        except (NoValue, Unvalued):
-            continue
-        rows.append([*row, Decimal(0)])
+        slopes = [value.known(derivative(e.residual, x)) if e.residual.has(x) else Decimal(0) for x in unknowns]
+        row = [slope for slope in slopes if slope is not None]
+        if len(row) == len(unknowns):
+            rows.append([*row, Decimal(0)])
     if not rows:
         return unknowns
     solved = solve(rows, len(unknowns))
@@ -178,11 +177,10 @@ def demand_agreement(course: StatedMotion, value: Valuation, guessed: Collection
         for d in course.demands[state.name]:
             if d.kind not in ("equation", "inequality"):
                 continue
-            try:
-                number, size = value(d.residual), max(value.size(d.residual), large.size(d.residual))
-            except (NoValue, Unvalued):
+            number = value.known(d.residual)
+            if number is None or large.known(d.residual) is None:
                 continue
-            slack = AGREES * size
+            slack = AGREES * max(value.size(d.residual), large.size(d.residual))
             if abs(number) > slack:
                 letters = [*course.stops[state.name].letters.values()]
                 slack += AGREES * AGREES * slack_of(d.residual, letters, course.natural(letters), value)
@@ -226,7 +224,7 @@ def clash(course: MotionEquations, equations: Iterable[Equation]) -> NoSolution 
     for e in stated:
         try:
             free = any(course.chain().branches([x for x in equations if x is not e]))
-        except (Undecided, ArithmeticError, Unvalued):
+        except (Undecided, NoValue, Unvalued):
             continue
         if free:
             found.append(e)
@@ -285,7 +283,7 @@ def _hint(course: MotionEquations, followed: Followed, stop: Stop, value: Valuat
         g = follower.function(d.residual, stop, leg)
         try:
             first = next(events(g, leg), None)
-        except ArithmeticError:
+        except NoValue:
             return ""
         if first is not None:
             found.append(f"`{d.text}` holds at t = {first.value:.4g} s")
@@ -315,7 +313,7 @@ def passed_before(course: MotionEquations, followed: Followed, value: Valuation)
 def _nearest(g: Callable[[float], float], times: list[float]) -> tuple[float, float]:
     """The smallest size of a function and when it has it: by samples, and the best of them looked at closely."""
     k = min(range(len(times)), key=lambda i: abs(g(times[i])))
-    with suppress(ArithmeticError):
+    with suppress(NoValue):
         near = first_extreme(lambda t: abs(g(t)), times[max(k - 1, 0)], times[min(k + 1, len(times) - 1)], -1)
         if near is not None:
             return near.value, near.at
@@ -332,7 +330,7 @@ def _common(follower: Follower, equations: list[Demand], stop: Stop, leg: Leg, u
             sizes = [follower.size(d.residual, stop, leg, root.value) for d in equations]
             if all(is_zero(g, root.value, leg, size) for g, size in zip(gs[1:], sizes[1:], strict=True)):
                 return root.value
-    except ArithmeticError:
+    except NoValue:
         pass
     return None
 

@@ -9,7 +9,7 @@ import sympy as sp
 
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.equation.scales import Here, measured
-from planar_cli.errors import Diagnostic, NoSolution
+from planar_cli.errors import Diagnostic, NoSolution, NoValue
 from planar_cli.solve.course.events import Leg, State
 from planar_cli.solve.course.gaps import closes_at_once, openings
 from planar_cli.solve.course.regime import Regime, number_function
@@ -80,7 +80,7 @@ def _differ(pairs: Sequence[tuple[sp.Expr, Here]]) -> bool:
     """Have two formulas, each in the letters of its own regime, different values? What has none does not tell."""
     try:
         (a, one), (b, other) = (measured([e], h.letters, h.sizes, h.value)[0] for e, h in pairs)
-    except (ArithmeticError, Unvalued):
+    except (NoValue, Unvalued):
         return False
     return abs(a - b) > MOVES * max(one, other)
 

@@ -13,6 +13,7 @@ import sympy as sp
 
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.equation.motion import Twist
+from planar_cli.errors import NoValue
 from planar_cli.problem.geometry import Vec
 from planar_cli.solve.course.blow import Blow
 from planar_cli.solve.course.solved_motion import SolvedMotion
@@ -29,7 +30,7 @@ def blow_checks(found: SolvedMotion) -> Iterator[str]:
     for blow in found.course.blows.values():
         try:
             yield from _checked(blow, found.value)
-        except (ArithmeticError, Unvalued):
+        except (NoValue, Unvalued):
             continue
 
 

@@ -6,8 +6,6 @@ from collections.abc import Iterable
 from decimal import Context, Decimal
 from typing import Any
 
-from planar_cli.equation.exact import Unvalued
-from planar_cli.errors import NoValue
 from planar_cli.solve.course.chain import Branch
 from planar_cli.solve.course.motion_equations import MotionEquations
 from planar_cli.solve.course.stated_motion import StatedMotion
@@ -35,11 +33,8 @@ def _rank(course: StatedMotion, branch: Branch) -> tuple[Any, ...]:
         stop = course.stops[state.name]
         for d in course.demands[state.name]:
             if d.kind == "extreme":
-                try:
-                    v = course.base().extended(branch.values)(stop.at(d.residual))
-                except (Unvalued, NoValue):
-                    v = Decimal(0)
-                keys.append(-TIES.plus(v * d.extreme))
+                v = course.base().extended(branch.values).known(stop.at(d.residual))
+                keys.append(-TIES.plus((v or Decimal(0)) * d.extreme))
         keys.append(ROUGHLY.plus(branch.values.get(stop.t, Decimal(0))))
     below = [s for s in course.sought() if branch.values.get(s, Decimal(0)) < 0]
     negative = sum(not course.ledger.units[s].angle for s in below)

@@ -11,7 +11,7 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.equation.exact import Valuation
 from planar_cli.equation.plain import derivative
 from planar_cli.errors import Diagnostic, NoSolution
 from planar_cli.records import record
@@ -132,10 +132,10 @@ class _Carrier:
         """The position at a part of the way; None: not found close by."""
         moved = Decimal(0)
         for _ in range(NEWTON):
-            try:
-                solved = solve(self._rows(chosen, at, part), len(self.letters))
-            except (ArithmeticError, Unvalued):
+            here = self.known.extended(at)
+            if any(here.known(e) is None for r, _, slopes in chosen for e in (r, *slopes)):
                 return None
+            solved = solve(self._rows(chosen, at, part), len(self.letters))
             if solved.rank < len(self.letters):
                 return None
             at = {x: at[x] + d for x, d in zip(self.letters, solved.values, strict=True)}

@@ -244,10 +244,7 @@ class Chain:
 
     def _closed(self, residual: sp.Expr, here: Valuation) -> bool:
         """Does a residual with known values vanish?"""
-        try:
-            return self._closes(residual, here, AGREES)
-        except (NoValue, Unvalued):
-            return False
+        return here.known(residual) is not None and self._closes(residual, here, AGREES)
 
     def _closes(self, residual: sp.Expr, here: Valuation, agrees: Decimal) -> bool:
         """The same; where all that it is made of nearly vanishes, beside what that ordinarily is."""
@@ -303,12 +300,9 @@ class Chain:
 
         for reach in REACHES:
             low, high = at - reach * size, at + reach * size
-            try:
-                a, b = value(low), value(high)
-                if a and b and (a > 0) != (b > 0):
-                    return Root(None, polish(value, low, high))
-            except (ArithmeticError, Unvalued):
-                continue
+            a, b = (here.extended({x: v}).known(residual) for v in (low, high))
+            if a and b and (a > 0) != (b > 0):
+                return Root(None, polish(value, low, high))
         return None
 
     def _near(self, number: Decimal, x: sp.Symbol) -> bool:
@@ -341,7 +335,7 @@ class Chain:
         for r in found:
             try:
                 closed.append(Root(None, _polished(residual, x, here, r.low, r.high)))
-            except ArithmeticError:
+            except NoValue:
                 continue
         return closed
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 from decimal import Decimal
 
-from planar_cli.equation.exact import Unvalued, Valuation
-from planar_cli.errors import Diagnostic, Mark, NoSolution, NoValue
+from planar_cli.equation.exact import Valuation
+from planar_cli.errors import Diagnostic, Mark, NoSolution
 from planar_cli.problem.scene import Problem
 from planar_cli.solve.course.astray import as_drawn
 from planar_cli.solve.course.gaps import changes_sides
@@ -110,21 +110,17 @@ def at_a_top(course: RegimeSequence, name: str, value: Valuation) -> bool:
     """Is the last state one of rest in equilibrium? A motion that just reaches it takes longer and longer."""
     stop, regime = course.stops[name], course.regimes[len(course.states) - 2]
     rates = [*regime.rates.values(), *regime.accelerations.values()]
-    try:
-        here = [e.xreplace(stop.letters) for e in rates]
-        return all(abs(value(e)) <= SLACK * value.size(e) for e in here)
-    except (NoValue, Unvalued):
-        return False
+    here = [e.xreplace(stop.letters) for e in rates]
+    numbers = [(value.known(e), e) for e in here]
+    return all(v is not None and abs(v) <= SLACK * value.size(e) for v, e in numbers)
 
 
 def assumed(course: RegimeSequence, value: Valuation) -> bool:
     """Do the modes hold in every state? What can not be told there does not speak against them."""
     for name, stop in course.stops.items():
         for watch in course.readers[name].regime.watches:
-            try:
-                here = watch.expr.xreplace(stop.letters)
-                if value(here) < -SLACK * value.size(here):
-                    return False
-            except (NoValue, Unvalued):
-                continue
+            here = watch.expr.xreplace(stop.letters)
+            number = value.known(here)
+            if number is not None and number < -SLACK * value.size(here):
+                return False
     return True

@@ -10,7 +10,7 @@ from decimal import Decimal
 import sympy as sp
 from sympy.simplify.fu import TR8
 
-from planar_cli.equation.exact import PI, Unvalued, Valuation
+from planar_cli.equation.exact import PI, Valuation
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.errors import Undecided
 from planar_cli.solve.roots import Root, real_roots
@@ -128,11 +128,9 @@ def _rooted(numerator: sp.Expr, x: sp.Symbol, kernel: sp.Pow, value: Valuation, 
     found = []
     for root in real_roots(squared, x, value, symbolic, False):
         here = value.extended({x: root.value})
-        try:
-            if abs(here(numerator)) <= Decimal("1e-15") * here.size(numerator):
-                found.append(root)
-        except (ArithmeticError, Unvalued):
-            continue
+        number = here.known(numerator)
+        if number is not None and abs(number) <= Decimal("1e-15") * here.size(numerator):
+            found.append(root)
     return found
 
 

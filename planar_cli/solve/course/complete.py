@@ -8,7 +8,7 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.equation.exact import Valuation
 from planar_cli.solve.course.chain import Branch
 from planar_cli.solve.course.oscillation import check_oscillations, placed
 from planar_cli.solve.course.over_spans import solve_spans
@@ -45,10 +45,8 @@ def completed(found: SolvedMotion) -> SolvedMotion:
 
 def _agrees(formula: sp.Expr, number: Decimal, value: Valuation) -> bool:
     """Has the formula a number, and is it the one?"""
-    try:
-        return abs(value(formula) - number) <= AGREE * max(abs(number), value.size(formula))
-    except (Unvalued, ArithmeticError):
-        return False
+    found = value.known(formula)
+    return found is not None and abs(found - number) <= AGREE * max(abs(number), value.size(formula))
 
 
 def _resolved(expr: sp.Expr, formulas: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:

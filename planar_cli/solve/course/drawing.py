@@ -13,7 +13,7 @@ from itertools import pairwise
 import sympy as sp
 
 from planar_cli.equation.displacement import Displacement
-from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.equation.exact import Valuation
 from planar_cli.equation.setup import has_quantity
 from planar_cli.errors import PlanarError
 from planar_cli.problem.expression import Name, Relation, Side
@@ -114,8 +114,6 @@ def _number(drawn: Instant, side: Side, value: Valuation) -> Decimal | None:
     ledger = drawn.scene.ledger
     try:
         expr = drawn.scene.value(side)
-        if expr.free_symbols & {*ledger.letters, *ledger.sought}:
-            return None
-        return value(expr)
-    except (PlanarError, Unvalued, ArithmeticError):
+    except PlanarError:
         return None
+    return None if expr.free_symbols & {*ledger.letters, *ledger.sought} else value.known(expr)

@@ -14,7 +14,7 @@ import sympy as sp
 from planar_cli.calculus.first import roots
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.equation.plain import derivative
-from planar_cli.errors import Undecided
+from planar_cli.errors import NoValue, Undecided
 from planar_cli.solve.course.events import WINDOWS, Leg, State, scale_of
 from planar_cli.solve.course.legs import explicit
 from planar_cli.solve.course.motion_equations import MotionEquations
@@ -59,7 +59,7 @@ def by_formula(course: MotionEquations, stop: Stop, leg: Leg) -> State | None:
                 return _there(leg, found, value.extended({time: Decimal(repr(root.value))}))
             if n >= LOOKS:
                 break
-    except (ArithmeticError, Unvalued):
+    except (NoValue, Unvalued):
         pass
     return None
 
@@ -117,7 +117,7 @@ def steady_time(course: MotionEquations, stop: Stop, leg: Leg) -> tuple[State | 
             here = value.extended({time: root.value})
             if later and all(here(e) >= 0 for e in exprs[1:]):
                 return (_there(leg, found, here),)
-    except (ArithmeticError, Unvalued, Undecided):
+    except (NoValue, Unvalued, Undecided):
         return None
     return (None,)
 

@@ -10,7 +10,7 @@ import sympy as sp
 
 from planar_cli.calculus.first import Root, roots
 from planar_cli.calculus.flow import Flow
-from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.equation.exact import Valuation
 from planar_cli.equation.scales import SLACK
 from planar_cli.errors import NoValue
 from planar_cli.records import record
@@ -109,10 +109,9 @@ def _drawn(regime: Regime, state: State, value: Valuation) -> float:
     found = [0.0]
     for place in regime.general.instant.scene.points.values():
         for part in (place.x, place.y):
-            try:
-                found.append(abs(float(here(part))))
-            except (NoValue, Unvalued):
-                continue
+            number = here.known(part)
+            if number is not None:
+                found.append(abs(float(number)))
     return max(found)
 
 
@@ -138,7 +137,7 @@ def events(g: Callable[[float], float], leg: Leg, until: float | None = None) ->
             for root in roots(g, begin, end, scale):
                 if root.value > leg.t0 and not _died_out(g, root.value, leg):
                     yield root
-        except ArithmeticError:
+        except NoValue:
             return
         if until is not None and end >= until:
             return
@@ -151,7 +150,7 @@ def far_along(leg: Leg) -> State:
     for reach in windows(leg, scale_of(leg)):
         try:
             found = leg.at(leg.t0 + reach)
-        except ArithmeticError:
+        except NoValue:
             break
         if _came_to_rest(leg, leg.t0 + reach):
             break
@@ -166,7 +165,7 @@ def _came_to_rest(leg: Leg, t: float) -> bool:
         return False
     try:
         first, now = leg.flow.rates(leg.t0), leg.flow.rates(t)
-    except ArithmeticError:
+    except NoValue:
         return True
     return max(abs(float(r)) for r in now) <= DEAD * max(abs(float(r)) for r in first)
 

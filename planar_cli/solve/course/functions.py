@@ -12,7 +12,7 @@ from planar_cli.calculus.laws import Moment, relations
 from planar_cli.equation.displacement import Coordinate
 from planar_cli.equation.exact import PI, Unvalued, Valuation
 from planar_cli.equation.plain import simplified
-from planar_cli.errors import Undecided
+from planar_cli.errors import NoValue, Undecided
 from planar_cli.records import record
 from planar_cli.solve.course.equations import laws_of
 from planar_cli.solve.course.regime import Regime
@@ -102,7 +102,7 @@ class Functions:
         residual = smooth(residual, value)
         try:
             roots = real_roots(residual, x, value, True, False)
-        except (Undecided, ArithmeticError, Unvalued):
+        except (Undecided, NoValue, Unvalued):
             return None
         here = value(x)
         angle = self.regime.general.instant.scene.ledger.units[x].angle

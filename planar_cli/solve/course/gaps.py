@@ -8,6 +8,7 @@ from dataclasses import replace
 import sympy as sp
 
 from planar_cli.equation.scales import Here
+from planar_cli.errors import NoValue
 from planar_cli.problem.facts import Mode
 from planar_cli.problem.geometry import Vec
 from planar_cli.solve.course.equations import Equation
@@ -85,7 +86,7 @@ def closing(g: Callable[[float], float], leg: Leg, until: float | None) -> float
             return None
         try:
             away = g(begin)
-        except ArithmeticError:
+        except NoValue:
             return None
         if abs(away) > OPEN * leg.length:
             break

@@ -12,7 +12,7 @@ from collections.abc import Mapping, Sequence
 import mpmath
 import sympy as sp
 
-from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.equation.exact import Valuation
 from planar_cli.solve.course.equations import Equation
 
 AGREES = 1e-6
@@ -25,37 +25,41 @@ def holding(equations: Sequence[Equation], truth: Mapping[sp.Symbol, float], bas
 
 def _holds(equation: Equation, truth: Mapping[sp.Symbol, float], base: Valuation) -> bool:
     residual = equation.residual
-    try:
-        numbers = {s: sp.Float(truth[s] if s in truth else float(base(s)), 17) for s in residual.free_symbols}
-    except Unvalued:
+    found = {s: truth[s] if s in truth else base.known(s) for s in residual.free_symbols}
+    numbers = {s: sp.Float(float(v), 17) for s, v in found.items() if v is not None}
+    if len(numbers) < len(found):
         return True
-    total, size = 0.0, 0.0
-    try:
-        for term in sp.Add.make_args(residual):
-            part = _number(term.xreplace(numbers))
-            total, size = total + part, max(size, abs(part))
-    except (ArithmeticError, ValueError, TypeError):
+    parts = [_number(term.xreplace(numbers)) for term in sp.Add.make_args(residual)]
+    sizes = [abs(part) for part in parts if part is not None]
+    if len(sizes) < len(parts):
         return False
-    return abs(total) <= AGREES * max(size, AGREES)
+    return abs(sum(part for part in parts if part is not None)) <= AGREES * max(*sizes, AGREES)
 
 
-def _number(term: sp.Expr) -> float:
-    """A term in machine numbers; its integrals by quadrature."""
+def _number(term: sp.Expr) -> float | None:
+    """A term in machine numbers, its integrals by quadrature; None: it is not real, or not finite."""
     inside: dict[sp.Expr, sp.Expr] = {}
     for integral in term.atoms(sp.Integral):
         (x, low, high), *others = integral.limits
-        if others:
-            raise ValueError("an integral over several variables")
+        if others or not (low.is_real and high.is_real):
+            return None
         f = sp.lambdify([x], integral.function, modules="mpmath")
-        inside[integral] = sp.Float(_real(mpmath.quad(f, [mpmath.mpf(low), mpmath.mpf(high)])), 17)
-    return _real(complex(term.xreplace(inside).evalf(17)))
+        try:
+            area = _real(mpmath.quad(f, [mpmath.mpf(e.evalf(17)) for e in (low, high)]))
+        except (ZeroDivisionError, ValueError):
+            # A pole where the quadrature looks.
+            return None
+        if area is None:
+            return None
+        inside[integral] = sp.Float(area, 17)
+    found = term.xreplace(inside).evalf(17)
+    return _real(complex(found)) if found.is_finite else None
 
 
-def _real(number: complex) -> float:
+def _real(number: complex) -> float | None:
     found = complex(number)
-    if abs(found.imag) > AGREES * max(abs(found.real), AGREES) or not math.isfinite(found.real):
-        raise ValueError("not real")
-    return found.real
+    real = abs(found.imag) <= AGREES * max(abs(found.real), AGREES) and math.isfinite(found.real)
+    return found.real if real else None
 
 
 def taken_out(expr: sp.Expr) -> sp.Expr:

@@ -13,6 +13,7 @@ from decimal import Decimal
 import sympy as sp
 
 from planar_cli.equation.exact import Unvalued
+from planar_cli.errors import NoValue
 from planar_cli.records import record
 from planar_cli.solve.course.branch_order import ranked
 from planar_cli.solve.course.chain import Branch
@@ -81,7 +82,7 @@ def beginning(course: MotionEquations) -> Beginning:
         return nothing
     try:
         followed = Follower(course, course.base(), stretches).run({s: float(v) for s, v in start.items()})
-    except (ArithmeticError, Unvalued):
+    except (NoValue, Unvalued):
         return nothing
     return Beginning(followed, stretches)
 

@@ -235,10 +235,8 @@ def _lasts(
             return False
         where = where.xreplace({symbol: rate / law.factor})
     for k in range(1, CHECKS + 1):
-        try:
-            here = value.extended({v: t0 + (t1 - t0) * k / CHECKS})
-            if here(where) < -TINY * here.size(where):
-                return False
-        except ArithmeticError:
+        here = value.extended({v: t0 + (t1 - t0) * k / CHECKS})
+        number = here.known(where)
+        if number is None or number < -TINY * here.size(where):
             return False
     return True

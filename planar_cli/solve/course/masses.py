@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from decimal import Decimal
 
-from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.equation.exact import Valuation
 from planar_cli.errors import Diagnostic, NoSolution
 from planar_cli.problem.expression import Name
 from planar_cli.solve.course.plot import fixed_time
@@ -23,7 +23,7 @@ def demand_mass(course: RegimeSequence, value: Valuation) -> None:
         for state, when in times.items():
             there = value.extended({time: when})
             for what, expr, unit in (("mass", body.mass, "kg"), ("moment of inertia", body.inertia, "kg m²")):
-                number = _number(there, expr)
+                number = there.known(expr)
                 if number is not None and (number < 0 or (number == 0 and what == "mass")):
                     text = f"the {what} of {body.name} is {number:.4g} {unit} in state {state}, at t = {when:.4g} s"
                     hint = "let the state come earlier, or let the formula end where nothing more flows out"
@@ -35,16 +35,9 @@ def _known_times(course: RegimeSequence, value: Valuation) -> Iterator[tuple[str
     for state in course.states:
         stop = course.stops[state.name]
         told = fixed_time(state.relations)
-        number = _number(value, stop.t)
+        number = value.known(stop.t)
         if number is None and told is not None:
             side = told.right if isinstance(told.left, Name) and told.left.name == "t" else told.left
-            number = _number(value, course.scene.value(side))
+            number = value.known(course.scene.value(side))
         if number is not None:
             yield state.name, number
-
-
-def _number(value: Valuation, expr: object) -> Decimal | None:
-    try:
-        return value(expr)
-    except (Unvalued, ArithmeticError):
-        return None

@@ -6,7 +6,6 @@ from dataclasses import replace
 
 import sympy as sp
 
-from planar_cli.equation.exact import Unvalued
 from planar_cli.solve.course.asked_finds import AskedFind
 from planar_cli.solve.course.chain import Branch, Chain
 from planar_cli.solve.course.followed import Followed
@@ -54,9 +53,7 @@ def onward(course: StatedMotion, branch: Branch) -> int:
         a, b = (course.stops[course.states[k].name] for k in (i, i + 1))
         values = course.base().extended(branch.values)
         for c in course.regimes[i].coordinates:
-            try:
-                rate = values(b.at(course.regimes[i].rates[c.symbol]))
-                count += rate * (values(b.letters[c.symbol]) - values(a.letters[c.symbol])) > 0
-            except (ArithmeticError, Unvalued):
-                continue
+            rate = values.known(b.at(course.regimes[i].rates[c.symbol]))
+            way = values.known(b.letters[c.symbol] - a.letters[c.symbol])
+            count += rate is not None and way is not None and rate * way > 0
     return count

@@ -7,8 +7,6 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.exact import Unvalued
-from planar_cli.errors import NoValue
 from planar_cli.records import record
 from planar_cli.solve.course.chain import Chain
 from planar_cli.solve.course.equations import (
@@ -92,12 +90,9 @@ class MotionEquations(StatedMotion):
             before = stop
             for d in self.demands[state.name]:
                 if d.kind == "inequality":
-                    try:
-                        v = number(d.residual)
-                    except (Unvalued, NoValue):
-                        continue
-                    slack = TINY * number.size(d.residual)
-                    if v < -slack or (d.sign and v <= slack):
+                    v = number.known(d.residual)
+                    slack = Decimal(0) if v is None else TINY * number.size(d.residual)
+                    if v is not None and (v < -slack or (d.sign and v <= slack)):
                         return False
         return True
 

@@ -11,7 +11,7 @@ import sympy as sp
 
 from planar_cli.equation.exact import DIGITS, Valuation
 from planar_cli.equation.plain import derivative, letters
-from planar_cli.errors import NotReached
+from planar_cli.errors import NotReached, NoValue
 from planar_cli.solve.course.chain import Branch
 from planar_cli.solve.course.motion_equations import MotionEquations
 
@@ -32,7 +32,7 @@ def refined_left(
     residuals = [e.residual for e in branch.left if not e.residual.free_symbols & dark]
     try:
         return refined(residuals, unknowns, truth, known, course.natural(unknowns))
-    except ArithmeticError:
+    except NoValue:
         return {}
 
 

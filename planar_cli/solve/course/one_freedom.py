@@ -14,6 +14,7 @@ from planar_cli.calculus.curve_words import CURVE, Curve
 from planar_cli.calculus.curves import curve_numeric
 from planar_cli.equation.displacement import Coordinate
 from planar_cli.equation.exact import Valuation
+from planar_cli.errors import NoValue
 from planar_cli.problem.geometry import Vec
 from planar_cli.records import record
 from planar_cli.solve.course.constraints import Constraint, drawn_starts, fixed_by, project
@@ -96,7 +97,7 @@ def _followed(
                 moved = project(
                     loops.driven_by(driver.symbol, target), loops.unknowns, here.extended({driver.symbol: target})
                 )
-            except ArithmeticError:
+            except NoValue:
                 break
             here = here.extended(moved)
             points.append((here(place.x), here(place.y)))

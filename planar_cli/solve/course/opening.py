@@ -7,9 +7,7 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.exact import Unvalued
 from planar_cli.equation.plain import derivative
-from planar_cli.errors import NoValue
 from planar_cli.records import record
 from planar_cli.solve.course.general import General
 
@@ -53,10 +51,7 @@ def gaps_of(
         rate += sum(derivative(kept, q) * r for q, r in rates.items())
         senses = []
         for index, opening in parted.openings:
-            try:
-                grows = value(rate * closed(opening))
-            except (NoValue, Unvalued):
-                continue
+            grows = value.known(rate * closed(opening))
             if grows:
                 senses.append((index, 1 if grows > 0 else -1))
         if senses:

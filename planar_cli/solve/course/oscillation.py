@@ -189,7 +189,7 @@ def stability(found: Oscillation, value: Valuation) -> Verdict:
     """Does a small deviation stay small? With a number for every letter; Undecided: letters leave it open."""
     try:
         return _single(found, value) if found.single else _several(found, value)
-    except (Unvalued, ArithmeticError) as error:
+    except (Unvalued, NoValue) as error:
         text = f"the stability of {found.stop.name} is not decided: {error}"
         raise Undecided(text) from error
 

@@ -25,7 +25,7 @@ from planar_cli.calculus.first import all_roots
 from planar_cli.calculus.polish import polish
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.plain import simplified
-from planar_cli.errors import Diagnostic, NoSolution
+from planar_cli.errors import Diagnostic, NoSolution, NoValue
 from planar_cli.problem.expression import Quantity, Relation
 from planar_cli.solve.course.blow import Blow
 from planar_cli.solve.course.blow_spans import over_blow
@@ -162,9 +162,9 @@ class SpanSolver:
         time, start, end = leg.regime.time, sp.Dummy("t_a", real=True), sp.Dummy("t_b", real=True)
         here = leg.value.extended({start: ta, end: tb})
         closed = definite(simplified(over), time, start, end, here)
-        if closed is not None:
-            with suppress(ArithmeticError):
-                return here(closed), "integral"
+        number = here.known(closed) if closed is not None else None
+        if number is not None:
+            return number, "integral"
         return here(sp.Integral(over, (time, start, end))), "quadrature"
 
     @staticmethod
@@ -187,7 +187,7 @@ class SpanSolver:
         for root in all_roots(leg.function(expr), float(ta), float(tb)):
             t = Decimal(repr(root.value))
             if direct is not None and root.kind != "stays":
-                with suppress(ArithmeticError):
+                with suppress(NoValue):
                     t = polish(partial(leg.number, direct), Decimal(root.low), Decimal(root.high))
             found.append(t)
         return found

@@ -131,7 +131,7 @@ class Regime:
             base.extended(drawn)(expr)
         except Unvalued:
             return expr
-        except ArithmeticError:
+        except NoValue:
             return simplified(put_together(expr))
         return expr
 
@@ -247,7 +247,7 @@ def _changes(expr: sp.Expr, time: sp.Symbol, value: Valuation, since: Decimal, u
     here = decimal_function(expr, [time], value)
     end = None if until is None else float(until + (until - since))
     found: list[Decimal] = []
-    with suppress(ArithmeticError):
+    with suppress(NoValue):
         changes = (r for r in roots(lambda t: g(t)[0], float(since), end) if r.kind == "crossing")
         found.extend(polish(here, Decimal(r.low), Decimal(r.high)) for r in islice(changes, MOST_CORNERS))
     return found
@@ -267,7 +267,7 @@ def number_function(
     def call(*arguments: float) -> list[float]:
         try:
             return [float(x) for x in made(*arguments)]
-        except ValueError as error:
+        except (ValueError, ZeroDivisionError, OverflowError) as error:
             raise NoValue("a formula has no real value here") from error
 
     return call

@@ -15,7 +15,7 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.equation.exact import Valuation
 from planar_cli.equation.plain import derivative, letters, longer, simplified
 from planar_cli.errors import Undecided
 from planar_cli.solve.course.by_numbers import ByNumbers
@@ -71,11 +71,8 @@ class Router:
         """Does a time by the place hold? Only as long as the motion does not turn round."""
         if equation.kind != "t(q)":
             return True
-        try:
-            number = self.value(equation.residual)
-            return abs(number) <= Decimal("1e-9") * self.value.size(equation.residual)
-        except (ArithmeticError, Unvalued):
-            return False
+        number = self.value.known(equation.residual)
+        return number is not None and abs(number) <= Decimal("1e-9") * self.value.size(equation.residual)
 
     def _inside(self, equation: Equation) -> frozenset[sp.Symbol]:
         return letters(self.residual(equation)) & self.unknowns
@@ -247,21 +244,26 @@ class Router:
     def _adds(self, equations: list[Equation], unknowns: set[sp.Symbol]) -> bool:
         """Are these equations independent in these unknowns?"""
         columns = sorted(unknowns, key=lambda s: s.name)
-        try:
-            rows = [[self.value(derivative(self.residual(e), x)) for x in columns] + [Decimal(0)] for e in equations]
-        except (ArithmeticError, Unvalued):
+        rows = self._slopes(equations, columns)
+        if rows is None:
             return False
-        return len(solve(rows, len(columns)).null) == len(columns) - len(equations)
+        solved = solve([[*row, Decimal(0)] for row in rows], len(columns))
+        return len(solved.null) == len(columns) - len(equations)
+
+    def _slopes(self, equations: Iterable[Equation], unknowns: Sequence[sp.Symbol]) -> list[list[Decimal]] | None:
+        """How much each equation changes with each unknown; None: that has no value."""
+        rows = [[self.value.known(derivative(self.residual(e), x)) for x in unknowns] for e in equations]
+        found = [[c for c in row if c is not None] for row in rows]
+        return found if all(len(row) == len(unknowns) for row in found) else None
 
     def _hidden(self, equation: Equation, x: sp.Symbol) -> float | None:
         """What it costs to solve for x: nothing where it enters plainly. None: the equation does not fix x here."""
         residual = self.residual(equation)
         rate = derivative(residual, x)
-        try:
-            if self.value.is_zero(rate):
-                return None if x not in letters(rate) else self._double(rate, x)
-        except (ArithmeticError, Unvalued):
+        if self.value.known(rate) is None:
             return None
+        if self.value.is_zero(rate):
+            return None if x not in letters(rate) else self._double(rate, x)
         if residual.has(sp.Integral):
             return HIDDEN if equation.kind != "t(q)" or x in _outer(residual) else None
         if x not in letters(rate):
@@ -270,20 +272,17 @@ class Router:
 
     def _double(self, rate: sp.Expr, x: sp.Symbol) -> float | None:
         """A double root, as at a turning point, still fixes x if the equation is quadratic there."""
-        try:
-            return None if self.value.is_zero(derivative(rate, x)) else HIDDEN
-        except (ArithmeticError, Unvalued):
-            return None
+        bend = derivative(rate, x)
+        return None if self.value.known(bend) is None or self.value.is_zero(bend) else HIDDEN
 
     def _regular(self, equations: tuple[Equation, ...], unknowns: tuple[sp.Symbol, ...]) -> bool:
         """Do as many equations fix these unknowns?"""
         if any(e.residual.has(sp.Integral) for e in equations):
             return False
-        try:
-            rows = [[self.value(derivative(self.residual(e), x)) for x in unknowns] for e in equations]
-            scaled = [[c / (max(abs(v) for v in row) or Decimal(1)) for c in row] for row in rows]
-        except (ArithmeticError, Unvalued):
+        rows = self._slopes(equations, unknowns)
+        if rows is None:
             return False
+        scaled = [[c / (max(abs(v) for v in row) or Decimal(1)) for c in row] for row in rows]
         return abs(_determinant(scaled)) > Decimal("1e-18")
 
     # --- work --------------------------------------------------------------------------------------------------------
@@ -348,10 +347,7 @@ def _linear_step(
             rate = derivative(residual, x)
             if rate == 0 or x in letters(rate):
                 continue
-            try:
-                if value.is_zero(rate):
-                    continue
-            except (ArithmeticError, Unvalued):
+            if value.known(rate) is None or value.is_zero(rate):
                 continue
             formula = simplified(-(residual - rate * x).expand() / rate) if not longer(residual, most) else None
             formula = -sp.expand(residual - rate * x) / rate if formula is None else formula

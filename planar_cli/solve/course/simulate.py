@@ -19,6 +19,7 @@ import sympy as sp
 from planar_cli.calculus.flow import Flow
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.scales import SLACK, Here, Sizes, measured
+from planar_cli.errors import NoValue
 from planar_cli.solve.course.after import asked_after
 from planar_cli.solve.course.apart import TOUCHES, demand_together
 from planar_cli.solve.course.beginning import demand_possible, handed_number, objection
@@ -208,7 +209,8 @@ class Follower:
         """A leg that is passed."""
         self.done.legs.append(leg)
         for k in range(LOOKS + 1):
-            with suppress(ArithmeticError):
+            # Between instants that lie next to each other nothing may be told.
+            with suppress(NoValue):
                 here = leg.at(leg.t0 + (leg.t1 - leg.t0) * k / LOOKS)
                 self._pass({s: here[s] for s in leg.regime.letters}, leg.length)
 

@@ -7,7 +7,6 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.equation.exact import Unvalued
 from planar_cli.errors import Undecided
 from planar_cli.problem.expression import Quantity, Statement
 from planar_cli.records import record
@@ -101,9 +100,8 @@ def _sense(course: RegimeSequence, speed: sp.Expr, early: list[sp.Expr]) -> int:
             letter = next(k for k, v in first.letters.items() if v == own)
             slope = sp.diff(residual, own)
             if letter in speed.free_symbols and not slope.free_symbols & inside:
-                try:
-                    value = course.given().extended({letter: course.given()(-residual.subs(own, 0) / slope)})
-                    return -1 if value(speed) < 0 else 1
-                except (Unvalued, ArithmeticError):
-                    continue
+                begun = course.given().known(-residual.subs(own, 0) / slope)
+                number = None if begun is None else course.given().extended({letter: begun}).known(speed)
+                if number is not None:
+                    return -1 if number < 0 else 1
     return 1

@@ -8,9 +8,8 @@ from enum import Enum
 
 import sympy as sp
 
-from planar_cli.equation.exact import CERTAIN, Unvalued, Valuation
+from planar_cli.equation.exact import CERTAIN, Valuation
 from planar_cli.equation.plain import derivative, longer, simplified
-from planar_cli.errors import NoValue
 from planar_cli.solve.course.motion_equations import MotionEquations
 from planar_cli.solve.course.regime import Regime
 from planar_cli.solve.course.regime_sequence import RegimeSequence
@@ -34,10 +33,9 @@ def started(
         if not formula.free_symbols & every:
             found[letter] = formula
             continue
-        try:
-            found[letter] = sp.Rational(str(value(own)))
-        except (Unvalued, NoValue):
-            continue
+        number = value.known(own)
+        if number is not None:
+            found[letter] = sp.Rational(str(number))
     return found
 
 
@@ -134,18 +132,18 @@ def balanced(course: StatedMotion, start: Mapping[sp.Symbol, Decimal]) -> frozen
             return frozenset()
         if any(regime.time in e.free_symbols for e in changes):
             return frozenset()
-        try:
-            if not all(_vanishes(e, start, value) for e in changes):
-                return frozenset()
-        except (Unvalued, ArithmeticError):
+        if not all(_vanishes(e, start, value) for e in changes):
             return frozenset()
     return frozenset(u.name for r in course.regimes for u in r.free)
 
 
 def _vanishes(expr: sp.Expr, letters: Iterable[sp.Symbol], value: Valuation) -> bool:
     """Is a formula zero, as far as the digits of these letters tell?"""
+    number = value.known(expr)
+    if number is None:
+        return False
     if expr == 0 or value.is_zero(expr):
         return True
-    inside = [s for s in letters if s in expr.free_symbols]
-    slack = sum((abs(value(derivative(expr, s)) * value(s)) for s in inside), Decimal(0))
-    return abs(value(expr)) <= CERTAIN * slack
+    slopes = [(value.known(derivative(expr, s)), value(s)) for s in letters if s in expr.free_symbols]
+    slack = sum((abs(slope * v) for slope, v in slopes if slope is not None), Decimal(0))
+    return abs(number) <= CERTAIN * slack

@@ -10,8 +10,8 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.equation.exact import PI, Unvalued, Valuation
-from planar_cli.errors import Diagnostic, NoSolution, NoValue
+from planar_cli.equation.exact import PI, Valuation
+from planar_cli.errors import Diagnostic, NoSolution
 from planar_cli.problem.expression import Equilibrium, Statement
 from planar_cli.problem.scene import State
 from planar_cli.records import record
@@ -94,9 +94,8 @@ def _solved(
 
 
 def _holds(demand: Demand, number: Valuation) -> bool:
-    try:
-        v = number(demand.residual)
-    except (Unvalued, NoValue):
+    v = number.known(demand.residual)
+    if v is None:
         return True
     slack = TINY * number.size(demand.residual)
     return v >= -slack and (not demand.sign or v > slack)

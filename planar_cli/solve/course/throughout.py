@@ -9,6 +9,7 @@ from decimal import Decimal
 import sympy as sp
 
 from planar_cli.equation.exact import Valuation
+from planar_cli.errors import NoValue
 from planar_cli.solve.course.derivation import Route
 from planar_cli.solve.course.equations import Equation, law_equations, link_equations
 from planar_cli.solve.course.events import Leg, scale_of
@@ -92,13 +93,13 @@ class Throughout:
             leg = self._leg(self.followed)
             run = leg.t1 - leg.t0 if leg.t1 > leg.t0 else scale_of(leg)
             here = leg.at(leg.t0 + 0.43 * run)
-        except ArithmeticError:
+        except NoValue:
             return None
         exact = {s: Decimal(repr(here[s])) for s in fixed}
         known = self.value.extended(exact)
         rest = {s: here[s] for s in self.course.regimes[0].letters if s not in fixed}
         try:
             more = refined([e.residual for e in equations], list(rest), rest, known, self.course.natural(rest))
-        except ArithmeticError:
+        except NoValue:
             return None
         return known.extended({**{s: Decimal(repr(v)) for s, v in rest.items()}, **more})

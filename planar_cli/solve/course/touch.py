@@ -13,9 +13,8 @@ from decimal import Decimal
 import sympy as sp
 
 from planar_cli.equation.displacement import Coordinate
-from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.equation.exact import Valuation
 from planar_cli.equation.plain import derivative
-from planar_cli.errors import NoValue
 from planar_cli.records import record
 from planar_cli.solve.course.events import length_of
 from planar_cli.solve.course.regime import Regime
@@ -74,7 +73,5 @@ def _growth(regime: Regime, u: sp.Symbol, value: Valuation) -> float:
     c = _coordinate(regime, u)
     if c is None:
         return 0.0
-    try:
-        return float(value(derivative(regime.accelerations[u], c.symbol) * derivative(regime.rates[c.symbol], u)))
-    except (NoValue, Unvalued):
-        return 0.0
+    slope = derivative(regime.accelerations[u], c.symbol) * derivative(regime.rates[c.symbol], u)
+    return float(value.known(slope) or 0)

@@ -12,7 +12,7 @@ from decimal import Decimal
 import sympy as sp
 
 from planar_cli.equation.exact import Unvalued, Valuation
-from planar_cli.errors import Diagnostic, NoSolution, Undecided
+from planar_cli.errors import Diagnostic, NoSolution, NoValue, Undecided
 from planar_cli.solve.course.alternatives import chosen_extreme, demand_choice
 from planar_cli.solve.course.asked_finds import AskedFind, asked_finds, asked_letters
 from planar_cli.solve.course.astray import (
@@ -170,7 +170,7 @@ class Unfolder(Choosing):
         """Another plot, if following this one as far as it goes shows a wrong assumption."""
         try:
             followed = Follower(course, course.base()).run({s: float(v) for s, v in start.items()})
-        except (ArithmeticError, Unvalued):
+        except (NoValue, Unvalued):
             return None
         return self._changed(course, followed)
 
@@ -327,7 +327,7 @@ class Unfolder(Choosing):
             return Follower(course, value).run({s: float(v) for s, v in start.items()})
         except NoSolution as error:
             self.lack = self.lack or error
-        except ArithmeticError:
+        except NoValue:
             pass
         return None
 
