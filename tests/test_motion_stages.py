@@ -12,9 +12,9 @@ import pytest
 import sympy as sp
 
 from planar_cli.problem.structure import load_text
-from planar_cli.solve.course.first_plot import first_plot
+from planar_cli.solve.course.first_modes import first_modes
+from planar_cli.solve.course.mode_sequence import Workshop
 from planar_cli.solve.course.motion_equations import MotionEquations, all_equations, first_equations
-from planar_cli.solve.course.plot import Workshop
 from planar_cli.solve.course.regime_sequence import RegimeSequence, regime_sequence
 from planar_cli.solve.course.starts import Start, certain_start
 from planar_cli.solve.course.stated_motion import StatedMotion, stated_motion
@@ -50,7 +50,7 @@ def sequence(text: str) -> RegimeSequence:
     problem, wrong = load_text(text)
     assert problem is not None, wrong
     workshop = Workshop({})
-    return regime_sequence(problem, first_plot(problem, workshop), workshop)
+    return regime_sequence(problem, first_modes(problem, workshop), workshop)
 
 
 @cache

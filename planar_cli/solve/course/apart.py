@@ -61,7 +61,7 @@ def _gaps(blow: Blow, here: Valuation, near: float) -> list[tuple[Joint, Decimal
 def _fixed(course: StatedMotion, i: int, between: tuple[str, ...], here: Valuation) -> bool:
     """Do a motion, the state or the sizes of bodies tell how far apart these are in state i?"""
     blow = course.blows[i]
-    if any(s.blow is None for s in course.plot.stretches[:i]):
+    if any(s.blow is None for s in course.modes.stretches[:i]):
         return True
     if not any(partner_of(blow.scene, name).particle for name in between):
         return True

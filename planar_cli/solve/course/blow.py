@@ -27,10 +27,10 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.problem.walk import walk
 from planar_cli.records import record
 from planar_cli.solve.course.equations import Equation
-from planar_cli.solve.course.handing import handed
-from planar_cli.solve.course.plot import Span
+from planar_cli.solve.course.mode_sequence import Span
 from planar_cli.solve.course.regime import Regime
 from planar_cli.solve.course.regime_sequence import RegimeSequence
+from planar_cli.solve.course.speed_transfer import transferred_speed
 from planar_cli.solve.course.struck import Struck, struck_instant
 from planar_cli.solve.course.timeline import Stop
 from planar_cli.solve.instant import Trial
@@ -107,8 +107,8 @@ class Blow:
         if not self.trial.outcomes:
             return
         unknowns = set(acceleration_unknowns(self.system))
-        handing = list(self._handed())
-        targets = {s for _, e in handing for s in e.free_symbols & unknowns}
+        transfer = list(self._transferred())
+        targets = {s for _, e in transfer for s in e.free_symbols & unknowns}
         targets |= set(self.stop.letters.values()) & unknowns | self._asked(asked) & unknowns
         base = self.trial.outcomes[0].value
         value = base.without(unknowns)
@@ -116,7 +116,7 @@ class Blow:
         maker.families = families_across(self.scene.problem.method, position_of(self.system, value))
         self.stage = maker.accelerations(targets)
         self.equations = [*self._same_place(), *self._planned(self.stage), *self._zero(self.stage)]
-        for u, expr in handing:
+        for u, expr in transfer:
             words = "the velocities after the blow"
             self.equations.append(Equation(self.stop.letters[u] - self.here(expr), "blow", words, self.stop.name))
         inside = set().union(*(e.residual.free_symbols for e in self.equations)) if self.equations else set()
@@ -153,13 +153,13 @@ class Blow:
         for s in stage.zero:
             yield Equation(self.here(s), "blow", "nothing acts that way", self.stop.name, self.since.name)
 
-    def _handed(self) -> Iterator[tuple[sp.Symbol, sp.Expr]]:
+    def _transferred(self) -> Iterator[tuple[sp.Symbol, sp.Expr]]:
         """Free speeds after the blow that are no unknowns of it, in its own unknowns."""
         own = set(acceleration_unknowns(self.system))
         for u in self.after.free:
             if self.stop.letters[u] in own or u not in self.edges:
                 continue
-            expr = handed(u, self.edges[u], self._motion, self.scene, after=True)
+            expr = transferred_speed(u, self.edges[u], self._motion, self.scene, after=True)
             if expr is not None:
                 yield u, expr
 
@@ -203,7 +203,7 @@ class Blow:
         found = here.extended(unknowns)
         after = {s: state[s] for s in (self.after.time, *(c.symbol for c in self.after.coordinates)) if s in state}
         after |= {u: float(found(own)) for u in self.after.free if (own := self.stop.letters[u]) in unknowns}
-        after |= {u: float(found(expr)) for u, expr in self._handed()}
+        after |= {u: float(found(expr)) for u, expr in self._transferred()}
         own = {s: float(unknowns[s]) for s in self.letters if s in unknowns and self._unique(s, outcome)}
         return Stroke(after, own, trial.objection, self._moves(after, found, unknowns))
 
@@ -283,12 +283,12 @@ def make_blow(course: RegimeSequence, i: int, span: Span, choice: tuple[int, ...
     letters = {s: ledger.units[s].text for s in named.values() if s in inside}
     known = {title: stop.letters[u] for u, title in _titles(course).items() if u in stop.letters}
     position = Position(None, {}) if drawn else before.general.position
-    mark = f"__{stop.name}" if sum(s.blow is not None for s in course.plot.stretches) > 1 else ""
+    mark = f"__{stop.name}" if sum(s.blow is not None for s in course.modes.stretches) > 1 else ""
     scene = (span.problem, span.always, course.workshop.earlier, position)
     struck = struck_instant(*scene, told, letters, known, stop.letters, mark)
     choice = choice if choice is not None else next(struck.choices())
     trial = struck.try_choice(choice, struck.scene.valuations[:1])
-    otherwise = _struck_otherwise(course.plot.stretches[i].span, span)
+    otherwise = _struck_otherwise(course.modes.stretches[i].span, span)
     return Blow(since, stop, before, after, struck, drawn, choice, trial, course.edges(), otherwise)
 
 

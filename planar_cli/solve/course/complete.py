@@ -20,18 +20,18 @@ AGREE = Decimal("1e-9")
 def completed(found: SolvedMotion) -> SolvedMotion:
     """The branch with the equilibrium states in it, and whatever is asked about states."""
     course, branch = found.course, found.branch
-    still = course.still.branch
-    if still is not branch:
+    balanced = course.equilibria.branch
+    if balanced is not branch:
         branch = Branch(
-            {**still.values, **branch.values},
-            {**still.formulas, **branch.formulas},
-            (*still.steps, *branch.steps),
+            {**balanced.values, **branch.values},
+            {**balanced.formulas, **branch.formulas},
+            (*balanced.steps, *branch.steps),
             branch.left,
         )
-    value = found.value.extended(still.values)
-    for letter in still.values:
-        formula = _resolved(letter, still.formulas)
-        if not formula.free_symbols & set(still.values):
+    value = found.value.extended(balanced.values)
+    for letter in balanced.values:
+        formula = _resolved(letter, balanced.formulas)
+        if not formula.free_symbols & set(balanced.values):
             course.told[letter] = formula
     check_oscillations(course, course.swings, value)
     spans = solve_spans(course, value) if course.spanned else ()

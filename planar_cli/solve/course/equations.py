@@ -21,7 +21,7 @@ from planar_cli.errors import NOWHERE, Mark
 from planar_cli.problem.expression import Name
 from planar_cli.records import record
 from planar_cli.solve.course.constraints import fixed_by, start_of
-from planar_cli.solve.course.plot import fixed_time
+from planar_cli.solve.course.mode_sequence import fixed_time
 from planar_cli.solve.course.regime import Regime
 from planar_cli.solve.course.timeline import Demand, Stop
 from planar_cli.solve.course.trace import Law

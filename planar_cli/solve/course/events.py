@@ -178,7 +178,7 @@ def _died_out(g: Callable[[float], float], t: float, leg: Leg) -> bool:
     return near <= DEAD * largest
 
 
-def is_still(g: Callable[[float], float], leg: Leg, size: float) -> bool:
+def vanishes_throughout(g: Callable[[float], float], leg: Leg, size: float) -> bool:
     """Does a function vanish from the beginning on? `size`: what it is measured by."""
     run = scale_of(leg)
     return all(abs(g(leg.t0 + run * k / LOOKS)) <= SLACK * size for k in range(LOOKS))

@@ -12,35 +12,42 @@ from planar_cli.solve.course.events import Leg, State
 
 @record
 class Ends:
-    """A stretch ends before its state: `expr` vanishes at `time`; `words` say what ends. `again`: what had parted meets
-    again.
-    """
+    """A stretch ends before its state."""
 
     stretch: int
     time: float
+    """When [s]."""
     expr: sp.Expr
+    """What vanishes then."""
     words: str
-    state: State
+    """What ends."""
     again: bool = False
+    """Does what had parted meet again?"""
 
 
 @dataclass(slots=True)
 class Followed:
-    """What came of following a course. `values`: letters of the states that were reached. `ends`: an assumption that
-    ended first; `misfit`: the stretch whose assumptions do not even hold at its beginning, `ways`: the signs that
-    speeds have there, if that is all; `missed`: the state that is never reached; `blow`: the blow whose modes do not
-    hold; `growing`: what is to be largest (or smallest), but is more so every time.
-    """
+    """What came of following a motion."""
 
     legs: list[Leg] = field(default_factory=list)
+    """What was passed."""
     values: dict[sp.Symbol, float] = field(default_factory=dict)
+    """Symbols of the states that were reached."""
     ends: Ends | None = None
+    """An assumption that ended first."""
     misfit: int | None = None
+    """The stretch whose assumptions do not even hold at its beginning."""
     why: str = ""
+    """What speaks against them."""
     missed: str | None = None
+    """The state that is never reached."""
     ways: dict[str, int] = field(default_factory=dict)
+    """The signs that speeds have there, if they alone are not those of the stretch."""
     at: State = field(default_factory=dict)
+    """The state in which the last stretch begins."""
     blow: int | None = None
+    """The stretch that ends with an impact whose modes do not hold."""
     growing: list[str] = field(default_factory=list)
+    """What is to be largest (or smallest), but is more so every time."""
     tends: dict[sp.Symbol, float] = field(default_factory=dict)
     """Letters of states that are only approached, with their values far along the way there."""

@@ -28,8 +28,8 @@ from planar_cli.solve.asked import quantities_in
 from planar_cli.solve.course.agree import balanced
 from planar_cli.solve.course.differentiated import differentiated, rates_put_in
 from planar_cli.solve.course.functions import Functions, directed, drawn_start
+from planar_cli.solve.course.mode_sequence import Stretch, Workshop, spans_of
 from planar_cli.solve.course.paths import CurveReader
-from planar_cli.solve.course.plot import Stretch, Workshop, spans_of
 from planar_cli.solve.course.regime import Regime
 from planar_cli.solve.course.stories import Story
 from planar_cli.solve.passages import Passage, Tale, sides_of

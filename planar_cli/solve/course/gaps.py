@@ -13,7 +13,7 @@ from planar_cli.problem.facts import Mode
 from planar_cli.problem.geometry import Vec
 from planar_cli.solve.course.equations import Equation
 from planar_cli.solve.course.events import Leg, events, scale_of
-from planar_cli.solve.course.plot import Plot, Workshop
+from planar_cli.solve.course.mode_sequence import ModeSequence, Workshop
 from planar_cli.solve.course.regime import Regime
 from planar_cli.solve.course.regime_sequence import RegimeSequence
 from planar_cli.solve.course.ways import becomes_negative
@@ -26,14 +26,14 @@ HALVINGS = 24
 def openings(course: RegimeSequence, i: int, regime: Regime) -> Iterator[tuple[sp.Expr, str]]:
     """What is positive where joints have parted from state i on, and the words of it."""
     for gap in regime.gaps:
-        held = held_before(course.plot, course.workshop, i, gap.joint)
+        held = held_before(course.modes, course.workshop, i, gap.joint)
         yield gap.opening(None if held is None else held[0]), gap.words
 
 
-def held_before(plot: Plot, workshop: Workshop, i: int, joint: str) -> tuple[int, Mode] | None:
+def held_before(sequence: ModeSequence, workshop: Workshop, i: int, joint: str) -> tuple[int, Mode] | None:
     """The last mode, and its index, in which a joint held on the stretches before state i; None: in none."""
-    for k in range(min(i, len(plot.stretches)) - 1, -1, -1):
-        stretch = plot.stretches[k]
+    for k in range(min(i, len(sequence.stretches)) - 1, -1, -1):
+        stretch = sequence.stretches[k]
         drawn = workshop.drawn(stretch.span)
         for (own, modes), index in zip(drawn.modes, stretch.choice, strict=True):
             if own.name == joint and modes[index].facts.pushes:
@@ -41,10 +41,10 @@ def held_before(plot: Plot, workshop: Workshop, i: int, joint: str) -> tuple[int
     return None
 
 
-def changes_sides(plot: Plot, workshop: Workshop, i: int, choice: tuple[int, ...]) -> bool:
+def changes_sides(sequence: ModeSequence, workshop: Workshop, i: int, choice: tuple[int, ...]) -> bool:
     """Would a contact press on the other side of a surface than it did before state i?"""
-    for (joint, modes), index in zip(workshop.drawn(plot.stretch(i).span).modes, choice, strict=True):
-        held = held_before(plot, workshop, i, joint.name)
+    for (joint, modes), index in zip(workshop.drawn(sequence.stretch(i).span).modes, choice, strict=True):
+        held = held_before(sequence, workshop, i, joint.name)
         if held is None:
             continue
         if any(_opposite(p, q) for p, q in zip(_forces(modes[index]), _forces(held[1]), strict=False)):

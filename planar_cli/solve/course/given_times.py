@@ -7,7 +7,7 @@ from decimal import Decimal
 import sympy as sp
 
 from planar_cli.equation.exact import Valuation
-from planar_cli.solve.course.plot import fixed_time
+from planar_cli.solve.course.mode_sequence import fixed_time
 from planar_cli.solve.course.stated_motion import StatedMotion
 
 

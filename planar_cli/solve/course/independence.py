@@ -37,7 +37,7 @@ def _residuals(course: StatedMotion) -> Iterator[sp.Expr]:
         yield from (_apart(c.drawn) for c in regime.coordinates if c.drawn is not None)
     for demands in (*course.demands.values(), *course.placed.values()):
         yield from (d.residual for d in demands)
-    yield from (expr for expr, _ in course.plot.turnings.values())
+    yield from (expr for expr, _ in course.modes.turnings.values())
     for blow in course.blows.values():
         yield from (e.residual for e in blow.equations)
 

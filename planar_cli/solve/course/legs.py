@@ -164,8 +164,8 @@ def legs(course: MotionEquations, value: Valuation) -> tuple[Leg, ...]:
         t0 = value(start.t)
         known = value.extended(_begun(regime, start, course, value))
         known = known.extended({k: v for k, v in origin.items() if k not in known.values})
-        if n == 0 and course.touch is not None:
-            known = known.extended({start.letters[course.touch.speed]: course.touch.value})
+        if n == 0 and course.departure is not None:
+            known = known.extended({start.letters[course.departure.speed]: course.departure.value})
         laws = course.laws[i] if i < len(course.laws) else laws_of(regime)
         formulas = explicit(laws, regime, start, known, t0, max([t0, *times]))
         found.append(Leg(regime, start, t0, max([t0, *times]), known, formulas, origin))

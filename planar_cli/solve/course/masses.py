@@ -8,7 +8,7 @@ from decimal import Decimal
 from planar_cli.equation.exact import Valuation
 from planar_cli.errors import Diagnostic, NoSolution
 from planar_cli.problem.expression import Name
-from planar_cli.solve.course.plot import fixed_time
+from planar_cli.solve.course.mode_sequence import fixed_time
 from planar_cli.solve.course.regime_sequence import RegimeSequence
 
 

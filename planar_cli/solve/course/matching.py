@@ -9,8 +9,8 @@ import sympy as sp
 from planar_cli.solve.course.asked_finds import AskedFind
 from planar_cli.solve.course.chain import Branch, Chain
 from planar_cli.solve.course.followed import Followed
-from planar_cli.solve.course.idle import ONLY_TIMES, needed_letters
 from planar_cli.solve.course.motion_equations import MotionEquations
+from planar_cli.solve.course.needed_times import ONLY_TIMES, needed_letters
 from planar_cli.solve.course.regime_sequence import RegimeSequence
 from planar_cli.solve.course.stated_motion import StatedMotion
 

@@ -9,6 +9,7 @@ import sympy as sp
 
 from planar_cli.records import record
 from planar_cli.solve.course.chain import Chain
+from planar_cli.solve.course.departure import Departure
 from planar_cli.solve.course.equations import (
     Equation,
     at_limits,
@@ -21,11 +22,10 @@ from planar_cli.solve.course.equations import (
     stated_equations,
 )
 from planar_cli.solve.course.extremes import stationary
-from planar_cli.solve.course.plot import fixed_time
+from planar_cli.solve.course.mode_sequence import fixed_time
 from planar_cli.solve.course.stated_motion import StatedMotion
-from planar_cli.solve.course.takeover import later_equations, resting_equations
 from planar_cli.solve.course.timeline import Stop
-from planar_cli.solve.course.touch import Touch
+from planar_cli.solve.course.transfer import later_equations, resting_equations
 from planar_cli.units import TIME
 
 TINY = Decimal("1e-15")
@@ -41,7 +41,7 @@ class MotionEquations(StatedMotion):
     """What has just parted at the first state has no velocity apart."""
     differences: tuple[sp.Symbol, ...] = ()
     """Differences of places that are unknowns of their own."""
-    touch: Touch | None = None
+    departure: Departure | None = None
     """The disturbance that sends it off from an unstable equilibrium; None: it begins by itself."""
 
     @property
@@ -104,7 +104,7 @@ def first_equations(motion: StatedMotion) -> MotionEquations:
 
 
 def all_equations(motion: MotionEquations) -> MotionEquations:
-    """All equations, from state to state; they take long, so that only a plot that may happen has them."""
+    """All equations, from state to state; they take long, so that only modes that may happen have them."""
     written = [*_stated(motion), *_beginning(motion), *_moving(motion), *motion.separations]
     found = replace(motion, equations=_at_limits(motion, written))
     return replace(found, equations=(*found.equations, *_stationary(found)))
@@ -125,7 +125,7 @@ def _stated(motion: StatedMotion) -> list[Equation]:
             if d.kind == "extreme" and not motion.is_set(s):
                 rate = stop.at(motion.readers[s.name].regime.derivative(d.residual))
                 found.append(Equation(rate, "extreme", d.text, s.name, mark=d.mark))
-    for name, (expr, words) in motion.plot.turnings.items():
+    for name, (expr, words) in motion.modes.turnings.items():
         found.append(Equation(motion.stops[name].at(expr), "turn", words, name))
     first = motion.first
     if not any(first.t in e.residual.free_symbols for e in found if e.stop == first.name):
@@ -155,7 +155,7 @@ def _beginning(motion: StatedMotion) -> list[Equation]:
     placed = {x for d in motion.placed[first.name] for x in d.residual.free_symbols} - {first.t}
     found = [e for e in drawn_equations(motion.regimes[0], first) if not e.residual.free_symbols & placed]
     later = [*motion.regimes, motion.beyond] if motion.beyond is not None else motion.regimes
-    found += list(later_equations(later, first, motion.handing(motion.regimes[0])))
+    found += list(later_equations(later, first, motion.transfer(motion.regimes[0])))
     return found + list(loop_equations(motion.readers[first.name].regime, first, first))
 
 
@@ -182,5 +182,5 @@ def _moving(motion: StatedMotion) -> list[Equation]:
         found += list(motion.between.equations(motion, i))
         if stop.t in motion.infinite():
             found += list(ending_equations(laws, stop, regime))
-        found += list(resting_equations(regime, motion.stops[motion.states[i - 1].name], stop, motion.handing(regime)))
+        found += list(resting_equations(regime, motion.stops[motion.states[i - 1].name], stop, motion.transfer(regime)))
     return found

@@ -79,10 +79,10 @@ def motion_trace(
 def _turnings(found: SolvedMotion) -> tuple[Turning, ...]:
     course = found.course
     turnings = []
-    for name, (expr, words) in course.plot.turnings.items():
+    for name, (expr, words) in course.modes.turnings.items():
         t = course.stops[name].t
         # After a slight touch the time depends on the touch alone.
-        timed = not course.symbolic and t in found.value.values and course.touch is None
+        timed = not course.symbolic and t in found.value.values and course.departure is None
         turnings.append(Turning(name, t if timed else None, expr, words))
     return tuple(turnings)
 

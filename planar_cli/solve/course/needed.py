@@ -16,7 +16,7 @@ from planar_cli.solve.stages import acceleration_unknowns
 def wanted_of(course: StatedMotion, route: Route, instant: InstantSolution) -> frozenset[str] | None:
     """Names of unknowns of a general position on which a route rests; None: all of them."""
     regimes = [r for r in course.distinct_regimes() if r.general.solution is instant]
-    if not regimes or course.plot.turnings or course.plot.equilibria:
+    if not regimes or course.modes.turnings or course.modes.equilibria:
         return None
     regime = regimes[0]
     system = regime.general.trial.system

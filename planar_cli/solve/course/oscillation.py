@@ -108,7 +108,7 @@ def oscillations_asked(course: RegimeSequence) -> dict[str, Oscillation]:
     found: dict[str, Oscillation] = {}
     for q in _asked(course):
         name = q.things[0]
-        if name not in {s.name for s, _ in course.plot.equilibria}:
+        if name not in {s.name for s, _ in course.modes.equilibria}:
             text = f"{q.word}({name}): state {name} is no equilibrium"
             raise FileProblem([Diagnostic(q.mark, "PL631", text, f"write `{name}: [equilibrium, …]` in `states`")])
         if name not in found:

@@ -27,8 +27,8 @@ from planar_cli.problem.facts import Test
 from planar_cli.records import record
 from planar_cli.solve.course.balance import balance_of
 from planar_cli.solve.course.general import General, loose_tree
-from planar_cli.solve.course.handing import edges_of, handed
 from planar_cli.solve.course.opening import Gap, gaps_of
+from planar_cli.solve.course.speed_transfer import edges_of, transferred_speed
 from planar_cli.solve.locked import LOCKED
 
 MOST_CORNERS = 200
@@ -149,7 +149,7 @@ class Regime:
         inside: dict[sp.Symbol, sp.Expr] = {}
         for s in c.rate.free_symbols:
             if s.name not in known and s in edges:
-                inside[s] = handed(s, edges[s], motion, scene) or sp.S.Zero
+                inside[s] = transferred_speed(s, edges[s], motion, scene) or sp.S.Zero
         return c.rate.xreplace({c.speed: sp.S.Zero, **inside})
 
     def told(self, expr: sp.Expr) -> bool:

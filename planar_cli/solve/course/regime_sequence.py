@@ -17,22 +17,22 @@ from planar_cli.equation.scene import Scene
 from planar_cli.problem.scene import Problem, State
 from planar_cli.records import record
 from planar_cli.solve.course.after import asked_after
-from planar_cli.solve.course.handing import edges_of
-from planar_cli.solve.course.plot import Plot, Workshop
+from planar_cli.solve.course.mode_sequence import ModeSequence, Workshop
 from planar_cli.solve.course.regime import Regime
+from planar_cli.solve.course.speed_transfer import edges_of
 from planar_cli.solve.course.timeline import Reader, Stop, stop_of
 
 
 @record
 class RegimeSequence:
-    """What acts from state to state along one plot, before anything that is stated is read."""
+    """What acts from state to state along one sequence of modes, before anything that is stated is read."""
 
     problem: Problem
     """The problem whose states these are."""
-    plot: Plot
+    modes: ModeSequence
     """What the file says of time, with one choice of modes for each stretch."""
     workshop: Workshop
-    """Where regimes come from; all plots of one problem share it."""
+    """Where regimes come from; all sequences of one problem share it."""
     regimes: tuple[Regime, ...]
     """`regimes[i]` acts from state i to the next."""
     beyond: Regime | None
@@ -49,7 +49,7 @@ class RegimeSequence:
     @property
     def states(self) -> tuple[State, ...]:
         """The states in their order; not those of equilibrium, which stand beside it."""
-        return self.plot.states
+        return self.modes.states
 
     @property
     def first(self) -> Stop:
@@ -91,7 +91,7 @@ class RegimeSequence:
     def running(self) -> list[Regime]:
         """The regimes in which time passes, or in which what is asked of the last state is told."""
         found = [r for i, r in enumerate(self.regimes) if not self.is_impulsive(i)]
-        found += [self.workshop.regime(s) for _, s in self.plot.equilibria]
+        found += [self.workshop.regime(s) for _, s in self.modes.equilibria]
         last = self.states[-1].name if self.states else ""
         if self.beyond is not None and (not self.blows_last or asked_after(self.problem, last)):
             found.append(self.beyond)
@@ -100,11 +100,11 @@ class RegimeSequence:
     @property
     def blows_last(self) -> bool:
         """Is the last state just after a blow?"""
-        return bool(self.plot.stretches) and self.plot.stretches[-1].blow is not None
+        return bool(self.modes.stretches) and self.modes.stretches[-1].blow is not None
 
     def is_impulsive(self, i: int) -> bool:
         """Does no time pass from state i to the next, only an impact or an impulse?"""
-        return self.plot.stretches[i].blow is not None
+        return self.modes.stretches[i].blow is not None
 
     def parts(self) -> dict[str, Any]:
         """Every field by its name: the next stage takes them over."""
@@ -121,11 +121,11 @@ class RegimeSequence:
         return drawn.without(varying.union(self.sought()))
 
 
-def regime_sequence(problem: Problem, plot: Plot, workshop: Workshop) -> RegimeSequence:
+def regime_sequence(problem: Problem, modes: ModeSequence, workshop: Workshop) -> RegimeSequence:
     """The regime of every stretch; then the symbols of every state, and who reads it."""
-    regimes = tuple(workshop.regime(s) for s in plot.stretches)
-    apart = [(state, workshop.regime(s)) for state, s in plot.equilibria]
-    beyond = workshop.regime(plot.stretch(len(regimes))) if regimes else None
+    regimes = tuple(workshop.regime(s) for s in modes.stretches)
+    apart = [(state, workshop.regime(s)) for state, s in modes.equilibria]
+    beyond = workshop.regime(modes.stretch(len(regimes))) if regimes else None
     every = [*regimes, *(r for _, r in apart), *(r for r in (beyond,) if r is not None)]
     letters = list(dict.fromkeys(s for r in every for s in r.letters))
     ledger = every[0].general.instant.scene.ledger
@@ -135,18 +135,18 @@ def regime_sequence(problem: Problem, plot: Plot, workshop: Workshop) -> RegimeS
             ledger.know(s, own.units[s], own.roles[s])
     stops = {
         state.name: stop_of(state.name, state.relations, state.mark, letters, ledger, workshop.letters)
-        for state in (*plot.states, *(s for s, _ in apart))
+        for state in (*modes.states, *(s for s, _ in apart))
     }
     readers: dict[str, Reader] = {}
     tellers: dict[str, Reader] = {}
-    found = RegimeSequence(problem, plot, workshop, regimes, beyond, stops, readers, tellers, {})
+    found = RegimeSequence(problem, modes, workshop, regimes, beyond, stops, readers, tellers, {})
     by_regime: dict[int, Reader] = {}
 
     def reader_of(regime: Regime) -> Reader:
         made = Reader(problem, regime, stops, readers, tellers, found.told)
         return by_regime.setdefault(id(regime), made)
 
-    for i, state in enumerate(plot.states):
+    for i, state in enumerate(modes.states):
         begins = regimes[i] if i < len(regimes) else beyond
         assert begins is not None
         struck = i > 0 and found.is_impulsive(i - 1)

@@ -14,24 +14,24 @@ from planar_cli.solve.course.agree import compared
 from planar_cli.solve.course.answers import Answering, closed_formula
 from planar_cli.solve.course.asked_finds import asked_letters
 from planar_cli.solve.course.assumptions import presumed
-from planar_cli.solve.course.astray import missing
 from planar_cli.solve.course.blow_checks import blow_checks
 from planar_cli.solve.course.by_numbers import ByNumbers, by_numbers
 from planar_cli.solve.course.complete import completed
 from planar_cli.solve.course.derivation import Route
+from planar_cli.solve.course.diagnose_motion import missing
 from planar_cli.solve.course.formulas import at_given_time
 from planar_cli.solve.course.independence import rests_on
 from planar_cli.solve.course.masses import demand_mass
 from planar_cli.solve.course.methods import by_method, demand_reached
+from planar_cli.solve.course.mode_search import ModeSearch
+from planar_cli.solve.course.mode_sequence import Workshop
 from planar_cli.solve.course.motion_trace import motion_trace
-from planar_cli.solve.course.plot import Workshop
 from planar_cli.solve.course.reached import reaching
 from planar_cli.solve.course.regime_sequence import RegimeSequence
 from planar_cli.solve.course.route import Router
 from planar_cli.solve.course.solved_motion import SolvedMotion
 from planar_cli.solve.course.stated_motion import StatedMotion
 from planar_cli.solve.course.throughout import Throughout
-from planar_cli.solve.course.unfold import Unfolder
 from planar_cli.solve.course.winding import count_turns
 from planar_cli.solve.finish import not_reached
 from planar_cli.solve.passages import Tale
@@ -42,7 +42,7 @@ from planar_cli.solve.solved_problem import PartSolution
 def solve_course(problem: Problem, case: str, units: dict[str, str], earlier: Mapping[str, Any]) -> PartSolution:
     """All finds of a problem whose states follow each other in time."""
     workshop = Workshop(earlier)
-    solved = reaching(problem, lambda p: Unfolder(p, workshop, units=units).run())
+    solved = reaching(problem, lambda p: ModeSearch(p, workshop, units=units).run())
     try:
         part = _told(solved, case)
     except Unvalued as error:

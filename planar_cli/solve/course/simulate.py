@@ -20,11 +20,10 @@ from planar_cli.calculus.flow import Flow
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.scales import SLACK, Here, Sizes, measured
 from planar_cli.errors import NoValue
+from planar_cli.solve.course.admissible import demand_possible, objection, transferred_number
 from planar_cli.solve.course.after import asked_after
 from planar_cli.solve.course.apart import TOUCHES, demand_together
-from planar_cli.solve.course.beginning import demand_possible, handed_number, objection
 from planar_cli.solve.course.blow import Stroke
-from planar_cli.solve.course.dying import by_formula, steady_time
 from planar_cli.solve.course.events import (
     LOOKS,
     Leg,
@@ -32,16 +31,17 @@ from planar_cli.solve.course.events import (
     angular_speeds,
     events,
     far_along,
-    is_still,
     is_zero,
     length_of,
     swing_of,
+    vanishes_throughout,
 )
 from planar_cli.solve.course.followed import Ends, Followed
 from planar_cli.solve.course.gaps import closing, openings
 from planar_cli.solve.course.given_times import given_time, latest_given
+from planar_cli.solve.course.mode_sequence import fixed_time
 from planar_cli.solve.course.motion_equations import MotionEquations
-from planar_cli.solve.course.plot import fixed_time
+from planar_cli.solve.course.passage_times import by_formula, steady_time
 from planar_cli.solve.course.regime import Regime, corners, number_function
 from planar_cli.solve.course.timeline import Demand, Stop
 from planar_cli.solve.course.ways import ways_at
@@ -142,25 +142,25 @@ class Follower:
             if letter in state:
                 self.done.values[own] = state[letter]
         if all(s in state for s in regime.letters):
-            for letter, expr in self.course.handing(regime).items():
-                self.done.values[stop.letters[letter]] = handed_number(regime, expr, state, self.value)
+            for letter, expr in self.course.transfer(regime).items():
+                self.done.values[stop.letters[letter]] = transferred_number(regime, expr, state, self.value)
 
     # --- beginning ---------------------------------------------------------------------------------------------------
 
     def begin(self, regime: Regime, state: State, old: Regime) -> State:
         """The letters of a regime where it takes over from an old one: places and velocities stay."""
         begun = dict(state)
-        handing = self.course.handings[id(old)] if all(s in state for s in old.letters) else {}
+        transfer = self.course.transfers[id(old)] if all(s in state for s in old.letters) else {}
         for c in regime.coordinates:
-            if c.symbol in handing:
-                begun[c.symbol] = handed_number(old, handing[c.symbol], state, self.value)
+            if c.symbol in transfer:
+                begun[c.symbol] = transferred_number(old, transfer[c.symbol], state, self.value)
             elif c.symbol not in begun and c.drawn is not None:
                 begun[c.symbol] = float(self.value(c.drawn))
         for u in regime.free:
-            if u not in begun and u in handing:
-                begun[u] = handed_number(old, handing[u], state, self.value)
+            if u not in begun and u in transfer:
+                begun[u] = transferred_number(old, transfer[u], state, self.value)
             begun.setdefault(u, 0.0)
-        lost = self.course.first.speeds.union(self.course.handings[id(regime)])
+        lost = self.course.first.speeds.union(self.course.transfers[id(regime)])
         return {s: v for s, v in begun.items() if s in regime.letters or s not in lost}
 
     def _numbers(self, regime: Regime, exprs: Sequence[sp.Expr]) -> Callable[..., list[float]]:
@@ -246,8 +246,8 @@ class Follower:
         length = length if length > SLACK * before else before
         flow = self._flow(regime, state, rhs, length)
         swing = swing_of(regime, state, self.value)
-        touch = self.course.touch
-        swing = swing if touch is None else min(swing, touch.time)
+        departure = self.course.departure
+        swing = swing if departure is None else min(swing, departure.time)
         return Leg(regime, flow, t0, t0, state, swing, length, self.course.scales.time)
 
     def _flow(self, regime: Regime, state: State, rhs: Callable[..., list[float]], size: float) -> Flow | None:
@@ -272,7 +272,7 @@ class Follower:
         extreme = next((d for d in demands if d.kind == "extreme"), None)
         if extreme is not None and not equations:
             return self._extreme(extreme, leg)
-        turning = self.course.plot.turnings.get(stop.name)
+        turning = self.course.modes.turnings.get(stop.name)
         if turning is not None:
             g = self.function(stop.at(turning[0]), stop, leg)
             return next((r.value for r in events(g, leg)), None)
@@ -280,7 +280,7 @@ class Follower:
             return None
         gs = [self.function(d.residual, stop, leg) for d in equations]
         sizes = [self.size(d.residual, stop, leg) for d in equations]
-        order = sorted(range(len(gs)), key=lambda k: is_still(gs[k], leg, sizes[k]))
+        order = sorted(range(len(gs)), key=lambda k: vanishes_throughout(gs[k], leg, sizes[k]))
         # A limiting case turns back just before one of its relations holds, and passes the others.
         for first in order if len(gs) > 1 else order[:1]:
             for root in itertools.islice(events(gs[first], leg), 60):
@@ -373,13 +373,13 @@ class Follower:
                 crossing = root.kind == "crossing" and (root.sense < 0 or expr in regime.free)
                 before = until is None or root.value < until - SLACK * (until - leg.t0)
                 if crossing and before and not self._just_then(i, leg, time, root.value):
-                    best = Ends(i, root.value, expr, words, leg.at(root.value))
+                    best = Ends(i, root.value, expr, words)
                     until = root.value
                     break
         for expr, words in openings(self.course, i, regime):
             met = closing(self._along(expr, leg), leg, until)
             if met is not None and (until is None or met < until - SLACK * (until - leg.t0)):
-                best, until = Ends(i, met, expr, words, leg.at(met), again=True), met
+                best, until = Ends(i, met, expr, words, again=True), met
         return best
 
     def _just_then(self, i: int, leg: Leg, time: float | None, t: float) -> bool:

@@ -14,19 +14,19 @@ from planar_cli.problem.scene import State
 from planar_cli.records import record
 from planar_cli.solve.course.blow import Blow, arriving, asked_of_blows, make_blow
 from planar_cli.solve.course.equations import Laws, laws_of
+from planar_cli.solve.course.equilibria import Equilibria, solve_equilibria
 from planar_cli.solve.course.laws_between import LawsBetween
 from planar_cli.solve.course.oscillation import Oscillation, oscillations_asked, periods
 from planar_cli.solve.course.regime import Regime
 from planar_cli.solve.course.regime_sequence import RegimeSequence
 from planar_cli.solve.course.span_quantities import SpanQuantity, ask_spans, tell_spans
-from planar_cli.solve.course.still import Still, stand_still
-from planar_cli.solve.course.takeover import handing_of
 from planar_cli.solve.course.timeline import Demand
+from planar_cli.solve.course.transfer import transfer_of
 
 
 @record
 class StatedMotion(RegimeSequence):
-    """The regimes of a plot, worked out, with all that is stated of its states."""
+    """The regimes of a sequence of modes, worked out, with all that is stated of its states."""
 
     laws: tuple[Laws, ...]
     """By regime: how its coordinates move."""
@@ -34,7 +34,7 @@ class StatedMotion(RegimeSequence):
     """By state: what the file states of it."""
     placed: Mapping[str, Sequence[Demand]]
     """By state: what `motion` says of places all the time."""
-    still: Still
+    equilibria: Equilibria
     """The equilibrium states, solved."""
     spanned: Mapping[sp.Symbol, SpanQuantity]
     """Quantities over spans, by what stands for them."""
@@ -42,7 +42,7 @@ class StatedMotion(RegimeSequence):
     """By equilibrium state that is asked about: small oscillations about it."""
     blows: Mapping[int, Blow]
     """`blows[i]`: the impacts and impulses between state i and the next."""
-    handings: Mapping[int, Mapping[sp.Symbol, sp.Expr]]
+    transfers: Mapping[int, Mapping[sp.Symbol, sp.Expr]]
     """By the id of a regime: the free speeds and places of others in its own motion, not yet closed."""
     said: Mapping[int, tuple[sp.Expr, ...]]
     """By the id of a regime: what the file states and asks in it."""
@@ -64,15 +64,15 @@ class StatedMotion(RegimeSequence):
         """Is the time of a state fixed by something else than what is largest there?"""
         return any(d.kind == "equation" for d in self.demands[state.name])
 
-    def handing(self, regime: Regime) -> dict[sp.Symbol, sp.Expr]:
+    def transfer(self, regime: Regime) -> dict[sp.Symbol, sp.Expr]:
         """Letters of other regimes as formulas of this one."""
         other = {s for r in self.distinct_regimes() for s in r.letters} - set(regime.letters)
-        found = {u: regime.closed(e) for u, e in self.handings[id(regime)].items()}
+        found = {u: regime.closed(e) for u, e in self.transfers[id(regime)].items()}
         return {u: e for u, e in found.items() if not e.free_symbols & other}
 
     def base(self) -> Valuation:
         """Numbers of everything that is known, also of the equilibrium states."""
-        return self.given().extended(self.still.branch.values)
+        return self.given().extended(self.equilibria.branch.values)
 
     def parameters(self) -> set[sp.Symbol]:
         """What has no number of its own: letters of the file, as they were drawn."""
@@ -84,10 +84,10 @@ def stated_motion(motion: RegimeSequence) -> StatedMotion:
     states, readers, stops = motion.states, motion.readers, motion.stops
     raw = {s.name: readers[s.name].raw(s.relations) for s in states}
     always = {s.name: readers[s.name].raw(_places(motion, i)) for i, s in enumerate(states)}
-    beside = {s.name: readers[s.name].raw(s.relations) for s, _ in motion.plot.equilibria}
+    beside = {s.name: readers[s.name].raw(s.relations) for s, _ in motion.modes.equilibria}
     spanned = ask_spans(motion)
     said = {id(r.regime): tuple(r.exprs) for r in motion.distinct_readers()}
-    handings = _ask_handing(motion)
+    transfers = _ask_transfers(motion)
     between = LawsBetween()
     _work(motion, between)
     placed = {s.name: readers[s.name].demands(stops[s.name], always[s.name]) for s in states}
@@ -97,7 +97,7 @@ def stated_motion(motion: RegimeSequence) -> StatedMotion:
     motion.told.update(periods(motion, swings))
     if spanned:
         tell_spans(motion, spanned, blows, raw)
-    still = stand_still(motion, beside)
+    equilibria = solve_equilibria(motion, beside)
     demands = {s.name: readers[s.name].demands(stops[s.name], raw[s.name]) for s in states}
     laws = tuple(laws_of(r) if r.runs else Laws((), (), ()) for r in motion.regimes)
     return StatedMotion(
@@ -105,27 +105,27 @@ def stated_motion(motion: RegimeSequence) -> StatedMotion:
         laws=laws,
         demands=demands,
         placed=placed,
-        still=still,
+        equilibria=equilibria,
         spanned=spanned,
         swings=swings,
         blows=blows,
-        handings=handings,
+        transfers=transfers,
         said=said,
         between=between,
     )
 
 
-def _ask_handing(motion: RegimeSequence) -> dict[int, dict[sp.Symbol, sp.Expr]]:
+def _ask_transfers(motion: RegimeSequence) -> dict[int, dict[sp.Symbol, sp.Expr]]:
     """Letters of other regimes, and how bodies arrive at blows, are worked out with each regime."""
-    handings = {}
+    transfers = {}
     for reader in motion.distinct_readers():
-        handings[id(reader.regime)] = handing_of(reader.regime, motion.distinct_regimes())
-        reader.exprs += handings[id(reader.regime)].values()
-    for i, stretch in enumerate(motion.plot.stretches):
+        transfers[id(reader.regime)] = transfer_of(reader.regime, motion.distinct_regimes())
+        reader.exprs += transfers[id(reader.regime)].values()
+    for i, stretch in enumerate(motion.modes.stretches):
         for state in motion.states[i : i + 2] if stretch.blow is not None else ():
             reader = motion.readers[state.name]
             reader.exprs += [e for v, spin in arriving(reader.regime).values() for e in (v.x, v.y, spin)]
-    return handings
+    return transfers
 
 
 def _work(motion: RegimeSequence, between: LawsBetween) -> None:
@@ -141,7 +141,7 @@ def _work(motion: RegimeSequence, between: LawsBetween) -> None:
 def _blows(motion: RegimeSequence, placed: Mapping[str, Sequence[Demand]]) -> dict[int, Blow]:
     """The blows, once the velocities before them are worked out."""
     blows = {}
-    for i, stretch in enumerate(motion.plot.stretches):
+    for i, stretch in enumerate(motion.modes.stretches):
         if stretch.blow is not None:
             made = make_blow(motion, i, stretch.blow, stretch.blow_choice, bool(placed[motion.first.name]))
             made.work(asked_of_blows(motion.problem))
@@ -153,6 +153,6 @@ def _blows(motion: RegimeSequence, placed: Mapping[str, Sequence[Demand]]) -> di
 
 def _places(motion: RegimeSequence, i: int) -> tuple[Statement, ...]:
     """What `motion` says of places all the time, where state i is reached."""
-    stretch = motion.plot.stretches[max(i - 1, 0)]
+    stretch = motion.modes.stretches[max(i - 1, 0)]
     names = {c.name for c in motion.problem.coordinates}
     return tuple(s for s in stretch.span.always if isinstance(s, Relation) and order(s, names) == 0)

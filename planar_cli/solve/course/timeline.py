@@ -346,7 +346,7 @@ def stop_of(
     ledger: Ledger,
     made: dict[tuple[int, sp.Symbol, str], sp.Symbol],
 ) -> Stop:
-    """A state with letters of its own, named after it: x_2, v_x_2, t_2. `made`: those of earlier plots."""
+    """A state with letters of its own, named after it: x_2, v_x_2, t_2. `made`: those of earlier tries."""
     own = {}
     for s in letters:
         key = (id(ledger), s, name)

@@ -17,7 +17,9 @@ def edges_of(tree: Tree) -> dict[sp.Symbol, Edge]:
     return found
 
 
-def handed(speed: sp.Symbol, edge: Edge, motion: Motion, scene: Scene, after: bool = False) -> sp.Expr | None:
+def transferred_speed(
+    speed: sp.Symbol, edge: Edge, motion: Motion, scene: Scene, after: bool = False
+) -> sp.Expr | None:
     """A velocity unknown of some tree in another motion of the same bodies; None: it is none of the tree's own.
 
     `after`: read what stands where accelerations stand, the velocities after a blow.

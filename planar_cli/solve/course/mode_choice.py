@@ -8,9 +8,9 @@ from decimal import Decimal
 from planar_cli.equation.exact import Valuation
 from planar_cli.errors import Diagnostic, Mark, NoSolution
 from planar_cli.problem.scene import Problem
-from planar_cli.solve.course.astray import as_drawn
+from planar_cli.solve.course.diagnose_motion import as_drawn
 from planar_cli.solve.course.gaps import changes_sides
-from planar_cli.solve.course.plot import Plot, Workshop, nearest
+from planar_cli.solve.course.mode_sequence import ModeSequence, Workshop, nearest
 from planar_cli.solve.course.regime_sequence import RegimeSequence
 from planar_cli.solve.course.stated_motion import StatedMotion
 
@@ -18,25 +18,27 @@ BLOW, SLACK = " blow", Decimal("1e-9")
 
 
 @dataclass(slots=True)
-class Choosing:
-    """`tried`: choices of modes that failed, by stretch of a plot; `lack`: what is wrong with the first of them in
-    which no motion passes through the states.
-    """
+class ModeChoice:
+    """The choices of modes that have been tried, and the next one."""
 
     problem: Problem
     workshop: Workshop
+    """Where regimes come from."""
     tried: dict[tuple[str, ...], list[tuple[int, ...]]] = field(default_factory=dict)
+    """Choices of modes that failed, by the states up to where they begin."""
     why: str = ""
+    """What speaks against the first of them."""
     lack: NoSolution | None = None
+    """What is wrong with the first of them in which no motion passes through the states."""
 
-    def _unblocked(self, plot: Plot, i: int) -> Plot:
+    def _unblocked(self, modes: ModeSequence, i: int) -> ModeSequence:
         """Another choice of modes, where the velocities of this one contradict each other in every position."""
         try:
-            return self._next(plot, i, "the joints contradict what is given of the velocities")
+            return self._next(modes, i, "the joints contradict what is given of the velocities")
         except NoSolution as error:
-            raise as_drawn(plot.stretch(i).span, self.workshop, self.problem) or error from error
+            raise as_drawn(modes.stretch(i).span, self.workshop, self.problem) or error from error
 
-    def _agreeing(self, course: RegimeSequence) -> Plot | None:
+    def _agreeing(self, course: RegimeSequence) -> ModeSequence | None:
         """Another choice of modes, where in this one the forces of a stretch contradict each other in every position;
         None: all do, or this one does not.
         """
@@ -44,22 +46,22 @@ class Choosing:
         if wrong is None:
             return None
         try:
-            return self._next(course.plot, wrong, "the forces contradict each other")
+            return self._next(course.modes, wrong, "the forces contradict each other")
         except NoSolution:
             return None
 
-    def _next(self, plot: Plot, i: int, why: str) -> Plot:
-        """The same plot with another choice of modes on stretch i."""
-        return plot.changed(i, self._other(plot, i, why, plot.states[i].mark))
+    def _next(self, modes: ModeSequence, i: int, why: str) -> ModeSequence:
+        """The same with another choice of modes on stretch i."""
+        return modes.changed(i, self._other(modes, i, why, modes.states[i].mark))
 
-    def _other(self, plot: Plot, i: int, why: str, mark: Mark) -> tuple[int, ...]:
+    def _other(self, modes: ModeSequence, i: int, why: str, mark: Mark) -> tuple[int, ...]:
         """Another choice of modes for a stretch: those first that differ least from what was before."""
-        name = tuple(s.name for s in plot.states[: i + 1])
+        name = tuple(s.name for s in modes.states[: i + 1])
         failed = self.tried.setdefault(name, [])
-        failed.append(plot.stretch(i).choice)
+        failed.append(modes.stretch(i).choice)
         self.why = self.why or why
-        for choice in nearest(plot, i, self.workshop.drawn(plot.stretch(i).span).choices()):
-            if choice not in failed and not changes_sides(plot, self.workshop, i, choice):
+        for choice in nearest(modes, i, self.workshop.drawn(modes.stretch(i).span).choices()):
+            if choice not in failed and not changes_sides(modes, self.workshop, i, choice):
                 return choice
         raise NoSolution(
             [Diagnostic(mark, "PL622", f"no assumption about the contacts holds from here on: {self.why}")]
@@ -67,7 +69,7 @@ class Choosing:
 
     def _other_blow(self, course: StatedMotion, i: int, why: str) -> tuple[int, ...]:
         """Other modes of the joints in a blow."""
-        name = (BLOW, *(s.name for s in course.plot.states[: i + 1]))
+        name = (BLOW, *(s.name for s in course.modes.states[: i + 1]))
         failed = self.tried.setdefault(name, [])
         failed.append(course.blows[i].choice)
         self.why = self.why or why
@@ -77,7 +79,7 @@ class Choosing:
         text = f"no assumption about the contacts holds in the blow: {self.why}"
         raise self.lack or NoSolution([Diagnostic(course.states[i + 1].mark, "PL622", text)])
 
-    def _determined(self, course: RegimeSequence, i: int) -> Plot:
+    def _determined(self, course: RegimeSequence, i: int) -> ModeSequence:
         """Another choice of modes, where in this one forces that are needed are not unique."""
         regime = course.regimes[i]
         try:
@@ -85,20 +87,20 @@ class Choosing:
         except NoSolution as error:
             self.lack = self.lack or error
         try:
-            return self._next(course.plot, i, "the forces are not unique")
+            return self._next(course.modes, i, "the forces are not unique")
         except NoSolution as error:
             raise self.lack or error from error
 
-    def _elsewhere(self, course: StatedMotion, why: str) -> Plot | None:
+    def _elsewhere(self, course: StatedMotion, why: str) -> ModeSequence | None:
         """Other modes in a blow, or after one; None: there are no blows, or all have been tried."""
         for i in course.blows:
             try:
-                return course.plot.struck(i, self._other_blow(course, i, why))
+                return course.modes.struck(i, self._other_blow(course, i, why))
             except NoSolution:
                 continue
         for i in course.blows:
             try:
-                changed = self._next(course.plot, i + 1, why)
+                changed = self._next(course.modes, i + 1, why)
             except NoSolution:
                 continue
             self.tried = {k: v for k, v in self.tried.items() if k[0] != BLOW}

@@ -19,8 +19,8 @@ from planar_cli.solve.course.branch_order import ranked
 from planar_cli.solve.course.chain import Branch
 from planar_cli.solve.course.equations import Equation
 from planar_cli.solve.course.followed import Followed
-from planar_cli.solve.course.idle import ONLY_TIMES
 from planar_cli.solve.course.motion_equations import MotionEquations
+from planar_cli.solve.course.needed_times import ONLY_TIMES
 from planar_cli.solve.course.newton import refined_left
 from planar_cli.solve.course.simulate import Follower
 from planar_cli.solve.course.starts import told_start
@@ -31,7 +31,7 @@ FOLLOWED = Decimal("1e-9")
 
 
 @record
-class KnownPart:
+class KnownPrefix:
     """What was followed: the letters it tells, exactly as far as its equations do, `guessed` by the numbers alone."""
 
     branch: Branch
@@ -112,7 +112,7 @@ def _untouched(course: StatedMotion) -> int:
     return len(course.states) - 1
 
 
-def _exact(course: MotionEquations, letters: set[sp.Symbol], truth: Mapping[sp.Symbol, float]) -> KnownPart:
+def _exact(course: MotionEquations, letters: set[sp.Symbol], truth: Mapping[sp.Symbol, float]) -> KnownPrefix:
     """The numbers, to all digits where the equations of this part give them."""
     chain = course.chain()
     own = [e for e in course.equations if _within(e, letters, chain.unknowns) and e.kind not in ONLY_TIMES]
@@ -122,7 +122,7 @@ def _exact(course: MotionEquations, letters: set[sp.Symbol], truth: Mapping[sp.S
     more = refined_left(course, branch, left, truth)
     guessed = frozenset(s for s in left if s not in more)
     values = {**branch.values, **more, **{s: Decimal(repr(truth[s])) for s in guessed}}
-    return KnownPart(replace(branch, values=values, left=()), guessed)
+    return KnownPrefix(replace(branch, values=values, left=()), guessed)
 
 
 def _within(equation: Equation, letters: set[sp.Symbol], unknowns: frozenset[sp.Symbol]) -> bool:

@@ -21,21 +21,21 @@ from planar_cli.solve.course.regime import Regime
 
 SLIGHT = 1e-9
 """The touch in parts of a radian, or of the size of the scene, in the time in which it grows."""
-TOUCHED = "released at rest in an unstable equilibrium: the limit of a slight touch"
+DEPARTS = "released at rest in an unstable equilibrium: the limit of a slight touch"
 
 
 @record
-class Touch:
-    """The free speed that is touched, its value then, and the time in which a deviation grows e-fold."""
+class Departure:
+    """The free speed that a departure begins with, its value then, and the time in which a deviation grows e-fold."""
 
     speed: sp.Symbol
     value: Decimal
     time: float
 
 
-def touch_of(
+def departure_of(
     regime: Regime, base: Valuation, start: Mapping[sp.Symbol, Decimal], sense: int, idle: Collection[str]
-) -> Touch | None:
+) -> Departure | None:
     """What sends the motion off, of the free speeds that rest by themselves; None: their rest is not unstable, or in
     several ways. `regime`: the first; `base`: numbers of everything that is known.
     """
@@ -59,7 +59,7 @@ def touch_of(
     )
     pace = math.sqrt(growth)
     slope = abs(float(value(derivative(regime.rates[c.symbol], u))))
-    return Touch(u, Decimal(repr(sense * SLIGHT * pace * size / slope)), 1 / pace)
+    return Departure(u, Decimal(repr(sense * SLIGHT * pace * size / slope)), 1 / pace)
 
 
 def _coordinate(regime: Regime, u: sp.Symbol) -> Coordinate | None:

@@ -33,7 +33,7 @@ class Blocked(Exception):
     """On the way there the position stops, or could go on in several ways."""
 
 
-def carried_branch(course: MotionEquations, branches: Sequence[Branch]) -> Branch:
+def continued_branch(course: MotionEquations, branches: Sequence[Branch]) -> Branch:
     """Of several branches the one that the drawn position leads to. NoSolution: that cannot be told."""
     places = [own for s in course.states for own in _letters(course, s.name)]
     natural = course.natural(places)
@@ -165,4 +165,4 @@ class _Carrier:
         return sign
 
 
-__all__ = ["carried_branch"]
+__all__ = ["continued_branch"]

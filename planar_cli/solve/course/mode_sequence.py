@@ -1,4 +1,4 @@
-"""The plot of a motion: its states in order, those that we put in among them, and what acts from each to the next."""
+"""The modes of a motion: its states in order, those that we put in among them, and what acts from each to the next."""
 
 from __future__ import annotations
 
@@ -34,60 +34,63 @@ class Span:
 
 @record
 class Stretch:
-    """What acts from one state (also one that we put in) to the next: a span in one choice of modes. `still`: names of
-    free speeds that are zero from the beginning and stay so. `ways`: signs of free speeds by name, where a resistance
-    asks for them, and sides of places, |x|, from which distances are measured. `blow`: what strikes, and the joints
-    that hold after it, where the next state is just after this one; `blow_choice`: their modes (None: the first). The
-    span then tells of the motion before it.
-    """
+    """What acts from one state (also one that we put in) to the next: a span in one choice of modes."""
 
     span: Span
+    """Of the motion; where an impact or an impulse ends it, of the motion before that."""
     choice: tuple[int, ...]
-    still: frozenset[str] = frozenset()
+    """The mode of every joint."""
+    resting: frozenset[str] = frozenset()
+    """Names of free speeds that are zero from the beginning and stay so."""
     ways: tuple[tuple[str, int], ...] = ()
+    """Signs of free speeds by name, where a resistance asks for them, and sides of places, |x|, from which distances
+    are measured."""
     blow: Span | None = None
+    """What strikes, and the joints that hold after it, where the next state is just after this one."""
     blow_choice: tuple[int, ...] | None = None
+    """The modes of what strikes; None: the first."""
 
 
 @record
-class Plot:
-    """`stretches[i]` runs from `states[i]` to `states[i + 1]`. `turnings`: states that we put in, each with what
-    vanishes there (a formula of the general position) and what happens. `equilibria`: states that stand beside the
-    order, as no motion leads to them, each with what acts there. `beyond`: from the last state on (None: what acted
-    before it).
-    """
+class ModeSequence:
+    """The states of a motion, and which modes hold from each to the next."""
 
     states: tuple[State, ...]
+    """In their order, with those that we put in."""
     stretches: tuple[Stretch, ...]
+    """`stretches[i]` runs from `states[i]` to `states[i + 1]`."""
     turnings: Mapping[str, tuple[sp.Expr, str]] = field(default_factory=dict)
+    """States that we put in, each with what vanishes there (a formula of the general position) and what happens."""
     equilibria: tuple[tuple[State, Stretch], ...] = ()
+    """States that stand beside the order, as no motion leads to them, each with what acts there."""
     beyond: Stretch | None = None
+    """From the last state on; None: what acted before it."""
 
     def stretch(self, i: int) -> Stretch:
         """What acts from state i on, also from the last."""
         return self.stretches[i] if i < len(self.stretches) else self.beyond or self.stretches[-1]
 
-    def changed(self, i: int, choice: tuple[int, ...]) -> Plot:
+    def changed(self, i: int, choice: tuple[int, ...]) -> ModeSequence:
         """Another choice of modes from stretch i on, as long as the same things act. What nothing set in motion before
         need not rest any longer.
         """
         if i >= len(self.stretches):
-            return replace(self, beyond=replace(self.stretch(i), choice=choice, still=frozenset()))
+            return replace(self, beyond=replace(self.stretch(i), choice=choice, resting=frozenset()))
         key = self.stretches[i].span.key
         found = list(self.stretches)
         same = True
         for j in range(i, len(found)):
             same = same and found[j].span.key == key
-            found[j] = replace(found[j], choice=choice if same else found[j].choice, still=frozenset())
-        beyond = None if self.beyond is None else replace(self.beyond, still=frozenset())
+            found[j] = replace(found[j], choice=choice if same else found[j].choice, resting=frozenset())
+        beyond = None if self.beyond is None else replace(self.beyond, resting=frozenset())
         return replace(self, stretches=tuple(found), beyond=beyond)
 
-    def struck(self, i: int, choice: tuple[int, ...]) -> Plot:
+    def struck(self, i: int, choice: tuple[int, ...]) -> ModeSequence:
         """Other modes of the blow on stretch i."""
         stretch = replace(self.stretches[i], blow_choice=choice)
         return replace(self, stretches=(*self.stretches[:i], stretch, *self.stretches[i + 1 :]))
 
-    def going(self, i: int, ways: Mapping[str, int]) -> Plot:
+    def going(self, i: int, ways: Mapping[str, int]) -> ModeSequence:
         """Other signs of speeds from stretch i on."""
         found = list(self.stretches)
         if i >= len(found):
@@ -97,12 +100,14 @@ class Plot:
             found[j] = replace(found[j], ways=tuple(sorted({**dict(found[j].ways), **ways}.items())))
         return replace(self, stretches=tuple(found))
 
-    def stilled(self, names: frozenset[str]) -> Plot:
-        """The same plot with speeds that stay zero."""
-        beyond = None if self.beyond is None else replace(self.beyond, still=self.beyond.still | names)
-        return replace(self, stretches=tuple(replace(s, still=s.still | names) for s in self.stretches), beyond=beyond)
+    def with_resting(self, names: frozenset[str]) -> ModeSequence:
+        """The same modes with speeds that stay zero."""
+        beyond = None if self.beyond is None else replace(self.beyond, resting=self.beyond.resting | names)
+        return replace(
+            self, stretches=tuple(replace(s, resting=s.resting | names) for s in self.stretches), beyond=beyond
+        )
 
-    def turned(self, i: int, expr: sp.Expr, words: str) -> Plot:
+    def turned(self, i: int, expr: sp.Expr, words: str) -> ModeSequence:
         """A state put in on stretch i where an assumption ends."""
         name = "turn" if not self.turnings else f"turn_{len(self.turnings) + 1}"
         while any(s.name == name for s in self.states):
@@ -161,7 +166,7 @@ def arriving_at(problem: Problem, state: State) -> Span:
 
 @dataclass(slots=True)
 class Workshop:
-    """Makes what several plots of one problem share: scenes as drawn, and regimes."""
+    """Makes what several sequences of modes of one problem share: scenes as drawn, and regimes."""
 
     earlier: Mapping[str, Any]
     letters: dict[tuple[int, sp.Symbol, str], sp.Symbol] = field(default_factory=dict)
@@ -178,7 +183,7 @@ class Workshop:
 
     def regime(self, stretch: Stretch) -> Regime:
         """The regime of a stretch."""
-        key = (stretch.span.key, stretch.choice, stretch.still, stretch.ways)
+        key = (stretch.span.key, stretch.choice, stretch.resting, stretch.ways)
         if key not in self._regimes:
             sides = tuple((name, way) for name, way in stretch.ways if name.startswith("|"))
             plain = (*key[:3], sides)
@@ -193,16 +198,16 @@ class Workshop:
         span = stretch.span
         drawn = self.drawn(span)
         known = (span.problem, span.always, self.earlier, drawn)
-        return make_general(*known, stretch.choice, stretch.still, self.made, sides)
+        return make_general(*known, stretch.choice, stretch.resting, self.made, sides)
 
 
-def nearest(plot: Plot, i: int, choices: Iterable[tuple[int, ...]]) -> list[tuple[int, ...]]:
+def nearest(sequence: ModeSequence, i: int, choices: Iterable[tuple[int, ...]]) -> list[tuple[int, ...]]:
     """Choices of modes for stretch i, those first that differ in the fewest joints from the stretch before, where the
     same things act in it.
     """
-    if i == 0 or plot.stretches[i - 1].span.key != plot.stretch(i).span.key:
+    if i == 0 or sequence.stretches[i - 1].span.key != sequence.stretch(i).span.key:
         return list(choices)
-    before = plot.stretches[i - 1].choice
+    before = sequence.stretches[i - 1].choice
     return sorted(choices, key=lambda c: sum(a != b for a, b in zip(c, before, strict=True)))
 
 

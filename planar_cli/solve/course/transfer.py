@@ -14,19 +14,19 @@ from planar_cli.equation.displacement import Coordinate
 from planar_cli.equation.plain import simplified
 from planar_cli.solve.course.equations import Equation
 from planar_cli.solve.course.general import General
-from planar_cli.solve.course.handing import edges_of, handed
 from planar_cli.solve.course.regime import Regime
+from planar_cli.solve.course.speed_transfer import edges_of, transferred_speed
 from planar_cli.solve.course.timeline import Stop
 
-Handing = Mapping[sp.Symbol, sp.Expr]
+Transfer = Mapping[sp.Symbol, sp.Expr]
 """Letters of other regimes, in the unknowns of one."""
 
 
-def handing_of(own: Regime, regimes: Sequence[Regime]) -> dict[sp.Symbol, sp.Expr]:
+def transfer_of(own: Regime, regimes: Sequence[Regime]) -> dict[sp.Symbol, sp.Expr]:
     """Free speeds and coordinates of all regimes that are not its own, in the motion of one of them."""
     edges = {s: e for r in regimes for s, e in edges_of(r.general.trial.system.tree).items() if s in r.free}
     motion, scene = own.general.quantities.motion, own.general.instant.scene
-    speeds = {u: handed(u, e, motion, scene) for u, e in edges.items() if u not in own.letters}
+    speeds = {u: transferred_speed(u, e, motion, scene) for u, e in edges.items() if u not in own.letters}
     found = {u: e for u, e in speeds.items() if e is not None}
     for other in regimes:
         if other is not own:
@@ -63,40 +63,40 @@ def _place(c: Coordinate, own: General, other: General, found: Mapping[sp.Symbol
     return None
 
 
-def resting_equations(regime: Regime, since: Stop, stop: Stop, handing: Handing) -> Iterator[Equation]:
-    """What moves only in other regimes stays where it is, or is told by `handing`."""
+def resting_equations(regime: Regime, since: Stop, stop: Stop, transfer: Transfer) -> Iterator[Equation]:
+    """What moves only in other regimes stays where it is, or is told by `transfer`."""
     own = set(regime.letters)
     for letter, end in stop.letters.items():
         if letter in own:
             continue
-        if handing.get(letter, sp.S.Zero) != 0:
+        if transfer.get(letter, sp.S.Zero) != 0:
             words = "the same motion" if letter in stop.speeds else "the same place"
-            yield Equation(end - stop.at(handing[letter]), "handed", words, stop.name, since.name)
+            yield Equation(end - stop.at(transfer[letter]), "handed", words, stop.name, since.name)
             continue
         residual = end - since.letters[letter] if letter not in stop.speeds else end
         yield Equation(residual, "link", "it rests meanwhile", stop.name, since.name)
 
 
-def later_equations(regimes: Sequence[Regime], first: Stop, handing: Handing) -> Iterator[Equation]:
-    """What moves only in later regimes: as drawn, and at rest; or where the first regime has it, by `handing`."""
+def later_equations(regimes: Sequence[Regime], first: Stop, transfer: Transfer) -> Iterator[Equation]:
+    """What moves only in later regimes: as drawn, and at rest; or where the first regime has it, by `transfer`."""
     own = set(regimes[0].letters)
     told: set[sp.Symbol] = set()
     for regime in regimes[1:]:
         moved: set[sp.Symbol] = set()
         for c in regime.coordinates:
-            if c.symbol in handing and c.symbol not in own:
+            if c.symbol in transfer and c.symbol not in own:
                 moved.add(c.speed)
             if c.symbol in own or c.symbol in told or c.drawn is None:
                 continue
             told.add(c.symbol)
-            residual = first.letters[c.symbol] - first.at(handing.get(c.symbol, c.drawn))
+            residual = first.letters[c.symbol] - first.at(transfer.get(c.symbol, c.drawn))
             kind, words = ("handed", "the same place") if c.speed in moved else ("drawn", "as drawn")
             yield Equation(residual, kind, words, first.name)
         for u in regime.free:
             if u in own or u in told:
                 continue
             told.add(u)
-            if u in moved and u in handing:
-                yield Equation(first.letters[u] - first.at(handing[u]), "handed", "the same motion", first.name)
+            if u in moved and u in transfer:
+                yield Equation(first.letters[u] - first.at(transfer[u]), "handed", "the same motion", first.name)
             else:
                 yield Equation(first.letters[u], "start", "it rests", first.name)

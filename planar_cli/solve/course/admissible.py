@@ -32,14 +32,14 @@ def objection(course: StatedMotion, i: int, regime: Regime, here: Here, old: Reg
     return found or (_impossible(regime, here.letters, here.value) if regime.loose else "")
 
 
-def handed_number(old: Regime, expr: sp.Expr, state: State, value: Valuation) -> float:
+def transferred_number(old: Regime, expr: sp.Expr, state: State, value: Valuation) -> float:
     """A letter of another regime in the motion of an old one."""
     return number_function([old.closed(expr)], list(state), value)(*state.values())[0]
 
 
 def _moves(course: StatedMotion, regime: Regime, here: Here, old: Regime, before: State) -> str:
     """Does something move that the regime takes for held, or rest that it takes along?"""
-    handing = course.handings[id(regime)]
+    transfer = course.transfers[id(regime)]
     for symbol, number in before.items():
         if symbol in regime.letters or symbol not in course.first.speeds:
             continue
@@ -47,7 +47,7 @@ def _moves(course: StatedMotion, regime: Regime, here: Here, old: Regime, before
         if abs(number) <= nothing and symbol not in old.letters:
             continue
         both = {**before, **here.letters}
-        kept = handed_number(regime, handing[symbol], both, here.value) if symbol in handing else 0.0
+        kept = transferred_number(regime, transfer[symbol], both, here.value) if symbol in transfer else 0.0
         if _alone(symbol, regime) and abs(kept - number) > max(nothing, MOVES * abs(number)):
             return "it moves"
     return ""

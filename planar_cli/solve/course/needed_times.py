@@ -12,7 +12,7 @@ from planar_cli.solve.course.stated_motion import StatedMotion
 ONLY_TIMES = ("t(q)", "t(v)")
 
 
-def without_idle_times(course: MotionEquations, finds: tuple[AskedFind, ...]) -> tuple[Equation, ...]:
+def without_unneeded_times(course: MotionEquations, finds: tuple[AskedFind, ...]) -> tuple[Equation, ...]:
     """The equations without those that only tell a time which is not asked, and on which nothing else rests."""
     times = {course.stops[s.name].t for s in course.states}
     needed = needed_letters(course, finds) & times

@@ -26,7 +26,7 @@ Raw = Mapping[str, list[tuple[Statement, tuple[Any, ...]]]]
 
 
 @record
-class Still:
+class Equilibria:
     """The equilibrium states of a problem: their equations, and the one way in which these hold."""
 
     states: tuple[State, ...]
@@ -40,9 +40,9 @@ def is_equilibrium(state: State) -> bool:
     return any(isinstance(r, Equilibrium) for r in state.relations)
 
 
-def stand_still(course: RegimeSequence, raw: Raw) -> Still:
+def solve_equilibria(course: RegimeSequence, raw: Raw) -> Equilibria:
     """Solve all equilibrium states. NoSolution: there is none, or several places fit."""
-    states = tuple(state for state, _ in course.plot.equilibria)
+    states = tuple(state for state, _ in course.modes.equilibria)
     demands: dict[str, tuple[Demand, ...]] = {}
     equations: list[Equation] = []
     for state in states:
@@ -53,9 +53,9 @@ def stand_still(course: RegimeSequence, raw: Raw) -> Still:
         if state.name == course.problem.states[0].name:
             equations += drawn_equations(reader.regime, stop)
     if not states:
-        return Still((), {}, (), Branch({}, {}, (), ()))
+        return Equilibria((), {}, (), Branch({}, {}, (), ()))
     branch = _solved(course, states, demands, equations)
-    return Still(states, demands, tuple(equations), branch)
+    return Equilibria(states, demands, tuple(equations), branch)
 
 
 def _solved(

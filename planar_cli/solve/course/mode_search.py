@@ -1,4 +1,4 @@
-"""Finds the plot that happens: the motion is followed in numbers, and where an assumption ends the plot is changed.
+"""Finds the modes that happen: the motion is followed in numbers, and where an assumption ends others are tried.
 
 A first state that is known is followed at once. Where constants or velocities are sought, the equations give all
 branches first, and each is followed to see whether it happens so.
@@ -15,7 +15,11 @@ from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.errors import Diagnostic, NoSolution, NoValue, Undecided
 from planar_cli.solve.course.alternatives import chosen_extreme, demand_choice
 from planar_cli.solve.course.asked_finds import AskedFind, asked_finds, asked_letters
-from planar_cli.solve.course.astray import (
+from planar_cli.solve.course.branch_order import candidates
+from planar_cli.solve.course.chain import Branch
+from planar_cli.solve.course.continuation import continued_branch
+from planar_cli.solve.course.departure import DEPARTS, departure_of
+from planar_cli.solve.course.diagnose_motion import (
     clash,
     demand_agreement,
     demand_told,
@@ -24,98 +28,99 @@ from planar_cli.solve.course.astray import (
     never,
     passed_before,
 )
-from planar_cli.solve.course.branch_order import candidates
-from planar_cli.solve.course.carried import carried_branch
-from planar_cli.solve.course.chain import Branch
-from planar_cli.solve.course.choosing import Choosing, assumed, at_a_top
 from planar_cli.solve.course.differences import by_differences
-from planar_cli.solve.course.first_plot import first_plot
+from planar_cli.solve.course.first_modes import first_modes
 from planar_cli.solve.course.followed import Followed
 from planar_cli.solve.course.gaps import just_parted
 from planar_cli.solve.course.holding import holding
-from planar_cli.solve.course.idle import without_idle_times
-from planar_cli.solve.course.known_part import Beginning, beginning
+from planar_cli.solve.course.known_prefix import Beginning, beginning
 from planar_cli.solve.course.masses import demand_mass
 from planar_cli.solve.course.matching import beside, onward, same_motion
 from planar_cli.solve.course.methods import by_method
+from planar_cli.solve.course.mode_choice import ModeChoice, assumed, at_a_top
+from planar_cli.solve.course.mode_sequence import ModeSequence
 from planar_cli.solve.course.motion_equations import MotionEquations, all_equations, first_equations
+from planar_cli.solve.course.needed_times import without_unneeded_times
 from planar_cli.solve.course.newton import refined_left
-from planar_cli.solve.course.plot import Plot
 from planar_cli.solve.course.reached import asked_about
 from planar_cli.solve.course.regime_sequence import RegimeSequence, regime_sequence
 from planar_cli.solve.course.simulate import Follower
 from planar_cli.solve.course.solved_motion import SolvedMotion
 from planar_cli.solve.course.starts import Start, balanced, certain_start, resting, resting_though_sought, untold
 from planar_cli.solve.course.stated_motion import StatedMotion, stated_motion
-from planar_cli.solve.course.touch import TOUCHED, touch_of
 from planar_cli.solve.course.unbounded_times import Endless, demand_no_times, without_endless_places, without_times
 from planar_cli.solve.principled import principle_of
 
-CHANGES, BLOW, SLACK = 40, " blow", Decimal("1e-9")
+CHANGES = 40
 NOTHING = Decimal("1e-13")
 AT_A_TOP = "the last state is one of equilibrium: with a little more it is passed, with less never reached"
 STAYS = "it begins at rest in equilibrium, where every acceleration vanishes: nothing moves"
 
 
 @dataclass(slots=True)
-class Unfolder(Choosing):
-    """Unfolds one problem. `units`: of answers, by name; `loose`: the course before what rests was held;
-    `resting`: the plot that begins in an unstable equilibrium of its speeds `idle`, `sense`: which way it is touched.
-    """
+class ModeSearch(ModeChoice):
+    """The search of one problem."""
 
     units: dict[str, str] = field(default_factory=dict)
+    """Of answers, by name."""
     stays: bool = False
-    resting: Plot | None = None
-    idle: frozenset[str] = frozenset()
+    """Does it begin at rest in equilibrium?"""
+    unstable: ModeSequence | None = None
+    """The modes that begin in an unstable equilibrium; None: none was met."""
+    departing: frozenset[str] = frozenset()
+    """The free speeds by which that equilibrium can be left."""
     sense: int = 0
+    """To which side it is left, 1 or -1; 0: not at all."""
     loose: tuple[MotionEquations, tuple[AskedFind, ...]] | None = None
+    """The equations, and what is asked, before what rests was held."""
 
     def run(self) -> SolvedMotion:
-        plot = first_plot(self.problem, self.workshop)
+        """The modes that happen, and the motion in them."""
+        modes = first_modes(self.problem, self.workshop)
         for _ in range(CHANGES):
-            sequence = regime_sequence(self.problem, plot, self.workshop)
+            sequence = regime_sequence(self.problem, modes, self.workshop)
             blocked = next((i for i, r in enumerate(sequence.regimes) if not r.moves()), None)
             if blocked is not None:
-                plot = self._unblocked(plot, blocked)
+                modes = self._unblocked(modes, blocked)
                 continue
             agreeing = self._agreeing(sequence)
             if agreeing is not None:
-                plot = agreeing
+                modes = agreeing
                 continue
             finds = asked_finds(sequence, self.units)
             course = first_equations(stated_motion(sequence))
             demand_mass(course, course.base())
             if not course.states:
-                return SolvedMotion(course, finds, course.still.branch, None, course.base())
-            found = self._unfold_touched(course, finds)
+                return SolvedMotion(course, finds, course.equilibria.branch, None, course.base())
+            found = self._solve_departing(course, finds)
             if isinstance(found, SolvedMotion):
                 stays = self.stays and not course.regimes[0].free
-                why = (TOUCHED,) if self.sense else (STAYS,) if stays else ()
+                why = (DEPARTS,) if self.sense else (STAYS,) if stays else ()
                 return replace(found, checks=(*found.checks, *why))
-            plot = found
+            modes = found
         raise Undecided("the contacts of this motion change too often")
 
-    def _unfold_touched(self, course: MotionEquations, finds: tuple[AskedFind, ...]) -> SolvedMotion | Plot:
+    def _solve_departing(self, course: MotionEquations, finds: tuple[AskedFind, ...]) -> SolvedMotion | ModeSequence:
         """The same; where it rests in an unstable equilibrium and a state is not reached, after a slight touch.
-        `reached(s)` is about the motion by itself, without any touch.
+        `reached(s)` is about the motion by itself, without any disturbance.
         """
         try:
-            return self._unfold(course, finds)
+            return self._solve(course, finds)
         except NoSolution as error:
-            if self.resting is None or isinstance(error, Endless) or asked_about(self.problem):
+            if self.unstable is None or isinstance(error, Endless) or asked_about(self.problem):
                 raise
             if self.sense < 0:
                 raise self.lack or error from error
             self.lack = self.lack or error
             self.sense, self.tried = (-1 if self.sense else 1), {}
-            return self.resting
+            return self.unstable
 
-    def _unfold(self, course: MotionEquations, finds: tuple[AskedFind, ...]) -> SolvedMotion | Plot:
-        """The motion solved, or another plot to try."""
+    def _solve(self, course: MotionEquations, finds: tuple[AskedFind, ...]) -> SolvedMotion | ModeSequence:
+        """The motion solved, or other modes to try."""
         course, start = self._start(course)
         if start is Start.CONTRADICTS:
             try:
-                return self._next(course.plot, 0, "what is stated of the first state contradicts it")
+                return self._next(course.modes, 0, "what is stated of the first state contradicts it")
             except NoSolution as error:
                 early = [e for e in course.equations if e.stop == course.first.name]
                 raise self.lack or clash(course, early) or error from error
@@ -125,33 +130,33 @@ class Unfolder(Choosing):
             if other is not None:
                 return other
         if start is Start.OPEN or untold(course):
-            still = course.plot.stretches[0].still
-            if resting_though_sought(course) - still:
-                return course.plot.stilled(resting_though_sought(course) | still)
+            rests = course.modes.stretches[0].resting
+            if resting_though_sought(course) - rests:
+                return course.modes.with_resting(resting_though_sought(course) | rests)
             loose = next((i for i, r in enumerate(course.regimes) if r.undetermined), None)
             course = self._relate(course, finds)
             return self._sought(course, finds) if loose is None else self._determined(course, loose)
         assert isinstance(start, dict)
         if self.sense:
-            touch = touch_of(course.regimes[0], course.base(), start, self.sense, self.idle)
-            course = replace(course, touch=touch)
-            start |= {touch.speed: touch.value} if touch is not None else {}
+            departure = departure_of(course.regimes[0], course.base(), start, self.sense, self.departing)
+            course = replace(course, departure=departure)
+            start |= {departure.speed: departure.value} if departure is not None else {}
         kept = frozenset() if course.blows or self.sense else balanced(course, start)
-        still = frozenset() if course.blows else resting(course, start) | kept
-        if not self.sense and touch_of(course.regimes[0], course.base(), start, 1, still) is not None:
-            self.resting, self.idle = course.plot, still
+        rests = frozenset() if course.blows else resting(course, start) | kept
+        if not self.sense and departure_of(course.regimes[0], course.base(), start, 1, rests) is not None:
+            self.unstable, self.departing = course.modes, rests
         self.stays = self.stays or bool(kept)
-        if still - course.plot.stretches[0].still:
+        if rests - course.modes.stretches[0].resting:
             if self.loose is None and self._alone:
                 self.loose = self._relate(course, finds), finds
-            return course.plot.stilled(still | course.plot.stretches[0].still)
+            return course.modes.with_resting(rests | course.modes.stretches[0].resting)
         return self._followed(course, finds, start)
 
     @staticmethod
     def _relate(course: MotionEquations, finds: tuple[AskedFind, ...]) -> MotionEquations:
         """With the equations from state to state."""
         course = all_equations(course)
-        return replace(course, equations=without_idle_times(course, finds))
+        return replace(course, equations=without_unneeded_times(course, finds))
 
     @staticmethod
     def _start(course: MotionEquations) -> tuple[MotionEquations, dict[sp.Symbol, Decimal] | Start]:
@@ -166,8 +171,8 @@ class Unfolder(Choosing):
                 course, start = parted, now
         return course, start
 
-    def _tried(self, course: MotionEquations, start: dict[sp.Symbol, Decimal]) -> Plot | None:
-        """Another plot, if following this one as far as it goes shows a wrong assumption."""
+    def _tried(self, course: MotionEquations, start: dict[sp.Symbol, Decimal]) -> ModeSequence | None:
+        """Other modes, if following these as far as they go shows a wrong assumption."""
         try:
             followed = Follower(course, course.base()).run({s: float(v) for s, v in start.items()})
         except (NoValue, Unvalued):
@@ -178,7 +183,7 @@ class Unfolder(Choosing):
 
     def _followed(
         self, course: MotionEquations, finds: tuple[AskedFind, ...], start: dict[sp.Symbol, Decimal]
-    ) -> SolvedMotion | Plot:
+    ) -> SolvedMotion | ModeSequence:
         followed = Follower(course, course.base()).run({s: float(v) for s, v in start.items()})
         changed = self._changed(course, followed)
         if changed is not None:
@@ -191,9 +196,9 @@ class Unfolder(Choosing):
             raise never(course, followed, course.base())
         for regime in course.distinct_regimes():
             regime.general.demand_unique(regime.undetermined)
-        if course.touch is not None:
+        if course.departure is not None:
             demand_no_times(course, finds)
-            followed.values[course.first.letters[course.touch.speed]] = 0.0
+            followed.values[course.first.letters[course.departure.speed]] = 0.0
             course = replace(course, equations=without_times(course))
         if followed.tends:
             course = replace(course, equations=without_endless_places(course, followed))
@@ -237,20 +242,20 @@ class Unfolder(Choosing):
         told = f"no motion leads to state {missed} by itself: {self._alone} alone relates the states"
         return SolvedMotion(course, finds, branch, None, course.base().extended(branch.values), checks=(told,))
 
-    def _changed(self, course: StatedMotion, followed: Followed) -> Plot | None:
-        """The next plot to try, None when this one holds."""
-        plot = course.plot
+    def _changed(self, course: StatedMotion, followed: Followed) -> ModeSequence | None:
+        """The next modes to try, None when these hold."""
+        modes = course.modes
         if followed.blow is not None:
-            return plot.struck(followed.blow, self._other_blow(course, followed.blow, followed.why))
+            return modes.struck(followed.blow, self._other_blow(course, followed.blow, followed.why))
         if followed.misfit is not None and followed.ways:
-            return plot.going(followed.misfit, followed.ways)
+            return modes.going(followed.misfit, followed.ways)
         if followed.misfit is not None:
-            return self._next(plot, followed.misfit, followed.why)
+            return self._next(modes, followed.misfit, followed.why)
         if followed.ends is not None:
             ends = followed.ends
             if ends.again:
                 raise meets_again(course, ends)
-            changed = plot.turned(ends.stretch, ends.expr, ends.words)
+            changed = modes.turned(ends.stretch, ends.expr, ends.words)
             regime = course.regimes[ends.stretch]
             if any(ends.expr == w.expr for w in regime.watches) or ends.expr in regime.slips:
                 return self._next(changed, ends.stretch + 1, ends.words)
@@ -259,7 +264,7 @@ class Unfolder(Choosing):
 
     # --- a start that is sought --------------------------------------------------------------------------------------
 
-    def _sought(self, course: MotionEquations, finds: tuple[AskedFind, ...]) -> SolvedMotion | Plot:
+    def _sought(self, course: MotionEquations, finds: tuple[AskedFind, ...]) -> SolvedMotion | ModeSequence:
         """All branches of the equations; the first that, followed from its start, happens so. One in which a state at a
         given time is the first of its kind goes before those that pass such a state earlier.
         """
@@ -272,8 +277,8 @@ class Unfolder(Choosing):
 
     def _of_branches(
         self, course: MotionEquations, finds: tuple[AskedFind, ...], known: Beginning
-    ) -> SolvedMotion | Plot:
-        changed: Plot | None = None
+    ) -> SolvedMotion | ModeSequence:
+        changed: ModeSequence | None = None
         again: list[SolvedMotion] = []
         fits: list[SolvedMotion] = []
         branches, guessed = known.after(course, candidates(course))
@@ -317,7 +322,7 @@ class Unfolder(Choosing):
         if branches:
             raise self.lack
         try:
-            return self._next(course.plot, 0, text)
+            return self._next(course.modes, 0, text)
         except NoSolution:
             raise self.lack from None
 
@@ -335,7 +340,7 @@ class Unfolder(Choosing):
         self, course: MotionEquations, finds: tuple[AskedFind, ...], branches: list[Branch]
     ) -> SolvedMotion | None:
         """Where no motion can be followed: the branch to which the drawn position leads; None: after blows, another."""
-        led = carried_branch(course, branches)
+        led = continued_branch(course, branches)
         try:
             demand_told(course, finds, led.values)
         except NoSolution as error:

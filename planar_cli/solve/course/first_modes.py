@@ -1,4 +1,4 @@
-"""The plot with which unfolding begins: every joint in its first mode that the file leaves open."""
+"""The modes with which the search begins: every joint in its first mode that the file leaves open."""
 
 from __future__ import annotations
 
@@ -6,11 +6,19 @@ from dataclasses import replace
 
 from planar_cli.errors import Mark
 from planar_cli.problem.scene import Problem, State
-from planar_cli.solve.course.plot import Plot, Span, Stretch, Workshop, arriving_at, blow_before, spans_of
-from planar_cli.solve.course.still import is_equilibrium
+from planar_cli.solve.course.equilibria import is_equilibrium
+from planar_cli.solve.course.mode_sequence import (
+    ModeSequence,
+    Span,
+    Stretch,
+    Workshop,
+    arriving_at,
+    blow_before,
+    spans_of,
+)
 
 
-def first_plot(problem: Problem, workshop: Workshop) -> Plot:
+def first_modes(problem: Problem, workshop: Workshop) -> ModeSequence:
     """Every joint in its first mode that the file leaves open; one instant at a given time is its only state."""
     states = problem.states or (State("", problem.instant or (), _mark(problem)),)
     moving = tuple(s for s in states if not is_equilibrium(s))
@@ -28,7 +36,7 @@ def first_plot(problem: Problem, workshop: Workshop) -> Plot:
             beyond = stretch(struck[1]) if i + 2 == len(moving) else None
     spans = spans_of(problem, states)
     beside = [(s, spans[min(i, len(spans) - 1)]) for i, s in enumerate(states) if is_equilibrium(s)]
-    return Plot(moving, stretches, equilibria=tuple((s, stretch(span)) for s, span in beside), beyond=beyond)
+    return ModeSequence(moving, stretches, equilibria=tuple((s, stretch(span)) for s, span in beside), beyond=beyond)
 
 
 def _mark(problem: Problem) -> Mark:

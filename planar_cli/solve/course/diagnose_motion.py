@@ -25,8 +25,8 @@ from planar_cli.solve.course.balances import StateBalance
 from planar_cli.solve.course.equations import Equation
 from planar_cli.solve.course.events import Leg, events, is_zero, scale_of
 from planar_cli.solve.course.followed import Ends, Followed
+from planar_cli.solve.course.mode_sequence import Span, Workshop, fixed_time
 from planar_cli.solve.course.motion_equations import MotionEquations
-from planar_cli.solve.course.plot import Span, Workshop, fixed_time
 from planar_cli.solve.course.reached import asked_about
 from planar_cli.solve.course.regime_sequence import RegimeSequence
 from planar_cli.solve.course.simulate import Follower
@@ -97,7 +97,7 @@ def missing(course: MotionEquations) -> NoSolution | None:
         if not fixed_time(s.relations)
         and not any(blow.stop.name == s.name for blow in course.blows.values())
         and all(d.kind == "inequality" for d in course.demands[s.name])
-        and s.name not in course.plot.turnings
+        and s.name not in course.modes.turnings
     ]
     if unsaid and not sought and not open_first:
         text = f"nothing says when state {unsaid[0].name} is"

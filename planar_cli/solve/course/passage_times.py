@@ -94,7 +94,7 @@ def steady_time(course: MotionEquations, stop: Stop, leg: Leg) -> tuple[State | 
     demands = course.demands[stop.name]
     equations = [d for d in demands if d.kind == "equation" and d.trend is None]
     limits = [d for d in demands if d.kind == "inequality"]
-    if len(equations) != 1 or len(demands) != 1 + len(limits) or course.plot.turnings:
+    if len(equations) != 1 or len(demands) != 1 + len(limits) or course.modes.turnings:
         return None
     if any(i < index for i in course.blows):
         return None
