@@ -8,7 +8,7 @@ The plan of equations is that of an instant; its letters are those of the two st
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, replace
 from decimal import Decimal
 from typing import Any
 
@@ -50,40 +50,49 @@ def arriving(regime: Regime) -> dict[str, tuple[Vec, sp.Expr]]:
 
 @record
 class Stroke:
-    """A blow in numbers: `after`, by the letters of the general position; `own`: its impulses; `objection`: what speaks
-    against its modes; `misfit`: what speaks against the modes after it.
-    """
+    """A blow in numbers."""
 
     after: dict[sp.Symbol, float]
+    """The symbols of the general position just after it."""
     own: dict[sp.Symbol, float]
+    """Its impulses."""
     objection: str
+    """What speaks against its modes."""
     misfit: str = ""
+    """What speaks against the modes after it."""
+    far: frozenset[str] = frozenset()
+    """Impacts whose bodies are apart."""
 
 
-@dataclass(slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False)
 class Blow:
-    """One blow. `before`: the regime that tells the velocities at state `since`; `after`: that at `stop`.
-
-    `drawn`: coordinates put where they were drawn, if nothing has moved yet. `letters`: unknowns of its own, impulses
-    above all. `trial`: its modes for draws of all letters, `stage`: its plan of equations. `edges`: what the speeds of
-    all regimes are, by their letters. `otherwise`: something else than an impact of the whole motion makes it a blow;
-    `far`: impacts whose bodies are apart, once a motion was followed.
-    """
+    """One blow."""
 
     since: Stop
+    """The state just before it."""
     stop: Stop
+    """The state just after it."""
     before: Regime
+    """The regime that tells the velocities before."""
     after: Regime
+    """The regime that tells the velocities after."""
     struck: Struck
     drawn: Mapping[sp.Symbol, sp.Expr]
+    """Coordinates put where they were drawn, if nothing has moved yet."""
     choice: tuple[int, ...]
+    """The modes of its joints."""
     trial: Trial
+    """These modes for draws of all letters."""
     edges: Mapping[sp.Symbol, Edge]
+    """What the speeds of all regimes are, by their symbols."""
     otherwise: bool
+    """Does something else than an impact of the whole motion make it a blow?"""
     stage: Stage | None = None
+    """The plan of its equations; None: its modes cannot be."""
     letters: tuple[sp.Symbol, ...] = ()
-    equations: list[Equation] = field(default_factory=list)
-    far: frozenset[str] | None = None
+    """Unknowns of its own, impulses above all."""
+    equations: tuple[Equation, ...] = ()
+    """The velocities after it, and the impulses."""
 
     @property
     def system(self) -> System:
@@ -102,10 +111,10 @@ class Blow:
 
     # --- equations ---------------------------------------------------------------------------------------------------
 
-    def work(self, asked: Iterable[str]) -> None:
-        """Plan the equations of the velocities after the blow, and of the impulses of joints that are `asked`."""
+    def planned(self, asked: Iterable[str]) -> Blow:
+        """With the equations of the velocities after the blow, and of the impulses of joints that are `asked`."""
         if not self.trial.outcomes:
-            return
+            return self
         unknowns = set(acceleration_unknowns(self.system))
         transfer = list(self._transferred())
         targets = {s for _, e in transfer for s in e.free_symbols & unknowns}
@@ -114,14 +123,21 @@ class Blow:
         value = base.without(unknowns)
         maker = StageMaker(self.system, value, True, constructed=self.scene.displacement is None, whole=True)
         maker.families = families_across(self.scene.problem.method, position_of(self.system, value))
-        self.stage = maker.accelerations(targets)
-        self.equations = [*self._same_place(), *self._planned(self.stage), *self._zero(self.stage)]
+        found = replace(self, stage=maker.accelerations(targets))
+        equations = tuple(found._written(transfer))
+        inside = {s for e in equations for s in e.residual.free_symbols}
+        own = {*unknowns, *self.scene.open_names.values()} & inside
+        letters = tuple(sorted(own - set(self.stop.letters.values()), key=lambda s: s.name))
+        return replace(found, equations=equations, letters=letters)
+
+    def _written(self, transfer: Iterable[tuple[sp.Symbol, sp.Expr]]) -> Iterator[Equation]:
+        assert self.stage is not None
+        yield from self._same_place()
+        yield from self._planned(self.stage)
+        yield from self._zero(self.stage)
         for u, expr in transfer:
             words = "the velocities after the blow"
-            self.equations.append(Equation(self.stop.letters[u] - self.here(expr), "blow", words, self.stop.name))
-        inside = set().union(*(e.residual.free_symbols for e in self.equations)) if self.equations else set()
-        own = {*unknowns, *self.scene.open_names.values()} & inside
-        self.letters = tuple(sorted(own - set(self.stop.letters.values()), key=lambda s: s.name))
+            yield Equation(self.stop.letters[u] - self.here(expr), "blow", words, self.stop.name)
 
     def here(self, expr: sp.Expr) -> sp.Expr:
         """An expression of the blow in letters of its states and its own; named lines are put in."""
@@ -191,13 +207,13 @@ class Blow:
         """What comes of the letters just before the blow. `here`: the numbers with which things have `arrived`. `near`:
         a smaller gap is none, in m.
         """
-        self.far = self._far(here, Decimal(repr(near)))
-        if not self.fits(self.choice):
-            return Stroke({}, {}, "what is apart is not struck")
-        self._demand_corners(here, Decimal(repr(near)))
+        far = self._far(here, Decimal(repr(near)))
+        if not self.fits(self.choice, far):
+            return Stroke({}, {}, "what is apart is not struck", far=far)
+        self._demand_corners(here, Decimal(repr(near)), far)
         trial = self.struck.try_choice(self.choice, (here,))
         if not trial.outcomes:
-            return Stroke({}, {}, trial.objection)
+            return Stroke({}, {}, trial.objection, far=far)
         outcome = trial.outcomes[0]
         unknowns = unknowns_of(trial.system, outcome)
         found = here.extended(unknowns)
@@ -205,12 +221,12 @@ class Blow:
         after |= {u: float(found(own)) for u in self.after.free if (own := self.stop.letters[u]) in unknowns}
         after |= {u: float(found(expr)) for u, expr in self._transferred()}
         own = {s: float(unknowns[s]) for s in self.letters if s in unknowns and self._unique(s, outcome)}
-        return Stroke(after, own, trial.objection, self._moves(after, found, unknowns))
+        return Stroke(after, own, trial.objection, self._moves(after, found, unknowns), far)
 
-    def _demand_corners(self, here: Valuation, near: Decimal) -> None:
+    def _demand_corners(self, here: Valuation, near: Decimal, far: frozenset[str]) -> None:
         """NoSolution: the corner that strikes is another than was taken, or there are two."""
         for joint in self.struck.joints:
-            if joint.strikes and joint.name not in (self.far or ()):
+            if joint.strikes and joint.name not in far:
                 wrong = self.scene.doubtful(joint, here, near)
                 if wrong:
                     hint = "draw the points in the state of the impact, slightly turned so that one corner comes first"
@@ -225,12 +241,10 @@ class Blow:
         far = frozenset(name for name, gap in gaps.items() if gap is not None and gap > near)
         return far if len(far) < len(free) or self.otherwise else frozenset()
 
-    def fits(self, choice: tuple[int, ...]) -> bool:
+    def fits(self, choice: tuple[int, ...], far: frozenset[str]) -> bool:
         """Do these modes leave out what is apart, and nothing else?"""
-        if self.far is None:
-            return True
         chosen = ((j.name, found[i].name) for (j, found), i in zip(self.struck.modes, choice, strict=True))
-        return all((mode == FAR) == (name in self.far) for name, mode in chosen)
+        return all((mode == FAR) == (name in far) for name, mode in chosen)
 
     def _moves(self, after: Mapping[sp.Symbol, float], found: Valuation, unknowns: Mapping[sp.Symbol, Decimal]) -> str:
         """Does something move after the blow that the regime after it takes for held?"""
@@ -267,8 +281,8 @@ def asked_of_blows(problem: Any) -> list[str]:
 
 
 def make_blow(course: RegimeSequence, i: int, span: Span, choice: tuple[int, ...] | None, placed: bool) -> Blow:
-    """The blow between states i and i + 1, its modes not yet tried but in draws. `placed`: what `motion` says fixes
-    the places of the first state.
+    """The blow between states i and i + 1, its modes tried in draws. `placed`: what `motion` says fixes the places of
+    the first state.
     """
     since, stop = (course.stops[course.states[k].name] for k in (i, i + 1))
     before, after = course.readers[since.name].regime, course.readers[stop.name].regime
@@ -289,7 +303,8 @@ def make_blow(course: RegimeSequence, i: int, span: Span, choice: tuple[int, ...
     choice = choice if choice is not None else next(struck.choices())
     trial = struck.try_choice(choice, struck.scene.valuations[:1])
     otherwise = _struck_otherwise(course.modes.stretches[i].span, span)
-    return Blow(since, stop, before, after, struck, drawn, choice, trial, course.edges(), otherwise)
+    found = Blow(since, stop, before, after, struck, drawn, choice, trial, course.edges(), otherwise)
+    return found.planned(asked_of_blows(course.problem))
 
 
 def _titles(course: RegimeSequence) -> dict[sp.Symbol, str]:

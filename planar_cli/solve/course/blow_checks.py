@@ -27,14 +27,16 @@ SAME = Decimal("1e-12")
 
 def blow_checks(found: SolvedMotion) -> Iterator[str]:
     """What is said of the blows of a motion, in phrases. Disagreement: the roads differ."""
-    for blow in found.course.blows.values():
+    far = {} if found.followed is None else found.followed.far
+    for i, blow in found.course.blows.items():
         try:
-            yield from _checked(blow, found.value)
+            yield from _checked(blow, found.value, far.get(i))
         except (NoValue, Unvalued):
             continue
 
 
-def _checked(blow: Blow, value: Valuation) -> Iterator[str]:
+def _checked(blow: Blow, value: Valuation, far: frozenset[str] | None) -> Iterator[str]:
+    """`far`: impacts whose bodies are apart; None: nothing tells."""
     name = f"the blow from {blow.since.name} to {blow.stop.name}"
     here = blow.numbers(value)
     trial = blow.struck.try_choice(blow.choice, (here,))
@@ -53,7 +55,7 @@ def _checked(blow: Blow, value: Valuation) -> Iterator[str]:
         mode = trial.system.modes.get(joint.name)
         if mode is not None and mode.name == "apart" and joint.strikes and joint.during:
             yield f"{mode.words} at {blow.since.name}: no impulse there"
-    for other in _others(blow, trial, here):
+    for other in _others(blow, trial, here, far):
         words = ", ".join(m.words for m in other.system.modes.values() if m.words)
         yield f"{name} may also end otherwise: {words}"
 
@@ -93,12 +95,12 @@ def _energy_lost(blow: Blow, trial: Trial, here: Valuation) -> Decimal:
     return _energy(blow, here) - _energy(blow, after, motion.accelerations)
 
 
-def _others(blow: Blow, trial: Trial, here: Valuation) -> Iterator[Trial]:
+def _others(blow: Blow, trial: Trial, here: Valuation, far: frozenset[str] | None) -> Iterator[Trial]:
     """Other modes that hold as well, with other velocities after the blow."""
     kept = _velocities(trial)
     size = max((abs(v) for v in kept.values()), default=Decimal(0)) or Decimal(1)
     for choice in itertools.islice(blow.struck.choices(), MOST_CHOICES):
-        if choice == blow.choice or not blow.fits(choice):
+        if choice == blow.choice or (far is not None and not blow.fits(choice, far)):
             continue
         other = blow.struck.try_choice(choice, (here,))
         if other.objection or not other.outcomes:

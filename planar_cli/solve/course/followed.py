@@ -47,6 +47,8 @@ class Followed:
     """The state in which the last stretch begins."""
     blow: int | None = None
     """The stretch that ends with an impact whose modes do not hold."""
+    far: dict[int, frozenset[str]] = field(default_factory=dict)
+    """By the stretch that ends with them: impacts whose bodies are apart."""
     growing: list[str] = field(default_factory=list)
     """What is to be largest (or smallest), but is more so every time."""
     tends: dict[sp.Symbol, float] = field(default_factory=dict)

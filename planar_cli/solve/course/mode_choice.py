@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from decimal import Decimal
 
@@ -15,6 +16,7 @@ from planar_cli.solve.course.regime_sequence import RegimeSequence
 from planar_cli.solve.course.stated_motion import StatedMotion
 
 BLOW, SLACK = " blow", Decimal("1e-9")
+Far = Mapping[int, frozenset[str]]
 
 
 @dataclass(slots=True)
@@ -67,14 +69,14 @@ class ModeChoice:
             [Diagnostic(mark, "PL622", f"no assumption about the contacts holds from here on: {self.why}")]
         )
 
-    def _other_blow(self, course: StatedMotion, i: int, why: str) -> tuple[int, ...]:
-        """Other modes of the joints in a blow."""
+    def _other_blow(self, course: StatedMotion, i: int, why: str, far: Far) -> tuple[int, ...]:
+        """Other modes of the joints in a blow. `far`: impacts whose bodies are known to be apart, by stretch."""
         name = (BLOW, *(s.name for s in course.modes.states[: i + 1]))
         failed = self.tried.setdefault(name, [])
         failed.append(course.blows[i].choice)
         self.why = self.why or why
         for choice in course.blows[i].struck.choices():
-            if choice not in failed and course.blows[i].fits(choice):
+            if choice not in failed and (i not in far or course.blows[i].fits(choice, far[i])):
                 return choice
         text = f"no assumption about the contacts holds in the blow: {self.why}"
         raise self.lack or NoSolution([Diagnostic(course.states[i + 1].mark, "PL622", text)])
@@ -91,11 +93,11 @@ class ModeChoice:
         except NoSolution as error:
             raise self.lack or error from error
 
-    def _elsewhere(self, course: StatedMotion, why: str) -> ModeSequence | None:
+    def _elsewhere(self, course: StatedMotion, why: str, far: Far) -> ModeSequence | None:
         """Other modes in a blow, or after one; None: there are no blows, or all have been tried."""
         for i in course.blows:
             try:
-                return course.modes.struck(i, self._other_blow(course, i, why))
+                return course.modes.struck(i, self._other_blow(course, i, why, far))
             except NoSolution:
                 continue
         for i in course.blows:

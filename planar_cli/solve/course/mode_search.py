@@ -246,7 +246,7 @@ class ModeSearch(ModeChoice):
         """The next modes to try, None when these hold."""
         modes = course.modes
         if followed.blow is not None:
-            return modes.struck(followed.blow, self._other_blow(course, followed.blow, followed.why))
+            return modes.struck(followed.blow, self._other_blow(course, followed.blow, followed.why, followed.far))
         if followed.misfit is not None and followed.ways:
             return modes.going(followed.misfit, followed.ways)
         if followed.misfit is not None:
@@ -281,6 +281,7 @@ class ModeSearch(ModeChoice):
         changed: ModeSequence | None = None
         again: list[SolvedMotion] = []
         fits: list[SolvedMotion] = []
+        far: dict[int, frozenset[str]] = dict(known.followed.far)
         branches, guessed = known.after(course, candidates(course))
         for branch in branches:
             value = course.base().extended(branch.values)
@@ -293,6 +294,7 @@ class ModeSearch(ModeChoice):
             followed = self._along(course, value, start)
             if followed is None:
                 continue
+            far |= followed.far
             other = self._changed(course, followed)
             if other is not None:
                 changed = changed or other
@@ -316,7 +318,7 @@ class ModeSearch(ModeChoice):
         wrong = clashing if clashing is not None and course.sought() else missing(course) or clashing
         text = "no motion passes through these states"
         self.lack = self.lack or wrong or NoSolution([Diagnostic(course.states[0].mark, "PL620", text)])
-        other = self._elsewhere(course, text)
+        other = self._elsewhere(course, text, far)
         if other is not None:
             return other
         if branches:

@@ -74,6 +74,7 @@ class Follower:
             done.at = state
             if i in course.blows:
                 stroke = self._struck(i, state)
+                done.far[i] = stroke.far
                 if stroke.objection:
                     done.blow, done.why = i, stroke.objection
                     return done

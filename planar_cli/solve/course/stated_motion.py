@@ -12,7 +12,7 @@ from planar_cli.equation.plain import derivative
 from planar_cli.problem.expression import Relation, Statement
 from planar_cli.problem.scene import State
 from planar_cli.records import record
-from planar_cli.solve.course.blow import Blow, arriving, asked_of_blows, make_blow
+from planar_cli.solve.course.blow import Blow, arriving, make_blow
 from planar_cli.solve.course.equations import Laws, laws_of
 from planar_cli.solve.course.equilibria import Equilibria, solve_equilibria
 from planar_cli.solve.course.laws_between import LawsBetween
@@ -144,7 +144,6 @@ def _blows(motion: RegimeSequence, placed: Mapping[str, Sequence[Demand]]) -> di
     for i, stretch in enumerate(motion.modes.stretches):
         if stretch.blow is not None:
             made = make_blow(motion, i, stretch.blow, stretch.blow_choice, bool(placed[motion.first.name]))
-            made.work(asked_of_blows(motion.problem))
             units = made.scene.ledger.units
             motion.ledger.units |= {x: units[x] for x in made.letters if x in units}
             blows[i] = made
