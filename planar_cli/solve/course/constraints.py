@@ -221,7 +221,7 @@ def project(
 ) -> dict[sp.Symbol, Decimal]:
     """Coordinates near those of `value` that satisfy all constraints, by Newton's method with the shortest steps.
 
-    ArithmeticError: it does not converge.
+    NotReached: it does not converge.
     """
     exprs = [c.residual for c in constraints]
     slopes = [[derivative(e, x) if x in e.free_symbols else sp.S.Zero for x in unknowns] for e in exprs]

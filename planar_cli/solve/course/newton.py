@@ -46,7 +46,7 @@ def refined(
     """The unknowns that the equations determine, to all digits; those that they leave open are left out. `natural`: an
     ordinary size of each.
 
-    ArithmeticError: Newton's method goes elsewhere than to the values it starts from.
+    NotReached: Newton's method goes elsewhere than to the values it starts from.
     """
     exprs = [e for e in residuals if not e.has(sp.Integral)]
     used = [x for x in unknowns if any(x in letters(e) for e in exprs)]
