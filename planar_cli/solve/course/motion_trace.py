@@ -108,7 +108,7 @@ def _regime(course: RegimeSequence, instant: InstantSolution, wanted: frozenset[
         acts = [(names[-1], "")]
     acts += [
         (state.name, state.name)
-        for state, stretch in course.plot.equilibria
+        for state, stretch in course.modes.equilibria
         if course.workshop.regime(stretch).general.solution is instant
     ]
     return RegimeTrace(instant, tuple(acts), wanted)
