@@ -14,6 +14,7 @@ from planar_cli.integrators.base import (
     Setting,
     Step,
     StepTooSmall,
+    TooManySteps,
     Vector,
     first_step,
     norm,
@@ -39,10 +40,10 @@ class EqualSteps(Integrator):
         counts.evaluations += 1
         length = setting.step or self._length(f, t0, y, r, t1, setting)
         number = max(1, math.ceil(abs(t1 - t0) / min(length, setting.longest) - 1e-9))
-        if number > setting.most_steps:
-            raise StepTooSmall(f"{self.kind} would need {number} steps", t0, y)
         for i in range(number):
             start = t0 + (t1 - t0) * (i / number)
+            if i >= setting.most_steps:
+                raise TooManySteps(f"more than {i} steps until t = {start:.9g} s", start, y)
             end = t0 + (t1 - t0) * ((i + 1) / number)
             new, rates = self._advanced(f, start, y, r, end, setting)
             counts.evaluations += self.cost + 1

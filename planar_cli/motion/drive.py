@@ -92,6 +92,12 @@ class Run:
         return self.steps[low].at(t)
 
 
+def order_of(kind: str) -> int:
+    """Of a member of the shelf of integrators; of `auto` that of the method with which it begins."""
+    integrator: type[Integrator] = member("integrators", EXPLICIT if kind == AUTOMATIC else kind)
+    return integrator.order
+
+
 def drive(
     f: Rates,
     t0: float,

@@ -16,7 +16,7 @@ from typing import Protocol
 from planar_cli.errors import PlanarError
 from planar_cli.integrators.base import EPSILON, Integrator
 from planar_cli.motion.drive import AUTOMATIC
-from planar_cli.motion.estimate import Growth, growth, tighter
+from planar_cli.motion.estimate import Growth, by_halving, growth, tighter
 from planar_cli.records import record
 from planar_cli.registry import members
 
@@ -33,6 +33,7 @@ OTHER, COARSER = "radau", 10.0
 """The other method that checks it, and by how much its tolerance is larger."""
 DIGITS = (3, 6, 10)
 """Accuracies for which a setting is recommended: errors of 10^-digits."""
+UNCHECKED = "no other run meets the same events, so that it is not checked"
 SHIFT = 2.0**-40
 """How far apart two starts are whose difference is followed, in parts of the scales."""
 SAMPLES = 400
@@ -237,6 +238,8 @@ def _row(subject: Subject, kind: str, tolerance: float, step: float | None, refe
         finer = subject.run(kind, tighter(tolerance), None) if step is None else subject.run(kind, tolerance, step / 2)
     except PlanarError as error:
         return Row(kind, None if step else tolerance, step, None, None, math.nan, math.nan, 0, 0, 0.0, str(error))
+    member = kind_of(kind)
+    part = 1.0 if step is None or member is None else by_halving(member.order)
     note = ran.refused
     if not note and ran.met != reference.met:
         note = "meets other events than the reference"
@@ -245,7 +248,7 @@ def _row(subject: Subject, kind: str, tolerance: float, step: float | None, refe
         tolerance=None if step else tolerance,
         step=step,
         error=None if note else largest(ran.values, reference.values),
-        estimated=largest(ran.values, finer.values) if not note and finer.met == ran.met else None,
+        estimated=part * largest(ran.values, finer.values) if not note and finer.met == ran.met else None,
         energy=ran.energy,
         drift=ran.drift,
         steps=ran.steps,
@@ -278,20 +281,25 @@ def _reference(subject: Subject) -> tuple[Reference, Ran]:
     exact = subject.exact()
     if exact is not None and len(exact) == len(ran.values):
         return Reference(exact, "closed form", finest, EPSILON, ran.met), ran
-    differences = []
-    for kind, tolerance in ((AUTOMATIC, finest / FINER), (OTHER, finest * COARSER)):
+    checks = list(_checks(subject, ran, ((AUTOMATIC, finest / FINER), (OTHER, finest * COARSER))))
+    if not checks:
+        # Where nothing finer can be followed, coarser runs tell no less than how good the reference is.
+        checks = list(_checks(subject, ran, ((AUTOMATIC, finest * COARSER), (OTHER, finest * COARSER**2))))
+    told = [f"{kind} at {tolerance:.0e} differs by {apart:.1e}" for kind, tolerance, apart in checks]
+    words = f"{AUTOMATIC} at {finest:.0e}; " + (", ".join(told) or UNCHECKED)
+    uncertainty = max(min((apart for _, _, apart in checks), default=math.inf), EPSILON)
+    return Reference(ran.values, words, finest, uncertainty, ran.met), ran
+
+
+def _checks(subject: Subject, ran: Ran, settings: Sequence[tuple[str, float]]) -> Iterator[tuple[str, float, float]]:
+    """Method, tolerance, and how far the run with these is from the reference, where it meets the same events."""
+    for kind, tolerance in settings:
         try:
             check = subject.run(kind, tolerance)
         except PlanarError:
             continue
         if check.met == ran.met:
-            differences.append(largest(ran.values, check.values))
-    words = f"{AUTOMATIC} at {finest:.0e}" + (", not checked" if not differences else "")
-    if differences:
-        words += f"; at {finest / FINER:.0e} it differs by {differences[0]:.1e}"
-    if len(differences) > 1:
-        words += f", {OTHER} at {finest * COARSER:.0e} by {differences[1]:.1e}"
-    return Reference(ran.values, words, finest, max(min(differences, default=math.inf), EPSILON), ran.met), ran
+            yield kind, tolerance, largest(ran.values, check.values)
 
 
 def _growth(subject: Subject, finest: float) -> Growth:

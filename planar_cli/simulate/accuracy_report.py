@@ -174,7 +174,7 @@ def _conclusions(study: Study) -> Iterator[str]:
     for advice in study.advice:
         row = advice.row
         if row is None:
-            yield f"{advice.digits} digits: none of these settings reaches them"
+            yield f"{advice.digits} digits: {_why_none(study, advice.digits)}"
         else:
             yield f"{advice.digits} digits: {row.integrator} with {row.setting}, {_time(row.seconds)}"
     grown = study.growth
@@ -184,6 +184,16 @@ def _conclusions(study: Study) -> Iterator[str]:
     else:
         how = "If differences go on growing like that, digits" if grown.extrapolated else "Digits"
         yield f"{how} mean nothing beyond t = {grown.horizon:.3g} s."
+
+
+def _why_none(study: Study, digits: int) -> str:
+    """Why no setting is recommended."""
+    known = study.reference.uncertainty
+    if not math.isfinite(known):
+        return "none is recommended, as the reference is not checked"
+    if known > 10.0**-digits:
+        return f"none is recommended, as the reference is known to {known:.0e} only"
+    return "none of these settings reaches them"
 
 
 def _endings(told: Told) -> Iterator[str]:

@@ -14,6 +14,8 @@ WIDTH, HEIGHT = 64, 18
 LETTERS = "abcdefghijklmnopqrstuvwxyz"
 ESTIMATED = "·"
 """Where an estimated error stands for its row."""
+LEAST = 1e-16
+"""Smaller errors are drawn here."""
 PICTURES = (".png", ".svg")
 
 
@@ -28,7 +30,8 @@ def _curves(study: Study) -> dict[str, list[Row]]:
 
 def _lowest(study: Study) -> float:
     """Smaller errors are drawn here: below what the reference can tell."""
-    return max(study.reference.uncertainty, 1e-16)
+    known = study.reference.uncertainty
+    return max(known, LEAST) if math.isfinite(known) else LEAST
 
 
 def diagram(study: Study) -> list[str]:

@@ -17,8 +17,8 @@ from types import MappingProxyType
 from planar_cli.errors import Diagnostic, FileProblem, Mark
 from planar_cli.integrators.base import MOST_STEPS, Setting
 from planar_cli.motion.automaton import Start
-from planar_cli.motion.drive import AUTOMATIC
-from planar_cli.motion.estimate import shifts, tighter
+from planar_cli.motion.drive import AUTOMATIC, order_of
+from planar_cli.motion.estimate import by_halving, shifts, tighter
 from planar_cli.motion.follow import Follower
 from planar_cli.motion.model import Model
 from planar_cli.motion.regime import Regime
@@ -138,8 +138,9 @@ def simulate(problem: Problem, settings: Settings, units: Mapping[str, str] = US
     step = None if settings.step is None else settings.step / 2
     second = followed(scene, replace(settings, tolerance=tighter(settings.tolerance), step=step))
     better = Answers(problem, second.measures, second.trajectory, units).all()
+    part = 1.0 if step is None else by_halving(order_of(settings.integrator))
     pairs = zip(found, better, strict=True)
-    return Simulation(first, tuple(_with_error(a, b) for a, b in pairs), True)
+    return Simulation(first, tuple(_with_error(a, b, part) for a, b in pairs), True)
 
 
 def _to_stop(run: Run) -> Run:
@@ -273,11 +274,11 @@ def rounded(time: float) -> float:
     return next(power * r for r in ROUND if power * r >= time * (1 - 1e-12))
 
 
-def _with_error(first: Answered, second: Answered) -> Answered:
-    """The answer with what it is off from that of the finer run."""
+def _with_error(first: Answered, second: Answered, part: float) -> Answered:
+    """The answer with its error, by what it is off from that of the finer run."""
     if len(first.values) != len(second.values) or not second.values:
         return first
-    return replace(first, error=math.hypot(*(a - b for a, b in zip(first.values, second.values, strict=True))))
+    return replace(first, error=part * math.hypot(*(a - b for a, b in zip(first.values, second.values, strict=True))))
 
 
 def units_of(answers: Sequence[Answer]) -> dict[str, str]:

@@ -84,7 +84,9 @@ class SceneSubject:
             yield Row(peer.name, tolerance, step, error, None, math.nan, math.nan, 0, 0, found.seconds)
 
     def _compared(self, trajectory: Trajectory) -> tuple[float, ...]:
-        """Time and state of every state of the file, and of the end."""
+        """Time and state of every state of the file, and of the end; nothing where not a step was made."""
+        if not trajectory.segments:
+            return ()
         scale, time_scale = self.scene.model.scale, self.time_scale
         instants = [(e.t, e.y) for e in trajectory.events]
         instants.append((trajectory.t1, tuple(trajectory.at(trajectory.t1))))
