@@ -8,7 +8,7 @@ import json
 import math
 import time
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from importlib.util import find_spec
 from pathlib import Path
 
@@ -19,9 +19,13 @@ from planar_cli.errors import PlanarError
 from planar_cli.integrators.base import Setting
 from planar_cli.motion.drive import drive
 from planar_cli.motion.estimate import shifts
+from planar_cli.problem.structure import load
 from planar_cli.simulate.accuracy import Ran, Row, Study, Wanted, study
 from planar_cli.simulate.accuracy_report import Told, as_csv, as_data, as_markdown, as_text
 from planar_cli.simulate.diagram import HEIGHT, picture
+from planar_cli.simulate.subject import SceneSubject
+
+PROBLEMS = Path(__file__).parent.parent / "problems"
 
 
 @dataclass(frozen=True)
@@ -35,7 +39,7 @@ class Plain:
     def run(self, kind: str, tolerance: float, step: float | None = None, shift: float = 0.0) -> Ran:
         motion, begun = self.motion, time.perf_counter()
         start = [a + b for a, b in zip(motion.start, shifts(motion.scale, shift), strict=True)]
-        setting = Setting(motion.scale, tolerance=tolerance, step=step)
+        setting = Setting(motion.scale, tolerance=tolerance, step=step, most_steps=20_000)
         run = drive(motion.rates, 0.0, start, motion.end, setting, kind=kind)
 
         def path(t: float) -> list[float]:
@@ -116,7 +120,7 @@ def test_what_can_not_be_followed_is_a_row_with_its_reason() -> None:
     """Equal steps too short to be taken."""
     found = study(Plain(motions.pendulum(2.0, 5.0)), Wanted(("rk4",), steps=(1e-7,)))
     assert found.rows[0].error is None
-    assert "would need" in found.rows[0].note
+    assert "more than 20000 steps" in found.rows[0].note
 
 
 def test_as_text(swing: Study) -> None:
@@ -153,3 +157,39 @@ def test_as_a_picture(swing: Study, tmp_path: Path) -> None:
     else:
         picture([("Pendulum", swing)], str(path))
         assert "<svg" in path.read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize("kind", ["semi_implicit_euler", "rk4"])
+def test_the_estimate_is_of_the_run_that_is_reported(kind: str) -> None:
+    """Half the step errs by 2^-p as much: of a method of first order the difference shows only half of the error."""
+    found = study(Plain(motions.pendulum(2.0, 5.0)), Wanted((kind,), steps=(0.01, 0.003)))
+    for row in found.rows:
+        assert row.error is not None
+        assert row.estimated == pytest.approx(row.error, rel=0.03)
+
+
+@dataclass(frozen=True)
+class Lone(Plain):
+    """A motion that one setting only can follow."""
+
+    def run(self, kind: str, tolerance: float, step: float | None = None, shift: float = 0.0) -> Ran:
+        ran = Plain.run(self, kind, tolerance, step, shift)
+        return ran if (kind, tolerance) == ("auto", 1e-14) else replace(ran, met=(f"{kind} {tolerance}",))
+
+
+def test_why_nothing_is_recommended() -> None:
+    """The diagram had no lower end, and nothing was said of why."""
+    found = study(Lone(motions.pendulum(2.0, 5.0)), Wanted(("rk4",), steps=(0.1,)))
+    text = as_text(Told("Swing", found))
+    assert "it is not checked" in text
+    assert "3 digits: none is recommended, as the reference is not checked" in text
+
+
+def test_a_state_that_comes_soon_is_met_by_equal_steps() -> None:
+    """How far a state is looked for is no reason to refuse: only steps that are made count."""
+    problem, wrong, _ = load(str(PROBLEMS / "hard/parallelogram-through-its-change-point.yaml"))
+    assert problem is not None, wrong
+    for tolerance, step in ((1e-9, 1e-3), (1e-3, None)):
+        ran = SceneSubject(problem).run("rk4" if step else "auto", tolerance, step)
+        assert (ran.met, ran.refused) == (("2", "reached"), "")
+        assert ran.t1 == pytest.approx(math.pi / 3, rel=1e-9)
