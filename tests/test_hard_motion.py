@@ -28,7 +28,7 @@ joints:
 def test_a_rod_hardly_longer_than_its_crank(more: tuple[int, int]) -> None:
     """At 90 degrees the acceleration is r² w²/√(l² - r²), 7071.07 m/s²; differences of floats lose it altogether.
 
-    The exact value of l = 1 + 1e-8 is 7071.0677941878; 7071.0678156749, which is found in print, is that of l rounded to
+    The exact value of l = 1 + 1e-8 is 7071.0677941878; 7071.0678156749, found in print, is that of l rounded to
     a machine number. What a file writes is exact, so each l has its own value to thirty digits.
     """
     with localcontext() as context:
