@@ -116,6 +116,39 @@ def test_what_is_listed_behind_a_given_time_comes_after_it(states: str, time: fl
     assert answers(SWINGING % states)["t"].values == pytest.approx([time])
 
 
+COUNTED = """
+title: Ball on a spring, x = cos(t)
+plane: horizontal
+points: {O: [0, 0]}
+bodies: {P: {particle: [1 m, 0], mass: 1 kg}}
+joints: [guide: {point: P, along: 0 deg}]
+loads: [spring: {between: [O, P], stiffness: 1 N/m, natural_length: 0 m}]
+states: {start: [t = 0, at rest], cross: [x(P) = 0], turn: [v(P).x = 0], again: [x(P) = 0], late: [t = 6 s]}
+find: {n: count(%s) @ %s}
+"""
+
+
+@pytest.mark.parametrize(
+    ("relation", "span", "number"),
+    [
+        ("x(P) = 0", "start->turn", 1),
+        ("x(P) = 0", "start->cross", 1),
+        ("x(P) = 0", "cross->turn", 0),
+        ("x(P) = 0", "cross->again", 1),
+        ("x(P) = 0", "start->late", 2),
+        ("v(P).x = 0", "start->turn", 1),
+        ("x(P) = -1 m", "start->late", 1),
+        ("x(P) = -0.9999 m", "start->late", 2),
+        ("x(P) > 0", "start->late", 1),
+        ("x(P) < 0", "start->late", 1),
+        ("x(P) < -0.9999 m", "start->late", 1),
+    ],
+)
+def test_how_often_a_relation_comes_to_hold(relation: str, span: str, number: int) -> None:
+    """The beginning does not count, the end does; a state between does not hide what happens there."""
+    assert answers(COUNTED % (relation, span))["n"].values == (number,)
+
+
 def test_a_motion_of_blows_alone_ends_with_its_last_state() -> None:
     text = THROWN.replace("[y(P) = 3 m, at rest]", "[just after 1]")
     trajectory = simulated(text).run.trajectory

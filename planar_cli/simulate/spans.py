@@ -2,7 +2,7 @@
 
     work ∫ F · v dt,   impulse ∫ F dt,   path length ∫ |v| dt,   mean ∫ x dt / T,   heat of friction -∫ F · v dt
 
-Gauss's rule with five points in every step of the integrator, which is halved where that is not exact.
+Integrals are taken from step to step of the integrator (quadrature.py).
 """
 
 from __future__ import annotations
@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
+from functools import partial
 
 from planar_cli.errors import Diagnostic, FileProblem, Undecided
 from planar_cli.integrators.base import Step
@@ -24,21 +25,12 @@ from planar_cli.records import record
 from planar_cli.simulate.blows import Blows
 from planar_cli.simulate.heat import heat_of
 from planar_cli.simulate.measures import Measures
+from planar_cli.simulate.occurrences import Occurrences
+from planar_cli.simulate.quadrature import Piece, integral
 from planar_cli.simulate.timetable import Timetable
 
-NODES = (
-    (0.5, 0.5688888888888889),
-    (0.23076534494715845, 0.47862867049936647),
-    (0.7692346550528415, 0.47862867049936647),
-    (0.04691007703066802, 0.23692688505618908),
-    (0.9530899229693319, 0.23692688505618908),
-)
-"""Points and weights (their sum is 2) of Gauss's rule on (0, 1)."""
-LOOKS, HALVINGS, NEAR = 8, 60, 1e-8
-"""A step is looked at so often; the least size of a gap is found in so many parts; below this part of its scale it is
-zero."""
-CLOSE, DEEPEST = 1e-13, 24
-"""A step is halved until the rule agrees with itself to this part, at most so many times."""
+LOOKS, NEAR = 8, 1e-8
+"""A step is looked at so often for what comes to hold in it; below this part of its scale a gap is zero."""
 Function = Callable[[float, Sequence[float]], Sequence[float]]
 
 
@@ -59,39 +51,21 @@ class Stretch:
             if b > a:
                 yield a, b, step
 
-    def integral(self, of: Function) -> list[float]:
-        """∫ of dt."""
-        total: list[float] = []
+    def parts(self, of: Function) -> Iterator[Piece]:
+        """What is to be integrated from step to step; without a step the state stays as it is."""
         for a, b, step in self.pieces():
-            part = _refined(_along(of, step, self.segment.start), a, b, DEEPEST)
-            total = [x + p for x, p in zip(total, part, strict=True)] if total else part
-        return total
+            yield Piece(partial(_along, of, step, self.segment.start), a, b)
+
+    def looks(self) -> Iterator[float]:
+        """Times close enough to see what comes to hold."""
+        for a, b, _ in self.pieces():
+            yield from (a + (b - a) * i / LOOKS for i in range(LOOKS))
+        yield self.t1
 
 
-def _along(of: Function, step: Step | None, still: Sequence[float]) -> Callable[[float], Sequence[float]]:
-    """As a function of time alone; without a step the state stays as it is."""
-
-    def value(t: float) -> Sequence[float]:
-        return of(t, still if step is None else step.at(t))
-
-    return value
-
-
-def _gauss(of: Callable[[float], Sequence[float]], a: float, b: float) -> list[float]:
-    values = [[weight * v for v in of(a + x * (b - a))] for x, weight in NODES]
-    return [0.5 * (b - a) * sum(column) for column in zip(*values, strict=True)]
-
-
-def _refined(of: Callable[[float], Sequence[float]], a: float, b: float, depth: int) -> list[float]:
-    """Halved where the rule and its halves differ: a speed has a corner where a point turns round."""
-    whole, middle = _gauss(of, a, b), 0.5 * (a + b)
-    halves = [_gauss(of, a, middle), _gauss(of, middle, b)]
-    both = [x + y for x, y in zip(*halves, strict=True)]
-    size = max(abs(x) + abs(y) for x, y in zip(*halves, strict=True))
-    if depth == 0 or all(abs(x - y) <= CLOSE * size for x, y in zip(whole, both, strict=True)):
-        return both
-    parts = [_refined(of, a, middle, depth - 1), _refined(of, middle, b, depth - 1)]
-    return [x + y for x, y in zip(*parts, strict=True)]
+def _along(of: Function, step: Step | None, still: Sequence[float], t: float) -> Sequence[float]:
+    """As a function of time alone."""
+    return of(t, still if step is None else step.at(t))
 
 
 class Spans:
@@ -156,13 +130,12 @@ class Spans:
     def _integral(
         self, q: Quantity, t0: float, t1: float, made: Callable[[Quantity, Regime], list[Term]]
     ) -> tuple[float, ...]:
-        total: list[float] = []
+        pieces: list[Piece] = []
         for stretch in self.stretches(t0, t1):
             regime = stretch.segment.regime
             assert isinstance(regime, Regime)
-            more = stretch.integral(self.measures.routine("span", q, regime, made))
-            total = [a + b for a, b in zip(total, more, strict=True)] if total else more
-        return tuple(total) or (0.0,)
+            pieces += stretch.parts(self.measures.routine("span", q, regime, made))
+        return integral(pieces) or (0.0,)
 
     # --- integrands --------------------------------------------------------------------------------------------------
 
@@ -222,42 +195,14 @@ class Spans:
         relation = q.argument
         assert isinstance(relation, Relation)
         near = NEAR * Timetable(self.measures.model.scene.problem, self.measures).scale(relation.left, relation.right)
-        found, seen = 0, list[tuple[float, float]]()
+        found = Occurrences(relation.operator, near)
         for stretch in self.stretches(t0, t1):
             regime = stretch.segment.regime
             assert isinstance(regime, Regime)
-            value = _within(self.measures.gap(relation, regime), stretch.segment)
-            for a, b, _ in stretch.pieces():
-                for i in range(LOOKS):
-                    t = a + (b - a) * i / LOOKS
-                    seen = [*seen[-2:], (t, value(t))]
-                    found += _crosses(relation.operator, seen)
-                    found += relation.operator == "=" and _touches(value, seen, near)
-        return found
+            found.part(_within(self.measures.gap(relation, regime), stretch.segment), stretch.looks())
+        return found.number
 
 
 def _within(gap: Function, segment: Segment) -> Callable[[float], float]:
     """A gap as a function of the time in a segment."""
     return lambda t: gap(t, segment.at(t))[0]
-
-
-def _crosses(operator: str, seen: Sequence[tuple[float, float]]) -> bool:
-    """Does the gap change its sign the way that makes the relation hold, between the last two looks?"""
-    if len(seen) < 2 or seen[-2][1] * seen[-1][1] >= 0:
-        return False
-    rises = seen[-1][1] > 0
-    return operator == "=" or rises == (operator in (">", ">="))
-
-
-def _touches(of: Callable[[float], float], seen: Sequence[tuple[float, float]], near: float) -> bool:
-    """Does the gap come to zero and turn back between the last three looks?"""
-    if len(seen) < 3:
-        return False
-    (a, fa), (_, fb), (c, fc) = seen
-    if fa * fc <= 0 or abs(fb) > min(abs(fa), abs(fc)) or fa * fb < 0:
-        return False
-    for _ in range(HALVINGS):
-        third = (c - a) / 3
-        left, right = abs(of(a + third)), abs(of(c - third))
-        a, c = (a, c - third) if left < right else (a + third, c)
-    return abs(of(0.5 * (a + c))) <= near
