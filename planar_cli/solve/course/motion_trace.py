@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import pairwise
 from typing import Any
 
 import sympy as sp
@@ -102,10 +103,12 @@ def _oscillation(found: Oscillation, value: Valuation) -> OscillationTrace:
 
 
 def _regime(course: RegimeSequence, instant: InstantSolution, wanted: frozenset[str] | None) -> RegimeTrace:
-    names = [s.name for s in course.states]
-    acts = [(names[i], names[i + 1]) for i, r in enumerate(course.regimes) if r.general.solution is instant]
+    # A state that is never reached is none of these: what goes towards it goes on without end.
+    names = [*(s.name for s in course.states), ""]
+    spans = zip(pairwise(names), course.regimes, strict=False)
+    acts = [span for span, r in spans if r.general.solution is instant]
     if not acts and course.beyond is not None and course.beyond.general.solution is instant:
-        acts = [(names[-1], "")]
+        acts = [(names[-2], "")]
     acts += [
         (state.name, state.name)
         for state, stretch in course.modes.equilibria
