@@ -82,7 +82,9 @@ def test_a_flow_with_corners() -> None:
 def test_pieces_in_print() -> None:
     t = sp.Symbol("t", real=True)
     pieces = sp.Piecewise((25 * t, t < 2), (50, True))
-    assert plain(pieces) == "25 t for t < 2; 50 else"
+    assert plain(pieces) == "25 t for t < 2; 50 for t > 2"
+    assert plain(sp.Piecewise((t, t < 2), (4 - t, t < 4), (0, True))) == "t for t < 2; 4 - t for 2 < t < 4; 0 for t > 4"
+    assert plain(3 - pieces / 2) == "3 - (25 t for t < 2; 50 for t > 2)/2"
     assert latex(pieces) == r"\begin{cases} 25 t & t \lt 2 \\ 50 & \text{else} \end{cases}"
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from abc import ABC, abstractmethod
+from collections.abc import Iterator
 from typing import Any
 
 from planar_cli.report import latex as tex
@@ -128,7 +129,8 @@ class _Writer(ABC):
 
     def sum(self, node: Sum) -> str:
         (subtracted, first), *rest = node.terms
-        text = "-" + self.term(first) if subtracted else self.write(first)
+        plainly = not subtracted and not isinstance(first, Pieces)
+        text = self.write(first) if plainly else ("-" if subtracted else "") + self.term(first)
         for subtracted, term in rest:
             text += (" - " if subtracted else " + ") + self.term(term)
         return text
@@ -136,7 +138,7 @@ class _Writer(ABC):
     def term(self, node: Formula) -> str:
         """A formula behind a sign: sums and further signs get brackets."""
         match node:
-            case Sum() | Negative() | Compared():
+            case Sum() | Negative() | Compared() | Pieces():
                 return self.brackets(self.write(node))
             case Integration():
                 return self.write(node)
@@ -195,13 +197,13 @@ class _Plain(_Writer):
         return f"{above} / {below}" if self._is_wide(node, above, below) else f"{above}/{below}"
 
     def _above(self, node: Formula, leading: bool) -> str:
-        if isinstance(node, Sum | Quotient | Negative):
+        if isinstance(node, Sum | Quotient | Negative | Pieces):
             return self.brackets(self.write(node))
         return self.write(node) if leading else self.term(node)
 
     def _below(self, node: Formula) -> str:
         match node:
-            case Sum() | Product() | Quotient() | Negative():
+            case Sum() | Product() | Quotient() | Negative() | Pieces():
                 return self.brackets(self.write(node))
             case Numeral(text) if not _SIMPLE_NUMERAL.fullmatch(text):
                 return self.brackets(text)
@@ -240,8 +242,20 @@ class _Plain(_Writer):
         return relation
 
     def pieces(self, node: Pieces) -> str:
-        parts = (f"{self.write(e)} {'else' if c is None else f'for {self.write(c)}'}" for e, c in node.pieces)
-        return "; ".join(parts)
+        return "; ".join(f"{self.write(e)} {c}" for (e, _), c in zip(node.pieces, self.when(node), strict=True))
+
+    def when(self, node: Pieces) -> Iterator[str]:
+        """The condition of each piece; of x < a; x < b; else the ranges x < a, a < x < b, x > b."""
+        before: Compared | None = None
+        for _, condition in node.pieces:
+            now = condition if isinstance(condition, Compared) and condition.relation in "<≤" else None
+            if condition is None:
+                yield "else" if before is None else f"for {self.write(before.left)} > {self.write(before.right)}"
+            elif now is None or before is None or before.left != now.left:
+                yield f"for {self.write(condition)}"
+            else:
+                yield f"for {self.write(before.right)} < {self.write(now)}"
+            before = now
 
     def integral(self, node: Integration) -> str:
         bounds = f"{self.write(node.lower)} → {self.write(node.upper)}"

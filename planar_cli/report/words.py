@@ -17,6 +17,7 @@ from planar_cli.problem.expression import Quantity
 from planar_cli.records import record
 from planar_cli.report.blocks import Line, Math, Text, Value
 from planar_cli.report.numbers import quantity, rotation_words, significant, vector_arrow, vector_words
+from planar_cli.report.pieces import met
 from planar_cli.solve.solution import Found
 from planar_cli.units import Unit, default_unit
 
@@ -62,12 +63,17 @@ class Phrases:
 
     def math(self, expr: Any) -> Math:
         """An expression in its names."""
-        return Math(rounded(sp.sympify(expr), self.figures))
+        return Math(rounded(self.met(sp.sympify(expr)), self.figures))
+
+    def met(self, expr: sp.Expr) -> sp.Expr:
+        """Of a formula in pieces those that the motion meets; with letters all of them."""
+        return expr if self.symbolic else met(expr, self.value)
 
     def numbers(self, expr: sp.Expr) -> Math | None:
         """The expression with numbers put in for its names; None where letters have none or nothing is to be put in."""
         if self.symbolic:
             return None
+        expr = self.met(expr)
         texts = {}
         degrees = [s for s in expr.free_symbols if self._in_degrees(s)]
         apart = {} if is_angle(expr, degrees) else {s: sp.Symbol(f"{s.name} rad", **s.assumptions0) for s in degrees}
