@@ -10,14 +10,14 @@ import decimal
 import operator
 from collections.abc import Callable, Container, Mapping
 from decimal import Decimal
-from functools import lru_cache, partial
+from functools import lru_cache
 from itertools import combinations, pairwise
 from typing import Any, NewType
 
 import mpmath
 import sympy as sp
 
-from planar_cli.equation.quadrature import breaks, quad
+from planar_cli.equation.quadrature import breaks, quad, to_decimal
 from planar_cli.errors import NoValue
 
 DIGITS = 60
@@ -312,33 +312,61 @@ def power(base: Decimal, exponent: Any, value: Valuation) -> Decimal:
 
 
 def integral(expr: sp.Integral, value: Valuation) -> Decimal:
-    """The value of a definite integral over one variable, with `OF_INTEGRAL` digits, or `AT_TURNING` at least.
-
-    A root has a corner where what stands under it touches zero: among the places where that is stationary.
-    """
+    """The value of a definite integral over one variable, with `OF_INTEGRAL` digits, or `AT_TURNING` at least."""
     if len(expr.limits) != 1 or len(expr.limits[0]) != 3:
         raise NoValue("an integral without two limits")
     x, start, end = expr.limits[0]
-    inside = {s: value(s) for s in expr.function.free_symbols - {x}}
+    inside = sorted(expr.function.free_symbols - {x}, key=lambda s: s.name)
+    return _integral(expr.function, x, value(start), value(end), tuple((s, value(s)) for s in inside))
 
-    def at(e: sp.Expr, point: Decimal) -> Decimal:
-        return Valuation({**inside, x: +point})(e)
 
-    def f(point: Any) -> Any:
-        return mpmath.mpf(str(at(expr.function, Decimal(mpmath.nstr(point, DIGITS + 10)))))
+@lru_cache(maxsize=REMEMBERED)
+def _integral(
+    function: sp.Expr, x: sp.Symbol, low: Decimal, high: Decimal, inside: tuple[tuple[sp.Symbol, Decimal], ...]
+) -> Decimal:
+    """The same with the values of letters.
 
-    low, high = value(start), value(end)
-    plain = [s for s in switching(expr.function) if s.has(x)]
-    roots = [sp.diff(p.base, x) for p in expr.function.atoms(sp.Pow) if not p.exp.is_integer and p.base.has(x)]
+    A root has a corner where what stands under it touches zero: among the places where that is stationary.
+    """
+    rest = Valuation(dict(inside))
+    plain = [s for s in switching(function) if s.has(x)]
+    roots = [sp.diff(p.base, x) for p in function.atoms(sp.Pow) if not p.exp.is_integer and p.base.has(x)]
+    f = _along(function, x, rest)
+
+    def g(point: Any) -> Any:
+        return mpmath.mpf(str(f(to_decimal(point))))
+
     tries = [(OF_INTEGRAL, plain), *([(OF_INTEGRAL, [*plain, *roots])] if roots else []), (AT_TURNING, plain)]
     for digits, switches in tries:
         try:
-            places = breaks([partial(at, s) for s in switches], low, high)
-            return sum((quad(f, a, b, digits) for a, b in pairwise(places)), ZERO)
+            places = breaks([_along(s, x, rest) for s in switches], low, high)
+            return sum((quad(g, a, b, digits) for a, b in pairwise(places)), ZERO)
         except ArithmeticError:
             if digits == AT_TURNING:
                 raise
     return ZERO
+
+
+def _along(expr: sp.Expr, x: sp.Symbol, rest: Valuation) -> Callable[[Decimal], Decimal]:
+    """An expression as a function of x; what does not hold x is worked out once."""
+    known: dict[Any, Decimal] = {}
+
+    def look(part: sp.Expr) -> None:
+        """NoValue: a part has no value, whatever x is."""
+        if not part.has(x):
+            known[part] = rest(part)
+        elif isinstance(part, sp.Expr) and not isinstance(part, sp.Piecewise | sp.Integral):
+            for a in part.args:
+                look(a)
+
+    look(expr)
+
+    def at(point: Decimal) -> Decimal:
+        here = Valuation({**rest.values, x: +point})
+        here._known.update(known)
+        return here(expr)
+
+    return at
 
 
 def switching(expr: sp.Expr) -> list[sp.Expr]:

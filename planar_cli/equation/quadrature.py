@@ -95,6 +95,7 @@ def _level(f: Callable[[Mpf], Mpf], a: Mpf, b: Mpf, digits: int, level: int) -> 
     """What the new nodes of one level add: to the sum, to the sum of sizes; and the size at the outermost nodes."""
     half = (b - a) / 2
     total = size = tail = mpmath.mpf(0)
+    outermost = mpmath.mpf(10) ** (10 - 2 * digits)
     for gap, weight in _nodes(digits, level):
         for x in (a + gap * half, b - gap * half) if gap != 1 else ((a + b) / 2,):
             y = _at(f, x, gap, digits)
@@ -102,7 +103,7 @@ def _level(f: Callable[[Mpf], Mpf], a: Mpf, b: Mpf, digits: int, level: int) -> 
                 continue
             total += weight * y
             size += weight * abs(y)
-            if gap < mpmath.mpf(10) ** (10 - 2 * digits):
+            if gap < outermost:
                 tail = max(tail, weight * abs(y))
     return total, size, tail
 
@@ -138,6 +139,13 @@ def _nodes(digits: int, level: int) -> tuple[tuple[Mpf, Mpf], ...]:
                 return tuple(found)
             found.append((gap, mpmath.pi / 2 * mpmath.cosh(u) * 4 * e / (1 + e) ** 2))
             k += stride
+
+
+def to_decimal(x: Mpf) -> Decimal:
+    """A number of mpmath's to all digits of the decimals in use."""
+    man, exp = map(int, x.man_exp)
+    whole = Decimal(-man if x < 0 else man)
+    return +(whole * (1 << exp)) if exp >= 0 else whole / (1 << -exp)
 
 
 def breaks(switches: Sequence[Callable[[Decimal], Decimal]], a: Decimal, b: Decimal) -> list[Decimal]:
