@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import sqrt
+from math import log, sqrt
 
 import pytest
 from answered import first, solve
@@ -51,3 +51,23 @@ states: {1: [t = 0, v(p).y = 2 m/s], 2: [t = infinity]}
 find: {v: v(p).y @ 2}
 """)
     assert first(found["v"]) == pytest.approx(-sqrt(98.1))
+
+
+@pytest.mark.parametrize(
+    "states",
+    [
+        "end: [t = infinity], near: [dot(x) = 0.95*dot(x) @ end]",
+        "near: [dot(x) = 0.95*dot(x) @ end], end: [t = infinity]",
+    ],
+)
+def test_a_part_of_the_limit_is_reached(states: str) -> None:
+    """v = 2 (1 - e^-t); wherever the limit stands among the states."""
+    found = solve(f"""
+title: Particle that is braked the more the faster it is
+coordinates: {{x: m}}
+bodies: {{p: {{particle: [x, 0]}}}}
+motion: ["ddot(x) = 2 m/s^2 - 1 1/s * dot(x)"]
+states: {{start: [t = 0, x = 0, dot(x) = 0], {states}}}
+find: {{t: t @ near, v: dot(x) @ end, x: x @ near}}
+""")
+    assert [first(found[name]) for name in ("t", "v", "x")] == pytest.approx([log(20), 2, 2 * (log(20) - 0.95)])

@@ -38,7 +38,7 @@ from planar_cli.solve.course.events import (
 )
 from planar_cli.solve.course.followed import Ends, Followed
 from planar_cli.solve.course.gaps import closing, openings
-from planar_cli.solve.course.given_times import given_time, latest_given
+from planar_cli.solve.course.given_times import asked_without_end, given_time, latest_given, without_end
 from planar_cli.solve.course.mode_sequence import fixed_time
 from planar_cli.solve.course.motion_equations import MotionEquations
 from planar_cli.solve.course.passage_times import by_formula, steady_time
@@ -89,9 +89,9 @@ class Follower:
             if not self._fits(i, regime, arrived, state):
                 return done
             begun = self.begin(regime, state, arrived)
-            if any(d.kind == "limit" for d in course.demands[course.states[i + 1].name]):
-                if not self._tends(i, regime, begun):
-                    return done
+            if not all(self._tends(i, regime, begun, k) for k in asked_without_end(course, i + 1)):
+                return done
+            if without_end(course, i + 1):
                 continue
             reached = self._stretch(i, regime, begun)
             if reached is None:
@@ -194,15 +194,15 @@ class Follower:
             return there
         return leg.at(time) if time >= t0 else self._earlier(time)
 
-    def _tends(self, i: int, regime: Regime, state: State) -> bool:
-        """Where a motion tends that goes on for ever; False: an assumption ends on the way."""
+    def _tends(self, i: int, regime: Regime, state: State, k: int) -> bool:
+        """Where a motion tends after state i that goes on to state k without end; False: an assumption ends first."""
         leg = self.leg(regime, state)
         ends = self._ends(i, leg, None)
         if ends is not None:
             self.done.ends = ends
             self._done(replace(leg, t1=ends.time))
             return False
-        stop = self.course.stops[self.course.states[i + 1].name]
+        stop = self.course.stops[self.course.states[k].name]
         self.done.tends |= {stop.letters[s]: v for s, v in far_along(leg).items() if s in stop.letters}
         return True
 
@@ -305,7 +305,8 @@ class Follower:
 
     def _known(self, stop: Stop, leg: Leg) -> Valuation:
         """Numbers of everything that does not vary along a leg: states before it, and what rests meanwhile."""
-        known = self.value.extended({s: Decimal(repr(v)) for s, v in self.done.values.items()})
+        before = {**self.done.tends, **self.done.values}
+        known = self.value.extended({s: Decimal(repr(v)) for s, v in before.items() if math.isfinite(v)})
         others = {s: own for s, own in stop.letters.items() if s not in leg.regime.letters and s in leg.start}
         return known.extended({own: Decimal(repr(leg.start[s])) for s, own in others.items()})
 
