@@ -7,6 +7,7 @@ to the size of its own terms; where letters without a number occur, it must vani
 from __future__ import annotations
 
 import decimal
+import math
 import operator
 from collections.abc import Callable, Container, Mapping
 from decimal import Decimal
@@ -38,7 +39,10 @@ def _through_mpmath(function: str) -> Callable[[Decimal], Decimal]:
     @lru_cache(maxsize=REMEMBERED)
     def call(x: Decimal) -> Decimal:
         with mpmath.workdps(DIGITS + 5):
-            return Decimal(mpmath.nstr(getattr(mpmath, function)(mpmath.mpf(str(x))), DIGITS + 2))
+            value = getattr(mpmath, function)(mpmath.mpf(str(x)) if x.is_finite() else math.copysign(math.inf, x))
+            if mpmath.isnan(value):
+                raise NoValue(f"{function} has no value at {x}")
+            return Decimal(mpmath.nstr(value, DIGITS + 2))
 
     return call
 

@@ -146,7 +146,7 @@ class ModeSearch(ModeChoice):
         if not self.sense and departure_of(course.regimes[0], course.base(), start, 1, rests) is not None:
             self.unstable, self.departing = course.modes, rests
         self.stays = self.stays or bool(kept)
-        if rests - course.modes.stretches[0].resting:
+        if any(rests - s.resting for s in course.modes.stretches):
             if self.loose is None and self._alone:
                 self.loose = self._relate(course, finds), finds
             return course.modes.with_resting(rests | course.modes.stretches[0].resting)

@@ -84,10 +84,18 @@ def resting_though_sought(course: MotionEquations) -> frozenset[str]:
 
 
 def resting(course: StatedMotion, start: Mapping[sp.Symbol, Decimal]) -> frozenset[str]:
-    """Free speeds that are zero at the start and that nothing sets in motion, whatever the others do."""
+    """Free speeds that are zero at the start and that nothing sets in motion, whatever the others do: also those that
+    rest from the beginning, and may move in modes that were found since.
+    """
+    stretches = course.modes.stretches
+    held = stretches[0].resting
     idle = {u for u in course.regimes[0].free if start.get(u) == 0}
+    idle |= {u for r in course.regimes for u in r.free if u.name in held}
+    acting = list(zip(course.regimes, stretches, strict=False))
     while idle:
-        moved = {u for u in idle for r in course.regimes if not _stays(course, r, u, idle, start)}
+        moved = {
+            u for u in idle for r, s in acting if u.name not in s.resting and not _stays(course, r, u, idle, start)
+        }
         if not moved:
             return frozenset(u.name for u in idle)
         idle -= moved
@@ -108,7 +116,8 @@ def _stays(
     for c in regime.coordinates:
         if c.drawn is None or c.symbol not in rate.free_symbols or regime.rates[c.symbol].subs(still) != 0:
             continue
-        if c.symbol not in start or abs(base(c.drawn) - start[c.symbol]) > CERTAIN:
+        # What the first state does not tell rests where it was drawn.
+        if abs(base(c.drawn) - start.get(c.symbol, base(c.drawn))) > CERTAIN:
             return False
         rate = rate.subs(c.symbol, c.drawn)
     return not longer(rate, LONG) and simplified(rate) == 0
