@@ -8,8 +8,9 @@ from pathlib import Path
 import pytest
 
 from planar_cli.errors import FileProblem
-from planar_cli.problem.structure import load
+from planar_cli.problem.structure import load, load_text
 from planar_cli.simulate.run import FREE_STEPS, Settings, Simulation, simulate
+from planar_cli.solve.run import solve_problem
 
 PROBLEMS = Path(__file__).parent.parent / "problems"
 ATWOOD = """\
@@ -23,6 +24,15 @@ bodies:
 joints:
   - pin: {at: D, between: [ground, pulley]}
   - rope: {path: [A, over pulley, B], name: rope}
+"""
+
+ROD = """\
+title: Rod let go level
+plane: vertical
+points: {O: [0, 0], A: [1 m, 0]}
+bodies: {rod: {rod: [O, A], mass: 2 kg}}
+joints:
+  - pin: {at: O, between: [ground, rod]}
 """
 
 
@@ -83,3 +93,19 @@ def test_the_rate_of_a_force_is_refused(tmp_path: Path) -> None:
     scene.write_text(ATWOOD + text, encoding="utf-8")
     with pytest.raises(FileProblem, match="rate of a force"):
         simulated(scene, Settings())
+
+
+@pytest.mark.parametrize(
+    "found", ["omega(rod)", "omega(rod) > 1 rad/s", "omega(rod) @ 2 = omega(rod)", "KE(rod) = 3 J"]
+)
+def test_a_find_that_forgets_its_state_is_refused(found: str) -> None:
+    """`ω = ω` was an answer, and a relation without a state a fault of the program."""
+    text = f"{ROD}states:\n  1: [t = 0, at rest]\n  2: [theta(rod) = -90 deg]\nfind: {{asked: {found}}}\n"
+    problem, wrong = load_text(text)
+    assert problem is not None, wrong
+    with pytest.raises(FileProblem) as refused:
+        solve_problem(problem)
+    (told,) = refused.value.diagnostics
+    assert told.code == "PL560"
+    assert told.mark.line == text.count("\n")
+    assert told.hint == "say at which state: `@ 1`, `@ 2`"

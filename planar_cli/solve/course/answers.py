@@ -9,7 +9,7 @@ import sympy as sp
 from planar_cli.equation.exact import Settled, Valuation
 from planar_cli.equation.plain import longer, rounded_inside, simplified, with_short_roots
 from planar_cli.equation.system import mode_of
-from planar_cli.errors import Undecided
+from planar_cli.errors import Undecided, refuse
 from planar_cli.problem.expression import Quantity, Relation
 from planar_cli.records import record
 from planar_cli.solve.asked import is_energy
@@ -82,6 +82,7 @@ class Answering:
         if passing is not None:
             parts = [put_in(p, passing) for p in parts]
         closed = tuple(closed_formula(p, self.route, self.course.symbolic) for p in parts)
+        self._demand_state(asked, closed)
         by = settled_by(self.course, find, closed, value, self.spans)
         told = tuple(parts) if by is value else closed
         if isinstance(what, Relation):
@@ -98,6 +99,19 @@ class Answering:
         formulas = closed if symbolic or short else None
         found = Found(find.name, kind, asked.unit, values, formulas, "", find, energy, tuple(parts))
         return AnsweredFind(found, passing)
+
+    def _demand_state(self, asked: AskedFind, closed: tuple[sp.Expr, ...]) -> None:
+        """FileProblem: what is asked without a state varies, and nothing is told of it but its own name.
+
+        Of a relation that is whether it holds, which has one answer only where nothing in it varies.
+        """
+        varying = self._varying()
+        relation = isinstance(asked.find.found.what, Relation)
+        named = [c for c in closed if c in varying or (relation and c.free_symbols & varying)]
+        if asked.at is None and named and all(c in named or c == 0 for c in closed):
+            states = ", ".join(f"`@ {s.name}`" for s in self.course.states)
+            text = f"{asked.find.name} varies in the course of the motion: it has no one value"
+            raise refuse(asked.find.mark, "PL560", text, f"say at which state: {states}")
 
     def _varying(self) -> set[sp.Symbol]:
         return {s for r in self.course.distinct_regimes() for s in r.letters}
