@@ -13,10 +13,12 @@ import sympy as sp
 
 from planar_cli.equation.exact import Settled, Valuation
 from planar_cli.errors import PlanarError
+from planar_cli.motion.hybrid import HybridModel
 from planar_cli.problem.expression import JustAfter, Name, Relation, Statement
+from planar_cli.problem.facts import FAR
 from planar_cli.problem.scene import Problem
 from planar_cli.simulate.answers import Answered
-from planar_cli.simulate.run import Settings, Simulation, simulate
+from planar_cli.simulate.run import Settings, Simulation, begin, simulate
 from planar_cli.simulate.timetable import mode_of
 from planar_cli.solve.solution import Found
 from planar_cli.solve.solved_problem import Confirmation, PartSolution
@@ -49,6 +51,27 @@ def told_by_modes(problem: Problem) -> bool:
 
 def _of_modes(statement: Statement) -> bool:
     return isinstance(statement, Relation) and mode_of(statement) is not None
+
+
+def pressed_by_impacts(problem: Problem) -> bool:
+    """Do bodies that may strike each other rest on each other from the start, with but the impact between them?
+
+    A block stands on one edge until another one strikes: then the impact is a contact too, whose forces act before.
+    """
+    if not can_be_followed(problem) or not any(j.strikes for j in problem.joints):
+        return False
+    try:
+        run = begin(problem)
+    except PlanarError:
+        # What keeps the motion from beginning is told by whoever solves it.
+        return False
+    trajectory, model = run.trajectory, run.model
+    if not trajectory.segments or any(x.kind == "impact" for x in trajectory.transitions):
+        return False
+    assert isinstance(model, HybridModel)
+    modes = dict(zip(model.choices, trajectory.segments[0].choice, strict=True))
+    ours = (e.name for found in model.encounters.values() for e in found)
+    return any(model.choices[name][modes[name]].name not in ("apart", FAR) for name in ours if name in modes)
 
 
 def can_be_followed(problem: Problem) -> bool:

@@ -85,17 +85,21 @@ def _part(problem: Problem, case: str, units: dict[str, str], earlier: dict[str,
         can_be_followed,
         followed_part,
         many_bodies,
+        pressed_by_impacts,
         strikes_unnamed,
         told_by_modes,
     )
 
     numbers = {name: float(known.value) for name, known in earlier.items() if known.value.is_number}
-    if strikes_unnamed(problem) or told_by_modes(problem) or many_bodies(problem):
+    pressed = pressed_by_impacts(problem)
+    if strikes_unnamed(problem) or told_by_modes(problem) or many_bodies(problem) or pressed:
         part = followed_part(problem, case, numbers, units) if can_be_followed(problem) else None
         if part is not None:
             return part
         if strikes_unnamed(problem):
             raise _unnamed(problem)
+        if pressed:
+            raise _pressed(problem)
     try:
         derived = _derived(problem, case, units, earlier)
     except Undecided:
@@ -111,6 +115,13 @@ def _unnamed(problem: Problem) -> FileProblem:
     joint = next(j for j in problem.joints if j.strikes and j.during is None)
     hint = "write `during: 1->2`, and `2: [just after 1]`; or follow the motion with `planar simulate`"
     return refuse(joint.mark, "PL433", f"the {joint.kind} does not say when it happens", hint)
+
+
+def _pressed(problem: Problem) -> FileProblem:
+    """Bodies rest on each other by an impact alone, and following the motion does not answer everything."""
+    joint = next(j for j in problem.joints if j.strikes)
+    hint = "add a `contact` where they touch at the start; or follow the motion with `planar simulate`"
+    return refuse(joint.mark, "PL433", f"the {joint.kind} has to carry its bodies before they strike", hint)
 
 
 def _confirmed(problem: Problem, part: PartSolution, earlier: Mapping[str, float]) -> PartSolution:
