@@ -149,3 +149,42 @@ find: {x: x(boat) @ end}
     found = run(tmp_path, text, Settings(estimate=False, tolerance=1e-6))
     assert "has not settled" in found.run.trajectory.outcome.words
     assert found.answers[0].why
+
+
+@pytest.mark.parametrize(
+    ("states", "t", "v"),
+    [
+        ("end: [t = infinity], near: [dot(x) = 0.95*dot(x) @ end]", math.log(20), 1.9),
+        ("near: [dot(x) = 0.95*dot(x) @ end], end: [t = infinity]", math.log(20), 1.9),
+        ("end: [t = infinity], 2: [dot(x) = 1 m/s], near: [dot(x) = 0.95*dot(x) @ end]", math.log(20), 1.9),
+        ("near: [dot(x) = dot(x) @ end / 2], end: [t = 1 s]", -math.log(0.5 + 0.5 / math.e), 1 - 1 / math.e),
+    ],
+)
+def test_a_part_of_what_is_reached_later(states: str, t: float, v: float, tmp_path: Path) -> None:
+    """v = 2 (1 - e^-t)."""
+    found = run(
+        tmp_path,
+        f"""
+title: Particle that is braked the more the faster it is
+coordinates: {{x: m}}
+bodies: {{p: {{particle: [x, 0]}}}}
+motion: ["ddot(x) = 2 m/s^2 - 1 1/s * dot(x)"]
+states: {{start: [t = 0, x = 0, dot(x) = 0], {states}}}
+find: {{t: t @ near, v: dot(x) @ near}}
+""",
+    )
+    assert [a.values[0] for a in found.answers] == pytest.approx([t, v])
+
+
+def test_a_part_of_the_limit_that_is_never_reached(tmp_path: Path) -> None:
+    """The limit is, all the same."""
+    text = (
+        HUNG.format(**SIZES)
+        + """\
+states: {start: [t = 0, s = 0, at rest], end: [t = infinity], far: [s = 3*s @ end]}
+find: {s: s @ end, there: reached(far)}
+"""
+    )
+    found = {a.name: a for a in run(tmp_path, text).answers}
+    assert found["s"].values == pytest.approx([0.3 + 2 * 9.81 / 400])
+    assert found["there"].word == "false"

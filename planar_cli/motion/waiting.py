@@ -90,9 +90,10 @@ class Waiting:
 
     def next(self) -> list[Event]:
         """The states that are looked for now, the first of every chain; one `just after` another or at a given time is
-        not looked for.
+        not looked for. Where the motion goes without end is looked for when all listed before that has been reached.
         """
-        return [chain[0] for chain in self.chains if chain and chain[0].time is None and not chain[0].after]
+        heads = [chain[0] for chain in self.chains if chain and chain[0].time is None and not chain[0].after]
+        return [e for e in heads if not e.endless or self.left()[0] is e]
 
     def _chain(self, event: Event) -> int:
         return next(k for k, chain in enumerate(self.chains) if event in chain)
@@ -108,8 +109,10 @@ class Waiting:
         if self.schedule.heard is not None:
             self.schedule.heard(reached)
         chain = self._chain(event)
-        self.since[chain] = t
         self.chains[chain].remove(event)
+        for k, left in enumerate(self.chains):
+            if k == chain or (left and left[0].endless):
+                self.since[k] = t
 
     def already(self, regime: Regime, choice: Choice, t: float, y: tuple[float, ...]) -> Event | None:
         """A next state that what has just happened reaches."""
@@ -167,11 +170,15 @@ def chains_of(events: Sequence[Event]) -> list[list[Event]]:
     """The states after the first one in chains, in each of which every one comes after the one before it.
 
     A state at a given time may stand anywhere in the file: it begins a chain of its own, as what is listed behind it
-    comes after it, whenever what is listed before it happens.
+    comes after it, whenever what is listed before it happens. Nothing comes after t = infinity.
     """
     chains: list[list[Event]] = [[]]
     places = [0]
     for event in events:
+        if event.endless:
+            chains.append([event])
+            places.append(places[-1])
+            continue
         if event.time is not None:
             chains.append([])
             places.append(len(chains) - 1)

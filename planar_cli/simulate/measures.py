@@ -68,6 +68,8 @@ class Measures:
     model: Model
     moments: dict[str, Moment] = field(default_factory=dict)
     """The states of the file that have been reached, by name."""
+    known: Mapping[str, Moment] = field(default_factory=dict)
+    """States that are known beforehand, as relations of others speak of them before they are reached."""
     way: Sequence[tuple[float, Sequence[float]]] = ()
     """Times and states along the motion, once it has been followed, close enough to count turns."""
     _wound: tuple[float, int] = (math.nan, 0)
@@ -159,7 +161,7 @@ class Measures:
 
     def elsewhere(self, state: str, side: Side) -> tuple[float, ...]:
         """What stands before `@ state`. Undecided: that state has not been reached."""
-        moment = self.moments.get(state)
+        moment = self.known.get(state) or self.moments.get(state)
         if moment is None:
             mark = _mark(side)
             raise Undecided(f"{mark.file}:{mark.line}: the state {state} is not reached, so this has no value")

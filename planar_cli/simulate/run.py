@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence, Set
 from dataclasses import field, replace
 from types import MappingProxyType
 
@@ -32,6 +32,7 @@ from planar_cli.problem.scene import Answer, Problem
 from planar_cli.records import record
 from planar_cli.simulate.agreement import demand_agreement
 from planar_cli.simulate.answers import Answered, Answers
+from planar_cli.simulate.foretold import demand_unchanged, spoken_before
 from planar_cli.simulate.measures import START, Measures, Moment, modes_of, moments_of, way_of
 from planar_cli.simulate.stops import first_stop
 from planar_cli.simulate.timetable import breakpoints_of, schedule_of
@@ -176,14 +177,40 @@ def _first(problem: Problem) -> str:
 def followed(scene: Prepared, settings: Settings, shift: float = 0.0) -> Run:
     """One run. `shift`: from a start that is displaced by this part of the scales.
 
-    A state that never happens after the given time listed before it may have happened before that time.
+    What relations speak of that is reached later is found first, without the states of these relations.
     """
+    spoken = spoken_before(scene.problem)
+    first = _in_order(scene, settings, shift, frozenset(spoken), {})
+    asked = {name for names in spoken.values() for name in names}
+    known = {name: moment for name, moment in first.measures.moments.items() if name in asked}
+    if not spoken or len(known) < len(asked):
+        return first
+    run = _in_order(scene, settings, shift, frozenset(), known)
+    for name, moment in known.items():
+        demand_unchanged(scene.problem, run.model, name, moment, run.measures.moments.get(name))
+    return run
+
+
+def _in_order(scene: Prepared, settings: Settings, shift: float, without: Set[str], known: Mapping[str, Moment]) -> Run:
+    """One run, in which a state that never happens after the given time listed before it may happen before that."""
     back: dict[str, int] = {}
-    run = _followed(scene, settings, shift, back)
+    run = _followed(scene, settings, shift, _Known(without, known, back))
     while (event := _never_after_its_time(run)) is not None:
         back[event.name] = event.back + 1
-        run = _followed(scene, settings, shift, back)
+        run = _followed(scene, settings, shift, _Known(without, known, back))
     return run
+
+
+@record
+class _Known:
+    """What earlier runs have told of the states."""
+
+    without: Set[str]
+    """States that are not looked for."""
+    moments: Mapping[str, Moment]
+    """States of which relations speak before they are reached."""
+    back: Mapping[str, int]
+    """Before how many of the given times listed just before them some states come."""
 
 
 def _never_after_its_time(run: Run) -> Event | None:
@@ -197,12 +224,12 @@ def _never_after_its_time(run: Run) -> Event | None:
     return None
 
 
-def _followed(scene: Prepared, settings: Settings, shift: float, back: Mapping[str, int]) -> Run:
-    """One run; `back`: before how many given times listed just before them some states come."""
+def _followed(scene: Prepared, settings: Settings, shift: float, known: _Known) -> Run:
+    """One run."""
     problem, stages, model, first = scene.problem, scene.stages, scene.model, _first(scene.problem)
-    measures = Measures(model)
+    measures = Measures(model, known=known.moments)
     schedule = schedule_of(problem, measures, breakpoints_of(stages.scene))
-    events = tuple(replace(e, back=back.get(e.name, 0)) for e in schedule.events)
+    events = tuple(replace(e, back=known.back.get(e.name, 0)) for e in schedule.events if e.name not in known.without)
     schedule = replace(schedule, events=events)
     start = scene.begin(shift)
     until = settings.until if settings.until is not None else _end(schedule, model, start.t, settings)
