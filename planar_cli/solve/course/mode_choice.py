@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 from decimal import Decimal
 
 from planar_cli.equation.exact import Valuation
-from planar_cli.errors import Diagnostic, Mark, NoSolution
+from planar_cli.errors import Diagnostic, NoSolution
 from planar_cli.problem.scene import Problem
 from planar_cli.solve.course.diagnose_motion import as_drawn
 from planar_cli.solve.course.gaps import changes_sides
@@ -15,7 +15,7 @@ from planar_cli.solve.course.mode_sequence import ModeSequence, Workshop, neares
 from planar_cli.solve.course.regime_sequence import RegimeSequence
 from planar_cli.solve.course.stated_motion import StatedMotion
 
-BLOW, SLACK = " blow", Decimal("1e-9")
+SLACK = Decimal("1e-9")
 Far = Mapping[int, frozenset[str]]
 
 
@@ -28,6 +28,8 @@ class ModeChoice:
     """Where regimes come from."""
     tried: dict[tuple[str, ...], list[tuple[int, ...]]] = field(default_factory=dict)
     """Choices of modes that failed, by the states up to where they begin."""
+    tried_blows: dict[tuple[str, ...], list[tuple[int, ...]]] = field(default_factory=dict)
+    """The same of what strikes."""
     why: str = ""
     """What speaks against the first of them."""
     lack: NoSolution | None = None
@@ -35,51 +37,55 @@ class ModeChoice:
 
     def _unblocked(self, modes: ModeSequence, i: int) -> ModeSequence:
         """Another choice of modes, where the velocities of this one contradict each other in every position."""
-        try:
-            return self._next(modes, i, "the joints contradict what is given of the velocities")
-        except NoSolution as error:
-            raise as_drawn(modes.stretch(i).span, self.workshop, self.problem) or error from error
+        other = self._other(modes, i, "the joints contradict what is given of the velocities")
+        if other is None:
+            raise as_drawn(modes.stretch(i).span, self.workshop, self.problem) or self._exhausted(modes, i)
+        return other
 
     def _agreeing(self, course: RegimeSequence) -> ModeSequence | None:
         """Another choice of modes, where in this one the forces of a stretch contradict each other in every position;
         None: all do, or this one does not.
         """
         wrong = next((i for i, r in enumerate(course.regimes) if r.moved()), None)
-        if wrong is None:
-            return None
-        try:
-            return self._next(course.modes, wrong, "the forces contradict each other")
-        except NoSolution:
-            return None
+        return None if wrong is None else self._other(course.modes, wrong, "the forces contradict each other")
 
     def _next(self, modes: ModeSequence, i: int, why: str) -> ModeSequence:
-        """The same with another choice of modes on stretch i."""
-        return modes.changed(i, self._other(modes, i, why, modes.states[i].mark))
+        """The same with another choice of modes on stretch i. NoSolution: all have been tried."""
+        other = self._other(modes, i, why)
+        if other is None:
+            raise self._exhausted(modes, i)
+        return other
 
-    def _other(self, modes: ModeSequence, i: int, why: str, mark: Mark) -> tuple[int, ...]:
-        """Another choice of modes for a stretch: those first that differ least from what was before."""
+    def _exhausted(self, modes: ModeSequence, i: int) -> NoSolution:
+        """All choices of modes for a stretch have been tried."""
+        text = f"no assumption about the contacts holds from here on: {self.why}"
+        return NoSolution([Diagnostic(modes.states[i].mark, "PL622", text)])
+
+    def _other(self, modes: ModeSequence, i: int, why: str) -> ModeSequence | None:
+        """The same with another choice of modes on stretch i, those first that differ least from what was before; None:
+        all have been tried.
+        """
         name = tuple(s.name for s in modes.states[: i + 1])
         failed = self.tried.setdefault(name, [])
         failed.append(modes.stretch(i).choice)
         self.why = self.why or why
         for choice in nearest(modes, i, self.workshop.drawn(modes.stretch(i).span).choices()):
             if choice not in failed and not changes_sides(modes, self.workshop, i, choice):
-                return choice
-        raise NoSolution(
-            [Diagnostic(mark, "PL622", f"no assumption about the contacts holds from here on: {self.why}")]
-        )
+                return modes.changed(i, choice)
+        return None
 
-    def _other_blow(self, course: StatedMotion, i: int, why: str, far: Far) -> tuple[int, ...]:
-        """Other modes of the joints in a blow. `far`: impacts whose bodies are known to be apart, by stretch."""
-        name = (BLOW, *(s.name for s in course.modes.states[: i + 1]))
-        failed = self.tried.setdefault(name, [])
+    def _other_blow(self, course: StatedMotion, i: int, why: str, far: Far) -> ModeSequence | None:
+        """The same with other modes of the joints in a blow; None: all have been tried. `far`: impacts whose bodies are
+        known to be apart, by stretch.
+        """
+        name = tuple(s.name for s in course.modes.states[: i + 1])
+        failed = self.tried_blows.setdefault(name, [])
         failed.append(course.blows[i].choice)
         self.why = self.why or why
         for choice in course.blows[i].struck.choices():
             if choice not in failed and (i not in far or course.blows[i].fits(choice, far[i])):
-                return choice
-        text = f"no assumption about the contacts holds in the blow: {self.why}"
-        raise self.lack or NoSolution([Diagnostic(course.states[i + 1].mark, "PL622", text)])
+                return course.modes.struck(i, choice)
+        return None
 
     def _determined(self, course: RegimeSequence, i: int) -> ModeSequence:
         """Another choice of modes, where in this one forces that are needed are not unique."""
@@ -88,25 +94,22 @@ class ModeChoice:
             regime.general.demand_unique(regime.undetermined)
         except NoSolution as error:
             self.lack = self.lack or error
-        try:
-            return self._next(course.modes, i, "the forces are not unique")
-        except NoSolution as error:
-            raise self.lack or error from error
+        other = self._other(course.modes, i, "the forces are not unique")
+        if other is None:
+            raise self.lack or self._exhausted(course.modes, i)
+        return other
 
     def _elsewhere(self, course: StatedMotion, why: str, far: Far) -> ModeSequence | None:
         """Other modes in a blow, or after one; None: there are no blows, or all have been tried."""
         for i in course.blows:
-            try:
-                return course.modes.struck(i, self._other_blow(course, i, why, far))
-            except NoSolution:
-                continue
+            other = self._other_blow(course, i, why, far)
+            if other is not None:
+                return other
         for i in course.blows:
-            try:
-                changed = self._next(course.modes, i + 1, why)
-            except NoSolution:
-                continue
-            self.tried = {k: v for k, v in self.tried.items() if k[0] != BLOW}
-            return replace(changed, stretches=tuple(replace(s, blow_choice=None) for s in changed.stretches))
+            other = self._other(course.modes, i + 1, why)
+            if other is not None:
+                self.tried_blows.clear()
+                return replace(other, stretches=tuple(replace(s, blow_choice=None) for s in other.stretches))
         return None
 
 

@@ -112,18 +112,19 @@ class ModeSearch(ModeChoice):
             if self.sense < 0:
                 raise self.lack or error from error
             self.lack = self.lack or error
-            self.sense, self.tried = (-1 if self.sense else 1), {}
+            self.sense = -1 if self.sense else 1
+            self.tried, self.tried_blows = {}, {}
             return self.unstable
 
     def _solve(self, course: MotionEquations, finds: tuple[AskedFind, ...]) -> SolvedMotion | ModeSequence:
         """The motion solved, or other modes to try."""
         course, start = self._start(course)
         if start is Start.CONTRADICTS:
-            try:
-                return self._next(course.modes, 0, "what is stated of the first state contradicts it")
-            except NoSolution as error:
+            other = self._other(course.modes, 0, "what is stated of the first state contradicts it")
+            if other is None:
                 early = [e for e in course.equations if e.stop == course.first.name]
-                raise self.lack or clash(course, early) or error from error
+                raise self.lack or clash(course, early) or self._exhausted(course.modes, 0)
+            return other
         if isinstance(start, dict) and untold(course):
             # A wrong assumption may be why a state says nothing: at rest nothing comes to rest.
             other = self._tried(course, start)
@@ -246,7 +247,11 @@ class ModeSearch(ModeChoice):
         """The next modes to try, None when these hold."""
         modes = course.modes
         if followed.blow is not None:
-            return modes.struck(followed.blow, self._other_blow(course, followed.blow, followed.why, followed.far))
+            other = self._other_blow(course, followed.blow, followed.why, followed.far)
+            if other is None:
+                text = f"no assumption about the contacts holds in the blow: {self.why}"
+                raise self.lack or NoSolution([Diagnostic(modes.states[followed.blow + 1].mark, "PL622", text)])
+            return other
         if followed.misfit is not None and followed.ways:
             return modes.going(followed.misfit, followed.ways)
         if followed.misfit is not None:
@@ -323,10 +328,10 @@ class ModeSearch(ModeChoice):
             return other
         if branches:
             raise self.lack
-        try:
-            return self._next(course.modes, 0, text)
-        except NoSolution:
-            raise self.lack from None
+        other = self._other(course.modes, 0, text)
+        if other is None:
+            raise self.lack
+        return other
 
     def _along(self, course: MotionEquations, value: Valuation, start: dict[sp.Symbol, Decimal]) -> Followed | None:
         """The motion of one branch, followed from its start; None: it cannot be."""
