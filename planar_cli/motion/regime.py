@@ -22,7 +22,7 @@ from planar_cli.motion.replacing import replaced
 from planar_cli.motion.routine import Routine, System, Unknowns
 from planar_cli.motion.scales import Scales
 from planar_cli.motion.source import Code, Singular, compiled
-from planar_cli.motion.terms import Term
+from planar_cli.motion.terms import Term, ordered
 from planar_cli.problem.facts import Push, Wrench
 from planar_cli.records import record
 
@@ -223,11 +223,16 @@ class Regime:
     def routine(self, outputs: Iterable[Term], unknowns: Sequence[Term]) -> Routine:
         """Terms of the state and of `unknowns` (accelerations, then pushes) as one function."""
         wanted, variables = list(outputs), list(unknowns)
+        count, inside = self.layout.count, set(ordered(wanted))
+        if inside.isdisjoint(variables):
+            # It is known from the state alone.
+            return Routine(System(self.layout, [], []), lambda found: wanted)
+        pushed = not inside.isdisjoint(variables[count:])
 
         def computed(found: Unknowns) -> list[Term]:
-            pushes = self.exerted(found)
-            values = [*found[0][: self.layout.count], *(pushes[p.name] for p in self.reactions)]
-            by = dict(zip(variables, values, strict=True))
+            pushes = self.exerted(found) if pushed else {}
+            values = [*found[0][:count], *(pushes[p.name] for p in self.reactions if pushed)]
+            by = dict(zip(variables, values, strict=pushed))
             return [replaced(t, by) for t in wanted]
 
         return Routine(self._system, computed, self.neighbour)
