@@ -19,6 +19,7 @@ from typing import Any
 SHELVES = ("joints", "loads", "principles", "integrators", "formats", "commands")
 
 
+@cache
 def modules(shelf: str) -> tuple[str, ...]:
     """The names of a shelf's modules, sorted, without importing any of them."""
     package = importlib.import_module(f"planar_cli.{shelf}")
@@ -45,14 +46,19 @@ def extended(shelf: str, folder: Path) -> Iterator[None]:
     package = importlib.import_module(f"planar_cli.{shelf}")
     package.__path__.append(str(folder))
     importlib.invalidate_caches()
-    members.cache_clear()
+    _forget()
     try:
         yield
     finally:
         package.__path__.remove(str(folder))
         for path in folder.glob("*.py"):
             sys.modules.pop(f"planar_cli.{shelf}.{path.stem}", None)
-        members.cache_clear()
+        _forget()
+
+
+def _forget() -> None:
+    modules.cache_clear()
+    members.cache_clear()
 
 
 def member(shelf: str, kind: str) -> Any:

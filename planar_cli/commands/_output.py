@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import tempfile
 from pathlib import Path
 
 import click
@@ -26,6 +25,8 @@ def write_bytes(data: bytes, output: str) -> None:
 
 def _replace(target: Path, data: bytes) -> None:
     """The data go to a new file beside the target first: a planted link is replaced, never followed."""
+    import tempfile
+
     try:
         # mkstemp creates with O_EXCL and O_NOFOLLOW, readable by the owner alone until the mode is set.
         handle, name = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name[:40]}-", suffix=".part")

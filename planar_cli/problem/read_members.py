@@ -14,7 +14,7 @@ from planar_cli.problem.nodes import Mapping, Node, Scalar
 from planar_cli.problem.read_values import Names, read_value
 from planar_cli.problem.reading import Report
 from planar_cli.records import record
-from planar_cli.registry import members
+from planar_cli.registry import member, members
 
 COMMON = ("name", "during")
 NAMED_BY = ("at", "point", "wound_at")
@@ -85,16 +85,20 @@ def _entries(node: Node, shelf: str, names: Names, report: Report) -> list[objec
 
 def _member_class(kind: Scalar, shelf: str, report: Report) -> type | None:
     """The class of a kind; None, with an error, when the shelf has none, or when it is never written."""
-    known = members(shelf)
-    if kind.text in known and kind.text != "weight":
-        return known[kind.text]
+    if kind.text != "weight":
+        try:
+            found: type = member(shelf, kind.text)
+        except KeyError:
+            pass
+        else:
+            return found
     other = "loads" if shelf == "joints" else "joints"
     if kind.text in MISTAKEN:
         hint = MISTAKEN[kind.text]
     elif kind.text in members(other):
         hint = f"'{kind.text}' belongs under `{other}`"
     else:
-        hint = reading.did_you_mean(kind.text, (k for k in known if k != "weight"), "there are ")
+        hint = reading.did_you_mean(kind.text, (k for k in members(shelf) if k != "weight"), "there are ")
     report.add(kind.mark, "PL313", f"there is no '{kind.text}' among the {shelf}", hint)
     return None
 
