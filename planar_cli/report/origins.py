@@ -9,7 +9,7 @@ from planar_cli.report.blocks import Block, Equation, Line, Name, Paragraph, Res
 from planar_cli.report.names import plain_name
 from planar_cli.solve.course.trace import Relation
 
-HAPPENS = ("it comes to rest", "it turns round", "it comes to the other side")
+HAPPENS = ("it stops sliding", "it turns round", "it comes to the other side")
 """What happens at an instant; all other words say what holds up to it."""
 KEPT = {
     "distance from the edge": "the joint {} keeps the distance from the line",
@@ -30,7 +30,8 @@ def head(e: Relation, names: Collection[str]) -> Line:
         words = calculus(e)
         return line(f"{reach}, {words}:" if e.since else f"{words}:")
     if e.is_datum:
-        return named(f"At {e.stop}: {e.words}:" if e.stop else f"{e.words}:", names)
+        words = turning(e.words) if e.kind == "turn" else e.words
+        return named(f"At {e.stop}: {words}:" if e.stop else f"{words}:", names)
     place = f"From {e.since} to {e.stop}, " if e.since else f"At {e.stop}, " if e.stop else ""
     words = kept(e.words) if e.kind == "loop" else e.words
     return named(f"{place}{words}:", names)

@@ -14,12 +14,11 @@ import sympy as sp
 from planar_cli.equation.exact import Settled, Valuation
 from planar_cli.errors import PlanarError
 from planar_cli.motion.hybrid import HybridModel
-from planar_cli.problem.expression import JustAfter, Name, Relation, Statement
+from planar_cli.problem.expression import JustAfter, Name
 from planar_cli.problem.facts import FAR
 from planar_cli.problem.scene import Problem
 from planar_cli.simulate.answers import Answered
 from planar_cli.simulate.run import Settings, Simulation, begin, simulate
-from planar_cli.simulate.timetable import mode_of
 from planar_cli.solve.solution import Found
 from planar_cli.solve.solved_problem import Confirmation, PartSolution
 
@@ -42,15 +41,6 @@ def strikes_unnamed(problem: Problem) -> bool:
 def many_bodies(problem: Problem) -> bool:
     """Are there more bodies than a closed form of their motion is looked for?"""
     return len(problem.bodies) > MOST_BODIES
-
-
-def told_by_modes(problem: Problem) -> bool:
-    """Does a state say nothing but in which mode a joint is? Then only the motion tells when that is."""
-    return any(s.relations and all(_of_modes(r) for r in s.relations) for s in problem.states[1:])
-
-
-def _of_modes(statement: Statement) -> bool:
-    return isinstance(statement, Relation) and mode_of(statement) is not None
 
 
 def pressed_by_impacts(problem: Problem) -> bool:

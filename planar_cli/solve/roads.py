@@ -14,6 +14,7 @@ from planar_cli.problem.formulas import formulas
 from planar_cli.problem.scene import Find, Problem, State
 from planar_cli.problem.walk import walk
 from planar_cli.solve.asked import FORCES, has_mass, quantities_in
+from planar_cli.solve.course.mode_dates import told_by_modes
 
 CURVES = ("path", "hodograph")
 SPANNED = ("reached", "period", "frequency", "stable", "count")
@@ -60,6 +61,8 @@ def runs_in_time(problem: Problem) -> bool:
     if any(isinstance(s, JustAfter) for state in problem.states for s in state.relations):
         return True
     if any(law.during for law in problem.motion) or any(_is_event(state) for state in problem.states[1:]):
+        return True
+    if told_by_modes(problem):
         return True
     return any(_timed(node) for formula in formulas(problem) for node in walk(formula.tree))
 

@@ -15,6 +15,7 @@ from planar_cli.equation.setup import Earlier, first_unit
 from planar_cli.equation.system import System
 from planar_cli.errors import FileProblem, Mark, NoSolution, NotReached, Undecided, refuse
 from planar_cli.problem.scene import Find, Problem
+from planar_cli.solve.course.mode_dates import told_by_modes
 from planar_cli.solve.diagnose import OPEN, explain_failure, place, singular_position
 from planar_cli.solve.diagnose_cases import demand_cancelled, several, several_cases
 from planar_cli.solve.diagnose_clash import check_positions, demand_drawn
@@ -87,12 +88,11 @@ def _part(problem: Problem, case: str, units: dict[str, str], earlier: dict[str,
         many_bodies,
         pressed_by_impacts,
         strikes_unnamed,
-        told_by_modes,
     )
 
     numbers = {name: float(known.value) for name, known in earlier.items() if known.value.is_number}
     pressed = pressed_by_impacts(problem)
-    if strikes_unnamed(problem) or told_by_modes(problem) or many_bodies(problem) or pressed:
+    if strikes_unnamed(problem) or many_bodies(problem) or pressed:
         part = followed_part(problem, case, numbers, units) if can_be_followed(problem) else None
         if part is not None:
             return part
@@ -102,8 +102,10 @@ def _part(problem: Problem, case: str, units: dict[str, str], earlier: dict[str,
             raise _pressed(problem)
     try:
         derived = _derived(problem, case, units, earlier)
-    except Undecided:
-        part = followed_part(problem, case, numbers, units) if can_be_followed(problem) else None
+    except (Undecided, NoSolution) as error:
+        # Where the modes change in ways that no equation tells, as from blow to blow, it is only followed.
+        by_steps = isinstance(error, Undecided) or told_by_modes(problem)
+        part = followed_part(problem, case, numbers, units) if by_steps and can_be_followed(problem) else None
         if part is None:
             raise
         return part

@@ -39,6 +39,8 @@ class Followed:
     """The stretch whose assumptions do not even hold at its beginning."""
     why: str = ""
     """What speaks against them."""
+    dated: int | None = None
+    """The state that was put in where the next one is, which a mode alone tells."""
     missed: str | None = None
     """The state that is never reached."""
     ways: dict[str, int] = field(default_factory=dict)

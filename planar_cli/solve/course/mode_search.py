@@ -256,6 +256,8 @@ class ModeSearch(ModeChoice):
             return modes.going(followed.misfit, followed.ways)
         if followed.misfit is not None:
             return self._next(modes, followed.misfit, followed.why)
+        if followed.dated is not None:
+            return modes.dated(followed.dated)
         if followed.ends is not None:
             ends = followed.ends
             if ends.again:

@@ -60,7 +60,9 @@ class ModeSequence:
     stretches: tuple[Stretch, ...]
     """`stretches[i]` runs from `states[i]` to `states[i + 1]`."""
     turnings: Mapping[str, tuple[sp.Expr, str]] = field(default_factory=dict)
-    """States that we put in, each with what vanishes there (a formula of the general position) and what happens."""
+    """States that we put in, and those that a mode alone tells, each with what vanishes there (a formula of the general
+    position) and what happens.
+    """
     equilibria: tuple[tuple[State, Stretch], ...] = ()
     """States that stand beside the order, as no motion leads to them, each with what acts there."""
     beyond: Stretch | None = None
@@ -109,13 +111,25 @@ class ModeSequence:
 
     def turned(self, i: int, expr: sp.Expr, words: str) -> ModeSequence:
         """A state put in on stretch i where an assumption ends."""
-        name = "turn" if not self.turnings else f"turn_{len(self.turnings) + 1}"
+        put_in = [s for s in self.states if s.name in self.turnings and not s.relations]
+        name = "turn" if not put_in else f"turn_{len(put_in) + 1}"
         while any(s.name == name for s in self.states):
             name += "_"
         state = State(name, (), self.states[i].mark)
         states = (*self.states[: i + 1], state, *self.states[i + 1 :])
         stretches = (*self.stretches[: i + 1], *self.stretches[i:])
         return replace(self, states=states, stretches=stretches, turnings={**self.turnings, name: (expr, words)})
+
+    def dated(self, i: int) -> ModeSequence:
+        """State i, which was put in, is the very instant that state i + 1 asks for: this takes its place."""
+        put_in, state = self.states[i : i + 2]
+        found = replace(
+            self,
+            states=(*self.states[:i], *self.states[i + 1 :]),
+            stretches=(*self.stretches[:i], *self.stretches[i + 1 :]),
+            turnings={state.name if n == put_in.name else n: what for n, what in self.turnings.items()},
+        )
+        return found if i + 1 < len(self.stretches) else replace(found, beyond=self.stretches[i])
 
 
 def spans_of(problem: Problem, states: tuple[State, ...]) -> list[Span]:

@@ -17,6 +17,7 @@ from planar_cli.equation.scene import Scene
 from planar_cli.problem.scene import Problem, State
 from planar_cli.records import record
 from planar_cli.solve.course.after import asked_after
+from planar_cli.solve.course.mode_dates import is_dated_by_mode, stated_modes
 from planar_cli.solve.course.mode_sequence import ModeSequence, Workshop
 from planar_cli.solve.course.regime import Regime
 from planar_cli.solve.course.speed_transfer import edges_of
@@ -105,6 +106,15 @@ class RegimeSequence:
     def is_impulsive(self, i: int) -> bool:
         """Does no time pass from state i to the next, only an impact or an impulse?"""
         return self.modes.stretches[i].blow is not None
+
+    def is_dated(self, i: int) -> bool:
+        """Is state i, which was put in, where state i + 1 is, which a mode alone tells?"""
+        state, stretch = self.states[i + 1], self.modes.stretches[i]
+        if not is_dated_by_mode(state) or state.name in self.modes.turnings or self.states[i].relations:
+            return False
+        chosen = zip(self.workshop.drawn(stretch.span).modes, stretch.choice, strict=True)
+        names = {joint.name: modes[k].name for (joint, modes), k in chosen}
+        return all(names.get(joint) == mode for joint, mode in stated_modes(state).items())
 
     def parts(self) -> dict[str, Any]:
         """Every field by its name: the next stage takes them over."""

@@ -88,6 +88,9 @@ class Follower:
             arrived = course.readers[course.states[i].name].regime
             if not self._fits(i, regime, arrived, state):
                 return done
+            if course.is_dated(i):
+                done.dated = i
+                return done
             begun = self.begin(regime, state, arrived)
             if not all(self._tends(i, regime, begun, k) for k in asked_without_end(course, i + 1)):
                 return done
@@ -360,7 +363,7 @@ class Follower:
         """The first assumption that fails before `time`."""
         regime = leg.regime
         watched = [(w.expr, w.test.words) for w in regime.watches]
-        watched += [(s, "it comes to rest") for s in regime.slips]
+        watched += [(s, "it stops sliding") for s in regime.slips]
         watched += [(sign * u, "it turns round") for u, sign in regime.going().items()]
         watched += [(e, "it comes to the other side") for _, e in regime.sided.values()]
         best: Ends | None = None
