@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from decimal import Decimal
 
 import sympy as sp
@@ -47,14 +47,16 @@ REACHES = (Decimal("1e-10"), Decimal("1e-8"), Decimal("5e-7"))
 
 @record
 class Line:
-    """unknown = formula = value. `roots`: all that were found for it, `taken` the one of this branch."""
+    """unknown = formula = value."""
 
     unknown: sp.Symbol
     formula: sp.Expr | None
     value: Decimal
     equations: tuple[Equation, ...]
     roots: tuple[Root, ...] = ()
+    """All that were found for it."""
     taken: int = 0
+    """Which of them this branch takes."""
 
 
 @record
@@ -76,27 +78,27 @@ class Branch:
     left: tuple[Equation, ...]
 
 
-@dataclass(slots=True)
+@record
 class Chain:
-    """`unknowns` in the order of their states. `times`: of them, each with the time before it (None: the first).
-
-    `angles`: unknowns that are angles, each with the one from which its turns are counted. `truth`: values to twelve
-    digits where the motion was followed in numbers; then only the roots next to them are taken. `tends`: values far
-    along the way to states that are only approached; the root next to them is the limit. `agrees`: to so many digits
-    equations hold with what is known. `natural`: an ordinary size of each unknown, beside which what is left of a zero
-    is nothing.
-    """
+    """The search for all roots of the equations between states."""
 
     unknowns: frozenset[sp.Symbol]
+    """In the order of their states."""
     times: dict[sp.Symbol, sp.Symbol | None]
+    """Unknowns that are times, each with the time before it; None: the first."""
     angles: dict[sp.Symbol, sp.Symbol | None]
+    """Unknowns that are angles, each with the one from which its turns are counted."""
     value: Valuation
     symbolic: bool
     accept: Callable[[dict[sp.Symbol, Decimal]], bool] = lambda values: True
     truth: Mapping[sp.Symbol, float] = field(default_factory=dict)
+    """Values to twelve digits where the motion was followed; then only the roots next to them are taken."""
     tends: Mapping[sp.Symbol, float] = field(default_factory=dict)
+    """Values far along the way to states that are only approached; the root next to them is the limit."""
     agrees: Decimal = AGREES
+    """To so many digits equations hold with what is known."""
     natural: Mapping[sp.Symbol, Decimal] = field(default_factory=dict)
+    """An ordinary size of each unknown, beside which what is left of a zero is nothing."""
 
     def branches(self, equations: Sequence[Equation]) -> Iterator[Branch]:
         """All branches, those with earlier times first where the order tells."""

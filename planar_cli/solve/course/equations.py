@@ -42,27 +42,29 @@ DATA = ("given", "drawn", "start", "turn", "motion", "followed")
 
 @record
 class Equation:
-    """`residual` vanishes. `kind`: given, drawn, start, motion, link, loop, extreme, that of a span, or followed: in
-    numbers alone. `family`: of which only `rank` are independent. `stop`: the state at its end, `since` the one at its
-    beginning. `source`: what it was planned from. `surcharge`: what it costs beside its kind (a balance,
-    whose kind is the word of its principle, costs nothing else). `offered`: the principles of which it is a law, by
-    their words; none for data, geometry and blows.
-    """
+    """What must hold: `residual` vanishes."""
 
     residual: sp.Expr
     kind: str
+    """given, drawn, start, motion, link, loop, extreme, that of a span, or followed: in numbers alone."""
     words: str
     stop: str
+    """The state at its end."""
     since: str = ""
+    """The state at its beginning."""
     span: Span | None = None
     family: tuple[str, ...] = ()
+    """Of which only `rank` are independent."""
     rank: int = 9
     mark: Mark = NOWHERE
     law: Law | None = None
     trend: sp.Expr | None = None
     source: Any = None
+    """What it was planned from."""
     surcharge: float = 0.0
+    """What it costs beside its kind; a balance, whose kind is the word of its principle, costs nothing else."""
     offered: frozenset[str] = frozenset()
+    """The principles of which it is a law, by their words; none for data, geometry and blows."""
 
     @property
     def cost(self) -> float:

@@ -30,18 +30,20 @@ State = dict[sp.Symbol, float]
 
 @record
 class Leg:
-    """One stretch in numbers: from t0 to t1, the letters of its regime by `flow`. `swing`: a time in which its laws
-    themselves change; `length`: what counts as a large length in it; `pace`: an ordinary time of the scene, in s.
-    """
+    """One stretch in numbers: from t0 to t1 [s]."""
 
     regime: Regime
     flow: Flow | None
+    """The letters of the regime, integrated; None: nothing varies."""
     t0: float
     t1: float
     start: State
     swing: float = math.inf
+    """A time in which its laws themselves change [s]."""
     length: float = 1.0
+    """What counts as a large length in it [m]."""
     pace: float = 1.0
+    """An ordinary time of the scene [s]."""
 
     def at(self, t: float) -> State:
         """All letters at a time."""

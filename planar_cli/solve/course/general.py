@@ -36,30 +36,32 @@ IN_LOOPS = 150
 
 @dataclass(slots=True)
 class General:
-    """One choice of modes in a general position.
-
-    `coordinates`: what varies. `free`: the velocity unknowns that nothing else fixes; they are letters. `trial`: the
-    choice solved for draws of all letters. `position`: how the scene is displaced. `kept`: what joints that act only
-    for some time keep as it was; `parted`: those that hold nothing here; `resting`: free speeds that stay zero. After
-    `govern`: `rates` of coordinates and `accelerations` of free speeds as formulas in coordinates, free speeds and t;
-    `solution` tells how, by the principle of the file; `unreached`: what that does not tell.
-    """
+    """One choice of modes in a general position."""
 
     instant: Instant
     choice: tuple[int, ...]
     coordinates: tuple[Coordinate, ...]
+    """What varies."""
     free: tuple[sp.Symbol, ...]
+    """The velocity unknowns that nothing else fixes; they are letters."""
     trial: Trial
+    """The choice solved for draws of all letters."""
     quantities: Quantities
     position: Course
+    """How the scene is displaced."""
     constraints: tuple[Constraint, ...]
     kept: tuple[Constraint, ...]
+    """What joints that act only for some time keep as it was."""
     parted: tuple[Parted, ...] = ()
+    """Joints that hold nothing here."""
     resting: tuple[sp.Symbol, ...] = ()
+    """Free speeds that stay zero."""
     finisher: Finisher | None = None
     stages: list[Stage] = field(default_factory=list)
     solution: InstantSolution | None = None
+    """How the accelerations are found, by the principle of the file, once they are."""
     unreached: tuple[sp.Symbol, ...] = ()
+    """What that does not tell."""
     closed_forms: dict[sp.Expr, sp.Expr] = field(default_factory=dict)
 
     @property

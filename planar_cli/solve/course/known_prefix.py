@@ -116,7 +116,7 @@ def _exact(course: MotionEquations, letters: set[sp.Symbol], truth: Mapping[sp.S
     """The numbers, to all digits where the equations of this part give them."""
     chain = course.chain()
     own = [e for e in course.equations if _within(e, letters, chain.unknowns) and e.kind not in ONLY_TIMES]
-    chain.truth = {s: truth[s] for s in letters}
+    chain = replace(chain, truth={s: truth[s] for s in letters})
     branch = next(iter(chain.branches(own)), Branch({}, {}, (), ()))
     left = [s for s in letters if s not in branch.values]
     more = refined_left(course, branch, left, truth)

@@ -8,7 +8,7 @@ digits that are certain. SI units; angles in radians.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from decimal import Decimal
 from typing import Any
 
@@ -18,6 +18,7 @@ import sympy as sp
 from planar_cli.calculus.flow import Flow
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.equation.plain import simplified
+from planar_cli.records import record
 from planar_cli.solve.course.constraints import project
 from planar_cli.solve.course.equations import Laws, law_equations, laws_of, link_equations
 from planar_cli.solve.course.motion_equations import MotionEquations
@@ -32,21 +33,20 @@ CHECKS = 8
 TINY = Decimal("1e-20")
 
 
-@dataclass(slots=True)
+@record
 class Leg:
-    """One regime from the state `start` on, from t0 to t1 (the last time that any state asks for; it goes on beyond).
-
-    `value`: numbers of all names and of the letters of states. `formulas`: of the letters of the general position that
-    have one, in t and the letters of `start`. `origin`: numbers of coordinates as drawn, for loops.
-    """
+    """One regime from a state on, to the last time that any state asks for; it goes on beyond."""
 
     regime: Regime
     start: Stop
     t0: Decimal
     t1: Decimal
     value: Valuation
+    """Numbers of all names and of the letters of states."""
     formulas: dict[sp.Symbol, sp.Expr]
+    """Letters of the general position that have one, in t and the letters of `start`."""
     origin: dict[sp.Symbol, Decimal] = field(default_factory=dict)
+    """Numbers of coordinates as drawn, for loops."""
     _flows: dict[int, Flow] = field(default_factory=dict)
     _known: dict[Decimal, dict[sp.Symbol, Decimal]] = field(default_factory=dict)
 

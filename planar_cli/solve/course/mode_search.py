@@ -207,8 +207,7 @@ class ModeSearch(ModeChoice):
         course, differences = by_differences(course, finds, followed.values)
         followed.values |= differences
         chain = course.chain()
-        chain.truth = followed.values
-        chain.tends = followed.tends
+        chain = replace(chain, truth=followed.values, tends=followed.tends)
         course, branch = beside(course, finds, chain)
         open_letters = [s for s in followed.values if s not in branch.values]
         more = refined_left(course, branch, open_letters, followed.values)

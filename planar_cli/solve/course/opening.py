@@ -16,14 +16,14 @@ DRAW = Decimal("0.61803")
 
 @record
 class Gap:
-    """What opens where a joint has parted, a formula of the general position. `senses`: by the index of the mode in
-    which it held, 1 where the formula grows as it opens, else -1.
-    """
+    """What opens where a joint has parted."""
 
     joint: str
     words: str
     expr: sp.Expr
+    """A formula of the general position."""
     senses: tuple[tuple[int, int], ...]
+    """By the index of the mode in which it held, 1 where the formula grows as it opens, else -1."""
 
     def opening(self, held: int | None) -> sp.Expr:
         """What is positive where it is open. `held`: the mode in which it held before (None: the first that may be)."""

@@ -33,18 +33,18 @@ SLOW = mpmath.mpf("1e-25")
 
 @record
 class Oscillation:
-    """The motion near one equilibrium state.
-
-    `speeds`: the free speeds u; `laws`: du/dt of each, a formula of the general position. `stiffness` and `damping`:
-    the entries of ω₀² and c in letters of the state `stop`, row by row.
-    """
+    """The motion near one equilibrium state."""
 
     stop: Stop
     regime: Regime
     speeds: tuple[sp.Symbol, ...]
+    """The free speeds u."""
     laws: tuple[sp.Expr, ...]
+    """du/dt of each, a formula of the general position."""
     stiffness: tuple[tuple[sp.Expr, ...], ...]
+    """The entries of ω₀² in letters of the state, row by row."""
     damping: tuple[tuple[sp.Expr, ...], ...]
+    """The same of c."""
 
     @property
     def single(self) -> bool:

@@ -46,26 +46,33 @@ class Watch:
 
 @dataclass(slots=True)
 class Regime:
-    """`rates`: of coordinates; `accelerations`: of free speeds; both closed formulas. `watches`: what must hold;
-    `slips`: speeds of slip, positive the way that is assumed; `gaps`: what has parted. `ways`: the signs of free speeds
-    by name, where a law asks for them; then it is written for this way. `runs`: time passes in it; else it only tells
-    velocities at a blow. `loose`: tests of modes hold pushes that are not determined; `undetermined`: what is needed
-    and rests on such.
-    """
+    """What acts in one choice of modes, worked out for what is stated and asked in it."""
 
     general: General
     ways: Mapping[str, int] = field(default_factory=dict)
+    """The signs of free speeds by name, where a law asks for them; then it is written for this way."""
     exprs: list[sp.Expr] = field(default_factory=list)
+    """What it was worked out for."""
     rates: dict[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    """Of coordinates, closed formulas."""
     accelerations: dict[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    """Of free speeds, closed formulas."""
     watches: tuple[Watch, ...] = ()
+    """What must hold."""
     sided: dict[str, tuple[int, sp.Expr]] = field(default_factory=dict)
+    """Places on one side of that from which their distance is measured, by name."""
     slips: tuple[sp.Expr, ...] = ()
+    """Speeds of slip, positive the way that is assumed."""
     gaps: tuple[Gap, ...] = ()
+    """What has parted."""
     balance: tuple[sp.Expr, sp.Expr] | None = None
+    """Kinetic energy and power, of one freedom."""
     runs: bool = False
+    """Does time pass in it? Else it only tells velocities at a blow."""
     loose: bool = False
+    """Do tests of modes hold pushes that are not determined?"""
     undetermined: list[sp.Expr] = field(default_factory=list)
+    """What is needed and rests on such."""
 
     @property
     def time(self) -> sp.Symbol:

@@ -18,14 +18,14 @@ from planar_cli.solve.instant import Instant
 
 @record
 class Parted:
-    """A joint that has parted, in velocity unknowns. `residual`: what it kept, of places; `openings`: by the mode in
-    which it held (its index), the velocity with which that opens, as drawn.
-    """
+    """A joint that has parted, in velocity unknowns."""
 
     joint: str
     words: str
     residual: sp.Expr
+    """What it kept, of places."""
     openings: tuple[tuple[int, sp.Expr], ...]
+    """By the index of the mode in which it held, the velocity with which that opens, as drawn."""
 
 
 def parted_modes(drawn: Instant, choice: tuple[int, ...]) -> dict[str, tuple[Mode, ...]]:

@@ -66,40 +66,43 @@ class Stop:
 
 @record
 class Demand:
-    """What the file states of one state. `residual` vanishes; or it is positive (`sign` 1), or not negative (0).
-
-    Of kind "limit" it becomes infinite. `extreme`: 1 or -1 where the residual is to be largest or smallest. `trend`: a
-    formula that must be positive, where the residual alone would also let the opposite direction pass.
-    """
+    """What the file states of one state."""
 
     state: str
     text: str
     mark: Mark
     residual: sp.Expr
+    """It vanishes, or is positive, or becomes infinite, or is largest or smallest."""
     kind: str = "equation"
+    """equation, inequality, extreme or limit."""
     sign: int = 0
+    """Of an inequality, 1: it is positive; 0: not negative."""
     extreme: int = 0
+    """1 or -1 where it is to be largest or smallest."""
     trend: sp.Expr | None = None
+    """It must be positive, where the residual alone would also let the opposite direction pass."""
 
 
 @dataclass(slots=True)
 class Reader:
-    """Reads statements and finds of a problem in one regime. `readers`: who reads at each state, by its name,
-    `tellers`: what may jump there; `stops`: all states.
-
-    `pending`: stand-ins for quantities at other states, with who reads them there; `spans`: stand-ins for quantities
-    over spans or about states, `told`: what these are, in letters of states.
-    """
+    """Reads statements and finds of a problem in one regime."""
 
     problem: Problem
     regime: Regime
     stops: dict[str, Stop]
+    """All states."""
     readers: dict[str, Reader]
+    """Who reads at each state, by its name."""
     tellers: dict[str, Reader]
+    """Who reads what may jump there."""
     told: dict[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    """What stand-ins are, in letters of states."""
     pending: dict[sp.Symbol, tuple[Reader, str, sp.Expr]] = field(default_factory=dict)
+    """Stand-ins for quantities at other states, with who reads them there."""
     spans: dict[sp.Symbol, Quantity] = field(default_factory=dict)
+    """Stand-ins for quantities over spans or about states."""
     exprs: list[sp.Expr] = field(default_factory=list)
+    """What the regime has to work out for them."""
     winding: dict[sp.Symbol, Quantity] = field(default_factory=dict)
     """Stand-ins for angles of places at other states whose turns are still to be counted along the motion."""
 
