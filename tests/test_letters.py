@@ -180,3 +180,23 @@ def test_a_period_in_letters() -> None:
     k, m, g, length = sp.symbols("k m g l", positive=True)
     square = (k - m * g * length / 2) / (m * length**2 / 3)
     assert sp.simplify(period**2 * square - 4 * sp.pi**2) == 0
+
+
+@pytest.mark.parametrize("height", ["-l", "-l - R", "-1 m"])
+def test_a_place_that_a_letter_gives_is_on_the_side_on_which_it_is_drawn(height: str) -> None:
+    """A load hangs below the drum that its rope unwinds from: m g - T = m a, T = 1/2 M a."""
+    found = solve(f"""
+title: Load that unwinds a drum
+plane: vertical
+symbols: {{m: kg, M: kg, R: m, l: m}}
+points: {{O: [0, 0], T: [R, 0], P: [R, {height}]}}
+bodies: {{drum: {{disk: O, radius: R, mass: M}}, load: {{particle: P, mass: m}}}}
+joints:
+  - pin: {{at: O, between: [ground, drum]}}
+  - rope: {{path: [T on drum, P], name: cord}}
+states: {{start: [t = 0, at rest], low: [y(load) = {height} - l]}}
+find: {{v: v(load).mag @ low}}
+""")
+    g, m, big, fall = (sp.Symbol(name, positive=True) for name in ("g", "m", "M", "l"))
+    assert found["v"].expressions is not None
+    assert_same_formula(found["v"].expressions[0], 2 * sp.sqrt(m * g * fall / (big + 2 * m)), "v")

@@ -63,7 +63,8 @@ class Ledger:
     `values`: exact expression of a known (a number, or a formula of other knowns). `definitions`: named intermediates
     in the order in which they were made, with `titles` saying what each is. `letters`: knowns without a number.
     `sought`: unknown constants and coordinates. `units`: the unit for display, by symbol. `ranges`: from where to where
-    a letter is drawn, where the usual range would not do. `project`: moves drawn coordinates to where loops close.
+    a letter is drawn, where the usual range would not do; `beside`: near which formula of other letters, from where to
+    where in parts of its size (of a radian, for an angle). `project`: moves drawn coordinates to where loops close.
     `named`: symbols that stand for an expression, by name and expression. `roles`: what every symbol is. `reserved`:
     the names of the file, which no symbol of ours gets. `scales`: ordinary sizes of the scene.
     """
@@ -78,6 +79,7 @@ class Ledger:
     units: dict[sp.Symbol, Unit] = field(default_factory=dict)
     us: bool = False
     ranges: dict[str, tuple[Decimal, Decimal]] = field(default_factory=dict)
+    beside: dict[str, tuple[sp.Expr, Decimal, Decimal]] = field(default_factory=dict)
     project: Callable[[Valuation], Mapping[sp.Symbol, Decimal]] | None = None
     named: dict[tuple[str, sp.Expr], sp.Symbol] = field(default_factory=dict)
     roles: dict[sp.Symbol, Role] = field(default_factory=dict)
@@ -200,6 +202,7 @@ class Ledger:
         for _ in range(tries if free else 1):
             known = ChainMap(self.values, self.definitions)
             numbers = {s: draw(s, rng) for s in free}
+            numbers |= self._beside([s for s in free if s.name in self.beside], Valuation(numbers, known), rng)
             candidate = Sample(numbers, known, frozenset(free)) if free else Valuation({}, known)
             placed = self._projected(candidate)
             if placed is not None and _holds(holds, placed):
@@ -207,6 +210,16 @@ class Ledger:
             if len(found) == (wanted if free else 1):
                 break
         return tuple(found)
+
+    def _beside(self, free: Iterable[sp.Symbol], value: Valuation, rng: random.Random) -> dict[sp.Symbol, Decimal]:
+        """Draws of what lies beside formulas of other letters."""
+        found = {}
+        for symbol in free:
+            expr, low, high = self.beside[symbol.name]
+            origin = value(expr)
+            size = Decimal(1) if self.units[symbol].angle else abs(origin)
+            found[symbol] = origin + size * (low + (high - low) * fraction(rng))
+        return found
 
     def _projected(self, candidate: Valuation) -> Valuation | None:
         if self.project is None:

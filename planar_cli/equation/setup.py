@@ -35,15 +35,16 @@ class Earlier:
 
 @record
 class Course:
-    """A scene in a general position: how it is displaced (None: as drawn), within which ranges letters are drawn, and
-    how draws of coordinates are moved to where loops close. `parted`: modes of joints that have parted, as drawn; what
-    they joined may be anywhere.
+    """A scene in a general position: how it is displaced (None: as drawn), within which ranges letters are drawn or
+    beside which formulas, and how draws of coordinates are moved to where loops close. `parted`: modes of joints that
+    have parted, as drawn; what they joined may be anywhere.
     """
 
     displacement: Displacement | None
     ranges: Mapping[str, tuple[Decimal, Decimal]]
     project: Callable[[Valuation], Mapping[sp.Symbol, Decimal]] | None = None
     parted: Mapping[str, tuple[Mode, ...]] = field(default_factory=dict)
+    beside: Mapping[str, tuple[sp.Expr, Decimal, Decimal]] = field(default_factory=dict)
 
 
 class Setup:
@@ -92,7 +93,7 @@ class Setup:
                     self.ledger.adopt(c.symbol, parse_unit(c.shown), Role(RoleKind.COORDINATE))
                     self.ledger.letters.append(c.symbol)
                 self.ledger.adopt(c.start, parse_unit(c.shown), Role(RoleKind.START, c.symbol))
-        self.ledger.ranges = dict(course.ranges)
+        self.ledger.ranges, self.ledger.beside = dict(course.ranges), dict(course.beside)
         self.ledger.project = course.project
 
     # --- names -------------------------------------------------------------------------------------------------------

@@ -47,6 +47,17 @@ def ranges(drawn: Instant, displacement: Displacement) -> dict[str, Range]:
     return found if acting is None else {**found, "t": acting}
 
 
+def beside(drawn: Instant, displacement: Displacement) -> dict[str, tuple[sp.Expr, Decimal, Decimal]]:
+    """Beside which formulas of letters coordinates are drawn, by name, and how far in parts of their size."""
+    ledger = drawn.scene.ledger
+    letters, known = set(ledger.letters), {*ledger.letters, *ledger.values}
+    return {
+        c.symbol.name: (c.drawn, NEAR, FAR)
+        for c in displacement.coordinates
+        if c.drawn is not None and c.drawn.free_symbols & letters and c.drawn.free_symbols <= known
+    }
+
+
 def _while_tables_act(drawn: Instant, value: Valuation) -> Range | None:
     """A span of time in which no table over time is zero all along, if there is one: what is zero at the time that is
     drawn would be left out.

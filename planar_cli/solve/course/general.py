@@ -20,7 +20,7 @@ from planar_cli.equation.setup import Course, Setup
 from planar_cli.equation.system import Statements
 from planar_cli.problem.scene import Problem
 from planar_cli.solve.course.constraints import Constraint, constraints_of, drawn_starts, project
-from planar_cli.solve.course.drawing import ranges
+from planar_cli.solve.course.drawing import beside, ranges
 from planar_cli.solve.course.places import held_places
 from planar_cli.solve.course.separation import Parted, parted_joints, parted_modes
 from planar_cli.solve.finish import Finisher, unreached
@@ -197,9 +197,8 @@ def _general(
     constraints = tuple(c for c in every if c.kind != "kept")
     kept = tuple(c for c in every if c.kind == "kept")
     loose = parted_modes(drawn, choice)
-    course = Course(
-        displacement, ranges(drawn, displacement), _projector(constraints, displacement, user, scales), loose
-    )
+    near, projector = beside(drawn, displacement), _projector(constraints, displacement, user, scales)
+    course = Course(displacement, ranges(drawn, displacement), projector, loose, near)
     setup = Setup(problem, Statements.of(always, ()), earlier, True, course)
     setup.scene.sides = sides
     instant = Instant(setup)
