@@ -140,7 +140,8 @@ def test_finds() -> None:
 
 
 def test_angle_is_remembered() -> None:
-    kinds = {
-        text: dimension_of(parse_side(text, START), lookup).angle for text in ("theta/t", "theta/theta", "theta*l")
-    }
-    assert kinds == {"theta/t": True, "theta/theta": False, "theta*l": False}
+    kinds = {"theta/t": True, "theta/2": True, "theta/theta": False, "theta*l": False}
+    # In parts of pi it is a number of turns.
+    kinds |= {"theta/(2*pi)": False, "theta/pi": False, "theta*pi": True, "theta/(pi*t)": True}
+    found = {text: dimension_of(parse_side(text, START), lookup).angle for text in kinds}
+    assert found == kinds

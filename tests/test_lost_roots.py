@@ -249,9 +249,7 @@ def test_laws_without_an_elementary_form() -> None:
     found = solve(f"{law}motion: [v(b).x = u*sqrt(1 + (x(b)/c)^5), v(b).y = 0]\n{of_place}find: {{t_2: t @ 2}}\n")
     assert_close(found["t_2"], root_x5(lambda r: 1 / r))
     started = of_place.replace("t = 0", "t = 0, v(b).x = 0")
-    found = solve(
-        f"{law}motion: [a(b).x = n*sqrt(1 + (x(b)/c)^5), v(b).y = 0]\n{started}find: {{v_2: v(b).x @ 2}}\n"
-    )
+    found = solve(f"{law}motion: [a(b).x = n*sqrt(1 + (x(b)/c)^5), v(b).y = 0]\n{started}find: {{v_2: v(b).x @ 2}}\n")
     assert_close(found["v_2"], (2 * Decimal(root_x5(lambda r: r))).sqrt())
     in_time = law.replace("u: 1 m/s", "T: 1 s, u: 1 m/s") + "states: {1: [t = 0], 2: [t = 1 s]}\n"
     found = solve(f"{in_time}motion: [v(b).x = u*sqrt(1 + (t/T)^5), v(b).y = 0]\nfind: {{x_2: x(b) @ 2}}\n")

@@ -6,7 +6,8 @@ from decimal import Decimal
 
 import pytest
 
-from planar_cli.report.numbers import quantity, rotation_arrow, rotation_words, significant, vector_arrow, vector_words
+from planar_cli.equation.arrows import vector_arrow
+from planar_cli.report.numbers import quantity, rotation_arrow, rotation_words, significant, vector_words
 
 
 @pytest.mark.parametrize(

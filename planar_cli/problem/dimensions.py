@@ -30,6 +30,7 @@ from planar_cli.problem.expression import (
     Statement,
     Word,
 )
+from planar_cli.problem.walk import walk
 from planar_cli.records import record
 from planar_cli.units import Dimension, UnitError, default_unit, describe, parse_unit
 
@@ -92,6 +93,12 @@ QUANTITY_KINDS: Mapping[str, Kind] = MappingProxyType(
 def dimension_of(side: Side, lookup: Lookup, report: Report | None = None) -> Kind:
     """The kind of a side; mismatches inside are appended to `report`."""
     return _Inference(lookup, [] if report is None else report).kind(side)
+
+
+def _counts_turns(side: Side) -> bool:
+    """Is it pi, or a number of times that?"""
+    leaves = [node for node in walk(side) if isinstance(node, Name | Quantity | Scaled)]
+    return bool(leaves) and all(isinstance(node, Name) and node.name == "pi" for node in leaves)
 
 
 def check_side(side: Side, expected: Dimension | None, lookup: Lookup, report: Report, angle: bool = False) -> Kind:
@@ -270,6 +277,8 @@ class _Inference:
             product, angle = left.dimension * right.dimension, left.angle or right.angle
         else:
             product, angle = left.dimension / right.dimension, left.angle != right.angle
+            # An angle in parts of pi is a number: so many turns, or half turns.
+            angle = angle and not (left.angle and _counts_turns(side.right))
         return Kind(product, angle and product.length == 0 and product.mass == 0)
 
     def _sum(self, side: Binary, left: Kind, right: Kind) -> Kind:

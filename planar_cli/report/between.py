@@ -93,7 +93,7 @@ class BetweenTelling:
         left, right = self._put(e.left), self._put(e.right)
         sides = (self.phrases.math(left), self.phrases.math(right))
         yield Paragraph(line(*self._head(e), ":"))
-        yield Equation(sides, number, _lead(e))
+        yield Equation(sides, number, self._lead(e))
 
     def kept(self, e: ImpactEquation, result: Equation) -> Iterator[Block]:
         """An equation of a blow that gives at once a velocity that is zero. `result`: its letter with the value."""
@@ -115,6 +115,14 @@ class BetweenTelling:
             return line(f"{group}, momentum along {e.lead}")
         return line(f"{group}, momentum ", *_across(e.words))
 
+    def _lead(self, e: ImpactEquation) -> Line:
+        """What stands before an equation of a blow: the sense in which it counts."""
+        if e.law == "relation":
+            return ()
+        if e.law == "moment":
+            return line("↺ ", Name(f"H_{e.lead}"), ":")
+        return line(f"{self.phrases.along(e.along)} ")
+
     def _about(self, e: ImpactEquation, group: str) -> Line:
         if e.centre is None:
             return line(f"{group}, angular momentum about ", Name(e.lead))
@@ -132,15 +140,6 @@ def _idle(reactions: tuple[sp.Symbol, ...]) -> list[Any]:
         return ["; the reactions of all ideal joints do no work"]
     named = [part for i, s in enumerate(reactions) for part in (", " if i else "; ", Math(s))]
     return [*named, " do no work" if len(reactions) > 1 else " does no work"] if named else []
-
-
-def _lead(e: ImpactEquation) -> Line:
-    """What stands before an equation of a blow: the sense in which it counts."""
-    if e.law == "relation":
-        return ()
-    if e.law == "moment":
-        return line("↺ ", Name(f"H_{e.lead}"), ":")
-    return line({"x": "→ ", "y": "↑ "}.get(e.lead, "↗ "))
 
 
 def _across(words: str) -> Line:

@@ -73,21 +73,6 @@ def vector_words(x: Decimal, y: Decimal, figures: int = 3) -> str:
     return f"at {angle(_steepness(x, y), figures)} {side} {axis}"
 
 
-def vector_arrow(x: Decimal, y: Decimal) -> str:
-    """The direction of a vector as one of eight arrows; oblique ones stand for their whole quadrant."""
-    arrows = {
-        (1, 0): "→",
-        (-1, 0): "←",
-        (0, 1): "↑",
-        (0, -1): "↓",
-        (1, 1): "↗",
-        (-1, 1): "↖",
-        (1, -1): "↘",
-        (-1, -1): "↙",
-    }
-    return arrows.get((_sign(x), _sign(y)), "")
-
-
 def _rounded(number: Decimal, figures: int) -> Decimal:
     """Rounded to the figures; without closing zeros and plain integers where the number is exact within them."""
     nearly = number.normalize(Context(prec=max(_EXACT_DIGITS, figures), rounding=ROUND_HALF_EVEN))
@@ -101,7 +86,3 @@ def _rounded(number: Decimal, figures: int) -> Decimal:
 def _steepness(x: Decimal, y: Decimal) -> Decimal:
     """The acute angle between a vector and the x axis, in degrees."""
     return Decimal(math.degrees(math.atan(abs(y) / abs(x))))
-
-
-def _sign(number: Decimal) -> int:
-    return (number > 0) - (number < 0)

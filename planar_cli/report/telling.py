@@ -219,8 +219,7 @@ class Telling:
                 Paragraph(self._moment_words(w, group, stage)),
                 Equation(sides, number, line("↺ ", Name(f"ΣM_{w.lead}"), ":")),
             ]
-        arrow = {"x": "→ ", "y": "↑ "}.get(w.lead, "↗ ")
-        lead = line(arrow, Name(f"ΣF_{w.lead}") if w.lead else Text("ΣF"), ":")
+        lead = line(f"{self.phrases.along(w.along)} ", Name(f"ΣF_{w.lead}") if w.lead else Text("ΣF"), ":")
         return [
             Paragraph(self._named(f"{group}:" if w.lead else f"{group}, {w.words}:")),
             Equation(sides, number, lead),

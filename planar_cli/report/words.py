@@ -10,13 +10,14 @@ import sympy as sp
 from sympy.functions.elementary.trigonometric import InverseTrigonometricFunction, TrigonometricFunction
 
 from planar_cli.calculus.curve_words import Curve
+from planar_cli.equation.arrows import vector_arrow
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.ledger import Ledger, display
 from planar_cli.equation.plain import PRINTABLE, longer
 from planar_cli.problem.expression import Quantity
 from planar_cli.records import record
 from planar_cli.report.blocks import Line, Math, Text, Value
-from planar_cli.report.numbers import quantity, rotation_words, significant, vector_arrow, vector_words
+from planar_cli.report.numbers import quantity, rotation_words, significant, vector_words
 from planar_cli.report.pieces import met
 from planar_cli.solve.solution import Found
 from planar_cli.units import Unit, default_unit
@@ -121,6 +122,11 @@ class Phrases:
     def arrow(self, x: Any, y: Any) -> str:
         """The direction of a vector as an arrow."""
         return vector_arrow(self._certain(x), self._certain(y))
+
+    def along(self, direction: tuple[Any, Any] | None) -> str:
+        """The sense in which forces or momenta count as positive."""
+        assert direction is not None
+        return self.arrow(*direction)
 
     def _certain(self, expr: Any) -> Decimal:
         value = self.value(expr)

@@ -271,7 +271,8 @@ class Finisher:
             if not inside:
                 break
             expr = expr.xreplace(inside)
-            if longer(expr, 4000 if self.symbolic else 4 * CLOSED_OPS):
+            # A long formula of one instant is not printed. Over a motion it must say all of it by its letters.
+            if not self.coordinates and longer(expr, 4000 if self.symbolic else 4 * CLOSED_OPS):
                 return expr
         return self._simple(expr)
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from decimal import Decimal
 from typing import Any
 
@@ -224,7 +224,8 @@ class Writer:
                 right += [
                     mass * component * self.short(direction.dot(d)) for direction, component in self.acceleration(body)
                 ]
-        return self._written("force", bodies, choice.name, choice.words, left, self.kept_lines(right))
+        written = self._written("force", bodies, choice.name, choice.words, left, self.kept_lines(right))
+        return replace(written, along=(d.x, d.y))
 
     def _moment(self, bodies: tuple[str, ...], choice: Choice) -> Written:
         center, name = self._centre(bodies, choice)

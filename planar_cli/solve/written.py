@@ -26,6 +26,8 @@ class Written:
     source: str
     given: bool = False
     premises: tuple[Premise, ...] = ()
+    along: tuple[sp.Expr, sp.Expr] | None = None
+    """Of a sum of forces, the direction in which they count as positive."""
 
     @property
     def residual(self) -> sp.Expr:

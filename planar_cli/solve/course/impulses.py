@@ -7,9 +7,12 @@ for the impulse of each reaction. (An Introduction to Planar Dynamics, 4.6, Exam
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
+from decimal import Decimal
 
 import sympy as sp
 
+from planar_cli.equation.arrows import vector_arrow
+from planar_cli.equation.exact import Valuation
 from planar_cli.equation.form import Nonlinear, linear_form
 from planar_cli.equation.plain import simplified
 from planar_cli.principles.base import Balance, Impulses
@@ -23,7 +26,6 @@ from planar_cli.solve.written import Written
 
 ImpulseLetter = Callable[[sp.Symbol, Stop, Stop, str], sp.Symbol]
 """The letter for the impulse of a reaction between two states, in a unit."""
-ARROWS = {"x": "→ ", "y": "↑ "}
 UNITS = {"N": "N*s", "N*m": "N*m*s"}
 
 
@@ -98,6 +100,12 @@ def _integrated(
         bodies=w.bodies,
         heading=f"angular {offer.words} about " if about else "",
         about=about,
-        lead="↺ " if about else ARROWS.get(w.lead, "↗ "),
+        lead="↺ " if w.along is None else f"{_arrow(w.along, regime.general.value)} ",
     )
     return StateBalance(law, a, b, before, after, (("", impulse),))
+
+
+def _arrow(direction: tuple[sp.Expr, sp.Expr], value: Valuation) -> str:
+    """The sense in which momenta count as positive."""
+    x, y = (Decimal(0) if value.is_zero(c) else value(c) for c in direction)
+    return vector_arrow(x, y)

@@ -149,7 +149,8 @@ class _Tracer:
     def _impact_equation(self, blow: Blow, w: Written) -> ImpactEquation:
         impact = self._impacts.setdefault(blow.since.name, self._impact(blow))
         sides = (blow.here(w.left), blow.here(w.right))
-        return ImpactEquation(impact, *sides, w.law, w.lead, w.words, w.bodies, _centre(blow, w))
+        along = None if w.along is None else (blow.here(w.along[0]), blow.here(w.along[1]))
+        return ImpactEquation(impact, *sides, w.law, w.lead, w.words, w.bodies, _centre(blow, w), along)
 
     def _impact(self, blow: Blow) -> Impact:
         hits = [j for j in blow.struck.joints if j.strikes and blow.system.modes[j.name].facts.pushes]

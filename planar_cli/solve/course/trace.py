@@ -115,6 +115,8 @@ class ImpactEquation:
     """The group whose momentum it balances."""
     centre: Centre | None
     """The moment centre, where it has no name."""
+    along: tuple[sp.Expr, sp.Expr] | None
+    """Of linear momenta, the direction in which they count as positive."""
 
 
 @record
