@@ -21,7 +21,7 @@ SHELVES = ("joints", "loads", "principles", "integrators")
 ORDER = ("language", "sections", "names_units", "points_surfaces", "bodies", "joints", "loads", "quantities")
 AFTER = ("statements_instant", "motion_laws", "states", "blows_impacts", "finds", "spans", "methods")
 BEYOND = ("oscillations", "paths_hodographs", "simulate_accuracy")
-LAST = ("cases", "answers", "examples", "pitfalls")
+LAST = ("cases", "answers", "checks_confirmed", "examples", "pitfalls")
 
 
 @cache

@@ -59,6 +59,10 @@ class Law:
     def power(self, t: float, y: Sequence[float]) -> float:
         return self.fed(t, y)
 
+    @property
+    def shared(self) -> frozenset[str]:
+        return frozenset()
+
     def momentum(self, t: float, y: Sequence[float]) -> tuple[float, float, float]:
         return (0.0, 0.0, 0.0)
 

@@ -1,45 +1,163 @@
-"""Answers with which nothing was compared are said, in the line of checks and for programs."""
+"""Every answer of a motion is confirmed by following it, is said not to be compared, or is none."""
 
 from __future__ import annotations
 
+import json
+from collections.abc import Callable
+from dataclasses import replace
+from decimal import Decimal
+from pathlib import Path
+from typing import Any
+
+import pytest
+import sympy as sp
+
+from planar_cli.cli import run
+from planar_cli.equation.exact import Settled
+from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.structure import load_text
 from planar_cli.report.json_document import solution_data
+from planar_cli.report.narrate import narrate
+from planar_cli.solve import run as solving
 from planar_cli.solve.run import solve_problem
-from planar_cli.solve.solved_problem import NOT_COMPARED
+from planar_cli.solve.solution import Found
+from planar_cli.solve.solved_problem import PartSolution, Solution
+from planar_cli.solve.verify import Disagreement
 
-LAW = """
-title: Particle whose law of motion has no closed form
+THROW = """
+title: Stone thrown up
+plane: vertical
+bodies: {P: {particle: [0, 0], mass: 2 kg}}
+states: {1: [t = 0, v(P).x = 1 m/s, v(P).y = 6 m/s], top: [y(P) is largest], 3: [t = 1 s]}
+find: {h: y(P) @ top, v: v(P) @ 3, high: y(P) @ top > 1 m, p: momentum(P).x @ top}
+"""
+LETTERS = """
+title: Stone thrown up in letters
+plane: vertical
+symbols: {u: m/s}
+bodies: {P: {particle: [0, 0], mass: any}}
+states: {1: [t = 0, v(P).x = 0, v(P).y = u], top: [y(P) is largest]}
+find: {h: y(P) @ top, a: a(P).y}
+"""
+APPROACHED = """
+title: Particle that comes to rest in the end
 coordinates: {x: m}
 bodies: {p: {particle: [x, 0]}}
-motion: ["ddot(x) = -(1 1/s)*dot(x) - x^3/(1 m^2*s^2)"]
-states: {1: [t = 0, x = 1 m, dot(x) = 0], 2: [t = %s]}
-find: {x: x @ 2, a: ddot(x) @ 1}
+motion: ["ddot(x) = -(1 1/s)*dot(x)"]
+states: {1: [t = 0, x = 0, dot(x) = 2 m/s], 2: [x = 1 m], far: [t = infinity]}
+find: {t: t @ 2, end: x @ far}
+"""
+HIT = """
+title: Particles that collide
+plane: horizontal
+bodies: {A: {particle: [0, 0], mass: 2 kg}, B: {particle: [1 m, 0], mass: 3 kg}}
+joints:
+  - impact: {between: [A, B], name: hit}
+states:
+  1: [v(A).x = 5 m/s, v(A).y = 0, v(B).x = -1 m/s, v(B).y = 0]
+  2: [just after 1, v(B).x = 2 m/s]
+find: {u: v(A).x @ 2, J: impulse(hit/B).x @ 1->2, Q: heat(hit) @ 1->2}
 """
 
 
-def test_what_only_a_step_method_tells() -> None:
-    problem, wrong = load_text(LAW % "2 s")
+def solved(text: str) -> Solution:
+    problem, wrong = load_text(text)
+    assert problem is not None
     assert not wrong
+    return solve_problem(problem)
+
+
+def off(name: str, change: Callable[[Found], Found]) -> Callable[..., PartSolution]:
+    """What solves a part, with one of its answers changed."""
+    solve = solving.solve_part
+
+    def wrong(*given: Any) -> PartSolution:
+        part = solve(*given)
+        return replace(part, found=tuple(change(f) if f.name == name else f for f in part.found))
+
+    return wrong
+
+
+def larger(found: Found) -> Found:
+    """By one part in ten thousand."""
+    assert found.values is not None
+    return replace(found, values=tuple(Settled(v * Decimal("1.0001")) for v in found.values))
+
+
+def test_all_answers_of_a_motion_agree() -> None:
+    part = solved(THROW).parts[0]
+    assert part.confirmed.finds == {"h", "v", "high", "p"}
+    assert not part.confirmed.apart
+
+
+@pytest.mark.parametrize("name", ["h", "v", "p"])
+def test_a_wrong_number_is_refused(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(solving, "solve_part", off(name, larger))
+    with pytest.raises(
+        Disagreement, match=f"{name} is not confirmed: solved .*, in the motion followed .* at t = "
+    ) as e:
+        solved(THROW)
+    assert [d.code for d in e.value.diagnostics] == ["PL720"]
+
+
+def test_a_wrong_truth_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(solving, "solve_part", off("high", lambda f: replace(f, word="false")))
+    with pytest.raises(Disagreement, match=r"high is not confirmed: solved false, .* true"):
+        solved(THROW)
+
+
+@pytest.mark.parametrize("name", ["h", "a"])
+def test_a_wrong_formula_is_refused(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Whatever numbers are drawn for its letters."""
+    assert solved(LETTERS).parts[0].confirmed.finds == {"h", "a"}
+
+    def change(f: Found) -> Found:
+        assert f.expressions
+        values = None if f.values is None else tuple(Settled(v * Decimal("1.0001")) for v in f.values)
+        return replace(f, values=values, expressions=tuple(e * sp.Rational(10001, 10000) for e in f.expressions))
+
+    monkeypatch.setattr(solving, "solve_part", off(name, change))
+    with pytest.raises(Disagreement, match=f"{name} is not confirmed"):
+        solved(LETTERS)
+
+
+def test_a_state_that_is_not_reached_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The solution says when; the motion that is followed does not come there."""
+    problem, _ = load_text(THROW.replace("top: [y(P) is largest]", "top: [y(P) = 1.5 m]"))
+    other, _ = load_text(THROW.replace("top: [y(P) is largest]", "top: [y(P) = 2.5 m]"))
     assert problem is not None
-    solution = solve_problem(problem)
+    assert other is not None
+    part = solving.solve_part(problem, "", {}, {})
+    with pytest.raises(Disagreement, match=r"h is not confirmed: solved reached at t = .*not reached \(state top\)"):
+        solving._confirmed(other, part, {})
+
+
+def test_a_refusal_has_its_status_and_its_data(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "throw.yaml"
+    path.write_text(THROW.lstrip())
+    monkeypatch.setattr(solving, "solve_part", off("h", larger))
+    assert run(["solve", str(path), "--format", "json"]) == 3
+    told = capsys.readouterr()
+    data = json.loads(told.out)
+    assert data["outcome"] == "undecided"
+    assert data["answers"] == {}
+    assert data["diagnostics"][0]["code"] == "PL720"
+    assert "h is not confirmed: solved 1.83" in told.err
+
+
+def test_what_is_only_approached_is_not_compared() -> None:
+    solution = solved(APPROACHED)
     data = solution_data(solution, (), 4, None)
-    assert "step by step alone" in solution.parts[0].motion.unconfirmed["x"]
-    assert not any("followed step by step from the first state: agrees" in text for text in data["checks"])
-    # The motion followed by independent facts is a second road.
-    assert data["unconfirmed"] == 0
-    solution.parts[0].confirmed = NOT_COMPARED
-    data = solution_data(solution, (), 4, None)
+    assert data["answers"]["t"]["confirmed"] is True
+    assert data["answers"]["end"]["confirmed"] is False
+    assert data["answers"]["end"]["unconfirmed"] == "state far is only approached"
     assert data["unconfirmed"] == 1
-    assert data["answers"]["x"]["confirmed"] is False
-    assert "step by step alone" in data["answers"]["x"]["unconfirmed"]
-    assert data["answers"]["a"]["confirmed"] is True
-    assert any(text.startswith("not compared: x (") for text in data["checks"])
+    page = " ".join(Terminal().render(narrate(solution)).split())
+    assert "not compared: end (state far is only approached)" in page
 
 
-def test_what_two_roads_tell() -> None:
-    text = (LAW % "2 s").replace("(1 1/s)*dot(x) - x^3/(1 m^2*s^2)", "(1 1/s^2)*x")
-    problem, _ = load_text(text)
-    assert problem is not None
-    data = solution_data(solve_problem(problem), (), 4, None)
-    assert data["unconfirmed"] == 0
-    assert all(answer["confirmed"] for answer in data["answers"].values())
+def test_a_restitution_that_a_velocity_tells() -> None:
+    """It is all that is taken from the solution: (2 - u)/6 with 2 u + 6 = 7."""
+    assert solved(HIT).parts[0].confirmed.finds == {"u", "J", "Q"}

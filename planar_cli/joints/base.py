@@ -25,7 +25,7 @@ A member states facts only and does not import SymPy at module level, so that re
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import ClassVar
 
@@ -70,6 +70,10 @@ class Joint(ABC):
     def objections(self, scene: WrittenScene) -> Iterable[Diagnostic]:
         """What is wrong with it in this problem, beyond what its keys and names tell."""
         return ()
+
+    def told(self, constants: Mapping[str, float]) -> Joint:
+        """The joint with the constants that it leaves open and that a blow has told, by their names."""
+        return self
 
     @abstractmethod
     def modes(self, scene: Setting) -> tuple[Mode, ...]:

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from fractions import Fraction
 from typing import Any, ClassVar
 
 from planar_cli.joints.base import Joint
-from planar_cli.problem.expression import Side
+from planar_cli.problem.expression import Number, Side
 from planar_cli.problem.facts import FAR, Action, Anchor, Facts, Law, Meeting, Mode, Pull, Push, Row, Test
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.keys import PartnersKey, SideKey, key
@@ -67,6 +69,17 @@ class Impact(Joint):
     restitution: Side | None = key(SideKey("1"), "coefficient of restitution, 0 to 1; left out: unknown", default=None)
     mu: Side | None = key(SideKey("1"), "coefficient of friction during the impact", default=None)
 
+    @property
+    def open_name(self) -> str:
+        """The name of the restitution where it is left out."""
+        return f"e_{self.name}"
+
+    def told(self, constants: Mapping[str, float]) -> Impact:
+        """With the restitution that a blow has told."""
+        if self.restitution is not None or self.open_name not in constants:
+            return self
+        return replace(self, restitution=Number(Fraction(constants[self.open_name]), None, 1, self.mark))
+
     def modes(self, scene: Setting) -> tuple[Mode, ...]:
         """Nothing: an impact acts only in the blow."""
         return (Mode("", "", Facts()),)
@@ -109,7 +122,7 @@ class Impact(Joint):
         return Row(self.name, title, pulls, pace=pace)
 
     def _rebound(self, scene: StruckSetting, a: str, b: str, meeting: Meeting) -> Row:
-        e = scene.unknown(f"e_{self.name}", "1") if self.restitution is None else scene.value(self.restitution)
+        e = scene.unknown(self.open_name, "1") if self.restitution is None else scene.value(self.restitution)
         title = f"restitution between {self.between[0]} and {self.between[1]}, along the common normal"
         return self._apart(a, b, meeting, meeting.normal, title, -e * self._approach(scene, a, b, meeting))
 

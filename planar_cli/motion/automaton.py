@@ -69,6 +69,10 @@ class Regime(Protocol):
     def conservative(self) -> bool:
         """Is there nothing that feeds or drains it?"""
 
+    @property
+    def shared(self) -> frozenset[str]:
+        """Joints whose forces are not unique, as redundant constraints share them."""
+
     def momentum(self, t: float, y: Sequence[float]) -> Sequence[float]:
         """Linear momentum x, y [N s] and angular momentum about the origin [N m s]."""
 

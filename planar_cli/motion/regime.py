@@ -174,6 +174,11 @@ class Regime:
                 number += 1
         return frozenset(found)
 
+    @property
+    def shared(self) -> frozenset[str]:
+        """Joints whose forces are not unique, as redundant constraints share them."""
+        return frozenset(p.joint for p in self.reactions if p.name in self.indeterminate)
+
     # --- equations ---------------------------------------------------------------------------------------------------
 
     def _equations(self) -> System:

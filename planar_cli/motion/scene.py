@@ -40,13 +40,18 @@ class MovingScene(Carried):
     """
 
     def __init__(
-        self, problem: Problem, values: Mapping[str, float] | None = None, sides: Mapping[str, int] | None = None
+        self,
+        problem: Problem,
+        values: Mapping[str, float] | None = None,
+        sides: Mapping[str, int] | None = None,
+        speeds: Mapping[str, tuple[float, float, float]] | None = None,
     ) -> None:
         """`values`: numbers for letters, unknowns and coordinates, by name, in SI units. `sides`: on which side
-        contacts press that the drawing leaves open, by joint (Mode.side).
+        contacts press that the drawing leaves open, by joint (Mode.side). `speeds`: of bodies at the start, along x and
+        y and of turning, where the file leaves them open.
         """
         super().__init__(problem, values)
-        self._sides = sides or {}
+        self._sides, self.speeds = sides or {}, speeds or {}
         self.facings = Facings(self.graph, self.extent)
         self.feet: dict[tuple[str, str], Foot] = feet_of(self)
         self._points |= spots_of(self, partial(outline_of, self), self.feet)

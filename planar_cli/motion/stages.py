@@ -233,13 +233,16 @@ class SceneStages:
         return start in reached and end not in reached
 
 
-def stages_of(problem: Problem, values: Mapping[str, float]) -> SceneStages:
+def stages_of(
+    problem: Problem, values: Mapping[str, float], speeds: Mapping[str, tuple[float, float, float]]
+) -> SceneStages:
     """The scene of a problem. Where the drawing leaves open on which side a body presses, it presses where it does at
     the start; once it has left that side it does not press on the other. What is drawn on a line comes from the side
-    from which it moves. `values`: numbers for letters, by name.
+    from which it moves. `values`: numbers for letters, by name; `speeds`: of bodies at the start, where the file leaves
+    them open.
     """
     values = in_equilibrium(problem, values)
-    scene = MovingScene(problem, values)
+    scene = MovingScene(problem, values, speeds=speeds)
     stages = SceneStages(scene)
     automaton = stages.automaton((problem.states[0].name,) if problem.states else ())
     pressing = any(m.side for modes in automaton.choices.values() for m in modes)
@@ -258,7 +261,7 @@ def stages_of(problem: Problem, values: Mapping[str, float]) -> SceneStages:
     for name, gaps in open_gaps.items():
         if any(rate > 0 for rate in evaluate([scene.graph.rate(g.distance, scene.rates()) for g in gaps], at)):
             sides[name] = -1
-    return SceneStages(MovingScene(problem, values, sides))
+    return SceneStages(MovingScene(problem, values, sides, speeds))
 
 
 def _untold(gaps: Iterable[Gap]) -> list[Gap]:

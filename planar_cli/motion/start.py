@@ -185,6 +185,10 @@ class _Search:
             return ()
         if self._hanging(moving):
             return (f"{', '.join(sorted(moving))}: no swaying at the start",)
+        if moving <= self.model.scene.speeds.keys():
+            self.state = self._known()
+            self._newton(firm, numbers)
+            return ()
         names = ", ".join(sorted(moving))
         raise self._unknown(
             f"the velocity of {names} at the start is not told",
@@ -307,14 +311,27 @@ class _Search:
         raise NoSolution([Diagnostic(mark, "PL704", text, "one of the relations of the first state must go")])
 
     def _guesses(self, numbers: range) -> list[list[float]]:
-        """Velocities from which a solution is sought: rest first, then either way of relations that are not linear."""
-        found = [self.state]
+        """Velocities from which a solution is sought: rest first, then those that are known from elsewhere, then either
+        way of relations that are not linear.
+        """
+        found = [self.state, self._known()] if self.model.scene.speeds else [self.state]
         for sign in (1.0, -1.0):
             guess = list(self.state)
             for k, n in enumerate(numbers):
                 guess[n] = sign * self.sizes[n] * (1.0 + 0.1 * math.cos(2.4 * k))
             found.append(guess)
         return found
+
+    def _known(self) -> list[float]:
+        """The velocities of bodies that are known from elsewhere."""
+        state = list(self.state)
+        for body, speeds in self.model.scene.speeds.items():
+            frame = self.layout.frames.get(body)
+            if frame is not None:
+                for number, speed in zip((frame.x, frame.y, frame.theta), speeds, strict=True):
+                    if number is not None:
+                        state[self.half + number] = speed
+        return state
 
     def _solved(self, equations: Sequence[Equation], numbers: range) -> bool:
         """Newton's method; does it end with all of them zero?"""

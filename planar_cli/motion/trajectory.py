@@ -54,8 +54,8 @@ class Outcome:
 
     kind: str
     """until (the time is over), reached (the last state), rest (nothing moves any more), none (no consistent modes),
-    several (more than one consistent motion), singular, small (steps too small), long (too many of them), spent (a
-    free part of a rope has run out), endless (impacts or changes of mode
+    several (more than one consistent motion), shared (forces that are not unique decide), singular, small (steps too
+    small), long (too many of them), spent (a free part of a rope has run out), endless (impacts or changes of mode
     without end), contradiction (joints that cannot all hold), unbalanced (momentum or energy does not add up)."""
     words: str
     """As a sentence, with the place and time."""

@@ -245,8 +245,17 @@ def unanswered(automaton: Automaton, t: float, found: NoMode | SeveralModes) -> 
     ]
     joint = next((w.joint for v in nearest for w in v.violations if w.joint), "")
     told = "; ".join(reasons) or f"{len(found.verdicts)} choices were tried"
+    if any(_may_hold(automaton, v) for v in nearest):
+        words = f"at t = {t:.9g} s it is open which modes hold: redundant constraints share their forces: {told}"
+        return Outcome("shared", words, t, joint, "PL713")
     words = f"at t = {t:.9g} s no choice of modes is consistent for rigid bodies with dry friction: {told}"
     return Outcome("none", words, t, joint, "PL700")
+
+
+def _may_hold(automaton: Automaton, verdict: Verdict) -> bool:
+    """Does it fail by forces alone that are not unique, so that others might do?"""
+    failing = {v.joint for v in verdict.violations}
+    return bool(failing) and failing <= automaton.regime(verdict.choice).shared
 
 
 def _named(automaton: Automaton, verdict: Verdict) -> str:

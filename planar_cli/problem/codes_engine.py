@@ -66,6 +66,16 @@ _ENGINE = {
         "no direction any more. What follows, a blow or a body drawn over the pulley, the file does not say. End the "
         "motion before it, with `--until` or a last state."
     ),
+    "PL713": (
+        "Whether something sticks, presses or holds depends on forces that are not unique, because constraints are "
+        "redundant: two crates tied to each other share the friction that holds them. Some choice of these forces may "
+        "fulfil all conditions; it is not looked for step by step. Leave one of the redundant joints out."
+    ),
+    "PL720": (
+        "A motion that was solved is followed once more by independent facts, step by step, and an answer comes out "
+        "otherwise: nothing is printed as an answer. The message gives both values, and when. It is a fault of the "
+        "program, or the file can be read in two ways: please report it with the file (planar explain checks)."
+    ),
 }
 
 CODES_ENGINE: Mapping[str, str] = MappingProxyType(_ENGINE)

@@ -101,10 +101,8 @@ def _unconfirmed(found: Found, part: PartSolution) -> str:
     """Why nothing was compared with an answer; "" where a second road to it agrees."""
     if part.followed is not None:
         return "it is read off one motion, whose error was estimated by a second run"
-    if found.name in part.confirmed.differ:
-        return "the motion followed by independent facts gives another value"
     if part.motion is not None:
-        return "" if found.name in part.confirmed.finds else part.motion.unconfirmed.get(found.name, "")
+        return part.confirmed.apart.get(found.name, "")
     return "" if part.instants[-1].checks.get("digits") is not None else "no second road leads to it"
 
 

@@ -71,6 +71,8 @@ class Settings:
     """When to give up a run."""
     check: bool = True
     """Is a balance of energy that does not add up a failure?"""
+    speeds: Mapping[str, tuple[float, float, float]] = field(default_factory=dict)
+    """Those with which bodies begin, along x and y [m/s] and of turning [rad/s], where the file leaves them open."""
     estimate: bool = True
     """Run twice, to estimate the error?"""
     progress: Callable[[float, float], None] | None = None
@@ -130,7 +132,7 @@ def simulate(problem: Problem, settings: Settings, units: Mapping[str, str] = US
     Raises FileProblem or NoSolution where the file does not say how the motion begins, Undecided where it can not be
     followed.
     """
-    scene = prepared(problem, settings.values)
+    scene = prepared(problem, settings.values, settings.speeds)
     first = _to_stop(followed(scene, settings))
     settings = first.settings
     found = Answers(problem, first.measures, first.trajectory, units).all()
@@ -159,12 +161,16 @@ def begin(problem: Problem) -> Run:
 
 def follow(problem: Problem, settings: Settings) -> Run:
     """One run."""
-    return followed(prepared(problem, settings.values), settings)
+    return followed(prepared(problem, settings.values, settings.speeds), settings)
 
 
-def prepared(problem: Problem, values: Mapping[str, float]) -> Prepared:
-    """The scene, and where its motion begins. `values`: numbers for letters and unknowns [SI]."""
-    stages = stages_of(problem, values)
+def prepared(
+    problem: Problem, values: Mapping[str, float], speeds: Mapping[str, tuple[float, float, float]] | None = None
+) -> Prepared:
+    """The scene, and where its motion begins. `values`: numbers for letters and unknowns [SI]; `speeds`: of bodies at
+    the start, where the file leaves them open.
+    """
+    stages = stages_of(problem, values, speeds or {})
     model = stages.automaton((_first(problem),)).model
     return Prepared(problem, stages, model, stages.start())
 

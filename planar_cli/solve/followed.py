@@ -1,8 +1,7 @@
 """What no equation gives in closed form: the motion followed step by step, and the answers read off.
 
 It is the last road of a file with numbers throughout: nothing is derived, so that nothing but the equations of motion,
-the start and what happened can be told. The other use is a check: a motion that was solved otherwise is followed by
-these independent facts (position residuals and wrenches), with the constants that were found put in.
+the start and what happened can be told.
 """
 
 from __future__ import annotations
@@ -14,13 +13,13 @@ import sympy as sp
 from planar_cli.equation.exact import Settled, Valuation
 from planar_cli.errors import PlanarError
 from planar_cli.motion.hybrid import HybridModel
-from planar_cli.problem.expression import JustAfter, Name
+from planar_cli.problem.expression import JustAfter
 from planar_cli.problem.facts import FAR
 from planar_cli.problem.scene import Problem
 from planar_cli.simulate.answers import Answered
-from planar_cli.simulate.run import Settings, Simulation, begin, simulate
+from planar_cli.simulate.run import Settings, begin, simulate
 from planar_cli.solve.solution import Found
-from planar_cli.solve.solved_problem import Confirmation, PartSolution
+from planar_cli.solve.solved_problem import PartSolution
 
 MOST_BODIES = 6
 """Of a motion of more bodies than that no closed form is looked for."""
@@ -28,8 +27,6 @@ CERTAIN = 1e-6
 """An answer is read off where its estimated error is below this part of it, or of its scale."""
 ROUNDING = 1e-13
 """What is below this part of the scale of its kind is the rounding of zero."""
-DIFFERS = 30.0
-"""Numbers that are apart by less than so many estimated errors do not differ."""
 
 
 def strikes_unnamed(problem: Problem) -> bool:
@@ -108,50 +105,3 @@ def _kind(answer: Answered) -> str:
 def _certain(answer: Answered) -> bool:
     size = max((abs(v) for v in answer.values), default=0.0)
     return not answer.values or answer.error is None or answer.error <= CERTAIN * max(size, answer.scale)
-
-
-# --- as a check -------------------------------------------------------------------------------------------------------
-
-
-def confirmation(problem: Problem, found: tuple[Found, ...], earlier: Mapping[str, float]) -> Confirmation:
-    """What following the motion says of answers that were found otherwise."""
-    constants = {s.name for s in problem.unknowns}
-    values = dict(earlier)
-    for f in found:
-        what = f.find.found.what if f.find is not None else None
-        if isinstance(what, Name) and what.name in constants and f.values is not None:
-            values[what.name] = float(f.values[0])
-    if problem.symbols or constants - values.keys():
-        return Confirmation()
-    try:
-        other = simulate(problem, Settings(values=values, estimate=False), {})
-    except PlanarError:
-        return Confirmation()
-    if other.run.trajectory.outcome.refused:
-        return Confirmation()
-    compared = _compared(found, other)
-    # How good the numbers are that differ, only a second run tells.
-    return _compared(found, simulate(problem, Settings(values=values), {})) if compared.differ else compared
-
-
-def _compared(found: tuple[Found, ...], other: Simulation) -> Confirmation:
-    by_name = {a.name: a for a in other.answers}
-    same: list[str] = []
-    differ: list[str] = []
-    for f in found:
-        a = by_name.get(f.name)
-        if a is None or a.why:
-            continue
-        if f.word:
-            agrees = f.word == a.word
-        elif f.values is None or len(f.values) != len(a.values):
-            continue
-        else:
-            apart = max(abs(float(x) - y) for x, y in zip(f.values, a.values, strict=True))
-            size = max([*map(abs, a.values), a.scale])
-            agrees = apart <= max(CERTAIN * size, DIFFERS * (a.error or 0.0))
-        (same if agrees else differ).append(f.name)
-    words = f"motion followed by independent facts: {len(same)} of {len(found)} answers agree" if same else ""
-    if differ:
-        words = f"motion followed by independent facts: does not confirm {', '.join(differ)}"
-    return Confirmation(words, frozenset(same), tuple(differ))

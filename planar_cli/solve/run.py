@@ -102,6 +102,9 @@ def _part(problem: Problem, case: str, units: dict[str, str], earlier: dict[str,
             raise _pressed(problem)
     try:
         derived = _derived(problem, case, units, earlier)
+    except Disagreement:
+        # A third road does not settle what two of them see differently.
+        raise
     except (Undecided, NoSolution) as error:
         # Where the modes change in ways that no equation tells, as from blow to blow, it is only followed.
         by_steps = isinstance(error, Undecided) or told_by_modes(problem)
@@ -127,12 +130,12 @@ def _pressed(problem: Problem) -> FileProblem:
 
 
 def _confirmed(problem: Problem, part: PartSolution, earlier: Mapping[str, float]) -> PartSolution:
-    """The part with what following its motion says."""
+    """The part with what following its motion says. Disagreement: it gives other answers."""
     if part.motion is None:
         return part
-    from planar_cli.solve.followed import confirmation
+    from planar_cli.solve.confirmation import confirmation
 
-    return replace(part, confirmed=confirmation(problem, part.found, earlier))
+    return replace(part, confirmed=confirmation(problem, part.found, part.motion, earlier))
 
 
 def _derived(problem: Problem, case: str, units: dict[str, str], earlier: dict[str, Earlier]) -> PartSolution:

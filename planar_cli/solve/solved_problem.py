@@ -4,7 +4,8 @@ made.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from planar_cli.problem.scene import Problem
@@ -24,9 +25,9 @@ class Confirmation:
     words: str = ""
     """As a check; "" where nothing was compared."""
     finds: frozenset[str] = frozenset()
-    """Which finds agree."""
-    differ: tuple[str, ...] = ()
-    """Which do not."""
+    """Which finds agree; where one does not, there is no solution."""
+    apart: Mapping[str, str] = field(default_factory=dict)
+    """Why the others could not be compared, by their names."""
 
 
 NOT_COMPARED = Confirmation()
@@ -49,10 +50,10 @@ class PartSolution:
 
     @property
     def not_compared(self) -> tuple[str, ...]:
-        """The answers of a motion that no second road leads to, with the reasons, in phrases for the checks."""
+        """The answers of a motion that following it does not confirm, with the reasons, in phrases for the checks."""
         if self.motion is None:
             return ()
-        reasons = {n: r for n, r in self.motion.unconfirmed.items() if n not in self.confirmed.finds}
+        reasons = self.confirmed.apart
         listed = {why: [n for n, r in reasons.items() if r == why] for why in reasons.values()}
         return tuple(f"not compared: {', '.join(names)} ({why})" for why, names in listed.items())
 

@@ -11,7 +11,7 @@ import sympy as sp
 from planar_cli.equation.exact import ZERO, Unvalued, Valuation
 from planar_cli.equation.kinetics import body_residuals
 from planar_cli.equation.system import System
-from planar_cli.errors import Undecided
+from planar_cli.errors import Diagnostic, Undecided
 from planar_cli.records import record
 from planar_cli.solve.instant import Trial
 from planar_cli.solve.multibody import Agreement, second_road
@@ -24,6 +24,10 @@ TINY_SHARE = Decimal("1e-12")
 
 class Disagreement(Undecided):
     """Two roads to the same answer differ: the solution is not to be trusted, and is not shown as solved."""
+
+    def __init__(self, message: str, diagnostics: tuple[Diagnostic, ...] = ()) -> None:
+        self.diagnostics = diagnostics
+        super().__init__(message)
 
 
 @record

@@ -13,13 +13,13 @@ from planar_cli.equation.exact import Valuation
 from planar_cli.solve.course.answers import AnsweredFind
 from planar_cli.solve.course.balances import StateBalance
 from planar_cli.solve.course.blow import Blow
-from planar_cli.solve.course.confirmed import unconfirmed
 from planar_cli.solve.course.derivation import Leg, Route
 from planar_cli.solve.course.equations import DATA, Equation
 from planar_cli.solve.course.needed import wanted_of
 from planar_cli.solve.course.oscillation import Oscillation, roots_of, stability
 from planar_cli.solve.course.regime_sequence import RegimeSequence
 from planar_cli.solve.course.solved_motion import SolvedMotion
+from planar_cli.solve.course.taken import taken_of
 from planar_cli.solve.course.trace import (
     BalanceTrace,
     Centre,
@@ -72,8 +72,8 @@ def motion_trace(
         oscillations=tuple(_oscillation(o, found.value) for o in found.oscillations),
         regimes=tuple(_regime(course, i, None if whole else wanted_of(course, route, i)) for i in instants),
         checks=found.checks,
-        unconfirmed=unconfirmed(found),
         presumed=presumed,
+        taken=taken_of(found),
     )
 
 

@@ -317,6 +317,20 @@ class RegimeTrace:
 
 
 @record
+class Taken:
+    """What a solved motion tells whoever follows it anew in numbers, beside what its file says."""
+
+    letters: Mapping[str, float]
+    """Constants that were sought, and letters of the file as they were drawn, by name [SI]."""
+    opened: Mapping[str, float]
+    """What joints leave open and a blow tells: restitutions, by the name of the constant."""
+    times: Mapping[str, float]
+    """When states are reached [s]."""
+    speeds: Mapping[str, tuple[float, float, float]]
+    """Of bodies in the first state: of the mass centre along x and y [m/s], and of turning [rad/s]."""
+
+
+@record
 class MotionTrace:
     """A motion over time with the way to what is asked of it."""
 
@@ -358,10 +372,10 @@ class MotionTrace:
     """The regimes that are told."""
     checks: tuple[str, ...]
     """What was compared, in phrases."""
-    unconfirmed: Mapping[str, str]
-    """By the name of a find: why nothing was compared with its answer; finds that were compared are left out."""
     presumed: tuple[sp.Expr, ...]
     """What is positive with these letters, and need not be."""
+    taken: Taken
+    """For a motion that is followed anew."""
 
     def regime(self, solution: InstantSolution) -> RegimeTrace:
         """The regime of a general position."""

@@ -1,0 +1,329 @@
+"""A motion that was solved, followed once more by independent facts: position residuals, wrenches, and what they do.
+
+What the solution takes out of equations, the following takes out of the file alone, but for what only equations tell:
+constants that were sought, restitutions that a velocity after a blow tells, velocities of an open start. Letters have
+numbers that are drawn for them. Every answer agrees, or could not be compared for a reason that is said; where
+one differs, nothing is an answer.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from decimal import Decimal
+
+import sympy as sp
+
+from planar_cli.equation.ledger import display
+from planar_cli.errors import Diagnostic, FileProblem, Mark, NoSolution, NoValue
+from planar_cli.motion.trajectory import Outcome
+from planar_cli.problem.expression import Equilibrium, JustAfter, Name, Quantity, Relation, Side
+from planar_cli.problem.scene import Problem
+from planar_cli.problem.walk import walk
+from planar_cli.records import record
+from planar_cli.simulate.answers import NOT_FOLLOWED, Answered
+from planar_cli.simulate.measures import Moment, names_of_states
+from planar_cli.simulate.run import Settings, Simulation, simulate
+from planar_cli.simulate.timetable import Timetable
+from planar_cli.solve.course.trace import MotionTrace, Taken
+from planar_cli.solve.samples import Sample, samples
+from planar_cli.solve.solution import Found
+from planar_cli.solve.solved_problem import Confirmation
+from planar_cli.solve.verify import Disagreement
+from planar_cli.units import Unit
+
+CERTAIN = 1e-6
+"""Numbers that are apart by less than this part of them, or of the scale of their kind, agree."""
+DIFFERS = 30.0
+"""Numbers that are apart by less than so many estimated errors do not differ."""
+BEYOND = 0.01
+"""A motion is followed this part of its time beyond the last state."""
+FAINT = 1e-9
+"""Speeds below this part of their scale may be the rounding of rest."""
+DIFFERENT = "PL720"
+NOT_ABLE = {
+    "PL702": "the equations of motion do not tell how it goes on",
+    "PL703": "its steps become too small",
+    "PL706": "the restitution of an impact is open",
+    "PL712": "a part of a rope has no length any more",
+    "PL713": "forces of redundant constraints tell whether something holds",
+}
+"""What keeps a motion from being followed to its end, by the code of the refusal; everything else contradicts."""
+NOT_BEGUN = {
+    "PL704": "its start is not told by the file alone",
+    "PL707": "outlines meet in ways that are not followed",
+}
+"""The same of its beginning."""
+
+
+@record
+class Seen:
+    """One find, compared."""
+
+    name: str
+    why: str = ""
+    """Why it could not be compared."""
+    other: str = ""
+    """What following the motion gives, where that is something else."""
+    found: str = ""
+    """What was solved, then."""
+    where: str = ""
+    """When."""
+
+
+def confirmation(
+    problem: Problem, found: tuple[Found, ...], trace: MotionTrace, earlier: Mapping[str, float]
+) -> Confirmation:
+    """What following the motion says of answers that were found otherwise. Disagreement: it gives other ones.
+
+    `earlier`: finds of earlier cases, as `case.find`.
+    """
+    whole = _not_followed(problem, trace.taken)
+    if whole:
+        return Confirmation("", frozenset(), {f.name: whole for f in found})
+    refused: Disagreement | None = None
+    for sample in samples(problem, found, trace):
+        try:
+            return _confirmed(problem, found, trace, sample, earlier)
+        except Disagreement as error:
+            # Numbers that were drawn for letters may lie where the formulas do not hold: then others are drawn.
+            refused = refused or error
+    assert refused is not None
+    raise refused
+
+
+def _confirmed(
+    problem: Problem, found: tuple[Found, ...], trace: MotionTrace, sample: Sample, earlier: Mapping[str, float]
+) -> Confirmation:
+    """The same for one choice of numbers for the letters."""
+    taken = sample.taken
+    asked = _closed(problem, taken)
+    values = {**earlier, **taken.letters}
+    settings = Settings(until=_end(taken), values=values, speeds=taken.speeds, estimate=False)
+    try:
+        other = simulate(asked, settings)
+    except (FileProblem, NoSolution) as refused:
+        return _unable(found, refused)
+    whole = _stopped(problem, other.run.trajectory.outcome)
+    if whole:
+        return Confirmation("", frozenset(), {f.name: whole for f in found})
+    seen = [_Compared(other, trace, sample).see(f) for f in found]
+    if any(s.other for s in seen):
+        # How good the numbers are that differ, only a second run tells.
+        compared = _Compared(simulate(asked, replace(settings, estimate=True)), trace, sample)
+        seen = [compared.see(f) for f in found]
+    wrong = [s for s in seen if s.other]
+    if wrong:
+        raise _disagreement(problem, wrong)
+    same = frozenset(s.name for s in seen if not s.why)
+    words = f"motion followed by independent facts: {len(same)} of {len(found)} answers agree" if same else ""
+    return Confirmation(words, same, {s.name: s.why for s in seen if s.why})
+
+
+# --- what is followed ------------------------------------------------------------------------------------------------
+
+
+def _not_followed(problem: Problem, taken: Taken) -> str:
+    """Why the motion of a file can not be followed at all; "" where it can."""
+    for state in problem.states:
+        for node in (n for r in state.relations for n in walk(r)):
+            if isinstance(node, Quantity) and isinstance(node.at, tuple):
+                return f"state {state.name} is told by a quantity over a span, which is not looked for step by step"
+    names = [s.name for s in (*problem.symbols, *problem.unknowns)]
+    without = [n for n in names if n not in taken.letters]
+    return f"no number tells {', '.join(without)}" if without else ""
+
+
+def _closed(problem: Problem, taken: Taken) -> Problem:
+    """The file with the constants that joints leave open and a blow has told."""
+    return replace(problem, joints=tuple(j.told(taken.opened) for j in problem.joints))
+
+
+def _end(taken: Taken) -> float | None:
+    """A little beyond the last state; None where that is not known, or no time passes."""
+    first, last = min(taken.times.values(), default=0.0), max(taken.times.values(), default=0.0)
+    return last + BEYOND * (last - first) if last > first else None
+
+
+def _unable(found: tuple[Found, ...], refused: FileProblem | NoSolution) -> Confirmation:
+    """The motion could not begin to be followed. Disagreement: nothing that is known keeps it from that."""
+    first = refused.diagnostics[0]
+    why = NOT_BEGUN.get(first.code) if isinstance(refused, FileProblem) else None
+    if why is None:
+        text = f"{first.mark.file}:{first.mark.line}: the motion can not be followed as it was solved: {first.message}"
+        raise Disagreement(text, (first,))
+    return Confirmation("", frozenset(), {f.name: f"{why}: {first.message}" for f in found})
+
+
+def _stopped(problem: Problem, outcome: Outcome) -> str:
+    """Why the motion was not followed to its end; "" where it was. Disagreement: it contradicts the solution."""
+    if not outcome.refused:
+        return ""
+    if outcome.code in NOT_ABLE:
+        return f"{NOT_ABLE[outcome.code]}: {outcome.words}"
+    mark = problem.find[0].mark
+    text = f"the motion followed by independent facts contradicts the solution: {outcome.words}"
+    raise Disagreement(f"{mark.file}:{mark.line}: {text}", (Diagnostic(mark, DIFFERENT, text, HINT),))
+
+
+# --- what is compared ------------------------------------------------------------------------------------------------
+
+
+class _Compared:
+    """The finds of a motion that was followed, beside those that were solved."""
+
+    def __init__(self, other: Simulation, trace: MotionTrace, sample: Sample) -> None:
+        self.other, self.trace, self.sample = other, trace, sample
+        self.problem = other.run.problem
+        self.answers = {a.name: a for a in other.answers}
+        self.moments = other.run.measures.moments
+
+    def see(self, f: Found) -> Seen:
+        """One find. A state that the motion does not reach contradicts, but for reasons that are stated."""
+        assert f.find is not None
+        what = f.find.found.what
+        kinds = [n.word for n in walk(what) if isinstance(n, Quantity) and n.word in NOT_FOLLOWED]
+        if kinds:
+            return Seen(f.name, NOT_FOLLOWED[kinds[0]])
+        answer = self.answers[f.name]
+        missed = [s for s in self._states(what) if s not in self.moments]
+        if missed:
+            return self._missed(f, missed[0], answer)
+        if f.word:
+            return self._seen(f, f.word == answer.word, f.word, answer.word or answer.why, what)
+        numbers = self._numbers(f)
+        if numbers is None:
+            return self._throughout(f, what)
+        if answer.why:
+            return self._throughout(f, what)
+        apart = max(abs(float(x) - y) for x, y in zip(numbers, answer.values, strict=True))
+        size = max([*map(abs, answer.values), answer.scale])
+        agrees = apart <= max(CERTAIN * size, DIFFERS * (answer.error or 0.0))
+        others = [Decimal(repr(v)) for v in answer.values]
+        return self._seen(f, agrees, _shown(numbers, f.unit), _shown(others, f.unit), what)
+
+    def _seen(self, f: Found, agrees: bool, found: str, other: str, what: Side | Relation) -> Seen:
+        if agrees:
+            return Seen(f.name)
+        states = [s for s in self._states(what) if s in self.moments]
+        where = ", ".join(f"state {s} at t = {self.moments[s].t:.9g} s" for s in states)
+        return Seen(f.name, "", other, found, where)
+
+    def _states(self, what: Side | Relation) -> list[str]:
+        """The states on which a find rests, in their order."""
+        names = names_of_states(what)
+        for node in walk(what):
+            if isinstance(node, Quantity) and node.word == "reached":
+                names.add(node.argument.name if isinstance(node.argument, Name) else node.things[0])
+        return [s.name for s in self.problem.states if s.name in names]
+
+    def _numbers(self, f: Found) -> list[Decimal] | None:
+        """The values of a find, of a formula in letters for the numbers that were drawn; None: it varies."""
+        if f.values is not None:
+            return [Decimal(v) for v in f.values]
+        found = [sp.sympify(e) for e in f.expressions or ()]
+        if not found or any(e.free_symbols & self.trace.varying for e in found):
+            return None
+        try:
+            return [self.sample.value(e) for e in found]
+        except NoValue as error:
+            mark = self.problem.find[0].mark
+            text = f"{mark.file}:{mark.line}: {f.name} is not confirmed: its formula has no value, {error}"
+            raise Disagreement(text) from error
+
+    def _throughout(self, f: Found, what: Side | Relation) -> Seen:
+        """What holds throughout the motion, a number or a formula, at every state."""
+        assert not isinstance(what, Relation)
+        if f.values is None and not f.expressions:
+            return Seen(f.name, "its formula is not printed")
+        measures = self.other.run.measures
+        scale = Timetable(self.problem, measures).scale(what)
+        for moment in self.moments.values():
+            value = self.sample.value.extended(self._now(moment))
+            open_letters = {s for e in f.expressions or () for s in sp.sympify(e).free_symbols} - value.values.keys()
+            if f.values is None and open_letters:
+                return Seen(f.name, "its formula holds more than the time and coordinates")
+            numbers = [Decimal(v) for v in f.values or ()] or [value(sp.sympify(e)) for e in f.expressions or ()]
+            others = measures.at(what, moment)
+            apart = max(abs(float(x) - y) for x, y in zip(numbers, others, strict=True))
+            if apart > CERTAIN * max([*map(abs, others), scale]):
+                shown = _shown([Decimal(repr(v)) for v in others], f.unit)
+                return Seen(f.name, "", shown, _shown(numbers, f.unit), f"t = {moment.t:.9g} s")
+        return Seen(f.name)
+
+    def _now(self, moment: Moment) -> dict[sp.Symbol, Decimal]:
+        """Time and coordinates at a moment."""
+        known, measures = self.trace.ledger.symbols, self.other.run.measures
+        names = [n for n in ("t", *(c.name for c in self.problem.coordinates)) if n in known]
+        here = {n: measures.at(Name(n, None, Mark(self.problem.file, 1, 1)), moment)[0] for n in names}
+        return {known[n]: Decimal(repr(v)) for n, v in here.items()}
+
+    # --- states that are not reached ---------------------------------------------------------------------------------
+
+    def _missed(self, f: Found, state: str, answer: Answered) -> Seen:
+        """A find that rests on a state which the motion that was followed does not reach."""
+        if f.word and f.word == answer.word:
+            return Seen(f.name)
+        why = self._out_of_reach(state)
+        if why:
+            return Seen(f.name, why)
+        at = self.sample.taken.times.get(state)
+        found = "reached" if at is None else f"reached at t = {at:.9g} s"
+        return Seen(f.name, "", "not reached", found, f"state {state}")
+
+    def _out_of_reach(self, state: str) -> str:
+        """Why a motion that is followed in numbers need not reach a state that is an answer; "" where it must."""
+        if self.problem.method not in (None, "newton"):
+            return f"{self.problem.method} relates states also where no motion joins them: state {state} is not reached"
+        for name in [s.name for s in self.problem.states]:
+            words = self._never(name)
+            if words:
+                return words
+            if name == state:
+                break
+        trajectory, measures = self.other.run.trajectory, self.other.run.measures
+        if trajectory.notes and trajectory.outcome.kind == "rest":
+            return f"numbers do not leave an unstable equilibrium: {trajectory.notes[0]}"
+        model, at = measures.model, self.sample.taken.times.get(state, trajectory.t1)
+        half, y = model.layout.count, trajectory.at(min(at, trajectory.t1))
+        speeds = [abs(v) / s for v, s in zip(y[half:], model.scale[half:], strict=True)]
+        return f"before state {state} speeds die out into rounding" if 0 < max(speeds, default=0.0) < FAINT else ""
+
+    def _never(self, name: str) -> str:
+        """Why no motion comes to a state, by what the file says of it."""
+        state = next(s for s in self.problem.states if s.name == name)
+        for relation in state.relations:
+            if isinstance(relation, Equilibrium) and relation.body is None:
+                return f"state {name} is an equilibrium, which lies beside the motion"
+            if any(isinstance(n, Name) and n.name == "infinity" for n in walk(relation)):
+                return f"state {name} is only approached"
+            if isinstance(relation, JustAfter):
+                before = self._never(relation.state)
+                if before:
+                    return before
+        return ""
+
+
+# --- what is said ----------------------------------------------------------------------------------------------------
+
+HINT = "please report it with the file; `planar simulate` prints the motion that was followed"
+
+
+def _shown(values: list[Decimal], unit: Unit) -> str:
+    """Numbers in a unit, to more digits than agree."""
+    numbers = ", ".join(f"{float(display(v, unit)):.9g}" for v in values)
+    text = numbers if len(values) == 1 else f"[{numbers}]"
+    return f"{text} {unit.text}" if unit.text != "1" else text
+
+
+def _disagreement(problem: Problem, wrong: list[Seen]) -> Disagreement:
+    """The refusal, with both values of every find that differs."""
+    diagnostics = tuple(_told(problem, wrong))
+    return Disagreement("; ".join(f"{d.mark.file}:{d.mark.line}: {d.message}" for d in diagnostics), diagnostics)
+
+
+def _told(problem: Problem, wrong: list[Seen]) -> Iterator[Diagnostic]:
+    marks = {f.name: f.mark for f in problem.find}
+    for s in wrong:
+        text = f"{s.name} is not confirmed: solved {s.found}, in the motion followed by independent facts {s.other}"
+        yield Diagnostic(marks[s.name], DIFFERENT, f"{text} ({s.where})" if s.where else text, HINT)
