@@ -15,6 +15,18 @@ from planar_cli.records import record
 
 Resultant = Callable[[float, Sequence[float]], tuple[float, float, float]]
 """Force x, y [N] and moment about the origin [N m] at a time in a state."""
+
+
+@record
+class Outside:
+    """What acts on a scene from outside, for the balance of its momentum."""
+
+    at: Resultant
+    """The resultant."""
+    least: tuple[float, float, float]
+    """Momenta that count as usual in this scene: linear x, y [N s], angular about the origin [N m s]."""
+
+
 Choice = tuple[int, ...]
 """For every joint of `Automaton.choices`, in its order, the index of its mode."""
 
@@ -103,8 +115,8 @@ class Automaton(Protocol):
     def regime(self, choice: Choice) -> Regime:
         """The regime of a choice."""
 
-    def outside(self, choice: Choice) -> Resultant | None:
-        """What acts from outside in a choice: force x, y [N] and moment about the origin [N m]; None: not known."""
+    def outside(self, choice: Choice) -> Outside | None:
+        """What acts from outside in a choice; None: not known."""
 
     def undetermined(self, choice: Choice, t: float, y: Sequence[float]) -> Sequence[str]:
         """Bodies without mass that may move in this choice as nothing tells: forces do not determine their motion."""

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from planar_cli.integrators.base import Step
-from planar_cli.motion.automaton import Regime, Resultant
+from planar_cli.motion.automaton import Outside, Regime, Resultant
 from planar_cli.records import record
 
 Note = Callable[[float, Sequence[float]], None]
@@ -65,7 +65,7 @@ def balance_of(
     steps: Sequence[Step],
     least: float,
     note: Note,
-    outside: Resultant | None = None,
+    outside: Outside | None = None,
 ) -> Balance:
     """The balance of a segment; `least`: an energy that counts as usual in this scene [J]. `note` is told the states in
     their order, as angles and directions that go on count from the last one. `outside`: what acts from outside, where
@@ -83,11 +83,11 @@ def balance_of(
     scale = max(abs(after - before), size, swing, least)
     if outside is None:
         return Balance(after - before - work, scale, (), ())
-    sums, sizes = _impulses(outside, t1, steps, note)
+    sums, sizes = _impulses(outside.at, t1, steps, note)
     note(t1, y1)
     old, new = regime.momentum(t0, y0), regime.momentum(t1, y1)
     off = tuple(b - a - s for a, b, s in zip(old, new, sums, strict=True))
-    largest = tuple(max(abs(a), abs(b), s) for a, b, s in zip(old, new, sizes, strict=True))
+    largest = tuple(max(abs(a), abs(b), *s) for a, b, *s in zip(old, new, sizes, outside.least, strict=True))
     return Balance(after - before - work, scale, off, largest)
 
 

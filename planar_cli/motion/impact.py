@@ -34,6 +34,8 @@ class Bond:
     """What the relation equals afterwards: zero, or the rate at which something is driven."""
     push: tuple[float, ...] | None = None
     """What a unit of its impulse does to the momenta; None: the same as `row` (an ideal joint)."""
+    inner: bool = False
+    """Do bodies exert it on each other alone?"""
 
 
 @record
@@ -54,6 +56,8 @@ class StruckContact:
     """e, 0 to 1."""
     mu: float = 0.0
     """The coefficient of friction of the impact."""
+    inner: bool = False
+    """Do bodies exert it on each other alone?"""
 
 
 @record
@@ -70,6 +74,10 @@ class Struck:
     contacts: tuple[StruckContact, ...]
     applied: tuple[float, ...] | None = None
     """Impulses given by loads, for each velocity."""
+    frames: tuple[tuple[int, int, int | None], ...] = ()
+    """Of every body the numbers of its velocities along x and y, and of turning if it turns."""
+    places: tuple[tuple[float, float], ...] = ()
+    """Where its mass centre is [m]."""
 
 
 @record
@@ -135,6 +143,27 @@ def unbalanced(struck: Struck, found: Outgoing) -> float:
             total += contact.normal[i] * normal + (contact.tangent[i] * friction if contact.tangent else 0.0)
         change = mass * (found.velocities[i] - struck.velocities[i])
         worst = max(worst, abs(change - total) / max(unit, abs(change)))
+    return max(worst, _uncancelled(struck, found, unit))
+
+
+def _uncancelled(struck: Struck, found: Outgoing, unit: float) -> float:
+    """The largest part of a usual impulse, or of its moment, that is left of what bodies do to each other alone."""
+    exerted = [(b.push or b.row, x) for b, x in zip(struck.bonds, found.bonds, strict=True) if b.inner]
+    for contact, normal, friction in zip(struck.contacts, found.normals, found.frictions, strict=True):
+        if contact.inner:
+            exerted.append((contact.normal, normal))
+            exerted += [(contact.tangent, friction)] if contact.tangent else []
+    reach = max((abs(x) + abs(y) for x, y in struck.places), default=0.0)
+    worst = 0.0
+    for column, size in exerted:
+        sums, sizes = [0.0] * 3, [unit, unit, unit * reach]
+        for (ix, iy, turn), (x, y) in zip(struck.frames, struck.places, strict=True):
+            force_x, force_y = size * column[ix], size * column[iy]
+            couple = 0.0 if turn is None else size * column[turn]
+            for k, parts in enumerate(((force_x,), (force_y,), (x * force_y, -y * force_x, couple))):
+                sums[k] += sum(parts)
+                sizes[k] += sum(map(abs, parts))
+        worst = max(worst, *(abs(s) / z for s, z in zip(sums, sizes, strict=True) if z))
     return worst
 
 

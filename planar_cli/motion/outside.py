@@ -2,14 +2,15 @@
 
     p' = Σ F,   H' = Σ M        of all loads, and of what the joints do to the ground, reversed
 
-What bodies do to each other does not count: whether it cancels is what the balance shows.
+What bodies do to each other does not count: whether it cancels is what the balance shows. A mass that grows or shrinks
+in time brings or takes m' v, as seen from the body.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from planar_cli.motion.automaton import Resultant
+from planar_cli.motion.automaton import Outside
 from planar_cli.motion.hybrid import HybridModel
 from planar_cli.motion.regime import Regime
 from planar_cli.motion.source import compiled
@@ -19,8 +20,8 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
 
 
-def outside_of(model: HybridModel, regime: Regime) -> Resultant | None:
-    """The resultant of what acts from outside in a regime; None where drives exert forces that have no place."""
+def outside_of(model: HybridModel, regime: Regime) -> Outside | None:
+    """What acts from outside in a regime; None where drives exert forces that have no place."""
     if model.drives:
         return None
     layout, graph = model.layout, model.graph
@@ -28,6 +29,10 @@ def outside_of(model: HybridModel, regime: Regime) -> Resultant | None:
     for held in regime.parts.held:
         for i, term in held.loads.items():
             loads[i] = loads[i] + term if i in loads else term
+    for i, slot in enumerate(layout.slots):
+        growth = graph.rate(slot.mass, {layout.time: graph.number(1.0)})
+        if not (growth.constant and growth.value == 0):
+            loads[i] = loads[i] + growth * slot.rate if i in loads else growth * slot.rate
     terms = list(_of_column(model, loads))
     for push in regime.reactions:
         terms += _on_ground(model, [a for a in push.actions if a.body == GROUND])
@@ -42,7 +47,9 @@ def outside_of(model: HybridModel, regime: Regime) -> Resultant | None:
                 total = [a - size * b for a, b in zip(total, numbers[3 * k + 3 : 3 * k + 6], strict=True)]
         return total[0], total[1], total[2]
 
-    return resultant
+    scales = model.scales
+    linear = scales.energy * scales.time / scales.length
+    return Outside(resultant, (linear, linear, linear * scales.length))
 
 
 def _of_column(model: HybridModel, column: Mapping[int, Term]) -> tuple[Term, Term, Term]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 
-from planar_cli.motion.automaton import Choice, Resultant, Start
+from planar_cli.motion.automaton import Choice, Outside, Start
 from planar_cli.motion.constraints import Constraint
 from planar_cli.motion.dense import null_space
 from planar_cli.motion.equilibrium import in_equilibrium
@@ -37,7 +37,7 @@ class SceneAutomaton:
         self.scale = model.scale
         self.time_scale = model.time_scale
         self.energy_scale = model.scales.energy
-        self._outside: dict[Choice, Resultant | None] = {}
+        self._outside: dict[Choice, Outside | None] = {}
         self._missed: dict[Choice, tuple[list[str], list[float], Code]] = {}
 
     @property
@@ -79,7 +79,7 @@ class SceneAutomaton:
             found[joint] = max(found.get(joint, 0.0), abs(value) / size)
         return found
 
-    def outside(self, choice: Choice) -> Resultant | None:
+    def outside(self, choice: Choice) -> Outside | None:
         """What acts from outside in a choice."""
         if choice not in self._outside:
             self._outside[choice] = outside_of(self.model, self.regime(choice))

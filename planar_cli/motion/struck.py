@@ -20,11 +20,14 @@ from planar_cli.motion.layout import Column
 from planar_cli.motion.source import Code, compiled
 from planar_cli.motion.start import fixed
 from planar_cli.motion.terms import Term
-from planar_cli.problem.facts import Mode
+from planar_cli.problem.facts import Mode, Push
+from planar_cli.problem.scene import GROUND
 from planar_cli.records import record
 
 NEAR = 1e-9
 """Partners closer than this part of the scene's length touch."""
+MEETING = 1e-8
+"""And closer than this part they do so at one place, as far as a motion that was followed tells."""
 
 
 @record
@@ -52,6 +55,8 @@ class Direction:
     """Does it strike whatever the distance, between the states that the file names?"""
     meets: bool = False
     """Is it one of the file's impacts?"""
+    inner: bool = False
+    """Do bodies exert it on each other alone?"""
     loose: bool = False
     """Is one partner a particle, which may be drawn beside what it strikes, and does nothing tell how far?"""
 
@@ -62,6 +67,8 @@ class Strikes:
 
     model: HybridModel
     directions: tuple[Direction, ...]
+    mutual: frozenset[str]
+    """The joints that bodies exert on each other alone."""
     _codes: dict[Choice, Code] = field(default_factory=dict)
 
     def at(
@@ -90,7 +97,7 @@ class Strikes:
             rate = next(numbers)
             if constraint.rate is None:
                 rate = sum(a * v for a, v in zip(row, velocities, strict=True))
-            made.append(Bond(constraint.joint, row, rate))
+            made.append(Bond(constraint.joint, row, rate, inner=constraint.joint in self.mutual))
         indices = self.model.chosen(choice)
         contacts: list[StruckContact] = []
         beside: list[StruckContact] = []
@@ -100,8 +107,11 @@ class Strikes:
             tangent = None if d.tangent is None else self._row(numbers, d.tangent)
             belt, mu, restitution = next(numbers), next(numbers), next(numbers)
             gap = None if d.gap is None else next(numbers)
-            touches = gap is None or abs(gap) <= max(NEAR, near) * self.model.scales.length or (d.forced and forced)
-            contact = StruckContact(d.name, normal, 0.0, tangent, belt, restitution, mu)
+            apart = 0.0 if gap is None else abs(gap) / self.model.scales.length
+            touches = apart <= max(NEAR, near) or (d.forced and forced)
+            # What strikes from afar, as the file has it, has no place at which both sides would act.
+            inner = d.inner and apart <= MEETING
+            contact = StruckContact(d.name, normal, 0.0, tangent, belt, restitution, mu, inner)
             if indices.get(d.joint, 0) in d.holding or touches:
                 contacts.append(contact)
                 meet = meet or d.meets
@@ -110,7 +120,9 @@ class Strikes:
         if drawn and not meet:
             contacts += beside
         speeds = tuple(self.model.scale[layout.count :])
-        return Struck(velocities, masses, speeds, tuple(made), tuple(contacts))
+        frames = tuple((f.x, f.y, f.theta) for f in layout.frames.values())
+        places = tuple((y[f.x], y[f.y]) for f in layout.frames.values())
+        return Struck(velocities, masses, speeds, tuple(made), tuple(contacts), frames=frames, places=places)
 
     def _row(self, numbers: Iterable[float], column: Column) -> tuple[float, ...]:
         row = [0.0] * self.model.layout.count
@@ -152,7 +164,9 @@ def strikes_of(model: HybridModel) -> Strikes:
             found.append(_meeting(model, joint, modes))
         elif any(m.parted for m in modes):
             found += [_with_impact(model, joint, d) for d in _pressing(model, joint, modes)]
-    return Strikes(model, tuple(found))
+    facts = {j.name: [p for m in model.modes[j.name] for p in m.facts.pushes] for j in model.joints}
+    mutual = (name for name, pushes in facts.items() if pushes and not any(map(_on_ground, pushes)))
+    return Strikes(model, tuple(found), frozenset(mutual))
 
 
 def _pressing(model: HybridModel, joint: Joint, modes: Sequence[Mode]) -> list[Direction]:
@@ -177,7 +191,9 @@ def _meeting(model: HybridModel, joint: Encounter, modes: Sequence[Mode]) -> Dir
     found = replace(found, name=joint.impact, gap=joint.distance, forced=joint.forced, meets=True)
     frames = [model.layout.frames.get(body) for body in (joint.gap.first, joint.gap.second)]
     loose = any(f is not None and f.theta is None for f in frames) and not fixed(model, joint.distance)
-    return replace(found, restitution=joint.restitution, mu=joint.mu, loose=loose)
+    # Two particles stand for bodies of any size, so that nothing tells where they touch.
+    inner = found.inner and any(f is None or f.theta is not None for f in frames)
+    return replace(found, restitution=joint.restitution, mu=joint.mu, loose=loose, inner=inner)
 
 
 def _with_impact(model: HybridModel, joint: Joint, direction: Direction) -> Direction:
@@ -210,4 +226,11 @@ def _direction(model: HybridModel, joint: Joint, modes: Sequence[Mode], pressing
     holding = frozenset(i for i, m in enumerate(modes) if m in pressing)
     tangent = column(("friction",)) if factors else None
     mu, zero = graph.call("abs", mu), graph.number(0.0)
-    return Direction(joint.name, joint.name, normal, tangent, belt, mu, zero, None, holding)
+    pushes = [p for m in pressing for p in m.facts.pushes]
+    inner = not any(map(_on_ground, pushes))
+    return Direction(joint.name, joint.name, normal, tangent, belt, mu, zero, None, holding, inner=inner)
+
+
+def _on_ground(push: Push) -> bool:
+    """Does a push act on the ground?"""
+    return any(a.body == GROUND for a in push.actions)

@@ -43,7 +43,8 @@ class Transition:
     law: str = ""
     """In an impact: what was assumed, where more than one contact takes part."""
     unbalanced: float = 0.0
-    """In an impact: the largest part of a usual impulse by which a momentum, linear or angular, does not add up."""
+    """In an impact: the largest part of a usual impulse by which a momentum does not add up, linear or angular, of one
+    body, or of what bodies do to each other."""
     count: float = 1
     """How many impacts it stands for; infinite for the limit of a sequence."""
 

@@ -73,6 +73,8 @@ class Settings:
     """Is a balance of energy that does not add up a failure?"""
     speeds: Mapping[str, tuple[float, float, float]] = field(default_factory=dict)
     """Those with which bodies begin, along x and y [m/s] and of turning [rad/s], where the file leaves them open."""
+    momenta: bool = False
+    """Are linear and angular momentum balanced too? It costs about as much as the motion."""
     estimate: bool = True
     """Run twice, to estimate the error?"""
     progress: Callable[[float, float], None] | None = None
@@ -270,6 +272,7 @@ def _followed(scene: Prepared, settings: Settings, shift: float, known: _Known) 
         settings.integrator,
         None if shown is None else lambda t: shown(t, until),
         check=settings.check,
+        momenta=settings.momenta,
         rest_ends=settings.until is None and not any(e.time is not None for e in schedule.events),
     )
     began = time.perf_counter()

@@ -99,7 +99,7 @@ def _confirmed(
     taken = sample.taken
     asked = _closed(problem, taken)
     values = {**earlier, **taken.letters}
-    settings = Settings(until=_end(taken), values=values, speeds=taken.speeds, estimate=False)
+    settings = Settings(until=_end(taken), values=values, speeds=taken.speeds, momenta=True, estimate=False)
     try:
         other = simulate(asked, settings)
     except (FileProblem, NoSolution) as refused:

@@ -71,7 +71,7 @@ def followed_part(
     problem: Problem, case: str, earlier: Mapping[str, float], units: Mapping[str, str]
 ) -> PartSolution | None:
     """All finds of a part read off its motion; None where that does not answer all of them."""
-    found = simulate(problem, Settings(values=earlier), units)
+    found = simulate(problem, Settings(values=earlier, momenta=True), units)
     if found.run.trajectory.outcome.refused or any(a.why or not _certain(a) for a in found.answers):
         return None
     finds = {f.name: f for f in problem.find}
