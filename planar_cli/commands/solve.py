@@ -2,7 +2,8 @@
 
 FILES are problem files, or - for standard input. Answers that a file states are compared with the solution. The exit
 status is 0 when every problem is solved and agrees, 1 when an answer disagrees or there is no solution, 2 for wrong
-usage or a bad file, 3 when something was not decided in time, 4 for a fault of planar; of several, the highest.
+usage or a bad file, 3 when something was not decided in time or an answer is not confirmed, 4 for a fault of planar; of
+several, the highest.
 """
 
 from __future__ import annotations

@@ -52,9 +52,9 @@ _ENGINE = {
         "between bodies that are pressed together do that; give them a smaller one."
     ),
     "PL710": (
-        "Energy does not add up over a part of the motion, much more than the tolerance explains: what was computed "
-        "is not shown. Ask for a smaller `--tolerance`; if that does not help, it is a fault of the program: please "
-        "report it with the file."
+        "Energy or momentum does not add up over a part of the motion or in an impact, much more than the tolerance "
+        "explains: what was computed is not shown. Ask for a smaller `--tolerance`; if that does not help, it is a "
+        "fault of the program: please report it with the file."
     ),
     "PL711": (
         "An option of the command line can not be read, or names something that the scene does not have: a time is "

@@ -10,7 +10,7 @@ equations: `method: lagrange`). Between two states there are three laws, and all
 The plan takes the cheapest way to what is asked: energy where a speed belongs to a place, momentum where a force grows
 with time or nothing acts, Newton's law where a time, an acceleration or a reaction is asked. Two states may need a
 chain: an impact, then energy, then Newton's law for a reaction. Whatever is chosen, the motion is also followed step by
-step from Newton's law, and the digits that agree are printed.
+step from Newton's law, and the digits that agree are printed (planar explain checks).
 
     method: energy
 
