@@ -8,7 +8,7 @@ one differs, nothing is an answer.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from decimal import Decimal
 
@@ -17,6 +17,7 @@ import sympy as sp
 from planar_cli.equation.ledger import display
 from planar_cli.errors import Diagnostic, FileProblem, Mark, NoSolution, NoValue
 from planar_cli.motion.trajectory import Outcome
+from planar_cli.motion.unstable import growth_note
 from planar_cli.problem.expression import Equilibrium, JustAfter, Name, Quantity, Relation, Side
 from planar_cli.problem.scene import Problem
 from planar_cli.problem.walk import walk
@@ -281,13 +282,30 @@ class _Compared:
                 return words
             if name == state:
                 break
-        trajectory, measures = self.other.run.trajectory, self.other.run.measures
-        if trajectory.notes and trajectory.outcome.kind == "rest":
-            return f"numbers do not leave an unstable equilibrium: {trajectory.notes[0]}"
-        model, at = measures.model, self.sample.taken.times.get(state, trajectory.t1)
-        half, y = model.layout.count, trajectory.at(min(at, trajectory.t1))
+        trajectory = self.other.run.trajectory
+        note = self._unstable()
+        if note:
+            return f"numbers do not leave an unstable equilibrium: {note}"
+        at = self.sample.taken.times.get(state, trajectory.t1)
+        if self._faint(self.other.run.prepared.start.y) or self._faint(trajectory.at(min(at, trajectory.t1))):
+            return f"before state {state} speeds are lost in rounding"
+        return ""
+
+    def _faint(self, y: Sequence[float]) -> bool:
+        """Does something move, and so slowly that numbers can hardly tell it from rest?"""
+        model = self.other.run.measures.model
+        half = model.layout.count
         speeds = [abs(v) / s for v, s in zip(y[half:], model.scale[half:], strict=True)]
-        return f"before state {state} speeds die out into rounding" if 0 < max(speeds, default=0.0) < FAINT else ""
+        return 0 < max(speeds, default=0.0) < FAINT
+
+    def _unstable(self) -> str:
+        """Does the motion end at rest where the slightest touch would send it off?"""
+        run = self.other.run
+        last = run.trajectory.segments[-1] if run.trajectory.segments else None
+        if last is None or last.steps:
+            return ""
+        reached = (*(s.name for s in self.problem.states[:1]), *(e.name for e in run.trajectory.events))
+        return growth_note(run.prepared.stages.automaton(reached), last.regime, last.t0, last.start)
 
     def _never(self, name: str) -> str:
         """Why no motion comes to a state, by what the file says of it."""
