@@ -19,7 +19,7 @@ from planar_cli.errors import Diagnostic, FileProblem, Mark, NoSolution, NoValue
 from planar_cli.motion.trajectory import Outcome
 from planar_cli.motion.unstable import growth_note
 from planar_cli.problem.expression import Equilibrium, JustAfter, Name, Quantity, Relation, Side
-from planar_cli.problem.scene import Problem
+from planar_cli.problem.scene import Problem, State
 from planar_cli.problem.walk import walk
 from planar_cli.records import record
 from planar_cli.simulate.answers import NOT_FOLLOWED, Answered
@@ -100,7 +100,7 @@ def _confirmed(
     taken = sample.taken
     asked = _closed(problem, taken)
     values = {**earlier, **taken.letters}
-    settings = Settings(until=_end(taken), values=values, speeds=taken.speeds, momenta=True, estimate=False)
+    settings = Settings(until=_end(asked, taken), values=values, speeds=taken.speeds, momenta=True, estimate=False)
     try:
         other = simulate(asked, settings)
     except (FileProblem, NoSolution) as refused:
@@ -140,8 +140,10 @@ def _closed(problem: Problem, taken: Taken) -> Problem:
     return replace(problem, joints=tuple(j.told(taken.opened) for j in problem.joints))
 
 
-def _end(taken: Taken) -> float | None:
-    """A little beyond the last state; None where that is not known, or no time passes."""
+def _end(problem: Problem, taken: Taken) -> float | None:
+    """A little beyond the last state; None where that is not known, or no time passes, or there is no end."""
+    if any(_endless(state) for state in problem.states):
+        return None
     first, last = min(taken.times.values(), default=0.0), max(taken.times.values(), default=0.0)
     return last + BEYOND * (last - first) if last > first else None
 
@@ -313,13 +315,18 @@ class _Compared:
         for relation in state.relations:
             if isinstance(relation, Equilibrium) and relation.body is None:
                 return f"state {name} is an equilibrium, which lies beside the motion"
-            if any(isinstance(n, Name) and n.name == "infinity" for n in walk(relation)):
+            if _endless(state):
                 return f"state {name} is only approached"
             if isinstance(relation, JustAfter):
                 before = self._never(relation.state)
                 if before:
                     return before
         return ""
+
+
+def _endless(state: State) -> bool:
+    """Does a state speak of infinity, so that it is only approached?"""
+    return any(isinstance(n, Name) and n.name == "infinity" for r in state.relations for n in walk(r))
 
 
 # --- what is said ----------------------------------------------------------------------------------------------------
