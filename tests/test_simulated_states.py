@@ -154,3 +154,12 @@ def test_a_motion_of_blows_alone_ends_with_its_last_state() -> None:
     trajectory = simulated(text).run.trajectory
     assert trajectory.outcome.kind == "reached"
     assert trajectory.t1 == 0
+
+
+def test_a_state_told_by_turns_just_after_a_balance() -> None:
+    """What has been counted is counted once: the balance of energy goes the same way again."""
+    text = TURNING.replace("motion: [omega(crank) = 1 rad/s]\n", "").replace("title:", "plane: horizontal\ntitle:")
+    text = text.replace("rod: [O, P]", "rod: [O, P], mass: 1 kg").replace("[t = 0]", "[t = 0, omega(crank) = 2 rad/s]")
+    found = answers(text % "r(P).angle = 800 deg")
+    assert found["t"].values == pytest.approx([800 * pi / 360])
+    assert found["turned"].values == pytest.approx([800 * pi / 180])

@@ -5,10 +5,10 @@ The engine follows accelerations; that energy and momentum add up is a check by 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 
 from planar_cli.integrators.base import Step
-from planar_cli.motion.automaton import Outside, Regime, Resultant
+from planar_cli.motion.automaton import Outside, Regime
 from planar_cli.records import record
 
 Note = Callable[[float, Sequence[float]], None]
@@ -71,51 +71,49 @@ def balance_of(
     their order, as angles and directions that go on count from the last one. `outside`: what acts from outside, where
     momentum is to be looked at too.
     """
+    # Back the way it came, as turns are counted from what was noted last.
+    for step in reversed(steps):
+        note(step.t0, step.y0)
     note(t0, y0)
-    before = regime.energy(t0, y0)
-    work, size = (0.0, 0.0) if regime.conservative else _work(regime, t1, steps, note)
-    swing = 0.0
-    for step in steps[:-1]:
-        note(step.t1, step.y1)
-        swing = max(swing, abs(regime.energy(step.t1, step.y1) - before))
+    before, old = regime.energy(t0, y0), regime.momentum(t0, y0)
+    swing, work = 0.0, _Sum(1)
+    impulse = _Sum(3)
+    for step in steps:
+        note(step.t0, step.y0)
+        swing = max(swing, abs(regime.energy(step.t0, step.y0) - before))
+        if regime.conservative and outside is None:
+            continue
+        for t, weight in _nodes(step.t0, min(step.t1, t1)):
+            y = step.at(t)
+            if not regime.conservative:
+                work.add(weight, (regime.power(t, y),))
+            if outside is not None:
+                impulse.add(weight, outside.at(t, y))
     note(t1, y1)
-    after = regime.energy(t1, y1)
-    scale = max(abs(after - before), size, swing, least)
+    after, new = regime.energy(t1, y1), regime.momentum(t1, y1)
+    scale = max(abs(after - before), work.sizes[0], swing, least)
+    left = after - before - work.sums[0]
     if outside is None:
-        return Balance(after - before - work, scale, (), ())
-    sums, sizes = _impulses(outside.at, t1, steps, note)
-    note(t1, y1)
-    old, new = regime.momentum(t0, y0), regime.momentum(t1, y1)
-    off = tuple(b - a - s for a, b, s in zip(old, new, sums, strict=True))
-    largest = tuple(max(abs(a), abs(b), *s) for a, b, *s in zip(old, new, sizes, outside.least, strict=True))
-    return Balance(after - before - work, scale, off, largest)
+        return Balance(left, scale, (), ())
+    off = tuple(b - a - s for a, b, s in zip(old, new, impulse.sums, strict=True))
+    largest = tuple(max(abs(a), abs(b), *s) for a, b, *s in zip(old, new, impulse.sizes, outside.least, strict=True))
+    return Balance(left, scale, off, largest)
 
 
-def _impulses(outside: Resultant, t1: float, steps: Sequence[Step], note: Note) -> tuple[list[float], list[float]]:
-    """The impulses that come in until t1, and the same without signs."""
-    sums, sizes = [0.0] * 3, [0.0] * 3
-    for step in steps:
-        note(step.t0, step.y0)
-        end = min(step.t1, t1)
-        half, middle = (end - step.t0) / 2, (end + step.t0) / 2
-        for x, weight in NODES:
-            t = middle + half * x
-            for k, value in enumerate(outside(t, step.at(t))):
-                sums[k] += half * weight * value
-                sizes[k] += abs(half * weight * value)
-    return sums, sizes
+class _Sum:
+    """Integrals of several functions, and the same without signs."""
+
+    def __init__(self, count: int) -> None:
+        self.sums, self.sizes = [0.0] * count, [0.0] * count
+
+    def add(self, weight: float, values: Sequence[float]) -> None:
+        """One node more."""
+        for k, value in enumerate(values):
+            self.sums[k] += weight * value
+            self.sizes[k] += abs(weight * value)
 
 
-def _work(regime: Regime, t1: float, steps: Sequence[Step], note: Note) -> tuple[float, float]:
-    """The work that comes in until t1, and the same without signs [J]."""
-    work = size = 0.0
-    for step in steps:
-        note(step.t0, step.y0)
-        end = min(step.t1, t1)
-        half, middle = (end - step.t0) / 2, (end + step.t0) / 2
-        for x, weight in NODES:
-            t = middle + half * x
-            part = half * weight * regime.power(t, step.at(t))
-            work += part
-            size += abs(part)
-    return work, size
+def _nodes(t0: float, t1: float) -> Iterator[tuple[float, float]]:
+    """Times at which an interval is looked at, with their weights [s]."""
+    half, middle = (t1 - t0) / 2, (t1 + t0) / 2
+    return ((middle + half * x, half * weight) for x, weight in NODES)
