@@ -27,7 +27,7 @@ from planar_cli.simulate.measures import Moment, names_of_states
 from planar_cli.simulate.run import Settings, Simulation, simulate
 from planar_cli.simulate.timetable import Timetable
 from planar_cli.solve.course.trace import MotionTrace, Taken
-from planar_cli.solve.samples import Sample, samples
+from planar_cli.solve.instances import Instance, instances
 from planar_cli.solve.solution import Found
 from planar_cli.solve.solved_problem import Confirmation
 from planar_cli.solve.verify import Disagreement
@@ -83,9 +83,9 @@ def confirmation(
     if whole:
         return Confirmation("", frozenset(), {f.name: whole for f in found})
     refused: Disagreement | None = None
-    for sample in samples(problem, found, trace):
+    for instance in instances(problem, found, trace):
         try:
-            return _confirmed(problem, found, trace, sample, earlier)
+            return _confirmed(problem, found, trace, instance, earlier)
         except Disagreement as error:
             # Numbers that were drawn for letters may lie where the formulas do not hold: then others are drawn.
             refused = refused or error
@@ -94,10 +94,10 @@ def confirmation(
 
 
 def _confirmed(
-    problem: Problem, found: tuple[Found, ...], trace: MotionTrace, sample: Sample, earlier: Mapping[str, float]
+    problem: Problem, found: tuple[Found, ...], trace: MotionTrace, instance: Instance, earlier: Mapping[str, float]
 ) -> Confirmation:
     """The same for one choice of numbers for the letters."""
-    taken = sample.taken
+    taken = instance.taken
     asked = _closed(problem, taken)
     values = {**earlier, **taken.letters}
     settings = Settings(until=_end(asked, taken), values=values, speeds=taken.speeds, momenta=True, estimate=False)
@@ -108,10 +108,10 @@ def _confirmed(
     whole = _stopped(problem, other.run.trajectory.outcome)
     if whole:
         return Confirmation("", frozenset(), {f.name: whole for f in found})
-    seen = [_Compared(other, trace, sample).see(f) for f in found]
+    seen = [_Compared(other, trace, instance).see(f) for f in found]
     if any(s.other for s in seen):
         # How good the numbers are that differ, only a second run tells.
-        compared = _Compared(simulate(asked, replace(settings, estimate=True)), trace, sample)
+        compared = _Compared(simulate(asked, replace(settings, estimate=True)), trace, instance)
         seen = [compared.see(f) for f in found]
     wrong = [s for s in seen if s.other]
     if wrong:
@@ -175,8 +175,8 @@ def _stopped(problem: Problem, outcome: Outcome) -> str:
 class _Compared:
     """The finds of a motion that was followed, beside those that were solved."""
 
-    def __init__(self, other: Simulation, trace: MotionTrace, sample: Sample) -> None:
-        self.other, self.trace, self.sample = other, trace, sample
+    def __init__(self, other: Simulation, trace: MotionTrace, instance: Instance) -> None:
+        self.other, self.trace, self.instance = other, trace, instance
         self.problem = other.run.problem
         self.answers = {a.name: a for a in other.answers}
         self.moments = other.run.measures.moments
@@ -228,7 +228,7 @@ class _Compared:
         if not found or any(e.free_symbols & self.trace.varying for e in found):
             return None
         try:
-            return [self.sample.value(e) for e in found]
+            return [self.instance.value(e) for e in found]
         except NoValue as error:
             mark = self.problem.find[0].mark
             text = f"{mark.file}:{mark.line}: {f.name} is not confirmed: its formula has no value, {error}"
@@ -242,7 +242,7 @@ class _Compared:
         measures = self.other.run.measures
         scale = Timetable(self.problem, measures).scale(what)
         for moment in self.moments.values():
-            value = self.sample.value.extended(self._now(moment))
+            value = self.instance.value.extended(self._now(moment))
             open_letters = {s for e in f.expressions or () for s in sp.sympify(e).free_symbols} - value.values.keys()
             if f.values is None and open_letters:
                 return Seen(f.name, "its formula holds more than the time and coordinates")
@@ -270,7 +270,7 @@ class _Compared:
         why = self._out_of_reach(state)
         if why:
             return Seen(f.name, why)
-        at = self.sample.taken.times.get(state)
+        at = self.instance.taken.times.get(state)
         found = "reached" if at is None else f"reached at t = {at:.9g} s"
         return Seen(f.name, "", "not reached", found, f"state {state}")
 
@@ -288,7 +288,7 @@ class _Compared:
         note = self._unstable()
         if note:
             return f"numbers do not leave an unstable equilibrium: {note}"
-        at = self.sample.taken.times.get(state, trajectory.t1)
+        at = self.instance.taken.times.get(state, trajectory.t1)
         if self._faint(self.other.run.prepared.start.y) or self._faint(trajectory.at(min(at, trajectory.t1))):
             return f"before state {state} speeds are lost in rounding"
         return ""

@@ -20,7 +20,7 @@ from planar_cli.solve.solution import Found
 from planar_cli.units import parse_unit
 
 MORE = 12
-"""So many other samples are drawn."""
+"""So many other instances are drawn."""
 WIDEST = 8.0
 """A letter is at most so many times what was drawn first, or one part in so many."""
 STEP = 0.6180339887498949
@@ -28,7 +28,7 @@ STEP = 0.6180339887498949
 
 
 @record
-class Sample:
+class Instance:
     """One choice of numbers."""
 
     taken: Taken
@@ -37,9 +37,9 @@ class Sample:
     """Numbers of the letters in its formulas, with all that is known."""
 
 
-def samples(problem: Problem, found: tuple[Found, ...], trace: MotionTrace) -> Iterator[Sample]:
+def instances(problem: Problem, found: tuple[Found, ...], trace: MotionTrace) -> Iterator[Instance]:
     """The numbers with which the motion was solved; where letters remain, others."""
-    yield Sample(trace.taken, trace.value)
+    yield Instance(trace.taken, trace.value)
     if not problem.symbols:
         return
     sought = {s.name for s in problem.unknowns}
@@ -50,7 +50,7 @@ def samples(problem: Problem, found: tuple[Found, ...], trace: MotionTrace) -> I
         value = Valuation({trace.ledger.symbols[n]: Decimal(repr(v)) for n, v in letters.items()})
         constants = dict(_constants(found, sought, value))
         if constants.keys() == sought:
-            yield Sample(Taken({**letters, **constants}, {}, {}, {}), value)
+            yield Instance(Taken({**letters, **constants}, {}, {}, {}), value)
 
 
 def _factor(i: int, k: int, angle: bool) -> float:
