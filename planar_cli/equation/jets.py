@@ -6,6 +6,7 @@ differentiated.
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import Any
 
 import sympy as sp
@@ -58,9 +59,8 @@ class Jet:
         """A SymPy function of the jet."""
         if self.rate == 0 and self.second == 0:
             return Jet(function(self.value))
-        x = sp.Dummy("x", real=True)
-        f = function(x)
-        first, second = (sp.diff(f, x, n).subs(x, self.value) for n in (1, 2))
+        x, slopes = _slopes(function)
+        first, second = (slope.subs(x, self.value) for slope in slopes)
         return self.chain(function(self.value), first, second)
 
     def dotted(self) -> Jet:
@@ -68,6 +68,14 @@ class Jet:
         if self.rate is None:
             raise ValueError("the rate is not known at one instant")
         return Jet(self.rate, self.second, None)
+
+
+@lru_cache(maxsize=64)
+def _slopes(function: Any) -> tuple[sp.Dummy, tuple[sp.Expr, sp.Expr]]:
+    """A variable, and the first and second derivative of a function of it."""
+    x = sp.Dummy("x", real=True)
+    f = function(x)
+    return x, (sp.diff(f, x), sp.diff(f, x, 2))
 
 
 def constant(value: Any) -> Jet:

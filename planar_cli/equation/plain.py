@@ -130,16 +130,27 @@ def _simplified(expr: sp.Expr) -> sp.Expr:
     best = min(forms, key=_effort)
     if operations(best) <= FEW:
         return best
-    cancelled = sp.cancel(sp.powsimp(best))
+    cancelled = sp.cancel(_joined(best))
     forms += [cancelled, sp.together(best)]
     if _degree(cancelled) >= 2:
         forms.append(trigonometric(cancelled))
     best = min(forms, key=_effort)
-    last = [sp.signsimp(best), sp.factor_terms(best), sp.powsimp(best, combine="exp", deep=True), best]
+    last = [sp.signsimp(best), sp.factor_terms(best), _joined(best, combine="exp", deep=True), best]
     if expr.is_number:
         last += [sp.radsimp(best), sp.sqrtdenest(best)]
     # Of forms that read equally well, the factored one comes before the others.
     return min([*last, *forms], key=_effort)
+
+
+def _joined(expr: sp.Expr, **how: Any) -> sp.Expr:
+    """`powsimp` where there is something for it: roots and exponentials, or factors that differ in their sign alone."""
+    if any(not p.exp.is_Integer for p in expr.atoms(sp.Pow, sp.exp)):
+        return sp.powsimp(expr, **how)
+    for product in expr.atoms(sp.Mul):
+        sums = {a.base if a.is_Pow else a for a in product.args if a.is_Add or (a.is_Pow and a.base.is_Add)}
+        if len(sums) > 1 and any(-s in sums for s in sums):
+            return sp.powsimp(expr, **how)
+    return expr
 
 
 def with_short_roots(expr: sp.Expr) -> sp.Expr:
