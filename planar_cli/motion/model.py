@@ -17,7 +17,6 @@ from planar_cli.motion.rank import Independent, independent
 from planar_cli.motion.regime import Parts, Regime
 from planar_cli.motion.scales import Scales, scales_of
 from planar_cli.motion.scene import MovingScene
-from planar_cli.motion.skids import Skids
 from planar_cli.motion.source import Code, compiled
 from planar_cli.motion.terms import Term
 from planar_cli.problem.facts import Facts, Mode, Wrench
@@ -44,7 +43,7 @@ class Model:
         self.scene = scene
         self.graph = scene.graph
         self.layout = layout_of(scene)
-        self.skids = Skids(self.layout, scene)
+        self.skids = scene.skids(self.layout)
         self.joints = [j for j in distinct(scene.problem.joints) if acts(j)]
         self.loads = [x for x in scene.loads() if acts(x) and not x.strikes]
         self.modes: dict[str, tuple[Mode, ...]] = {j.name: j.modes(scene) for j in self.joints}

@@ -16,10 +16,12 @@ from planar_cli.motion.curves import curve_at
 from planar_cli.motion.facing import Facings
 from planar_cli.motion.feet import Foot, feet_of
 from planar_cli.motion.gaps import Gap, gaps_of
+from planar_cli.motion.layout import Layout
 from planar_cli.motion.places import unit_vector
 from planar_cli.motion.poses import MovingPoses
 from planar_cli.motion.quantities import Quantities
 from planar_cli.motion.sides import names_in
+from planar_cli.motion.skids import Skids
 from planar_cli.motion.spots import spots_of
 from planar_cli.motion.terms import Term, evaluate
 from planar_cli.problem.acting import acting_loads
@@ -52,6 +54,7 @@ class MovingScene(Carried):
         """
         super().__init__(problem, values)
         self._sides, self.speeds = sides or {}, speeds or {}
+        self._skids: Skids | None = None
         self.facings = Facings(self.graph, self.extent)
         self.feet: dict[tuple[str, str], Foot] = feet_of(self)
         self._points |= spots_of(self, partial(outline_of, self), self.feet)
@@ -151,6 +154,12 @@ class MovingScene(Carried):
 
     def refuse(self, mark: Mark, code: str, message: str, hint: str = "") -> Exception:
         return refuse(mark, code, message, hint)
+
+    def skids(self, layout: Layout) -> Skids:
+        """What slides with friction of a fixed size: the same for all models, so that a direction is noted once."""
+        if self._skids is None:
+            self._skids = Skids(layout, self)
+        return self._skids
 
     @cached_property
     def poses(self) -> MovingPoses:

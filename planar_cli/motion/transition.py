@@ -98,6 +98,8 @@ def resolve(moment: Moment) -> Resolved | Outcome:
             done.append(transition)
         notes += [note] if note else []
         y = transition.after
+        # What slides after the impact slides in another direction.
+        moment.automaton.note(moment.t, y)
     words = f"more than {MOST_IMPACTS} impacts follow each other at t = {moment.t:.9g} s"
     return Outcome("endless", words, moment.t, done[-1].joints[0] if done[-1].joints else "", "PL709")
 

@@ -3,22 +3,25 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from decimal import Decimal
 from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.exact import Sample
 from planar_cli.equation.ledger import Kind, display
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.problem.check_dimensions import Kinds
+from planar_cli.problem.outermost import is_energy
 from planar_cli.problem.scope import Scope
 from planar_cli.report.between import BetweenTelling
 from planar_cli.report.blocks import Block, Equation, Heading, Line, Math, Name, Paragraph, Value, line
+from planar_cli.report.integrals import over_coordinates, plain_integral
 from planar_cli.report.origins import HAPPENS, head, named, told_once, turning
 from planar_cli.report.oscillation import oscillation_blocks
 from planar_cli.report.span_integrals import span_blocks
 from planar_cli.report.words import Phrases, in_si, told_unit
-from planar_cli.solve.asked import is_energy
 from planar_cli.solve.course.trace import ImpactEquation, MotionTrace, Relation, Result, RouteStep, RouteTrace
 
 MOST_ROOTS = 4
@@ -32,6 +35,12 @@ def motion_phrases(found: MotionTrace, figures: int) -> Phrases:
     return Phrases(found.ledger, found.value, figures, found.symbolic)
 
 
+def settled_phrases(found: MotionTrace, phrases: Phrases) -> Phrases:
+    """For what rests on no letter without a number, though letters stand in the equations: a mass that cancels."""
+    drawn = found.value.drawn if isinstance(found.value, Sample) else frozenset()
+    return replace(phrases, symbolic=False, lettered=drawn | (found.unknowns - found.route.settled))
+
+
 class MotionTelling:
     """Tells the way to what is asked. `first`: the number of its first equation; `wanted`: names of letters whose
     derivation is told (None: all).
@@ -40,6 +49,7 @@ class MotionTelling:
     def __init__(self, found: MotionTrace, phrases: Phrases, first: int, wanted: frozenset[str] | None = None) -> None:
         self.found, self.phrases, self.next, self.wanted = found, phrases, first, wanted
         self.general, self.varying = found.general, found.varying
+        self.numeric = settled_phrases(found, phrases)
         self._told_laws: set[sp.Symbol] = set()
         self.between = BetweenTelling(phrases, {})
         self._kinds = Kinds(Scope(found.problem, ()))
@@ -89,13 +99,14 @@ class MotionTelling:
                 told = True
             for axis, part in zip(("x", "y") if len(parts) > 1 else ("",), parts, strict=True):
                 sides: list[Any] = [line(Name(name), f", {axis}" if axis else ""), self.phrases.math(part)]
-                if not self.phrases.symbolic:
+                phrases = self.numeric if self.numeric.has_numbers(part) else self.phrases
+                if not phrases.symbolic:
                     unit, energy = asked.unit, is_energy(asked.find.found.what)
                     value = Decimal(0) if self.found.value.is_zero(part) else self.found.value(part)
                     shown = Value(display(value, unit), told_unit(unit, energy), self.phrases.figures)
                     coherent = unit.text == "deg" or (unit.factor == 1 and unit.pi_power == 0)
                     first = shown if coherent else Value(value, told_unit(in_si(unit), energy), self.phrases.figures)
-                    sides += [*self.phrases.substituted(part, first), first, *([] if coherent else [shown])]
+                    sides += [*phrases.substituted(part, first), first, *([] if coherent else [shown])]
                 yield Equation(tuple(sides))
 
     def _signed(self, expr: sp.Expr) -> sp.Expr:
@@ -249,22 +260,8 @@ class MotionTelling:
             return
         if e.law is not None and e.law.f == 0 and e.kind == "v(t)":
             return
-        sides = tuple(self._plain_integral(side, e, route) for side in (span.left, span.right))
+        sides = tuple(plain_integral(side, e, route, self.general) for side in (span.left, span.right))
         yield Equation(tuple(self.phrases.math(s) for s in sides))
-
-    def _plain_integral(self, side: sp.Expr, e: Relation, route: RouteTrace) -> sp.Expr:
-        """Limits of this motion, the variable without the name of a state; a speed of turning is called ω."""
-        names = {own.name: general.name for own, general in self.general.items()}
-        if e.law is not None and e.law.coordinate.unit == "rad":
-            names["v"] = "omega"
-
-        def renamed(integral: Any) -> Any:
-            variable, low, high = integral.limits[0]
-            plain = sp.Symbol(names.get(variable.name, variable.name), real=True)
-            inside = integral.function.xreplace({variable: plain}).xreplace(route.plain)
-            return sp.Integral(inside, (plain, low.xreplace(route.plain), high.xreplace(route.plain)))
-
-        return side.replace(lambda x: isinstance(x, sp.Integral), renamed)
 
     def _sides(self, e: Relation, route: RouteTrace) -> tuple[Any, ...]:
         """A relation as left = right, its own letter on the left."""
@@ -281,8 +278,8 @@ class MotionTelling:
             if own in route.plain:
                 return self.phrases.math(e.span.explicit.xreplace(route.plain)), self.phrases.math(route.plain[own])
         if e.span is not None and e.span.unevaluated:
-            left = self._plain_integral(e.span.left, e, route) if e.span.left is not None else residual
-            right = self._plain_integral(e.span.right, e, route) if e.span.right is not None else sp.S.Zero
+            left = plain_integral(e.span.left, e, route, self.general) if e.span.left is not None else residual
+            right = plain_integral(e.span.right, e, route, self.general) if e.span.right is not None else sp.S.Zero
             return self.phrases.math(left), self.phrases.math(right)
         positive = [a for a in sp.Add.make_args(residual) if not a.could_extract_minus_sign()]
         left = sp.Add(*positive)
@@ -296,35 +293,23 @@ class MotionTelling:
         formula = r.formula
         if formula is not None and formula.free_symbols & self.varying:
             return self.phrases.math(r.unknown), self.phrases.math(formula)
-        formula = None if formula is None else self._integrated_over_coordinates(formula)
+        formula = None if formula is None else over_coordinates(formula, self.general)
+        phrases = self.numeric if r.unknown in self.found.route.settled else self.phrases
         if (
             formula is not None
             and not longer(formula, self._longest(r))
-            and (not formula.is_number or self.phrases.symbolic)
+            and (not formula.is_number or phrases.symbolic)
         ):
             sides.append(self.phrases.math(formula))
             if not formula.is_Symbol:
-                sides += self.phrases.substituted(formula, self._shown(r))
-        if not self.phrases.symbolic:
+                sides += phrases.substituted(formula, self._shown(r))
+        if not phrases.symbolic:
             if len(sides) > 1 and self.phrases.by_radians(r.unknown, formula) and r.value.is_finite():
                 sides.append(Value(r.value, "rad", self.phrases.figures))
             sides.append(self._shown(r))
         elif formula is None:
             sides.append(line("the root that this motion reaches"))
         return tuple(sides)
-
-    def _integrated_over_coordinates(self, formula: sp.Expr) -> sp.Expr:
-        """Under an integral a coordinate runs, not its value at a state."""
-
-        def renamed(integral: Any) -> Any:
-            variable, low, high = integral.limits[0]
-            general = next((g for own, g in self.general.items() if own.name == variable.name), None)
-            if general is None:
-                return integral
-            running = sp.Symbol(general.name, real=True)
-            return sp.Integral(integral.function.xreplace({variable: running}), (running, low, high))
-
-        return formula.replace(lambda x: isinstance(x, sp.Integral), renamed)
 
     def _longest(self, r: Result) -> int:
         """A formula out of a balance that was just printed is told only where it is short."""
@@ -346,9 +331,10 @@ class MotionTelling:
         if not left or r.unknown not in self.general:
             return
         parts: list[Any] = ["not "]
+        symbolic = self.phrases.symbolic and r.unknown not in self.found.route.settled
         for i, root in enumerate(left[:MOST_ROOTS]):
             shown = self.phrases.shown(r.unknown, root.value)
-            sign = Math(root.expression) if self.phrases.symbolic and root.expression is not None else shown
+            sign = Math(root.expression) if symbolic and root.expression is not None else shown
             parts += [", " if i else "", sign]
         yield Paragraph(line(*parts, f": {self._reason(r, left)}"))
 

@@ -56,6 +56,8 @@ class Phrases:
     value: Valuation
     figures: int
     symbolic: bool
+    lettered: frozenset[sp.Symbol] = frozenset()
+    """Symbols that stand for letters without a number, or rest on one: no number is put in for them."""
 
     @property
     def letters(self) -> bool:
@@ -72,7 +74,7 @@ class Phrases:
 
     def numbers(self, expr: sp.Expr) -> Math | None:
         """The expression with numbers put in for its names; None where letters have none or nothing is to be put in."""
-        if self.symbolic:
+        if not self.has_numbers(expr):
             return None
         expr = self.met(expr)
         texts = {}
@@ -88,6 +90,16 @@ class Phrases:
             if symbol in degrees:
                 texts[symbol] = significant(display(value, self.ledger.units[symbol]), self.figures) + "°"
         return Math(rounded(_in_radians(expr, apart), self.figures), texts) if texts else None
+
+    def has_numbers(self, expr: sp.Expr) -> bool:
+        """Have all symbols of an expression numbers of their own?"""
+        return not self.symbolic and not (self.lettered and any(self._rests(s) for s in expr.free_symbols))
+
+    def _rests(self, symbol: sp.Symbol) -> bool:
+        """Has it no number of its own?"""
+        definition = self.value.definitions.get(symbol)
+        inside = definition.free_symbols if definition is not None else ()
+        return symbol in self.lettered or any(self._rests(s) for s in inside)
 
     def substituted(self, expr: sp.Expr, value: Any) -> list[Math]:
         """The side with numbers put in, where it says more than the value that follows it."""

@@ -21,6 +21,7 @@ from planar_cli.problem.expression import (
     Scaled,
     Side,
 )
+from planar_cli.problem.outermost import is_energy
 from planar_cli.problem.scene import Find, Problem
 from planar_cli.problem.scope import Scope
 from planar_cli.records import record
@@ -37,6 +38,7 @@ NOT_FOLLOWED = {
     "stable": "small oscillations are about an equilibrium, not along a motion",
 }
 NO_UNIT = parse_unit("1")
+JOULE = parse_unit("J")
 EQUAL = 1e-9
 """Two sides that differ by less than this part of them are equal."""
 
@@ -68,6 +70,13 @@ class Answered:
 def in_si(unit: Unit) -> float:
     """What one of a unit is in SI units."""
     return float(unit.factor) * math.pi**unit.pi_power
+
+
+def usual_unit(what: Side, kinds: Kinds, us: bool) -> Unit:
+    """In which a quantity is shown where nobody said; an energy in joule, not in newton metre."""
+    kind = dimension_of(what, kinds.of)
+    usual = default_unit(kind.dimension or PURE, kind.angle, us)
+    return JOULE if usual.text == "N*m" and is_energy(what) else usual
 
 
 class Answers:
@@ -205,5 +214,4 @@ class Answers:
         if find.name in self.units:
             return parse_unit(self.units[find.name])
         assert not isinstance(find.found.what, Relation)
-        kind = dimension_of(find.found.what, self.kinds.of)
-        return default_unit(kind.dimension or PURE, kind.angle, self.problem.us)
+        return usual_unit(find.found.what, self.kinds, self.problem.us)

@@ -32,6 +32,7 @@ from planar_cli.simulate.timetable import Timetable
 LOOKS, NEAR = 8, 1e-8
 """A step is looked at so often for what comes to hold in it; below this part of its scale a gap is zero."""
 Function = Callable[[float, Sequence[float]], Sequence[float]]
+Note = Callable[[float, Sequence[float]], None]
 
 
 @record
@@ -51,10 +52,14 @@ class Stretch:
             if b > a:
                 yield a, b, step
 
-    def parts(self, of: Function) -> Iterator[Piece]:
-        """What is to be integrated from step to step; without a step the state stays as it is."""
+    def parts(self, of: Function, note: Note | None) -> Iterator[Piece]:
+        """What is to be integrated from step to step; without a step the state stays as it is. `note` is told a state
+        inside the step first: that of the directions in which things slide.
+        """
         for a, b, step in self.pieces():
-            yield Piece(partial(_along, of, step, self.segment.start), a, b)
+            along = partial(_along, of, step, self.segment.start)
+            inside = None if note is None or step is None else partial(note, (a + b) / 2, step.at((a + b) / 2))
+            yield Piece(along if inside is None else partial(_noted, inside, along), a, b)
 
     def looks(self) -> Iterator[float]:
         """Times close enough to see what comes to hold."""
@@ -66,6 +71,11 @@ class Stretch:
 def _along(of: Function, step: Step | None, still: Sequence[float], t: float) -> Sequence[float]:
     """As a function of time alone."""
     return of(t, still if step is None else step.at(t))
+
+
+def _noted(note: Callable[[], None], of: Callable[[float], Sequence[float]], t: float) -> Sequence[float]:
+    note()
+    return of(t)
 
 
 class Spans:
@@ -131,10 +141,12 @@ class Spans:
         self, q: Quantity, t0: float, t1: float, made: Callable[[Quantity, Regime], list[Term]]
     ) -> tuple[float, ...]:
         pieces: list[Piece] = []
+        skids = self.measures.model.skids
+        note = skids.note if skids.slidings else None
         for stretch in self.stretches(t0, t1):
             regime = stretch.segment.regime
             assert isinstance(regime, Regime)
-            pieces += stretch.parts(self.measures.routine("span", q, regime, made))
+            pieces += stretch.parts(self.measures.routine("span", q, regime, made), note)
         return integral(pieces) or (0.0,)
 
     # --- integrands --------------------------------------------------------------------------------------------------

@@ -7,16 +7,15 @@ from collections.abc import Iterator, Sequence
 from planar_cli.errors import Mark
 from planar_cli.motion.regime import Regime
 from planar_cli.problem.check_dimensions import Kinds
-from planar_cli.problem.dimensions import dimension_of
 from planar_cli.problem.expression import Found, Name, Quantity, Relation, Side
 from planar_cli.problem.scene import Find, Problem
 from planar_cli.problem.scope import Scope
 from planar_cli.problem.walk import walk
 from planar_cli.records import record
-from planar_cli.simulate.answers import in_si
+from planar_cli.simulate.answers import in_si, usual_unit
 from planar_cli.simulate.run import Run
 from planar_cli.simulate.timetable import Timetable
-from planar_cli.units import PURE, Unit, default_unit, parse_unit
+from planar_cli.units import Unit, parse_unit
 
 HERE = Mark("<table>", 1, 1)
 
@@ -86,12 +85,7 @@ def _columns(problem: Problem, asked: Sequence[Find]) -> tuple[Column, ...]:
     for name, what in found:
         if isinstance(what.what, Relation):
             continue
-        kind = dimension_of(what.what, kinds.of)
-        unit = (
-            parse_unit(what.unit)
-            if what.unit is not None
-            else default_unit(kind.dimension or PURE, kind.angle, problem.us)
-        )
+        unit = parse_unit(what.unit) if what.unit is not None else usual_unit(what.what, kinds, problem.us)
         made.append(Column(name, unit, what.what))
     return tuple(made)
 

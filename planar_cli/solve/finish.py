@@ -16,8 +16,8 @@ from planar_cli.errors import Diagnostic, FileProblem, Mark, NoSolution, refuse
 from planar_cli.problem.dimensions import Kind, dimension_of
 from planar_cli.problem.expression import Quantity, Relation, Side
 from planar_cli.problem.geometry import Vec
+from planar_cli.problem.outermost import is_energy
 from planar_cli.problem.scene import Find
-from planar_cli.solve.asked import is_energy
 from planar_cli.solve.instant import Instant, Trial
 from planar_cli.solve.seeker import Sought
 from planar_cli.solve.solution import Found, InstantSolution

@@ -23,10 +23,11 @@ from planar_cli.loads.base import Load, mode_key
 from planar_cli.principles.base import Family, Principle
 from planar_cli.problem.facts import Mode, Push, Test
 from planar_cli.problem.keys import Flow, keys_of
+from planar_cli.problem.outermost import quantities_in
 from planar_cli.problem.polar import TOGETHER
 from planar_cli.problem.scene import Problem
 from planar_cli.records import record
-from planar_cli.solve.asked import is_pure_kinematics, names_anywhere, quantities_in
+from planar_cli.solve.asked import is_pure_kinematics, names_anywhere
 from planar_cli.solve.inequalities import Broken, broken
 from planar_cli.solve.locked import LOCKED, locked
 from planar_cli.solve.principled import at_instants, position_of

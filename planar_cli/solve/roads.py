@@ -11,9 +11,10 @@ from typing import Any
 
 from planar_cli.problem.expression import AtRest, Equilibrium, Extreme, JustAfter, Name, Quantity, Relation
 from planar_cli.problem.formulas import formulas
+from planar_cli.problem.outermost import quantities_in
 from planar_cli.problem.scene import Find, Problem, State
 from planar_cli.problem.walk import walk
-from planar_cli.solve.asked import FORCES, has_mass, quantities_in
+from planar_cli.solve.asked import FORCES, has_mass
 from planar_cli.solve.course.mode_dates import told_by_modes
 
 CURVES = ("path", "hodograph")

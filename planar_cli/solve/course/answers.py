@@ -11,8 +11,8 @@ from planar_cli.equation.plain import longer, rounded_inside, simplified, with_s
 from planar_cli.equation.system import mode_of
 from planar_cli.errors import Undecided, refuse
 from planar_cli.problem.expression import Quantity, Relation
+from planar_cli.problem.outermost import is_energy
 from planar_cli.records import record
-from planar_cli.solve.asked import is_energy
 from planar_cli.solve.course.asked_finds import TRUTHS, AskedFind
 from planar_cli.solve.course.derivation import Route
 from planar_cli.solve.course.motion_equations import MotionEquations

@@ -22,9 +22,9 @@ from planar_cli.problem.dimensions import dimension_of
 from planar_cli.problem.expression import Name, Quantity, Relation, Side
 from planar_cli.problem.formulas import formulas
 from planar_cli.problem.geometry import Vec
+from planar_cli.problem.outermost import quantities_in
 from planar_cli.problem.scene import Find, Polar, Problem
 from planar_cli.problem.walk import walk
-from planar_cli.solve.asked import quantities_in
 from planar_cli.solve.course.agree import balanced
 from planar_cli.solve.course.differentiated import differentiated, rates_put_in
 from planar_cli.solve.course.functions import Functions, directed, drawn_start

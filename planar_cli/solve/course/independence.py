@@ -14,6 +14,7 @@ import sympy as sp
 from planar_cli.equation.exact import CERTAIN, Sample, Valuation
 from planar_cli.equation.sample import anywhere
 from planar_cli.errors import NoValue
+from planar_cli.solve.course.derivation import Route
 from planar_cli.solve.course.stated_motion import StatedMotion
 
 OTHERWISE = Decimal("1.7320508")
@@ -27,6 +28,19 @@ def rests_on(course: StatedMotion, value: Valuation, integrands: Iterable[sp.Exp
     residuals = [*_residuals(course), *(_apart(e) for e in integrands)]
     base = course.base()
     return frozenset(p for p in value.drawn if any(_enters(p, e, base) for e in residuals))
+
+
+def settled(route: Route, value: Valuation, base: Valuation) -> frozenset[sp.Symbol]:
+    """The unknowns of a route whose numbers rest on no letter that was drawn. `base`: numbers of what is no unknown."""
+    drawn = value.drawn if isinstance(value, Sample) else frozenset()
+    unknowns = {x for leg in route.legs for x in leg.derivation.unknowns}
+    found: set[sp.Symbol] = set()
+    for leg in route.legs:
+        d = leg.derivation
+        known = all(s in found for s in d.needs & unknowns)
+        if known and not any(_enters(p, e.residual, base) for p in drawn for e in d.equations):
+            found |= set(d.unknowns)
+    return frozenset(found)
 
 
 def _residuals(course: StatedMotion) -> Iterator[sp.Expr]:

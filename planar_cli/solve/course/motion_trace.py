@@ -15,6 +15,7 @@ from planar_cli.solve.course.balances import StateBalance
 from planar_cli.solve.course.blow import Blow
 from planar_cli.solve.course.derivation import Leg, Route
 from planar_cli.solve.course.equations import DATA, Equation
+from planar_cli.solve.course.independence import settled
 from planar_cli.solve.course.needed import wanted_of
 from planar_cli.solve.course.oscillation import Oscillation, roots_of, stability
 from planar_cli.solve.course.regime_sequence import RegimeSequence
@@ -51,7 +52,7 @@ def motion_trace(
     """
     course = found.course
     whole = found.oscillations or any(a.passing is not None or a.passage is not None for a in answers)
-    tracer = _Tracer(found.value)
+    tracer = _Tracer(found.value, course.base())
     return MotionTrace(
         problem=course.problem,
         states=tuple(s.name for s in course.states),
@@ -118,14 +119,17 @@ def _regime(course: RegimeSequence, instant: InstantSolution, wanted: frozenset[
 
 
 class _Tracer:
-    """Turns equations and routes into what is said of them. `value`: numbers of everything."""
+    """Turns equations and routes into what is said of them. `value`: numbers of everything; `base`: of what is no
+    unknown.
+    """
 
-    def __init__(self, value: Valuation) -> None:
-        self.value = value
+    def __init__(self, value: Valuation, base: Valuation) -> None:
+        self.value, self.base = value, base
         self._impacts: dict[str, Impact] = {}
 
     def route(self, route: Route) -> RouteTrace:
-        return RouteTrace(tuple(self._step(leg) for leg in route.legs), route.formulas, route.plain)
+        known = settled(route, self.value, self.base)
+        return RouteTrace(tuple(self._step(leg) for leg in route.legs), known, route.formulas, route.plain)
 
     def _step(self, leg: Leg) -> RouteStep:
         d = leg.derivation

@@ -184,6 +184,8 @@ class RouteTrace:
 
     steps: tuple[RouteStep, ...]
     """Derivations in their order."""
+    settled: frozenset[sp.Symbol]
+    """The unknowns whose numbers rest on no letter without a number."""
     formulas: Mapping[sp.Symbol, sp.Expr]
     """Everything that was derived."""
     plain: Mapping[sp.Symbol, sp.Expr]
