@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from answered import Answers, assert_close, first
+from answered import Answers, assert_close, first, solve
 from conftest import PROBLEMS
 from test_problems import equations_text
 from worked import assert_golden, name_of, worked
@@ -388,3 +388,42 @@ def test_power_on_one_of_two_bodies() -> None:
     assert first(found["on_AB"]) == pytest.approx(first(found["F"]) * first(found["v"]))
     assert first(found["on_OA"]) == -first(found["on_AB"])
     assert first(found["both"]) == 0
+
+
+LET_GO = """
+title: Wheel driven up and let go
+plane: vertical
+points: {O: [0, 0]}
+bodies: {wheel: {disk: O, radius: 0.2 m, mass: 2 kg}}
+joints: [pin: {at: O, between: [ground, wheel]}]
+loads: [torque: {body: wheel, moment: -0.1 N*m, name: drag}, %s]
+states: {1: [t = 0, omega(wheel) = 0], 2: [t = 2 s]%s}
+find: {a: alpha(wheel) @ 2, w: omega(wheel) @ 2}
+"""
+
+
+@pytest.mark.parametrize("later", ["", ", 3: [t = 3 s]"])
+@pytest.mark.parametrize(
+    ("drive", "speed"),
+    [
+        ("torque: {body: wheel, moment: 0.3 N*m, name: motor, during: 1->2}", 10),
+        ("torque: {body: wheel, moment: 0.02 N*m, name: motor}]\nmotion: [alpha(wheel) = 2 rad/s^2 during 1->2", 4),
+    ],
+)
+def test_what_ends_with_the_last_state_does_not_act_there(drive: str, speed: float, later: str) -> None:
+    """Accelerations are those just after, whether or not another state follows; I = 0.04 kg m²."""
+    found = solve(LET_GO % (drive, later))
+    torque = -0.1 if "0.3" in drive else -0.08
+    assert first(found["w"]) == pytest.approx(speed)
+    assert first(found["a"]) == pytest.approx(torque / 0.04)
+
+
+def test_a_law_that_ends_with_the_last_state_is_the_last_that_is_known() -> None:
+    found = solve("""
+title: Car that speeds up
+coordinates: {s: m}
+motion: ["ddot(s) = 2 m/s^2 during 1->2"]
+states: {1: [t = 0, s = 0, dot(s) = 0], 2: [t = 2 s]}
+find: {a: ddot(s) @ 2}
+""")
+    assert first(found["a"]) == pytest.approx(2)

@@ -6,6 +6,8 @@ What a state itself states (N = 0 is reached) is read in what arrives.
 
 from __future__ import annotations
 
+from collections.abc import Set
+
 from planar_cli.equation.system import mode_of
 from planar_cli.problem.expression import Quantity, Relation
 from planar_cli.problem.formulas import formulas
@@ -15,16 +17,17 @@ from planar_cli.problem.walk import Tree, walk
 CONTINUOUS = frozenset(("x", "y", "r", "v", "theta", "omega", "KE", "PE", "momentum", "H", "mass", "I"))
 
 
-def changes_at_once(tree: Tree) -> bool:
-    """Does it hold anything that may jump when what acts changes?"""
-    return any(isinstance(n, Quantity) and n.word not in CONTINUOUS for n in walk(tree))
+def changes_at_once(tree: Tree, lasting: Set[str] = frozenset()) -> bool:
+    """Does it hold anything that may jump when what acts changes? Forces of loads that are `lasting` do not."""
+    quantities = [n for n in walk(tree) if isinstance(n, Quantity) and n.word not in CONTINUOUS]
+    return any(q.word != "force" or q.things[0] not in lasting for q in quantities)
 
 
-def asked_after(problem: Problem, state: str) -> bool:
-    """Is anything asked of a state that may jump there?"""
+def asked_after(problem: Problem, state: str, lasting: Set[str] = frozenset()) -> bool:
+    """Is anything asked of a state that may jump there? `lasting`: loads that act on both sides of it."""
     for formula in formulas(problem):
         for node in walk(formula.tree):
-            if getattr(node, "at", None) == state and changes_at_once(node):
+            if getattr(node, "at", None) == state and changes_at_once(node, lasting):
                 return True
             if isinstance(node, Relation) and mode_of(node) is not None:
                 sides = (node.left, node.right)

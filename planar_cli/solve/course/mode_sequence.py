@@ -146,6 +146,11 @@ def acting_from(problem: Problem, state: State) -> Callable[[tuple[str, str] | N
     return lambda during: during is None or order[during[0]] <= here < order[during[1]]
 
 
+def acting_after(problem: Problem, state: State) -> Span:
+    """What acts from a state on, though no state may follow."""
+    return _span(problem, acting_from(problem, state))
+
+
 def _span(problem: Problem, acts: Callable[[tuple[str, str] | None], bool]) -> Span:
     always = tuple(law.statement for law in problem.motion if acts(law.during))
     joints = tuple(j for j in problem.joints if acts(j.during) and not j.strikes)
@@ -164,7 +169,7 @@ def blow_before(problem: Problem, before: State, state: State) -> tuple[Span, Sp
     """
     if not any(isinstance(s, JustAfter) for s in state.relations):
         return None
-    after = _span(problem, acting_from(problem, state))
+    after = acting_after(problem, state)
     now = acting_from(problem, before)
     joints = tuple(j for j in problem.joints if now(j.during) or j in after.problem.joints)
     loads = tuple(x for x in problem.loads if x.strikes and now(x.during))
