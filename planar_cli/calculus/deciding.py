@@ -7,7 +7,7 @@ from decimal import Decimal
 import sympy as sp
 
 from planar_cli.equation.exact import Valuation
-from planar_cli.equation.plain import MANY, longer, simplified
+from planar_cli.equation.plain import MANY, identically_zero, longer
 from planar_cli.equation.sample import generator
 
 CONFIRMED, DRAWS = 2, 16
@@ -35,7 +35,7 @@ def vanishes(expr: sp.Expr, value: Valuation | None = None) -> bool:
     if expr.is_Symbol or expr.is_Rational:
         if value is None or expr.is_Rational:
             return False
-    elif not longer(expr, MANY) and simplified(expr).is_zero:
+    elif not longer(expr, MANY) and identically_zero(expr):
         return True
     return value is not None and value.vanishes(expr)
 

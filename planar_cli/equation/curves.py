@@ -9,7 +9,7 @@ import sympy as sp
 
 from planar_cli.equation.displacement import Displacement
 from planar_cli.equation.ledger import Ledger
-from planar_cli.equation.plain import simplified
+from planar_cli.equation.plain import identically_zero, simplified
 from planar_cli.equation.pose import HERE, Pose
 from planar_cli.problem.expression import Side
 from planar_cli.problem.geometry import Vec
@@ -93,7 +93,7 @@ def _direction(seen: Vec, sign: Sign) -> sp.Expr:
     if seen.y == 0:
         return ZERO if sign(seen.x) >= 0 else sp.pi
     for s in sorted(seen.x.free_symbols & seen.y.free_symbols, key=lambda s: s.name):
-        if simplified(seen.x * sp.sin(s) - seen.y * sp.cos(s)) == 0:
+        if identically_zero(seen.x * sp.sin(s) - seen.y * sp.cos(s)):
             return s if sign(seen.x * sp.cos(s) + seen.y * sp.sin(s)) >= 0 else s + sp.pi
     return simplified(sp.atan2(seen.y, seen.x))
 

@@ -21,6 +21,8 @@ MANY_DIGITS = 10**15
 """A denominator beyond this is one of a number that was put in for a long formula."""
 PRINTABLE = 1000
 """A formula of more operations than this is not printed as one: its lines are, step by step."""
+DIGITS = 50
+"""Of numbers that refute a zero."""
 FEW = 2
 """So short an expression is left alone."""
 _KEPT = 50_000
@@ -140,6 +142,31 @@ def _simplified(expr: sp.Expr) -> sp.Expr:
         last += [sp.radsimp(best), sp.sqrtdenest(best)]
     # Of forms that read equally well, the factored one comes before the others.
     return min([*last, *forms], key=_effort)
+
+
+def identically_zero(expr: Any) -> bool:
+    """Is it zero whatever its letters are? A number at one place that is not zero refutes it: to simplify a long
+    expression that is not zero takes minutes, when SymPy's factoring, which tries places at random, meets unlucky ones.
+    """
+    expr = sp.sympify(expr)
+    if expr.is_Rational:
+        return bool(expr == 0)
+    return not _refuted(expr) and bool(simplified(expr) == 0)
+
+
+@lru_cache(maxsize=_KEPT)
+def _refuted(expr: sp.Expr) -> bool:
+    """Has it a value other than zero at some place?"""
+    ordered = sorted(letters(expr), key=lambda s: s.name)
+    for sign in (1, -1):
+        place = {
+            s: sp.Rational(7 + 3 * n, 10 + 2 * n) * (1 if s.is_nonnegative or n % 2 else sign)
+            for n, s in enumerate(ordered)
+        }
+        number = expr.evalf(DIGITS, subs=place)
+        if number.is_Float and number.is_finite and abs(number) > sp.Float(10) ** (-DIGITS // 2):
+            return True
+    return False
 
 
 def _joined(expr: sp.Expr, **how: Any) -> sp.Expr:

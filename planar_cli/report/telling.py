@@ -7,7 +7,7 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.equation.plain import longer, simplified
+from planar_cli.equation.plain import identically_zero, longer
 from planar_cli.report.blocks import Block, Equation, Heading, Line, Math, Name, Note, Paragraph, Text, line
 from planar_cli.report.checks import friction_against_limit, friction_in
 from planar_cli.report.forces import force_rows
@@ -352,7 +352,7 @@ class Telling:
         """Of letters only the speed of a motion the other way is said."""
         if x.symbol not in self.system.tree.velocity_unknowns() or len(left) != 1 or left[0].expression is None:
             return []
-        if simplified(left[0].expression + x.formula) != 0:
+        if not identically_zero(left[0].expression + x.formula):
             return []
         other = self.phrases.math(left[0].expression)
         told = line("The other root, ", other, ", is the same motion the opposite way; the positive one is taken.")

@@ -11,14 +11,13 @@ from itertools import combinations
 
 import sympy as sp
 
-from planar_cli.equation.plain import derivative, longer, simplified
+from planar_cli.equation.plain import derivative, identically_zero, longer
 from planar_cli.solve.course.asked_finds import AskedFind
 from planar_cli.solve.course.equations import Equation
 from planar_cli.solve.course.motion_equations import MotionEquations
 from planar_cli.solve.course.timeline import Stop
 
 LONG = 200
-DIGITS = 30
 
 
 def by_differences(
@@ -65,18 +64,7 @@ def _only_difference(expr: sp.Expr, a: sp.Symbol, b: sp.Symbol) -> bool:
     if not {a, b} <= expr.free_symbols or longer(expr, LONG) or expr.has(sp.Integral):
         return False
     d = sp.Dummy("d", real=True)
-    rate = derivative(expr.xreplace({a: b - d}), b)
-    return not _differs_from_zero(rate) and bool(simplified(rate) == 0)
-
-
-def _differs_from_zero(expr: sp.Expr) -> bool:
-    """Is it other than zero at one place? That alone refutes it; to simplify a long one that is not zero takes minutes,
-    when SymPy's factoring, which tries places at random, meets unlucky ones.
-    """
-    letters = sorted(expr.free_symbols, key=lambda s: s.name)
-    place = {s: sp.Rational(7 + 3 * n, 10 + 2 * n) for n, s in enumerate(letters)}
-    number = expr.evalf(DIGITS, subs=place)
-    return bool(number.is_Number and number.is_finite and abs(number) > sp.Float(10) ** (-DIGITS // 2))
+    return identically_zero(derivative(expr.xreplace({a: b - d}), b))
 
 
 def _put(equation: Equation, a: sp.Symbol, b: sp.Symbol, d: sp.Symbol) -> Equation:

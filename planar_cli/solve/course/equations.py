@@ -16,7 +16,7 @@ from planar_cli.calculus.limits import limit
 from planar_cli.equation.displacement import Coordinate
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.ledger import Kind
-from planar_cli.equation.plain import longer, simplified
+from planar_cli.equation.plain import identically_zero, longer, simplified
 from planar_cli.errors import NOWHERE, Mark
 from planar_cli.problem.expression import Name
 from planar_cli.records import record
@@ -275,7 +275,7 @@ def loop_equations(regime: Regime, first: Stop, stop: Stop) -> Iterator[Equation
     start = {c.start: first.letters[c.symbol] for c in regime.coordinates if c.drawn is None}
     for n, c in enumerate(regime.general.constraints):
         residual = stop.at(c.residual.xreplace(start))
-        if simplified(residual) != 0:
+        if not identically_zero(residual):
             yield Equation(residual, c.kind, c.title, stop.name, family=("loop", str(n), stop.name), rank=1)
 
 

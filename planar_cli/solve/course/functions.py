@@ -11,7 +11,7 @@ import sympy as sp
 from planar_cli.calculus.laws import Moment, relations
 from planar_cli.equation.displacement import Coordinate
 from planar_cli.equation.exact import PI, Unvalued, Valuation
-from planar_cli.equation.plain import simplified
+from planar_cli.equation.plain import identically_zero, simplified
 from planar_cli.errors import NoValue, Undecided
 from planar_cli.records import record
 from planar_cli.solve.course.equations import laws_of
@@ -186,7 +186,7 @@ def directed(expr: sp.Expr, value: Valuation) -> sp.Expr:
         y, x = e.args
         for sine in sorted(y.atoms(sp.sin), key=str):
             phi = sine.args[0]
-            if simplified(y * sp.cos(phi) - x * sp.sin(phi)) == 0 and value(x * sp.cos(phi) + y * sp.sin(phi)) > 0:
+            if identically_zero(y * sp.cos(phi) - x * sp.sin(phi)) and value(x * sp.cos(phi) + y * sp.sin(phi)) > 0:
                 return sp.sympify(phi)
         above, below = sp.fraction(simplified(y / x))
         sign = 1 if value(above) * value(y) > 0 else -1

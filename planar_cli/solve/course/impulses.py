@@ -14,7 +14,7 @@ import sympy as sp
 from planar_cli.equation.arrows import vector_arrow
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.form import Nonlinear, linear_form
-from planar_cli.equation.plain import simplified
+from planar_cli.equation.plain import identically_zero
 from planar_cli.principles.base import Balance, Impulses
 from planar_cli.solve.course.balances import StateBalance
 from planar_cli.solve.course.equations import Equation
@@ -81,7 +81,7 @@ def _integrated(
     varying = set(regime.letters)
     if any(c.free_symbols & varying for form in (forces, inertia) for c in form.terms.values()):
         return None
-    if set(forces.terms) - set(pushes) or set(inertia.terms) - set(rates) or simplified(inertia.constant) != 0:
+    if set(forces.terms) - set(pushes) or set(inertia.terms) - set(rates) or not identically_zero(inertia.constant):
         return None
     function = potential(regime.closed(forces.constant), regime)
     if function is None or function.has(sp.Integral):

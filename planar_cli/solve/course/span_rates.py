@@ -7,7 +7,7 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.equation.plain import simplified
+from planar_cli.equation.plain import identically_zero
 from planar_cli.equation.quantities import Quantities
 from planar_cli.errors import refuse
 from planar_cli.loads.base import Load
@@ -116,7 +116,7 @@ def _lost(joint: str, quantities: Quantities, reactions: Reactions, regime: Regi
         if row.rate != 0:
             pushed = [(a.force, motion.velocity(a.point, a.body)) for a in push.actions if a.force is not None]
             along = sp.Add(*(force.dot(v) for force, v in pushed))
-            same = simplified(along - motion.row_velocity(row) - row.rate) == 0
+            same = identically_zero(along - motion.row_velocity(row) - row.rate)
             parts.append(expr * row.rate if same else -expr * row.rate)
     return sp.Add(*parts)
 

@@ -9,7 +9,7 @@ from enum import Enum
 import sympy as sp
 
 from planar_cli.equation.exact import CERTAIN, Valuation
-from planar_cli.equation.plain import derivative, longer, simplified
+from planar_cli.equation.plain import derivative, identically_zero, longer
 from planar_cli.solve.course.motion_equations import MotionEquations
 from planar_cli.solve.course.regime import Regime
 from planar_cli.solve.course.regime_sequence import RegimeSequence
@@ -120,7 +120,7 @@ def _stays(
         if abs(base(c.drawn) - start.get(c.symbol, base(c.drawn))) > CERTAIN:
             return False
         rate = rate.subs(c.symbol, c.drawn)
-    return not longer(rate, LONG) and simplified(rate) == 0
+    return not longer(rate, LONG) and identically_zero(rate)
 
 
 def untold(course: RegimeSequence) -> bool:
