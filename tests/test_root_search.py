@@ -82,36 +82,36 @@ def test_what_is_open_is_left() -> None:
 def test_the_cheapest_way_is_taken() -> None:
     dear, cheap = equation(Y - 2 * X, "t(q)", "dear"), equation(Y - 2 * A, "given", "cheap")
     found = route(equation(X - A), dear, cheap, targets=(Y,), x=3, y=6)
-    assert [e.words for leg in found.legs for e in leg.derivation.equations] == ["cheap"]
+    assert [e.words for step in found.steps for e in step.derivation.equations] == ["cheap"]
 
 
 def test_only_what_is_needed_is_derived() -> None:
     found = route(equation(X - A - B), equation(Y - 2 * X), equation(Z - X - Y), targets=(Y,), x=8, y=16, z=24)
-    assert [r.unknown for leg in found.legs for r in leg.results] == [X, Y]
+    assert [r.unknown for step in found.steps for r in step.results] == [X, Y]
     assert found.formulas[Y].xreplace({X: found.formulas[X]}) == 2 * (A + B)
 
 
 @pytest.mark.parametrize("root", [3, -3])
 def test_of_several_roots_the_one_that_happens_is_told(root: int) -> None:
     found = route(equation(X**2 - A**2), targets=(X,), x=root)
-    ((result,),) = (leg.results for leg in found.legs)
+    ((result,),) = (step.results for step in found.steps)
     assert result.value == root
     assert sorted(r.value for r in result.roots) == [-3, 3]
 
 
 def test_equations_are_put_together_where_none_leads_on_alone() -> None:
     found = route(equation(X + Y - 7), equation(X - Y - 1), targets=(X, Y), x=4, y=3)
-    (leg,) = found.legs
-    assert len(leg.derivation.equations) == 2
-    assert {r.unknown: r.value for r in leg.results} == {X: 4, Y: 3}
+    (step,) = found.steps
+    assert len(step.derivation.equations) == 2
+    assert {r.unknown: r.value for r in step.results} == {X: 4, Y: 3}
 
 
 def test_an_equation_that_holds_for_any_value_fixes_nothing() -> None:
     found = route(equation(X * Y), equation(Y, "given"), targets=(X,), x=3, y=0)
-    assert not found.legs
+    assert not found.steps
 
 
 def test_zeros_need_no_line() -> None:
     found = route(equation(X, "given"), equation(Y - X - A), targets=(Y,), x=0, y=3)
     assert found.plain == {X: 0}
-    assert [r.unknown for leg in found.legs for r in leg.results] == [Y]
+    assert [r.unknown for step in found.steps for r in step.results] == [Y]

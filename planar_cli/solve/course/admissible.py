@@ -10,7 +10,7 @@ import sympy as sp
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.equation.scales import Here, measured
 from planar_cli.errors import Diagnostic, NoSolution, NoValue
-from planar_cli.solve.course.events import Leg, State
+from planar_cli.solve.course.events import FollowedSegment, State
 from planar_cli.solve.course.gaps import closes_at_once, openings
 from planar_cli.solve.course.regime import Regime, number_function
 from planar_cli.solve.course.regime_sequence import RegimeSequence
@@ -132,12 +132,12 @@ def _impossible(regime: Regime, state: Mapping[sp.Symbol, float], value: Valuati
     return regime.general.impossible({s: Decimal(repr(state[s])) for s in regime.letters}, value)
 
 
-def demand_possible(regime: Regime, leg: Leg, until: float, value: Valuation) -> None:
+def demand_possible(regime: Regime, segment: FollowedSegment, until: float, value: Valuation) -> None:
     """NoSolution: forces that are not unique can not be what is assumed of them all along a stretch; when that ends is
     not told by them.
     """
     for k in range(1, LOOKS + 1) if regime.loose else ():
-        words = _impossible(regime, leg.at(leg.t0 + (until - leg.t0) * k / LOOKS), value)
+        words = _impossible(regime, segment.at(segment.t0 + (until - segment.t0) * k / LOOKS), value)
         if words:
             mark = regime.general.instant.scene.problem.find[0].mark
             text = f"forces are not unique, so that nothing tells when this ends: {words}"

@@ -84,10 +84,10 @@ def _stated_letters(found: SolvedMotion) -> set[sp.Symbol]:
 def _passed(followed: Followed) -> Iterator[tuple[sp.Symbol, float]]:
     """The letters of the states with their values, and those of the general position on the way between them."""
     yield from followed.values.items()
-    for leg in followed.legs:
+    for segment in followed.segments:
         for k in range(1, LOOKS):
             try:
-                here = leg.at(leg.t0 + (leg.t1 - leg.t0) * k / LOOKS)
+                here = segment.at(segment.t0 + (segment.t1 - segment.t0) * k / LOOKS)
             except NoValue:
                 break
             yield from here.items()

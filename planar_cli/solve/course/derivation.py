@@ -26,7 +26,7 @@ class Derivation:
 
 
 @record
-class Leg:
+class DerivedStep:
     """One derivation worked out. `datum`: it only says what is given."""
 
     derivation: Derivation
@@ -38,7 +38,7 @@ class Leg:
 class Route:
     """The way to the targets."""
 
-    legs: tuple[Leg, ...]
+    steps: tuple[DerivedStep, ...]
     """Derivations in their order."""
     formulas: Mapping[sp.Symbol, sp.Expr]
     """Everything that was derived."""

@@ -23,7 +23,7 @@ from planar_cli.problem.scene import Problem
 from planar_cli.solve.course.asked_finds import AskedFind, asked_letters
 from planar_cli.solve.course.balances import StateBalance
 from planar_cli.solve.course.equations import Equation
-from planar_cli.solve.course.events import Leg, events, is_zero, scale_of
+from planar_cli.solve.course.events import FollowedSegment, events, is_zero, scale_of
 from planar_cli.solve.course.followed import Ends, Followed
 from planar_cli.solve.course.mode_sequence import Span, Workshop, fixed_time
 from planar_cli.solve.course.motion_equations import MotionEquations
@@ -269,27 +269,27 @@ def _hint(course: MotionEquations, followed: Followed, stop: Stop, value: Valuat
     equations = [d for d in course.demands[stop.name] if d.kind == "equation"]
     follower = Follower(course, value)
     follower.done.values = dict(followed.values)
-    for leg in followed.legs:
-        when = _common(follower, equations, stop, leg, leg.t1)
+    for segment in followed.segments:
+        when = _common(follower, equations, stop, segment, segment.t1)
         if when is not None:
             return f"it was reached before, at t = {when:.4g} s: states stand in the order in which they happen"
     index = next(i for i, s in enumerate(course.states) if s.name == stop.name)
     regime = course.regimes[index - 1]
-    leg = follower.leg(
+    segment = follower.segment(
         regime, follower.begin(regime, followed.at, course.readers[course.states[index - 1].name].regime)
     )
     found = []
     for d in equations:
-        g = follower.function(d.residual, stop, leg)
+        g = follower.function(d.residual, stop, segment)
         try:
-            first = next(events(g, leg), None)
+            first = next(events(g, segment), None)
         except NoValue:
             return ""
         if first is not None:
             found.append(f"`{d.text}` holds at t = {first.value:.4g} s")
             continue
-        run = 20 * scale_of(leg)
-        times = [leg.t0 + run * k / SAMPLES for k in range(SAMPLES + 1)]
+        run = 20 * scale_of(segment)
+        times = [segment.t0 + run * k / SAMPLES for k in range(SAMPLES + 1)]
         away, at = _nearest(g, times)
         apart = _short(Decimal(repr(away)))
         found.append(f"`{d.text}` is nearest at t = {at:.4g} s, where the sides differ by {apart}")
@@ -300,12 +300,12 @@ def passed_before(course: MotionEquations, followed: Followed, value: Valuation)
     """Did what is stated of a state at a given time hold before, on the way from the state before it?"""
     follower = Follower(course, value)
     follower.done.values = dict(followed.values)
-    for state, leg in zip(course.states[1:], followed.legs, strict=False):
+    for state, segment in zip(course.states[1:], followed.segments, strict=False):
         stated = fixed_time(state.relations)
         equations = [d for d in course.demands[state.name] if d.kind == "equation"]
         others = [d for d in equations if stated is not None and d.text != stated.text]
-        until = leg.t1 - BEFORE * (leg.t1 - leg.t0)
-        if stated is not None and _common(follower, others, course.stops[state.name], leg, until) is not None:
+        until = segment.t1 - BEFORE * (segment.t1 - segment.t0)
+        if stated is not None and _common(follower, others, course.stops[state.name], segment, until) is not None:
             return True
     return False
 
@@ -320,15 +320,17 @@ def _nearest(g: Callable[[float], float], times: list[float]) -> tuple[float, fl
     return abs(g(times[k])), times[k]
 
 
-def _common(follower: Follower, equations: list[Demand], stop: Stop, leg: Leg, until: float) -> float | None:
+def _common(
+    follower: Follower, equations: list[Demand], stop: Stop, segment: FollowedSegment, until: float
+) -> float | None:
     """When all relations of a state hold on a stretch before it."""
-    if not equations or until <= leg.t0:
+    if not equations or until <= segment.t0:
         return None
-    gs = [follower.function(d.residual, stop, leg) for d in equations]
+    gs = [follower.function(d.residual, stop, segment) for d in equations]
     try:
-        for root in islice(events(gs[0], leg, until), ROOTS):
-            sizes = [follower.size(d.residual, stop, leg, root.value) for d in equations]
-            if all(is_zero(g, root.value, leg, size) for g, size in zip(gs[1:], sizes[1:], strict=True)):
+        for root in islice(events(gs[0], segment, until), ROOTS):
+            sizes = [follower.size(d.residual, stop, segment, root.value) for d in equations]
+            if all(is_zero(g, root.value, segment, size) for g, size in zip(gs[1:], sizes[1:], strict=True)):
                 return root.value
     except NoValue:
         pass

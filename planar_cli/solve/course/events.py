@@ -29,7 +29,7 @@ State = dict[sp.Symbol, float]
 
 
 @record
-class Leg:
+class FollowedSegment:
     """One stretch in numbers: from t0 to t1 [s]."""
 
     regime: Regime
@@ -53,21 +53,21 @@ class Leg:
         return {**self.start, self.regime.time: t, **dict(zip(letters, map(float, self.flow.at(t)), strict=True))}
 
 
-def scale_of(leg: Leg) -> float:
+def scale_of(segment: FollowedSegment) -> float:
     """A time in which something moves noticeably: by a radian, or by the largest length in sight."""
-    if leg.flow is None:
-        return min(leg.pace, leg.swing)
-    regime = leg.regime
-    rates = [abs(float(r)) for r in leg.flow.rates(leg.t0)]
-    sizes = [leg.length if c.unit != "rad" else 1.0 for c in regime.coordinates]
+    if segment.flow is None:
+        return min(segment.pace, segment.swing)
+    regime = segment.regime
+    rates = [abs(float(r)) for r in segment.flow.rates(segment.t0)]
+    sizes = [segment.length if c.unit != "rad" else 1.0 for c in regime.coordinates]
     times = [size / r for size, r in zip(sizes, rates, strict=False) if r]
     turning = angular_speeds(regime)
     for u, a in zip(regime.free, rates[len(regime.coordinates) :], strict=True):
-        size = 1.0 if u in turning else leg.length
+        size = 1.0 if u in turning else segment.length
         if a:
             times.append(math.sqrt(size / a))
-    shortest = min([*times, leg.swing])
-    return shortest if math.isfinite(shortest) else leg.pace
+    shortest = min([*times, segment.swing])
+    return shortest if math.isfinite(shortest) else segment.pace
 
 
 def angular_speeds(regime: Regime) -> set[sp.Symbol]:
@@ -76,13 +76,13 @@ def angular_speeds(regime: Regime) -> set[sp.Symbol]:
     return {u for u in regime.free if units[u].dimension == RATE}
 
 
-def windows(leg: Leg, scale: float) -> Iterator[float]:
+def windows(segment: FollowedSegment, scale: float) -> Iterator[float]:
     """How far a state is looked for: so many characteristic times, and as long as the speeds change slowly."""
     yield from (count * scale for count in WINDOWS)
-    if leg.flow is None:
+    if segment.flow is None:
         return
-    rates = [abs(float(r)) for r in leg.flow.rates(leg.t0)][len(leg.regime.coordinates) :]
-    slow = max((abs(leg.start[u]) / a for u, a in zip(leg.regime.free, rates, strict=True) if a), default=0.0)
+    rates = [abs(float(r)) for r in segment.flow.rates(segment.t0)][len(segment.regime.coordinates) :]
+    slow = max((abs(segment.start[u]) / a for u, a in zip(segment.regime.free, rates, strict=True) if a), default=0.0)
     yield from (count * slow for count in SLOW_WINDOWS if count * slow > WINDOWS[-1] * scale)
 
 
@@ -126,18 +126,18 @@ def swing_of(regime: Regime, state: State, value: Valuation) -> float:
     return min((1 / abs(n) for n in numbers if n), default=math.inf)
 
 
-def events(g: Callable[[float], float], leg: Leg, until: float | None = None) -> Iterator[Root]:
-    """Roots along a leg in order, window by window."""
-    scale, begin = scale_of(leg), leg.t0
-    for reach in windows(leg, scale):
-        if begin > leg.t0 and _came_to_rest(leg, begin):
+def events(g: Callable[[float], float], segment: FollowedSegment, until: float | None = None) -> Iterator[Root]:
+    """Roots along a segment in order, window by window."""
+    scale, begin = scale_of(segment), segment.t0
+    for reach in windows(segment, scale):
+        if begin > segment.t0 and _came_to_rest(segment, begin):
             return
-        end = leg.t0 + reach
+        end = segment.t0 + reach
         if until is not None:
             end = min(end, until)
         try:
             for root in roots(g, begin, end, scale):
-                if root.value > leg.t0 and not _died_out(g, root.value, leg):
+                if root.value > segment.t0 and not _died_out(g, root.value, segment):
                     yield root
         except NoValue:
             return
@@ -146,47 +146,47 @@ def events(g: Callable[[float], float], leg: Leg, until: float | None = None) ->
         begin = end
 
 
-def far_along(leg: Leg) -> State:
-    """The letters of a leg as late as its motion is looked at, or once nothing changes any more."""
-    found = leg.start
-    for reach in windows(leg, scale_of(leg)):
+def far_along(segment: FollowedSegment) -> State:
+    """The letters of a segment as late as its motion is looked at, or once nothing changes any more."""
+    found = segment.start
+    for reach in windows(segment, scale_of(segment)):
         try:
-            found = leg.at(leg.t0 + reach)
+            found = segment.at(segment.t0 + reach)
         except NoValue:
             break
-        if _came_to_rest(leg, leg.t0 + reach):
+        if _came_to_rest(segment, segment.t0 + reach):
             break
     return found
 
 
-def _came_to_rest(leg: Leg, t: float) -> bool:
+def _came_to_rest(segment: FollowedSegment, t: float) -> bool:
     """Does nothing change any more, as far as machine numbers tell, or can they not tell it?"""
-    regime = leg.regime
+    regime = segment.regime
     laws = [*regime.rates.values(), *regime.accelerations.values()]
-    if leg.flow is None or any(regime.time in e.free_symbols for e in laws):
+    if segment.flow is None or any(regime.time in e.free_symbols for e in laws):
         return False
     try:
-        first, now = leg.flow.rates(leg.t0), leg.flow.rates(t)
+        first, now = segment.flow.rates(segment.t0), segment.flow.rates(t)
     except NoValue:
         return True
     return max(abs(float(r)) for r in now) <= DEAD * max(abs(float(r)) for r in first)
 
 
-def _died_out(g: Callable[[float], float], t: float, leg: Leg) -> bool:
+def _died_out(g: Callable[[float], float], t: float, segment: FollowedSegment) -> bool:
     """Has a function sunk below what machine numbers tell of it, so that its zeros mean nothing?"""
-    run = t - leg.t0
-    largest = max(abs(g(leg.t0 + run * k / LOOKS)) for k in range(LOOKS))
+    run = t - segment.t0
+    largest = max(abs(g(segment.t0 + run * k / LOOKS)) for k in range(LOOKS))
     near = max(abs(g(t - NEARBY * run)), abs(g(t + NEARBY * run)))
     return near <= DEAD * largest
 
 
-def vanishes_throughout(g: Callable[[float], float], leg: Leg, size: float) -> bool:
+def vanishes_throughout(g: Callable[[float], float], segment: FollowedSegment, size: float) -> bool:
     """Does a function vanish from the beginning on? `size`: what it is measured by."""
-    run = scale_of(leg)
-    return all(abs(g(leg.t0 + run * k / LOOKS)) <= SLACK * size for k in range(LOOKS))
+    run = scale_of(segment)
+    return all(abs(g(segment.t0 + run * k / LOOKS)) <= SLACK * size for k in range(LOOKS))
 
 
-def is_zero(g: Callable[[float], float], t: float, leg: Leg, size: float) -> bool:
+def is_zero(g: Callable[[float], float], t: float, segment: FollowedSegment, size: float) -> bool:
     """Does a function vanish at a time, as far as machine numbers tell? `size`: what it is measured by."""
-    nearby = max(abs(g(leg.t0)), abs(g(t - (t - leg.t0) / 3)))
+    nearby = max(abs(g(segment.t0)), abs(g(t - (t - segment.t0) / 3)))
     return abs(g(t)) <= max(NEAR * nearby, SLACK * size)

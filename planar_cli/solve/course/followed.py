@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 import sympy as sp
 
 from planar_cli.records import record
-from planar_cli.solve.course.events import Leg, State
+from planar_cli.solve.course.events import FollowedSegment, State
 
 
 @record
@@ -29,7 +29,7 @@ class Ends:
 class Followed:
     """What came of following a motion."""
 
-    legs: list[Leg] = field(default_factory=list)
+    segments: list[FollowedSegment] = field(default_factory=list)
     """What was passed."""
     values: dict[sp.Symbol, float] = field(default_factory=dict)
     """Symbols of the states that were reached."""

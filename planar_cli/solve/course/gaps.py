@@ -12,7 +12,7 @@ from planar_cli.errors import NoValue
 from planar_cli.problem.facts import Mode
 from planar_cli.problem.geometry import Vec
 from planar_cli.solve.course.equations import Equation
-from planar_cli.solve.course.events import Leg, events, scale_of
+from planar_cli.solve.course.events import FollowedSegment, events, scale_of
 from planar_cli.solve.course.mode_sequence import ModeSequence, Workshop
 from planar_cli.solve.course.regime import Regime
 from planar_cli.solve.course.regime_sequence import RegimeSequence
@@ -77,22 +77,22 @@ def closes_at_once(regime: Regime, opening: sp.Expr, here: Here) -> bool:
     return becomes_negative(regime, rate, here)
 
 
-def closing(g: Callable[[float], float], leg: Leg, until: float | None) -> float | None:
-    """When a gap that opens from zero at the beginning of a leg has closed again; None: not before `until`."""
-    scale = scale_of(leg)
+def closing(g: Callable[[float], float], segment: FollowedSegment, until: float | None) -> float | None:
+    """When a gap that opens from zero at the beginning of a segment has closed again; None: not before `until`."""
+    scale = scale_of(segment)
     for k in range(HALVINGS, -1, -1):
-        begin = leg.t0 + scale * 2.0**-k
+        begin = segment.t0 + scale * 2.0**-k
         if until is not None and begin >= until:
             return None
         try:
             away = g(begin)
         except NoValue:
             return None
-        if abs(away) > OPEN * leg.length:
+        if abs(away) > OPEN * segment.length:
             break
     else:
         return None
     if away < 0:
         return begin
-    later = replace(leg, t0=begin, start=leg.at(begin))
+    later = replace(segment, t0=begin, start=segment.at(begin))
     return next((r.value for r in events(g, later, until) if r.kind == "crossing"), None)

@@ -33,10 +33,10 @@ def rests_on(course: StatedMotion, value: Valuation, integrands: Iterable[sp.Exp
 def settled(route: Route, value: Valuation, base: Valuation) -> frozenset[sp.Symbol]:
     """The unknowns of a route whose numbers rest on no letter that was drawn. `base`: numbers of what is no unknown."""
     drawn = value.drawn if isinstance(value, Sample) else frozenset()
-    unknowns = {x for leg in route.legs for x in leg.derivation.unknowns}
+    unknowns = {x for step in route.steps for x in step.derivation.unknowns}
     found: set[sp.Symbol] = set()
-    for leg in route.legs:
-        d = leg.derivation
+    for step in route.steps:
+        d = step.derivation
         known = all(s in found for s in d.needs & unknowns)
         if known and not any(_enters(p, e.residual, base) for p in drawn for e in d.equations):
             found |= set(d.unknowns)

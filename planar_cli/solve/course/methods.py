@@ -32,5 +32,5 @@ def demand_reached(
 
 def _missing(route: Route, targets: Sequence[sp.Symbol]) -> list[str]:
     """The names of what a route does not tell."""
-    told = {r.unknown for leg in route.legs for r in leg.results} | set(route.plain)
+    told = {r.unknown for step in route.steps for r in step.results} | set(route.plain)
     return sorted(s.name.replace("__", "_") for s in targets if s not in told)

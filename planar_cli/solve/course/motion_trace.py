@@ -13,7 +13,7 @@ from planar_cli.equation.exact import Valuation
 from planar_cli.solve.course.answers import AnsweredFind
 from planar_cli.solve.course.balances import StateBalance
 from planar_cli.solve.course.blow import Blow
-from planar_cli.solve.course.derivation import Leg, Route
+from planar_cli.solve.course.derivation import DerivedStep, Route
 from planar_cli.solve.course.equations import DATA, Equation
 from planar_cli.solve.course.independence import settled
 from planar_cli.solve.course.needed import wanted_of
@@ -129,11 +129,11 @@ class _Tracer:
 
     def route(self, route: Route) -> RouteTrace:
         known = settled(route, self.value, self.base)
-        return RouteTrace(tuple(self._step(leg) for leg in route.legs), known, route.formulas, route.plain)
+        return RouteTrace(tuple(self._step(step) for step in route.steps), known, route.formulas, route.plain)
 
-    def _step(self, leg: Leg) -> RouteStep:
-        d = leg.derivation
-        return RouteStep(tuple(self._relation(e) for e in d.equations), d.unknowns, d.needs, leg.results, leg.datum)
+    def _step(self, step: DerivedStep) -> RouteStep:
+        d = step.derivation
+        return RouteStep(tuple(self._relation(e) for e in d.equations), d.unknowns, d.needs, step.results, step.datum)
 
     def _relation(self, e: Equation) -> Relation:
         source = self._source(e.source)

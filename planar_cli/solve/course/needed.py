@@ -24,8 +24,8 @@ def wanted_of(course: StatedMotion, route: Route, instant: InstantSolution) -> f
     used = {s for e in course.said.get(id(regime), ()) for s in sp.sympify(e).free_symbols}
     names = {s.name for s in used & kinetic}
     own = {id(law) for i, r in enumerate(course.regimes) if r is regime for law in course.laws[i].laws}
-    for leg in route.legs:
-        for e in leg.derivation.equations:
+    for step in route.steps:
+        for e in step.derivation.equations:
             if e.law is not None and id(e.law) in own and e.law.f != 0:
                 names |= {regime.general.rate_of(u).name for u in regime.free}
             if isinstance(e.source, StateBalance) and _acts(course, regime, e.source):

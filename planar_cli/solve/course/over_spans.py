@@ -29,7 +29,7 @@ from planar_cli.errors import Diagnostic, NoSolution, NoValue
 from planar_cli.problem.expression import Quantity, Relation
 from planar_cli.solve.course.blow import Blow
 from planar_cli.solve.course.blow_spans import over_blow
-from planar_cli.solve.course.legs import ENOUGH, FEW_DIGITS, MANY_DIGITS, Leg, legs
+from planar_cli.solve.course.exact_segments import ENOUGH, FEW_DIGITS, MANY_DIGITS, ExactSegment, exact_segments
 from planar_cli.solve.course.motion_equations import MotionEquations
 from planar_cli.solve.course.potential import potential, signed_speed
 from planar_cli.solve.course.span_quantities import SpanQuantity
@@ -48,17 +48,19 @@ class SpanSolver:
         self.course, self.value = course, value
 
     @cached_property
-    def legs(self) -> tuple[Leg, ...]:
-        return legs(self.course, self.value)
+    def segments(self) -> tuple[ExactSegment, ...]:
+        return exact_segments(self.course, self.value)
 
     def solve(self, symbol: sp.Symbol, asked: SpanQuantity) -> SpanIntegral:
         q = asked.quantity
         parts = self._parts(asked)
         if q.word == "count":
-            events = tuple(t for p, r, leg in parts for t in self._events(p, q, self._rates(asked, leg), leg))
+            events = tuple(
+                t for p, r, segment in parts for t in self._events(p, q, self._rates(asked, segment), segment)
+            )
             n = len(events)
             return SpanIntegral(symbol, q, (), Decimal(n), sp.Integer(n), events=events)
-        pieces = tuple(self._piece(p, r, asked, leg) for p, r, leg in parts)
+        pieces = tuple(self._piece(p, r, asked, segment) for p, r, segment in parts)
         pieces += tuple(self._blow(blow, q) for blow in self._blows(asked))
         number = sum((p.number for p in pieces), Decimal(0))
         formulas = [p.formula for p in pieces]
@@ -85,7 +87,7 @@ class SpanSolver:
             raise NoSolution([Diagnostic(q.mark, "PL603", text, "ask for what is unique, or leave a support out")])
         return Piece(*_ends(blow.since, blow.stop), formula, "blow", self.value(formula), formula)
 
-    def _parts(self, asked: SpanQuantity) -> list[tuple[Stop, Stop, Leg]]:
+    def _parts(self, asked: SpanQuantity) -> list[tuple[Stop, Stop, ExactSegment]]:
         """The span cut where a blow falls, and where the regime changes."""
         a, b = (self.course.stops[n] for n in asked.span)
         found = []
@@ -94,38 +96,40 @@ class SpanSolver:
             a = blow.stop
         return [*found, *self._between(a, b, asked)] if a is not b else found
 
-    def _between(self, a: Stop, b: Stop, asked: SpanQuantity) -> list[tuple[Stop, Stop, Leg]]:
+    def _between(self, a: Stop, b: Stop, asked: SpanQuantity) -> list[tuple[Stop, Stop, ExactSegment]]:
         """Part of a span without blows, cut where the regime changes."""
         ta, tb = self.value(a.t), self.value(b.t)
         if tb < ta:
             q = asked.quantity
             text = f"state {b.name} comes before state {a.name}"
             raise NoSolution([Diagnostic(q.mark, "PL633", text, f"write `@ {b.name}->{a.name}`")])
-        inside = [leg.start for leg in self.legs[1:] if ta < leg.t0 < tb]
+        inside = [segment.start for segment in self.segments[1:] if ta < segment.t0 < tb]
         points = [a, *inside, b]
         found = []
         for p, r in pairwise(points):
             tp = self.value(p.t)
-            leg = [x for x in self.legs if x.t0 <= tp + SAME_TIME * max(abs(tp), Decimal(1))][-1:] or [self.legs[0]]
-            found.append((p, r, leg[0]))
+            segment = [x for x in self.segments if x.t0 <= tp + SAME_TIME * max(abs(tp), Decimal(1))][-1:] or [
+                self.segments[0]
+            ]
+            found.append((p, r, segment[0]))
         return found
 
-    def _rates(self, asked: SpanQuantity, leg: Leg) -> tuple[sp.Expr, ...]:
-        reader = next(r for r in self.course.distinct_readers() if r.regime is leg.regime)
-        return tuple(simplified(reader.closed(e)) for e in asked.rates[id(leg.regime)])
+    def _rates(self, asked: SpanQuantity, segment: ExactSegment) -> tuple[sp.Expr, ...]:
+        reader = next(r for r in self.course.distinct_readers() if r.regime is segment.regime)
+        return tuple(simplified(reader.closed(e)) for e in asked.rates[id(segment.regime)])
 
     # --- one piece ---------------------------------------------------------------------------------------------------
 
-    def _piece(self, p: Stop, r: Stop, asked: SpanQuantity, leg: Leg) -> Piece:
-        rates = self._rates(asked, leg)
+    def _piece(self, p: Stop, r: Stop, asked: SpanQuantity, segment: ExactSegment) -> Piece:
+        rates = self._rates(asked, segment)
         if asked.quantity.word != "path_length":
-            return self._integral(p, r, rates[0], leg)
-        speed, signed = signed_speed(rates[0], rates[1], leg.regime)
+            return self._integral(p, r, rates[0], segment)
+        speed, signed = signed_speed(rates[0], rates[1], segment.regime)
         if not signed:
-            return self._integral(p, r, speed, leg)
+            return self._integral(p, r, speed, segment)
         ta, tb = self.value(p.t), self.value(r.t)
-        turns = tuple(t for t in self._zeros(speed, leg, ta, tb) if ta < t < tb)
-        whole = self._integral(p, r, speed, leg)
+        turns = tuple(t for t in self._zeros(speed, segment, ta, tb) if ta < t < tb)
+        whole = self._integral(p, r, speed, segment)
         if not turns:
             sense = -1 if whole.number < 0 else 1
             formula = None if whole.formula is None else sense * whole.formula
@@ -133,34 +137,34 @@ class SpanSolver:
                 *_ends(p, r), speed, whole.how, abs(whole.number), formula, whole.antiderivative, whole.over_time
             )
         ends = [ta, *turns, tb]
-        total = sum((abs(self._number(speed, leg, s, t)[0]) for s, t in pairwise(ends)), Decimal(0))
+        total = sum((abs(self._number(speed, segment, s, t)[0]) for s, t in pairwise(ends)), Decimal(0))
         return Piece(*_ends(p, r), speed, whole.how, total, None, whole.antiderivative, whole.over_time, turns)
 
-    def _integral(self, p: Stop, r: Stop, rate: sp.Expr, leg: Leg) -> Piece:
-        """∫ rate dt between two states of a leg."""
+    def _integral(self, p: Stop, r: Stop, rate: sp.Expr, segment: ExactSegment) -> Piece:
+        """∫ rate dt between two states of a segment."""
         ta, tb = self.value(p.t), self.value(r.t)
-        number, how = self._number(rate, leg, ta, tb)
-        g = potential(rate, leg.regime)
+        number, how = self._number(rate, segment, ta, tb)
+        g = potential(rate, segment.regime)
         if g is not None:
             return Piece(*_ends(p, r), rate, "difference", number, r.at(g) - p.at(g), g)
-        over = leg.over_time(rate)
+        over = segment.over_time(rate)
         formula = None
         if over is not None:
-            formula = definite(simplified(over), leg.regime.time, p.t, r.t, leg.value)
+            formula = definite(simplified(over), segment.regime.time, p.t, r.t, segment.value)
         return Piece(*_ends(p, r), rate, how, number, formula, None, over)
 
-    def _number(self, rate: sp.Expr, leg: Leg, ta: Decimal, tb: Decimal) -> tuple[Decimal, str]:
+    def _number(self, rate: sp.Expr, segment: ExactSegment, ta: Decimal, tb: Decimal) -> tuple[Decimal, str]:
         """∫ rate dt between two times, and how it was done."""
         if ta == tb:
             return Decimal(0), "difference"
-        g = potential(rate, leg.regime)
+        g = potential(rate, segment.regime)
         if g is not None:
-            return leg.number(g, tb) - leg.number(g, ta), "difference"
-        over = leg.over_time(rate)
+            return segment.number(g, tb) - segment.number(g, ta), "difference"
+        over = segment.over_time(rate)
         if over is None:
-            return self._flowed(rate, leg, ta, tb), "flow"
-        time, start, end = leg.regime.time, sp.Dummy("t_a", real=True), sp.Dummy("t_b", real=True)
-        here = leg.value.extended({start: ta, end: tb})
+            return self._flowed(rate, segment, ta, tb), "flow"
+        time, start, end = segment.regime.time, sp.Dummy("t_a", real=True), sp.Dummy("t_b", real=True)
+        here = segment.value.extended({start: ta, end: tb})
         closed = definite(simplified(over), time, start, end, here)
         number = here.known(closed) if closed is not None else None
         if number is not None:
@@ -168,9 +172,9 @@ class SpanSolver:
         return here(sp.Integral(over, (time, start, end))), "quadrature"
 
     @staticmethod
-    def _flowed(rate: sp.Expr, leg: Leg, ta: Decimal, tb: Decimal) -> Decimal:
+    def _flowed(rate: sp.Expr, segment: ExactSegment, ta: Decimal, tb: Decimal) -> Decimal:
         for digits in (FEW_DIGITS, MANY_DIGITS):
-            flow = leg.flow(digits, (rate,), ta)
+            flow = segment.flow(digits, (rate,), ta)
             end = float(tb) if digits == FEW_DIGITS else mpmath.mpf(str(tb))
             if digits == MANY_DIGITS or flow.certain(end) >= ENOUGH:
                 break
@@ -178,39 +182,39 @@ class SpanSolver:
 
     # --- zeros -------------------------------------------------------------------------------------------------------
 
-    def _zeros(self, expr: sp.Expr, leg: Leg, ta: Decimal, tb: Decimal) -> list[Decimal]:
+    def _zeros(self, expr: sp.Expr, segment: ExactSegment, ta: Decimal, tb: Decimal) -> list[Decimal]:
         """The instants in (ta, tb] at which a formula vanishes."""
-        if not expr.free_symbols & set(leg.regime.letters):
+        if not expr.free_symbols & set(segment.regime.letters):
             return []
         found = []
-        direct = leg.over_time(expr)
-        for root in all_roots(leg.function(expr), float(ta), float(tb)):
+        direct = segment.over_time(expr)
+        for root in all_roots(segment.function(expr), float(ta), float(tb)):
             t = Decimal(repr(root.value))
             if direct is not None and root.kind != "stays":
                 with suppress(NoValue):
-                    t = polish(partial(leg.number, direct), Decimal(root.low), Decimal(root.high))
+                    t = polish(partial(segment.number, direct), Decimal(root.low), Decimal(root.high))
             found.append(t)
         return found
 
-    def _events(self, p: Stop, q: Quantity, rates: tuple[sp.Expr, ...], leg: Leg) -> list[Decimal]:
+    def _events(self, p: Stop, q: Quantity, rates: tuple[sp.Expr, ...], segment: ExactSegment) -> list[Decimal]:
         """How often a relation comes true after state p: it holds for an instant, or begins to hold."""
         assert isinstance(q.argument, Relation)
         assert isinstance(q.at, tuple)
-        ends = [self.value(self.course.stops[q.at[1]].t), *(x.t0 for x in self.legs if x.t0 > self.value(p.t))]
+        ends = [self.value(self.course.stops[q.at[1]].t), *(x.t0 for x in self.segments if x.t0 > self.value(p.t))]
         ta, tb = self.value(p.t), min(ends)
-        times = self._zeros(rates[0], leg, ta, tb)
+        times = self._zeros(rates[0], segment, ta, tb)
         if q.argument.operator == "=":
-            others = [leg.function(e) for e in rates[1:]]
-            return [t for t in times if all(abs(g(float(t))) <= 1e-9 * _size(g, leg) for g in others)]
+            others = [segment.function(e) for e in rates[1:]]
+            return [t for t in times if all(abs(g(float(t))) <= 1e-9 * _size(g, segment) for g in others)]
         sense = 1 if q.argument.operator in (">", ">=") else -1
-        g = leg.function(rates[0])
+        g = segment.function(rates[0])
         step = 1e-7 * float(tb - ta)
         return [t for t in times if sense * g(float(t) + step) > 0 > sense * g(float(t) - step)]
 
 
-def _size(g: Callable[[float], float], leg: Leg) -> float:
-    span = float(leg.t1 - leg.t0)
-    return max(abs(g(float(leg.t0) + span * k / 7)) for k in range(8))
+def _size(g: Callable[[float], float], segment: ExactSegment) -> float:
+    span = float(segment.t1 - segment.t0)
+    return max(abs(g(float(segment.t0) + span * k / 7)) for k in range(8))
 
 
 def _ends(since: Stop, until: Stop) -> tuple[str, str, tuple[sp.Symbol, sp.Symbol]]:

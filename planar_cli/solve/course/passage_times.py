@@ -15,8 +15,8 @@ from planar_cli.calculus.first import roots
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.equation.plain import derivative
 from planar_cli.errors import NoValue, Undecided
-from planar_cli.solve.course.events import WINDOWS, Leg, State, scale_of
-from planar_cli.solve.course.legs import explicit
+from planar_cli.solve.course.events import WINDOWS, FollowedSegment, State, scale_of
+from planar_cli.solve.course.exact_segments import explicit
 from planar_cli.solve.course.motion_equations import MotionEquations
 from planar_cli.solve.course.starts import certain_start
 from planar_cli.solve.course.timeline import Stop
@@ -27,11 +27,11 @@ LOOKS, MOST = 8, 4000
 """Zeros whose inequalities do not hold are passed over, so many of them; evaluations that are spent."""
 
 
-def by_formula(course: MotionEquations, stop: Stop, leg: Leg) -> State | None:
+def by_formula(course: MotionEquations, stop: Stop, segment: FollowedSegment) -> State | None:
     """Where a state with one equation is first reached from a first state that is known exactly; None: never, or no
     formula tells.
     """
-    if leg.regime is not course.regimes[0] or course.states[1].name != stop.name:
+    if segment.regime is not course.regimes[0] or course.states[1].name != stop.name:
         return None
     demands = [d for d in course.demands[stop.name] if d.kind in ("equation", "inequality")]
     start = certain_start(course)
@@ -40,23 +40,23 @@ def by_formula(course: MotionEquations, stop: Stop, leg: Leg) -> State | None:
         return None
     general = {own: letter for letter, own in stop.letters.items()}
     value = course.base().extended({course.first.letters[s]: v for s, v in start.items()})
-    run = WINDOWS[-1] * scale_of(leg)
-    t0 = start[leg.regime.time]
+    run = WINDOWS[-1] * scale_of(segment)
+    t0 = start[segment.regime.time]
     laws = course.laws[0]
-    found = explicit(laws, leg.regime, course.first, value, t0, t0 + Decimal(run))
+    found = explicit(laws, segment.regime, course.first, value, t0, t0 + Decimal(run))
     exprs = [d.residual.xreplace(general).xreplace(found) for d in demands]
-    if any(s not in found for s in leg.regime.letters[1:]):
+    if any(s not in found for s in segment.regime.letters[1:]):
         return None
-    time = leg.regime.time
+    time = segment.regime.time
     if not any(time in a.free_symbols for e in exprs for a in e.atoms(sp.exp, sp.cosh, sp.sinh)):
         return None
     first = demands.index(equations[0])
     g = _Relative(exprs[first], time, value)
     try:
-        for n, root in enumerate(roots(g, leg.t0, leg.t0 + run, scale_of(leg), 0.0, MOST)):
+        for n, root in enumerate(roots(g, segment.t0, segment.t0 + run, scale_of(segment), 0.0, MOST)):
             others = [_Relative(e, time, value) for i, e in enumerate(exprs) if i != first]
             if root.kind == "crossing" and all(o(root.value) >= 0 for o in others):
-                return _there(leg, found, value.extended({time: Decimal(repr(root.value))}))
+                return _there(segment, found, value.extended({time: Decimal(repr(root.value))}))
             if n >= LOOKS:
                 break
     except (NoValue, Unvalued):
@@ -64,8 +64,8 @@ def by_formula(course: MotionEquations, stop: Stop, leg: Leg) -> State | None:
     return None
 
 
-def _there(leg: Leg, found: dict[sp.Symbol, sp.Expr], value: Valuation) -> State:
-    letters = leg.regime.letters
+def _there(segment: FollowedSegment, found: dict[sp.Symbol, sp.Expr], value: Valuation) -> State:
+    letters = segment.regime.letters
     return {s: float(value(found[s])) if s in found else float(value(s)) for s in letters}
 
 
@@ -86,7 +86,7 @@ class _Relative:
 # --- constant accelerations ------------------------------------------------------------------------------------------
 
 
-def steady_time(course: MotionEquations, stop: Stop, leg: Leg) -> tuple[State | None] | None:
+def steady_time(course: MotionEquations, stop: Stop, segment: FollowedSegment) -> tuple[State | None] | None:
     """Where a state with one equation is next reached, or (None,): never; exactly, from constant accelerations and a
     first state that is known. None: it is not such a motion.
     """
@@ -98,32 +98,32 @@ def steady_time(course: MotionEquations, stop: Stop, leg: Leg) -> tuple[State | 
         return None
     if any(i < index for i in course.blows):
         return None
-    if any(r is not leg.regime for r in course.regimes[:index]) or not _is_steady(leg):
+    if any(r is not segment.regime for r in course.regimes[:index]) or not _is_steady(segment):
         return None
     start = certain_start(course)
     if not isinstance(start, dict):
         return None
     value = course.base().extended({course.first.letters[s]: v for s, v in start.items()})
-    found = _steady_formulas(leg, course.first)
-    time = leg.regime.time
+    found = _steady_formulas(segment, course.first)
+    time = segment.regime.time
     general = {own: letter for letter, own in stop.letters.items()}
     exprs = [sp.expand(d.residual.xreplace(general).xreplace(found)) for d in (*equations, *limits)]
     if time not in exprs[0].free_symbols or not exprs[0].is_polynomial(time):
         return None
-    after = Decimal(repr(leg.t0))
+    after = Decimal(repr(segment.t0))
     try:
         for root in real_roots(exprs[0], time, value, False, False):
-            later = root.value - after > SAME * max(abs(after), Decimal(repr(scale_of(leg))) * SAME)
+            later = root.value - after > SAME * max(abs(after), Decimal(repr(scale_of(segment))) * SAME)
             here = value.extended({time: root.value})
             if later and all(here(e) >= 0 for e in exprs[1:]):
-                return (_there(leg, found, here),)
+                return (_there(segment, found, here),)
     except (NoValue, Unvalued, Undecided):
         return None
     return (None,)
 
 
-def _is_steady(leg: Leg) -> bool:
-    regime = leg.regime
+def _is_steady(segment: FollowedSegment) -> bool:
+    regime = segment.regime
     letters, free = set(regime.letters), set(regime.free)
     if regime.general.constraints or not free:
         return False
@@ -135,9 +135,9 @@ def _is_steady(leg: Leg) -> bool:
     )
 
 
-def _steady_formulas(leg: Leg, first: Stop) -> dict[sp.Symbol, sp.Expr]:
+def _steady_formulas(segment: FollowedSegment, first: Stop) -> dict[sp.Symbol, sp.Expr]:
     """Speeds and places in time and the letters of the first state."""
-    regime = leg.regime
+    regime = segment.regime
     run = regime.time - first.letters[regime.time]
     found = {u: first.letters[u] + a * run for u, a in regime.accelerations.items()}
     half = {u: first.letters[u] + a * run / 2 for u, a in regime.accelerations.items()}

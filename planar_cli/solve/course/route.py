@@ -21,7 +21,7 @@ from planar_cli.errors import Undecided
 from planar_cli.solve.course.by_numbers import ByNumbers
 from planar_cli.solve.course.chain import Step
 from planar_cli.solve.course.closed import closed_roots
-from planar_cli.solve.course.derivation import Derivation, Edge, Leg, Route
+from planar_cli.solve.course.derivation import Derivation, DerivedStep, Edge, Route
 from planar_cli.solve.course.equations import DATA, Equation
 from planar_cli.solve.course.trace import Result
 from planar_cli.solve.linear import solve
@@ -124,15 +124,15 @@ class Router:
         for target in targets:
             self._collect(target, best, order)
         formulas: dict[sp.Symbol, sp.Expr] = dict(self.plain)
-        legs = []
+        steps = []
         for derivation in order:
-            leg = self._work(derivation)
-            if leg is None:
+            step = self._work(derivation)
+            if step is None:
                 continue
-            legs.append(leg)
-            told = [] if derivation.equations[0].kind == "followed" else leg.results
+            steps.append(step)
+            told = [] if derivation.equations[0].kind == "followed" else step.results
             formulas |= {r.unknown: r.formula for r in told if r.formula is not None}
-        return Route(tuple(legs), formulas, self.plain)
+        return Route(tuple(steps), formulas, self.plain)
 
     def _collect(self, target: sp.Symbol, best: dict[sp.Symbol, Derivation], order: list[Derivation]) -> None:
         derivation = best.get(target)
@@ -287,7 +287,7 @@ class Router:
 
     # --- work --------------------------------------------------------------------------------------------------------
 
-    def _work(self, derivation: Derivation) -> Leg | None:
+    def _work(self, derivation: Derivation) -> DerivedStep | None:
         """Solve in symbols; of several roots the one with the known value."""
         pool = [self.residual(e) for e in derivation.equations]
         left = list(derivation.unknowns)
@@ -309,7 +309,7 @@ class Router:
         else:
             results = [Result(x, None, self.value(x)) for x in derivation.unknowns]
         datum = len(derivation.equations) == 1 and derivation.equations[0].kind in DATA and not derivation.needs
-        return Leg(derivation, tuple(results), datum)
+        return DerivedStep(derivation, tuple(results), datum)
 
     def _single(self, residual: sp.Expr, x: sp.Symbol) -> Result:
         truth = self.value(x)

@@ -26,7 +26,7 @@ from planar_cli.solve.course.apart import TOUCHES, demand_together
 from planar_cli.solve.course.blow import Stroke
 from planar_cli.solve.course.events import (
     LOOKS,
-    Leg,
+    FollowedSegment,
     State,
     angular_speeds,
     events,
@@ -175,59 +175,59 @@ class Follower:
     def _stretch(self, i: int, regime: Regime, state: State) -> State | None:
         """Up to the next state, or None: something else comes first, or nothing does."""
         t0 = state[regime.time]
-        leg = self.leg(regime, state)
+        segment = self.segment(regime, state)
         stop = self.course.stops[self.course.states[i + 1].name]
-        told = None if fixed_time(stop.relations) else steady_time(self.course, stop, leg)
-        time = self._time_of(i + 1, stop, leg) if told is None else None
-        there = told[0] if told is not None else by_formula(self.course, stop, leg) if time is None else None
+        told = None if fixed_time(stop.relations) else steady_time(self.course, stop, segment)
+        time = self._time_of(i + 1, stop, segment) if told is None else None
+        there = told[0] if told is not None else by_formula(self.course, stop, segment) if time is None else None
         time = time if there is None else there[regime.time]
-        ends = self._ends(i, leg, time)
+        ends = self._ends(i, segment, time)
         if ends is not None:
             self.done.ends = ends
-            self._done(replace(leg, t1=ends.time))
+            self._done(replace(segment, t1=ends.time))
             return None
         if time is None:
             earlier = self._before_given_times(i, stop)
             if earlier is None:
                 self.done.missed = stop.name
             return earlier
-        demand_possible(regime, leg, time, self.value)
-        self._done(replace(leg, t1=time))
+        demand_possible(regime, segment, time, self.value)
+        self._done(replace(segment, t1=time))
         if there is not None:
             return there
-        return leg.at(time) if time >= t0 else self._earlier(time)
+        return segment.at(time) if time >= t0 else self._earlier(time)
 
     def _tends(self, i: int, regime: Regime, state: State, k: int) -> bool:
         """Where a motion tends after state i that goes on to state k without end; False: an assumption ends first."""
-        leg = self.leg(regime, state)
-        ends = self._ends(i, leg, None)
+        segment = self.segment(regime, state)
+        ends = self._ends(i, segment, None)
         if ends is not None:
             self.done.ends = ends
-            self._done(replace(leg, t1=ends.time))
+            self._done(replace(segment, t1=ends.time))
             return False
         stop = self.course.stops[self.course.states[k].name]
-        self.done.tends |= {stop.letters[s]: v for s, v in far_along(leg).items() if s in stop.letters}
+        self.done.tends |= {stop.letters[s]: v for s, v in far_along(segment).items() if s in stop.letters}
         return True
 
-    def _done(self, leg: Leg) -> None:
-        """A leg that is passed."""
-        self.done.legs.append(leg)
+    def _done(self, segment: FollowedSegment) -> None:
+        """A segment that is passed."""
+        self.done.segments.append(segment)
         for k in range(LOOKS + 1):
             # Between instants that lie next to each other nothing may be told.
             with suppress(NoValue):
-                here = leg.at(leg.t0 + (leg.t1 - leg.t0) * k / LOOKS)
-                self._pass({s: here[s] for s in leg.regime.letters}, leg.length)
+                here = segment.at(segment.t0 + (segment.t1 - segment.t0) * k / LOOKS)
+                self._pass({s: here[s] for s in segment.regime.letters}, segment.length)
 
     def _before_given_times(self, i: int, stop: Stop) -> State | None:
         """A state at given times stands anywhere: what never happens after it may have happened before it."""
         while i > 0 and fixed_time(self.course.states[i].relations) is not None:
             i -= 1
-            leg = self.done.legs[i] if i < len(self.done.legs) else None
-            if leg is None or leg.regime is not self.course.regimes[i + 1]:
+            segment = self.done.segments[i] if i < len(self.done.segments) else None
+            if segment is None or segment.regime is not self.course.regimes[i + 1]:
                 return None
-            time = self._time_of(self.course.states.index(self._state(stop)), stop, leg)
-            if time is not None and time <= leg.t1:
-                return leg.at(time)
+            time = self._time_of(self.course.states.index(self._state(stop)), stop, segment)
+            if time is not None and time <= segment.t1:
+                return segment.at(time)
         return None
 
     def _state(self, stop: Stop) -> Any:
@@ -235,24 +235,24 @@ class Follower:
 
     def _earlier(self, time: float) -> State:
         """A state at a given time that lies before others."""
-        for leg in self.done.legs:
-            if leg.t0 <= time <= leg.t1:
-                return leg.at(time)
-        return self.done.legs[0].at(time)
+        for segment in self.done.segments:
+            if segment.t0 <= time <= segment.t1:
+                return segment.at(time)
+        return self.done.segments[0].at(time)
 
-    def leg(self, regime: Regime, state: State) -> Leg:
+    def segment(self, regime: Regime, state: State) -> FollowedSegment:
         """What one regime makes of a state, as far as it is asked for."""
         t0 = state[regime.time]
         rhs = self._rates(regime)
         numbers = rhs(*(state[s] for s in regime.letters))
         length = length_of(regime, state, numbers, self.value, self.course.scales.length)
-        before = max((x.length for x in self.done.legs), default=0.0)
+        before = max((x.length for x in self.done.segments), default=0.0)
         length = length if length > SLACK * before else before
         flow = self._flow(regime, state, rhs, length)
         swing = swing_of(regime, state, self.value)
         departure = self.course.departure
         swing = swing if departure is None else min(swing, departure.time)
-        return Leg(regime, flow, t0, t0, state, swing, length, self.course.scales.time)
+        return FollowedSegment(regime, flow, t0, t0, state, swing, length, self.course.scales.time)
 
     def _flow(self, regime: Regime, state: State, rhs: Callable[..., list[float]], size: float) -> Flow | None:
         letters = regime.letters[1:]
@@ -266,7 +266,7 @@ class Follower:
             floors.append(SMALL * max(abs(state[u]), math.sqrt(abs(a) * (1.0 if u in turning else size))))
         return Flow(lambda t, y: rhs(t, *y), state[regime.time], begin, digits=13, breaks=breaks, floors=floors)
 
-    def _time_of(self, index: int, stop: Stop, leg: Leg) -> float | None:
+    def _time_of(self, index: int, stop: Stop, segment: FollowedSegment) -> float | None:
         """When a state is reached."""
         stated = fixed_time(self.course.states[index].relations)
         demands = self.course.demands[stop.name]
@@ -275,83 +275,85 @@ class Follower:
             return given_time(self.course, self.value, stop.name)
         extreme = next((d for d in demands if d.kind == "extreme"), None)
         if extreme is not None and not equations:
-            return self._extreme(extreme, leg)
+            return self._extreme(extreme, segment)
         turning = self.course.modes.turnings.get(stop.name)
         if turning is not None:
-            g = self.function(stop.at(turning[0]), stop, leg)
-            return next((r.value for r in events(g, leg)), None)
+            g = self.function(stop.at(turning[0]), stop, segment)
+            return next((r.value for r in events(g, segment)), None)
         if not equations:
             return None
-        gs = [self.function(d.residual, stop, leg) for d in equations]
-        sizes = [self.size(d.residual, stop, leg) for d in equations]
-        order = sorted(range(len(gs)), key=lambda k: vanishes_throughout(gs[k], leg, sizes[k]))
+        gs = [self.function(d.residual, stop, segment) for d in equations]
+        sizes = [self.size(d.residual, stop, segment) for d in equations]
+        order = sorted(range(len(gs)), key=lambda k: vanishes_throughout(gs[k], segment, sizes[k]))
         # A limiting case turns back just before one of its relations holds, and passes the others.
         for first in order if len(gs) > 1 else order[:1]:
-            for root in itertools.islice(events(gs[first], leg), 60):
+            for root in itertools.islice(events(gs[first], segment), 60):
                 others = [(g, size) for k, (g, size) in enumerate(zip(gs, sizes, strict=True)) if k != first]
-                if all(is_zero(g, root.value, leg, size) for g, size in others) and self._allowed(
-                    demands, stop, leg, root.value
+                if all(is_zero(g, root.value, segment, size) for g, size in others) and self._allowed(
+                    demands, stop, segment, root.value
                 ):
                     return root.value
         return None
 
-    def function(self, residual: sp.Expr, stop: Stop, leg: Leg) -> Callable[[float], float]:
-        """A residual of a state as a function of time along a leg."""
-        letters = [stop.letters[s] for s in leg.regime.letters]
-        f = number_function([residual], letters, self._known(stop, leg))
+    def function(self, residual: sp.Expr, stop: Stop, segment: FollowedSegment) -> Callable[[float], float]:
+        """A residual of a state as a function of time along a segment."""
+        letters = [stop.letters[s] for s in segment.regime.letters]
+        f = number_function([residual], letters, self._known(stop, segment))
 
         def g(t: float) -> float:
-            here = leg.at(t)
-            return f(*(here[s] for s in leg.regime.letters))[0]
+            here = segment.at(t)
+            return f(*(here[s] for s in segment.regime.letters))[0]
 
         return g
 
-    def _known(self, stop: Stop, leg: Leg) -> Valuation:
-        """Numbers of everything that does not vary along a leg: states before it, and what rests meanwhile."""
+    def _known(self, stop: Stop, segment: FollowedSegment) -> Valuation:
+        """Numbers of everything that does not vary along a segment: states before it, and what rests meanwhile."""
         before = {**self.done.tends, **self.done.values}
         known = self.value.extended({s: Decimal(repr(v)) for s, v in before.items() if math.isfinite(v)})
-        others = {s: own for s, own in stop.letters.items() if s not in leg.regime.letters and s in leg.start}
-        return known.extended({own: Decimal(repr(leg.start[s])) for s, own in others.items()})
+        others = {s: own for s, own in stop.letters.items() if s not in segment.regime.letters and s in segment.start}
+        return known.extended({own: Decimal(repr(segment.start[s])) for s, own in others.items()})
 
-    def size(self, residual: sp.Expr, stop: Stop, leg: Leg, t: float | None = None) -> float:
-        """What a residual of a state is measured by, at a time along a leg."""
-        here = leg.at(leg.t0 if t is None else t)
-        sizes = self.sizes.by_letter(leg.regime.letters, self.course.ledger.units)
-        letters = {stop.letters[s]: here[s] for s in leg.regime.letters}
+    def size(self, residual: sp.Expr, stop: Stop, segment: FollowedSegment, t: float | None = None) -> float:
+        """What a residual of a state is measured by, at a time along a segment."""
+        here = segment.at(segment.t0 if t is None else t)
+        sizes = self.sizes.by_letter(segment.regime.letters, self.course.ledger.units)
+        letters = {stop.letters[s]: here[s] for s in segment.regime.letters}
         by_own = {stop.letters[s]: size for s, size in sizes.items()}
-        return measured([residual], letters, by_own, self._known(stop, leg))[0][1]
+        return measured([residual], letters, by_own, self._known(stop, segment))[0][1]
 
-    def _along(self, expr: sp.Expr, leg: Leg) -> Callable[[float], float]:
-        """A formula of the general position as a function of time along a leg."""
-        regime = leg.regime
+    def _along(self, expr: sp.Expr, segment: FollowedSegment) -> Callable[[float], float]:
+        """A formula of the general position as a function of time along a segment."""
+        regime = segment.regime
         f = self._numbers(regime, [expr])
 
         def g(t: float) -> float:
-            here = leg.at(t)
+            here = segment.at(t)
             return f(*(here[s] for s in regime.letters))[0]
 
         return g
 
-    def _allowed(self, demands: Sequence[Demand], stop: Stop, leg: Leg, t: float) -> bool:
+    def _allowed(self, demands: Sequence[Demand], stop: Stop, segment: FollowedSegment, t: float) -> bool:
         for d in demands:
             expr = d.residual if d.kind == "inequality" else d.trend
             if expr is None:
                 continue
-            if self.function(expr, stop, leg)(t) < -SLACK * self.size(expr, stop, leg, t):
+            if self.function(expr, stop, segment)(t) < -SLACK * self.size(expr, stop, segment, t):
                 return False
         return True
 
-    def _extreme(self, demand: Demand, leg: Leg) -> float | None:
+    def _extreme(self, demand: Demand, segment: FollowedSegment) -> float | None:
         """The first of the largest (smallest) of the next stationary values; where they grow and grow, the first."""
-        regime = leg.regime
-        found = list(itertools.islice(events(self._along(regime.derivative(demand.residual), leg), leg), CHOICES))
-        height = self._along(demand.residual, leg)
+        regime = segment.regime
+        found = list(
+            itertools.islice(events(self._along(regime.derivative(demand.residual), segment), segment), CHOICES)
+        )
+        height = self._along(demand.residual, segment)
         best: float | None = None
         for root in found:
             v = demand.extreme * height(root.value)
             if best is None or v > demand.extreme * height(best) + SLACK * abs(v):
                 best = root.value
-        tops = [r.value for r in found if height(r.value) * demand.extreme > height(leg.t0) * demand.extreme]
+        tops = [r.value for r in found if height(r.value) * demand.extreme > height(segment.t0) * demand.extreme]
         if len(found) == CHOICES and best in [r.value for r in found[-2:]] and len(tops) > 1:
             self.done.growing.append(demand.text)
             return tops[0]
@@ -359,9 +361,9 @@ class Follower:
 
     # --- what ends ---------------------------------------------------------------------------------------------------
 
-    def _ends(self, i: int, leg: Leg, time: float | None) -> Ends | None:
+    def _ends(self, i: int, segment: FollowedSegment, time: float | None) -> Ends | None:
         """The first assumption that fails before `time`."""
-        regime = leg.regime
+        regime = segment.regime
         watched = [(w.expr, w.test.words) for w in regime.watches]
         watched += [(s, "it stops sliding") for s in regime.slips]
         watched += [(sign * u, "it turns round") for u, sign in regime.going().items()]
@@ -369,32 +371,32 @@ class Follower:
         best: Ends | None = None
         until = time
         for expr, words in watched:
-            g = self._along(expr, leg)
+            g = self._along(expr, segment)
             if expr.is_number or not (expr.free_symbols & set(regime.letters)):
                 continue
-            if until is not None and until <= leg.t0:
+            if until is not None and until <= segment.t0:
                 continue
-            for root in itertools.islice(events(g, leg, until), 20):
+            for root in itertools.islice(events(g, segment, until), 20):
                 crossing = root.kind == "crossing" and (root.sense < 0 or expr in regime.free)
-                before = until is None or root.value < until - SLACK * (until - leg.t0)
-                if crossing and before and not self._just_then(i, leg, time, root.value):
+                before = until is None or root.value < until - SLACK * (until - segment.t0)
+                if crossing and before and not self._just_then(i, segment, time, root.value):
                     best = Ends(i, root.value, expr, words)
                     until = root.value
                     break
         for expr, words in openings(self.course, i, regime):
-            met = closing(self._along(expr, leg), leg, until)
-            if met is not None and (until is None or met < until - SLACK * (until - leg.t0)):
+            met = closing(self._along(expr, segment), segment, until)
+            if met is not None and (until is None or met < until - SLACK * (until - segment.t0)):
                 best, until = Ends(i, met, expr, words, again=True), met
         return best
 
-    def _just_then(self, i: int, leg: Leg, time: float | None, t: float) -> bool:
+    def _just_then(self, i: int, segment: FollowedSegment, time: float | None, t: float) -> bool:
         """Does what ends at t end in the very state that is reached at `time`? Where both are only touched, machine
         numbers do not tell which is first.
         """
-        if time is None or time - t > TOGETHER * (time - leg.t0):
+        if time is None or time - t > TOGETHER * (time - segment.t0):
             return False
         stop = self.course.stops[self.course.states[i + 1].name]
         equations = [d.residual for d in self.course.demands[stop.name] if d.kind == "equation"]
-        sizes = [self.size(e, stop, leg, t) for e in equations]
+        sizes = [self.size(e, stop, segment, t) for e in equations]
         pairs = zip(equations, sizes, strict=True)
-        return bool(equations) and all(is_zero(self.function(e, stop, leg), t, leg, size) for e, size in pairs)
+        return bool(equations) and all(is_zero(self.function(e, stop, segment), t, segment, size) for e, size in pairs)

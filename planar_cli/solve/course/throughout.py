@@ -12,7 +12,7 @@ from planar_cli.equation.exact import Valuation
 from planar_cli.errors import NoValue
 from planar_cli.solve.course.derivation import Route
 from planar_cli.solve.course.equations import Equation, law_equations, link_equations
-from planar_cli.solve.course.events import Leg, scale_of
+from planar_cli.solve.course.events import FollowedSegment, scale_of
 from planar_cli.solve.course.followed import Followed
 from planar_cli.solve.course.motion_equations import MotionEquations
 from planar_cli.solve.course.newton import refined
@@ -72,12 +72,12 @@ class Throughout:
         router = Router(begun, frozenset(set(regime.letters) - fixed), value, True, natural=natural)
         return router.route(sorted(wanted, key=lambda s: s.name))
 
-    def _leg(self, followed: Followed) -> Leg:
+    def _leg(self, followed: Followed) -> FollowedSegment:
         """The first stretch as it was followed; from the only state on, where there is no other."""
-        if followed.legs:
-            return followed.legs[0]
+        if followed.segments:
+            return followed.segments[0]
         follower, regime = Follower(self.course, self.value), self.course.regimes[0]
-        return follower.leg(regime, follower.begin(regime, followed.at, regime))
+        return follower.segment(regime, follower.begin(regime, followed.at, regime))
 
     def _begun(self, equation: Equation) -> Equation:
         """With what is known of the first state put in."""
@@ -90,9 +90,9 @@ class Throughout:
         """Numbers of a moment in the middle of the first stretch, to all digits."""
         assert self.followed is not None
         try:
-            leg = self._leg(self.followed)
-            run = leg.t1 - leg.t0 if leg.t1 > leg.t0 else scale_of(leg)
-            here = leg.at(leg.t0 + 0.43 * run)
+            segment = self._leg(self.followed)
+            run = segment.t1 - segment.t0 if segment.t1 > segment.t0 else scale_of(segment)
+            here = segment.at(segment.t0 + 0.43 * run)
         except NoValue:
             return None
         exact = {s: Decimal(repr(here[s])) for s in fixed}

@@ -15,7 +15,7 @@ from planar_cli.equation.setup import has_quantity
 from planar_cli.errors import Diagnostic, NoSolution, Undecided
 from planar_cli.problem.expression import Quantity, Relation, Statement
 from planar_cli.problem.scene import State
-from planar_cli.solve.course.events import Leg, scale_of
+from planar_cli.solve.course.events import FollowedSegment, scale_of
 from planar_cli.solve.course.regime import number_function
 from planar_cli.solve.course.solved_motion import SolvedMotion
 from planar_cli.solve.course.timeline import Reader, is_place_angle
@@ -66,34 +66,34 @@ def _angle(found: SolvedMotion, q: Quantity, state: str) -> float:
     course = found.course
     until = float(found.value(course.stops[state].t))
     angle: float | None = None
-    for leg in found.followed.legs:
-        reader = next((r for r in course.distinct_readers() if r.regime is leg.regime), None)
-        if reader is None or (angle is not None and leg.t0 >= until):
+    for segment in found.followed.segments:
+        reader = next((r for r in course.distinct_readers() if r.regime is segment.regime), None)
+        if reader is None or (angle is not None and segment.t0 >= until):
             break
-        direction = _direction(found, reader, q, leg)
-        angle = direction(leg.t0) if angle is None else angle
-        angle += _turned(direction, leg, min(until, leg.t1))
+        direction = _direction(found, reader, q, segment)
+        angle = direction(segment.t0) if angle is None else angle
+        angle += _turned(direction, segment, min(until, segment.t1))
     return angle or 0.0
 
 
-def _direction(found: SolvedMotion, reader: Reader, q: Quantity, leg: Leg) -> Callable[[float], float]:
-    """The direction of a place as a function of time along a leg, between -180 and 180 deg."""
-    regime = leg.regime
+def _direction(found: SolvedMotion, reader: Reader, q: Quantity, segment: FollowedSegment) -> Callable[[float], float]:
+    """The direction of a place as a function of time along a segment, between -180 and 180 deg."""
+    regime = segment.regime
     f = number_function([regime.closed(reader.number(q))], regime.letters, found.value)
 
     def at(t: float) -> float:
-        here = leg.at(t)
+        here = segment.at(t)
         return f(*(here[s] for s in regime.letters))[0]
 
     return at
 
 
-def _turned(direction: Callable[[float], float], leg: Leg, until: float) -> float:
-    """By which angle a direction turns along a leg."""
-    steps = math.ceil(LOOKS * (until - leg.t0) / scale_of(leg)) + LOOKS
+def _turned(direction: Callable[[float], float], segment: FollowedSegment, until: float) -> float:
+    """By which angle a direction turns along a segment."""
+    steps = math.ceil(LOOKS * (until - segment.t0) / scale_of(segment)) + LOOKS
     if steps > MOST:
         raise Undecided("the turns of a place are too many to be counted")
-    times = [leg.t0 + (until - leg.t0) * k / steps for k in range(steps + 1)]
+    times = [segment.t0 + (until - segment.t0) * k / steps for k in range(steps + 1)]
     angles = [direction(t) for t in times]
     return sum(_between(direction, times[k], angles[k], times[k + 1], angles[k + 1]) for k in range(steps))
 

@@ -1,6 +1,6 @@
 """The motion between changes of regime: every letter as a function of time.
 
-Where the laws of motion can be integrated, a leg has formulas in t and in the letters of the state where it begins;
+Where the laws of motion can be integrated, a segment has formulas in t and in the letters of the state where it begins;
 coordinates that only loops tell follow by Newton's method. Everything else is a flow, integrated step by step, with the
 digits that are certain. SI units; angles in radians.
 """
@@ -34,7 +34,7 @@ TINY = Decimal("1e-20")
 
 
 @record
-class Leg:
+class ExactSegment:
     """One regime from a state on, to the last time that any state asks for; it goes on beyond."""
 
     regime: Regime
@@ -143,10 +143,10 @@ def machine_function(
     return lambda *arguments: list(made(*arguments))
 
 
-def legs(course: MotionEquations, value: Valuation) -> tuple[Leg, ...]:
-    """The motion of a course, one leg for each regime in its turn. `value`: numbers of names and of letters of states.
+def exact_segments(course: MotionEquations, value: Valuation) -> tuple[ExactSegment, ...]:
+    """The motion, one segment for each regime in its turn. `value`: numbers of names and of letters of states.
 
-    Unvalued: a letter of the state where a leg begins has no number.
+    Unvalued: a letter of the state where a segment begins has no number.
     """
     begins = _begins(course)
     origin = {
@@ -168,12 +168,12 @@ def legs(course: MotionEquations, value: Valuation) -> tuple[Leg, ...]:
             known = known.extended({start.letters[course.departure.speed]: course.departure.value})
         laws = course.laws[i] if i < len(course.laws) else laws_of(regime)
         formulas = explicit(laws, regime, start, known, t0, max([t0, *times]))
-        found.append(Leg(regime, start, t0, max([t0, *times]), known, formulas, origin))
+        found.append(ExactSegment(regime, start, t0, max([t0, *times]), known, formulas, origin))
     return tuple(found)
 
 
 def _begins(course: StatedMotion) -> list[int]:
-    """The stretches with which a leg begins: the first, one after a blow, one in another regime than that before."""
+    """The stretches that begin a segment: the first, one after a blow, one in another regime than that before."""
     found = []
     for i, regime in enumerate(course.regimes):
         if i not in course.blows and (i == 0 or i - 1 in course.blows or regime is not course.regimes[i - 1]):
