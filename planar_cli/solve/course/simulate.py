@@ -12,7 +12,6 @@ from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from decimal import Decimal
-from typing import Any
 
 import sympy as sp
 
@@ -220,18 +219,16 @@ class Follower:
 
     def _before_given_times(self, i: int, stop: Stop) -> State | None:
         """A state at given times stands anywhere: what never happens after it may have happened before it."""
+        index = i + 1
         while i > 0 and fixed_time(self.course.states[i].relations) is not None:
             i -= 1
             segment = self.done.segments[i] if i < len(self.done.segments) else None
             if segment is None or segment.regime is not self.course.regimes[i + 1]:
                 return None
-            time = self._time_of(self.course.states.index(self._state(stop)), stop, segment)
+            time = self._time_of(index, stop, segment)
             if time is not None and time <= segment.t1:
                 return segment.at(time)
         return None
-
-    def _state(self, stop: Stop) -> Any:
-        return next(s for s in self.course.states if s.name == stop.name)
 
     def _earlier(self, time: float) -> State:
         """A state at a given time that lies before others."""
