@@ -109,3 +109,31 @@ def test_a_find_that_forgets_its_state_is_refused(found: str) -> None:
     assert told.code == "PL560"
     assert told.mark.line == text.count("\n")
     assert told.hint == "say at which state: `@ 1`, `@ 2`"
+
+
+def test_what_is_constant_needs_no_state() -> None:
+    """A relative velocity of two ships; a ratio of forces that vary by themselves would do, too."""
+    found = simulated(PROBLEMS / "motion/ships-passing.yaml", Settings(estimate=False))
+    answers = {a.name: a for a in found.answers}
+    assert answers["v_rel"].values == pytest.approx([36.1156 / 3.6], rel=1e-5)
+
+
+def test_what_varies_needs_one(tmp_path: Path) -> None:
+    scene = tmp_path / "scene.yaml"
+    text = "states:\n  1: [t = 0, omega(rod) = -1 rad/s]\n  2: [theta(rod) = -90 deg]\n"
+    text += "find: {w: omega(rod), m: KE(rod)/omega(rod)^2}\n"
+    scene.write_text(ROD + text, encoding="utf-8")
+    turning, constant = simulated(scene, Settings(estimate=False)).answers
+    assert turning.why == "it varies; say at which state"
+    assert constant.values == pytest.approx([1 / 3], rel=1e-6)
+
+
+def test_what_has_no_value_is_said(tmp_path: Path) -> None:
+    """Divisions by zero were faults of the program."""
+    scene = tmp_path / "scene.yaml"
+    text = "states:\n  1: [t = 0, at rest]\n  2: [theta(rod) = -90 deg]\n"
+    text += "find: {m: KE(rod) @ 1/(omega(rod) @ 1)^2, n: (KE(rod)/omega(rod)^2) @ 1, k: KE(rod)/omega(rod)^2}\n"
+    scene.write_text(ROD + text, encoding="utf-8")
+    for answer in simulated(scene, Settings(estimate=False)).answers:
+        assert answer.values == ()
+        assert "no value" in answer.why

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 
 from planar_cli.errors import FileProblem, Undecided
 from planar_cli.motion.functions import FUNCTIONS
+from planar_cli.motion.regime import Regime
 from planar_cli.motion.trajectory import Trajectory
 from planar_cli.problem.check_dimensions import Kinds
 from planar_cli.problem.dimensions import dimension_of
@@ -24,8 +25,9 @@ from planar_cli.problem.expression import (
 from planar_cli.problem.outermost import is_energy
 from planar_cli.problem.scene import Find, Problem
 from planar_cli.problem.scope import Scope
+from planar_cli.problem.walk import walk
 from planar_cli.records import record
-from planar_cli.simulate.measures import START, Measures, Moment
+from planar_cli.simulate.measures import START, Measures, Moment, names_of_states
 from planar_cli.simulate.spans import Spans
 from planar_cli.simulate.timetable import Timetable, mode_of
 from planar_cli.units import PURE, Unit, default_unit, parse_unit
@@ -39,6 +41,8 @@ NOT_FOLLOWED = {
 }
 NO_UNIT = parse_unit("1")
 JOULE = parse_unit("J")
+LOOKS, SAME = 4, 1e-7
+"""What is asked without a state is looked at so often in every part of the motion, and may vary by this part of it."""
 EQUAL = 1e-9
 """Two sides that differ by less than this part of them are equal."""
 
@@ -113,7 +117,8 @@ class Answers:
         if isinstance(what, Quantity) and what.word == "mode":
             return Answered(find.name, word=self._mode(what.things[0], what.at))
         scale = Timetable(self.problem, self.measures).scale(what)
-        return Answered(find.name, self.value(what), unit=self.unit(find), scale=scale)
+        values = self._throughout(what, scale) if self._stateless(what) else self.value(what)
+        return Answered(find.name, values, unit=self.unit(find), scale=scale)
 
     # --- values ------------------------------------------------------------------------------------------------------
 
@@ -156,7 +161,29 @@ class Answers:
             return self.measures.at(side, self._start())
         if self.problem.instant is not None or not self.problem.states:
             return self.measures.at(bare, self._start())
-        raise Undecided(f"{side.mark.file}:{side.mark.line}: it varies; say at which state")
+        raise Undecided(f"{_place(side)}: it varies; say at which state")
+
+    def _stateless(self, what: Side) -> bool:
+        """Is it asked without a state, in a file that has states?"""
+        if self.problem.instant is not None or not self.problem.states or names_of_states(what):
+            return False
+        known = self.measures.model.scene.coordinates
+        nodes = [n for n in walk(what) if isinstance(n, Quantity | Name)]
+        asked = [n for n in nodes if isinstance(n, Quantity) or n.name in known]
+        return bool(asked) and not any(isinstance(n, Quantity) and n.word in NOT_FOLLOWED for n in asked)
+
+    def _throughout(self, what: Side, scale: float) -> tuple[float, ...]:
+        """What has the same value all the time. Undecided: it varies."""
+        found = self.measures.at(what, self._start())
+        for segment in self.trajectory.segments:
+            assert isinstance(segment.regime, Regime)
+            for k in range(LOOKS + 1):
+                t = segment.t0 + (segment.t1 - segment.t0) * k / LOOKS
+                now = self.measures.at(what, Moment(segment.regime, {}, t, tuple(segment.at(t))))
+                off = max(abs(a - b) for a, b in zip(now, found, strict=True))
+                if off > SAME * max(scale, *map(abs, found)):
+                    raise Undecided(f"{_place(what)}: it varies; say at which state")
+        return found
 
     def _start(self) -> Moment:
         """The moment at which the motion begins."""
@@ -173,6 +200,8 @@ class Answers:
                 return tuple(left[0] * b for b in right)
             case "*":
                 return tuple(a * right[0] for a in left)
+            case "/" if right[0] == 0:
+                raise Undecided(f"{_place(side)}: this has no value (division by zero)")
             case "/":
                 return tuple(a / right[0] for a in left)
         return (left[0] ** right[0],)
@@ -215,3 +244,8 @@ class Answers:
             return parse_unit(self.units[find.name])
         assert not isinstance(find.found.what, Relation)
         return usual_unit(find.found.what, self.kinds, self.problem.us)
+
+
+def _place(side: Side) -> str:
+    """Where it stands in the file."""
+    return f"{side.mark.file}:{side.mark.line}"

@@ -12,6 +12,7 @@ from dataclasses import dataclass, field, replace
 from typing import TypeVar
 
 from planar_cli.errors import Diagnostic, FileProblem, Mark, Undecided
+from planar_cli.integrators.base import OUTSIDE
 from planar_cli.motion.model import Model, distinct
 from planar_cli.motion.quantities import Quantities
 from planar_cli.motion.regime import Regime
@@ -86,11 +87,16 @@ class Measures:
     # --- numbers -----------------------------------------------------------------------------------------------------
 
     def at(self, what: Side, moment: Moment) -> tuple[float, ...]:
-        """A number, or the two components of a vector, in SI units."""
+        """A number, or the two components of a vector, in SI units. Undecided: it has no value there."""
         regime, y = moment.instant(what)
         function = self.function(what, regime)
         self._wind(moment.t)
-        return tuple(function(moment.t, y))
+        try:
+            return tuple(function(moment.t, y))
+        except OUTSIDE as outside:
+            mark = _mark(what)
+            text = f"this has no value at t = {moment.t:.9g} s ({outside})"
+            raise Undecided(f"{mark.file}:{mark.line}: {text}") from outside
 
     def _wind(self, time: float) -> None:
         """Count turns from the beginning to a moment; while the motion is being followed they are at hand."""
