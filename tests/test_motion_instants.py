@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -154,6 +155,10 @@ def test_a_place_that_is_only_guessed_is_no_start() -> None:
     problem, wrong, _ = load(str(ROOT / "problems" / "oscillations" / "block-between-two-springs.yaml"))
     assert problem is not None, wrong
     resting = next(c.problem for c in problem.cases if c.name == "parallel")
+    # Without the equilibrium, which would tell it.
+    (state,) = resting.states
+    untold = tuple(r for r in state.relations if not isinstance(r, Equilibrium))
+    resting = replace(resting, states=(replace(state, relations=untold),))
     with pytest.raises(FileProblem) as refused:
         simulate(resting, Settings(estimate=False))
     assert [d.code for d in refused.value.diagnostics] == ["PL704"]
