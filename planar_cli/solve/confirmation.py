@@ -24,7 +24,7 @@ from planar_cli.problem.walk import walk
 from planar_cli.records import record
 from planar_cli.simulate.answers import NOT_FOLLOWED, Answered
 from planar_cli.simulate.measures import Moment, names_of_states
-from planar_cli.simulate.run import Settings, Simulation, simulate
+from planar_cli.simulate.run import BEGINNING, Settings, Simulation, simulate
 from planar_cli.simulate.timetable import Timetable
 from planar_cli.solve.course.trace import MotionTrace, Taken
 from planar_cli.solve.instances import Instance, instances
@@ -82,6 +82,9 @@ def confirmation(
     whole = _not_followed(problem, trace.taken)
     if whole:
         return Confirmation("", frozenset(), {f.name: whole for f in found})
+    kinds = {f.name: _of_no_motion(f) for f in found}
+    if all(kinds.values()):
+        return Confirmation("", frozenset(), kinds)
     refused: Disagreement | None = None
     for instance in instances(problem, found, trace):
         try:
@@ -100,7 +103,10 @@ def _confirmed(
     taken = instance.taken
     asked = _closed(problem, taken)
     values = {**earlier, **taken.letters}
-    settings = Settings(until=_end(asked, taken), values=values, speeds=taken.speeds, momenta=True, estimate=False)
+    times = None if problem.states[1:] else BEGINNING
+    settings = Settings(
+        until=_end(asked, taken), values=values, speeds=taken.speeds, momenta=True, estimate=False, times=times
+    )
     try:
         other = simulate(asked, settings)
     except (FileProblem, NoSolution) as refused:
@@ -185,9 +191,9 @@ class _Compared:
         """One find. A state that the motion does not reach contradicts, but for reasons that are stated."""
         assert f.find is not None
         what = f.find.found.what
-        kinds = [n.word for n in walk(what) if isinstance(n, Quantity) and n.word in NOT_FOLLOWED]
-        if kinds:
-            return Seen(f.name, NOT_FOLLOWED[kinds[0]])
+        kind = _of_no_motion(f)
+        if kind:
+            return Seen(f.name, kind)
         answer = self.answers[f.name]
         missed = [s for s in self._states(what) if s not in self.moments]
         if missed:
@@ -322,6 +328,13 @@ class _Compared:
                 if before:
                     return before
         return ""
+
+
+def _of_no_motion(f: Found) -> str:
+    """Why a find belongs to no single motion; "" where it does."""
+    assert f.find is not None
+    words = [n.word for n in walk(f.find.found.what) if isinstance(n, Quantity)]
+    return next((NOT_FOLLOWED[w] for w in words if w in NOT_FOLLOWED), "")
 
 
 def _endless(state: State) -> bool:

@@ -80,8 +80,9 @@ def _by(problem: Problem, method: str | None) -> Problem:
 
 def _part(problem: Problem, case: str, units: dict[str, str], earlier: dict[str, Earlier]) -> PartSolution:
     """One part; what is not decided otherwise is read off the motion, if there is one."""
+    numbers = {name: float(known.value) for name, known in earlier.items() if known.value.is_number}
     if not problem.states[1:]:
-        return _derived(problem, case, units, earlier)
+        return _confirmed(problem, _derived(problem, case, units, earlier), numbers)
     from planar_cli.solve.followed import (
         can_be_followed,
         followed_part,
@@ -90,7 +91,6 @@ def _part(problem: Problem, case: str, units: dict[str, str], earlier: dict[str,
         strikes_unnamed,
     )
 
-    numbers = {name: float(known.value) for name, known in earlier.items() if known.value.is_number}
     pressed = pressed_by_impacts(problem)
     if strikes_unnamed(problem) or many_bodies(problem) or pressed:
         part = followed_part(problem, case, numbers, units) if can_be_followed(problem) else None
