@@ -161,3 +161,21 @@ def test_what_is_only_approached_is_not_compared() -> None:
 def test_a_restitution_that_a_velocity_tells() -> None:
     """It is all that is taken from the solution: (2 - u)/6 with 2 u + 6 = 7."""
     assert solved(HIT).parts[0].confirmed.finds == {"u", "J", "Q"}
+
+
+SWING = """
+title: Pendulum in letters
+plane: vertical
+symbols: {l: m}
+coordinates: {theta: rad}
+points: {O: [0, 0], P: {from: O, distance: l, angle: theta - 90 deg}}
+bodies: {bob: {particle: P, mass: any}}
+joints: [link: {between: [O, P]}]
+states: {1: [equilibrium, theta = 0]}
+find: {T: period(1)}
+"""
+
+
+def test_what_belongs_to_no_motion_is_not_compared() -> None:
+    part = solved(SWING).parts[0]
+    assert part.confirmed.apart == {"T": "small oscillations are about an equilibrium, not along a motion"}

@@ -110,7 +110,7 @@ def _confirmed(
     try:
         other = simulate(asked, settings)
     except (FileProblem, NoSolution) as refused:
-        return _unable(found, refused)
+        return _unable(problem, found, refused)
     whole = _stopped(problem, other.run.trajectory.outcome)
     if whole:
         return Confirmation("", frozenset(), {f.name: whole for f in found})
@@ -121,7 +121,7 @@ def _confirmed(
         seen = [compared.see(f) for f in found]
     wrong = [s for s in seen if s.other]
     if wrong:
-        raise _disagreement(problem, wrong)
+        raise _disagreement(problem, wrong, instance)
     same = frozenset(s.name for s in seen if not s.why)
     words = f"motion followed by independent facts: {len(same)} of {len(found)} answers agree" if same else ""
     return Confirmation(words, same, {s.name: s.why for s in seen if s.why})
@@ -154,14 +154,19 @@ def _end(problem: Problem, taken: Taken) -> float | None:
     return last + BEYOND * (last - first) if last > first else None
 
 
-def _unable(found: tuple[Found, ...], refused: FileProblem | NoSolution) -> Confirmation:
+def _unable(problem: Problem, found: tuple[Found, ...], refused: FileProblem | NoSolution) -> Confirmation:
     """The motion could not begin to be followed. Disagreement: nothing that is known keeps it from that."""
     first = refused.diagnostics[0]
     why = NOT_BEGUN.get(first.code) if isinstance(refused, FileProblem) else None
     if why is None:
         text = f"{first.mark.file}:{first.mark.line}: the motion can not be followed as it was solved: {first.message}"
         raise Disagreement(text, (first,))
-    return Confirmation("", frozenset(), {f.name: f"{why}: {first.message}" for f in found})
+    return Confirmation("", frozenset(), {f.name: _because(problem, why, first.message) for f in found})
+
+
+def _because(problem: Problem, why: str, words: str) -> str:
+    """With the words of the refusal, unless these hold numbers that were drawn for letters."""
+    return why if problem.symbols else f"{why}: {words}"
 
 
 def _stopped(problem: Problem, outcome: Outcome) -> str:
@@ -169,7 +174,7 @@ def _stopped(problem: Problem, outcome: Outcome) -> str:
     if not outcome.refused:
         return ""
     if outcome.code in NOT_ABLE:
-        return f"{NOT_ABLE[outcome.code]}: {outcome.words}"
+        return _because(problem, NOT_ABLE[outcome.code], outcome.words)
     mark = problem.find[0].mark
     text = f"the motion followed by independent facts contradicts the solution: {outcome.words}"
     raise Disagreement(f"{mark.file}:{mark.line}: {text}", (Diagnostic(mark, DIFFERENT, text, HINT),))
@@ -354,14 +359,18 @@ def _shown(values: list[Decimal], unit: Unit) -> str:
     return f"{text} {unit.text}" if unit.text != "1" else text
 
 
-def _disagreement(problem: Problem, wrong: list[Seen]) -> Disagreement:
+def _disagreement(problem: Problem, wrong: list[Seen], instance: Instance) -> Disagreement:
     """The refusal, with both values of every find that differs."""
-    diagnostics = tuple(_told(problem, wrong))
+    letters = {s.name: instance.taken.letters[s.name] for s in problem.symbols}
+    drawn = ", ".join(f"{n} = {v:.6g}" for n, v in letters.items())
+    diagnostics = tuple(_told(problem, wrong, f", for {drawn} (SI)" if drawn else ""))
     return Disagreement("; ".join(f"{d.mark.file}:{d.mark.line}: {d.message}" for d in diagnostics), diagnostics)
 
 
-def _told(problem: Problem, wrong: list[Seen]) -> Iterator[Diagnostic]:
+def _told(problem: Problem, wrong: list[Seen], drawn: str) -> Iterator[Diagnostic]:
     marks = {f.name: f.mark for f in problem.find}
     for s in wrong:
-        text = f"{s.name} is not confirmed: solved {s.found}, in the motion followed by independent facts {s.other}"
+        text = (
+            f"{s.name} is not confirmed: solved {s.found}, in the motion followed by independent facts {s.other}{drawn}"
+        )
         yield Diagnostic(marks[s.name], DIFFERENT, f"{text} ({s.where})" if s.where else text, HINT)
