@@ -189,3 +189,17 @@ def test_sliding_goes_on_the_other_way_after_an_impact(tmp_path: Path, capsys: p
     assert found["W"] == pytest.approx(-0.1 * 2 * 9.81 * 3, rel=1e-10)
     assert found["back"] == pytest.approx(-after, rel=1e-10)
     assert answers["W"]["unit"] == "J"
+
+
+def test_a_case_that_is_refused_does_not_keep_the_others_back(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    cases = "cases:\n  sought:\n    unknowns: {c: N*s/m}\n    find: {c: c}\n"
+    file = written(tmp_path, CRATE + cases)
+    out = run(capsys, file, status=3)
+    assert "held = stick" in out
+    assert "CASE  sought" in out
+    assert "PL705 the unknown c has no number" in out
+    motions = json.loads(run(capsys, file, "--output", "json", status=3))["motions"]
+    assert [("refused" in m, m["case"]) for m in motions] == [(False, ""), (True, "sought")]
+    run(capsys, file, "--output", "npz", "-o", str(tmp_path / "motion.npz"), status=3)

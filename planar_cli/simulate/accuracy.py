@@ -282,9 +282,10 @@ def _reference(subject: Subject) -> tuple[Reference, Ran]:
     if exact is not None and len(exact) == len(ran.values):
         return Reference(exact, "closed form", finest, EPSILON, ran.met), ran
     checks = list(_checks(subject, ran, ((AUTOMATIC, finest / FINER), (OTHER, finest * COARSER))))
-    if not checks:
-        # Where nothing finer can be followed, coarser runs tell no less than how good the reference is.
-        checks = list(_checks(subject, ran, ((AUTOMATIC, finest * COARSER), (OTHER, finest * COARSER**2))))
+    if len(checks) < 2:
+        # Where not both can be followed, coarser runs tell no less than how good the reference is.
+        coarser = ((AUTOMATIC, COARSER), (OTHER, COARSER**2), (AUTOMATIC, COARSER**2))
+        checks += _checks(subject, ran, [(kind, finest * times) for kind, times in coarser])
     told = [f"{kind} at {tolerance:.0e} differs by {apart:.1e}" for kind, tolerance, apart in checks]
     words = f"{AUTOMATIC} at {finest:.0e}; " + (", ".join(told) or UNCHECKED)
     uncertainty = max(min((apart for _, _, apart in checks), default=math.inf), EPSILON)

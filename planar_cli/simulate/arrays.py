@@ -12,7 +12,7 @@ import numpy as np
 def npz(data: Mapping[str, Any]) -> bytes:
     """The columns of all motions of a problem; those of a case have its name and a dot before theirs."""
     arrays: dict[str, Any] = {}
-    for motion in data["motions"]:
+    for motion in (m for m in data["motions"] if "rows" in m):
         before = f"{motion['case']}." if motion["case"] else ""
         table = np.array(motion["rows"], dtype=float).reshape(-1, len(motion["columns"]))
         for i, column in enumerate(motion["columns"]):

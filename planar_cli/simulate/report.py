@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
-from planar_cli.errors import Diagnostic, FileProblem, Mark
+from planar_cli.errors import Diagnostic, FileProblem, Mark, NoSolution
 from planar_cli.motion.trajectory import Trajectory, Transition
 from planar_cli.problem.reading import did_you_mean
 from planar_cli.problem.scene import Answer, Problem
@@ -35,8 +35,18 @@ def told(problem: Problem, request: Request, progress: Progress) -> tuple[str, A
         return FOLLOWED, _joined([_effects(p) for _, p in parts], request)
     status, told_parts = FOLLOWED, []
     earlier: dict[str, float] = {}
+    refused: list[FileProblem | NoSolution] = []
     for case, part in parts:
-        found, more, piece = _part(case, part, problem.answers, request, progress, earlier)
+        try:
+            found, more, piece = _part(case, part, problem.answers, request, progress, earlier)
+        except (FileProblem, NoSolution) as error:
+            # One case that can not be followed does not keep the others from being told.
+            refused.append(error)
+            if len(refused) == len(parts):
+                raise refused[0] from None
+            status = NOT_FOLLOWED
+            told_parts.append(_refusal(case, error, request))
+            continue
         earlier |= {f"{case}.{a.name}": a.values[0] for a in found.answers if len(a.values) == 1}
         status = max(status, more, key=WORST.index)
         told_parts.append(piece)
@@ -46,6 +56,16 @@ def told(problem: Problem, request: Request, progress: Progress) -> tuple[str, A
     if request.output == "csv":
         return status, "\n".join(told_parts)
     return status, "\n".join([problem.title or problem.file, "", *told_parts])
+
+
+def _refusal(case: str, error: FileProblem | NoSolution, request: Request) -> Any:
+    """What keeps a part from being followed."""
+    why = [f"{d.mark.file}:{d.mark.line}: {d.code} {d.message}" for d in error.diagnostics] or [str(error)]
+    if request.output in ("json", "npz"):
+        return {"case": case, "refused": why}
+    if request.output == "csv":
+        return ""
+    return "\n".join([*([f"CASE  {case.replace('_', ' ')}", ""] if case else []), *why, ""])
 
 
 def _joined(pieces: list[Any], request: Request) -> Any:
