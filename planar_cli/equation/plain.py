@@ -83,11 +83,13 @@ def derivative(expr: sp.Expr, x: sp.Symbol) -> sp.Expr:
 
 
 @lru_cache(maxsize=_KEPT)
-def trigonometric(expr: sp.Expr) -> sp.Expr:
-    """Angles put together where sines and cosines multiply each other. sin² + cos² = 1 goes first."""
+def trigonometric(expr: sp.Expr, expanded: bool = False) -> sp.Expr:
+    """Angles put together where sines and cosines multiply each other; sin² + cos² = 1 goes first. `expanded`: is it
+    multiplied out already?
+    """
     if _degree(expr) < 2:
         return expr
-    short = _with_one(expr)
+    short = _with_one(expr, expanded)
     return short if _degree(short) < 2 or longer(short, MANY) else put_together(short)
 
 
@@ -106,9 +108,14 @@ def _degree(expr: sp.Expr) -> int:
     return max((_degree(a) for a in expr.args), default=0)
 
 
-def _with_one(expr: sp.Expr) -> sp.Expr:
+@lru_cache(maxsize=_KEPT)
+def _expanded(expr: sp.Expr) -> sp.Expr:
+    return sp.expand(expr)
+
+
+def _with_one(expr: sp.Expr, expanded: bool = False) -> sp.Expr:
     """sin² = 1 - cos² put in, or the other way round, where that makes it shorter."""
-    whole = sp.expand(expr)
+    whole = expr if expanded else _expanded(expr)
     forms = [expr]
     for function, other in ((sp.sin, sp.cos), (sp.cos, sp.sin)):
         squares = [p for p in whole.atoms(sp.Pow) if isinstance(p.base, function) and p.exp == 2]
@@ -126,9 +133,10 @@ def simplified(expr: Any) -> sp.Expr:
 def _simplified(expr: sp.Expr) -> sp.Expr:
     if not expr.args:
         return expr
-    forms = [expr, sp.expand(expr)]
+    whole = _expanded(expr)
+    forms = [expr, whole]
     if _degree(expr) >= 2:
-        forms += [trigonometric(f) for f in {expr, min(forms, key=_effort)}]
+        forms += [trigonometric(f, f == whole) for f in {expr, min(forms, key=_effort)}]
     best = min(forms, key=_effort)
     if operations(best) <= FEW:
         return best
