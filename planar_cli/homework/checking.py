@@ -4,16 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 from planar_cli.errors import Diagnostic, FileProblem, NoSolution, PlanarError
 from planar_cli.homework.answers import compare
-from planar_cli.homework.supervisor import Ended, Supervisor
 from planar_cli.homework.verdict import Verdict
 from planar_cli.problem.scene import Problem
 from planar_cli.problem.structure import load
 from planar_cli.records import record
 from planar_cli.solve.run import solve_problem
 from planar_cli.solve.solved_problem import Solution
+
+if TYPE_CHECKING:
+    from planar_cli.homework.supervisor import Ended
 
 AGREES, DISAGREES, NO_SOLUTION, BAD, UNDECIDED, FAULT = (
     "agrees",
@@ -76,6 +79,9 @@ def _failed(path: str, title: str, error: PlanarError) -> Checked:
 
 def check_files(paths: Sequence[str], jobs: int, timeout: float, told: Callable[[int], None]) -> list[Checked]:
     """All files, in their order, each within its limits."""
+    # Only who checks many files needs processes.
+    from planar_cli.homework.supervisor import Supervisor
+
     ended = Supervisor(check_file, jobs, timeout, told).run(paths)
     return [_checked(path, end) for path, end in zip(paths, ended, strict=True)]
 

@@ -115,6 +115,10 @@ def _instant(quantity: Quantity) -> Iterator[Diagnostic]:
 
 def _thing(quantity: Quantity, index: int, allowed: str, scope: Scope) -> Iterator[Diagnostic]:
     name = quantity.things[index]
+    if allowed == OWN and (own := [m for m in scope.members.get(name, ()) if quantity.word in m.quantities]):
+        yield from _ambiguous(quantity, own, scope)
+        return
+    # Only who errs is told all kinds.
     kinds = answering(quantity.word) if allowed == OWN else allowed.split()
     if not name or _is_plain_thing(name, kinds, scope):
         return
