@@ -35,6 +35,10 @@ def read_off_blocks(motion: Simulation, figures: int) -> Iterator[Block]:
         f"accelerations{relations} is integrated numerically from the first state on."
     )
     yield Paragraph(line(text))
+    sought = [s.name for s in run.problem.unknowns if s.name in run.settings.values]
+    if sought:
+        names = " and ".join(sought)
+        yield Paragraph(line(f"{names} is found by trial: with this number alone the motion passes all states."))
     yield _table(motion, figures)
     happened = [(e.t, f"state {e.name}") for e in trajectory.events]
     happened += [(x.t, transition_words(x)) for x in trajectory.transitions if x.words]

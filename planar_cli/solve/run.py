@@ -106,6 +106,8 @@ def _part(problem: Problem, case: str, units: dict[str, str], earlier: dict[str,
         # A third road does not settle what two of them see differently.
         raise
     except (Undecided, NoSolution) as error:
+        if problem.unknowns:
+            return _confirmed(problem, _shot(problem, case, units, earlier, error), numbers)
         # Where the modes change in ways that no equation tells, as from blow to blow, it is only followed.
         by_steps = isinstance(error, Undecided) or told_by_modes(problem)
         part = followed_part(problem, case, numbers, units) if by_steps and can_be_followed(problem) else None
@@ -113,6 +115,28 @@ def _part(problem: Problem, case: str, units: dict[str, str], earlier: dict[str,
             raise
         return part
     return _confirmed(problem, derived, numbers)
+
+
+def _shot(
+    problem: Problem,
+    case: str,
+    units: dict[str, str],
+    earlier: dict[str, Earlier],
+    error: Undecided | NoSolution,
+) -> PartSolution:
+    """One part whose unknown the equations of the first assumptions did not give: it is found by shooting, and then the
+    equations of what happens give it, or the motion alone. `error`: why not otherwise, raised where this fails too.
+    """
+    from planar_cli.solve.sought import by_motion, root_of
+
+    trial = root_of(problem, earlier, error)
+    try:
+        return _in_time(problem, case, units, earlier, trial)
+    except (Undecided, NoSolution):
+        part = by_motion(problem, case, units, earlier, trial)
+        if part is None:
+            raise error from None
+        return part
 
 
 def _unnamed(problem: Problem) -> FileProblem:
@@ -198,11 +222,17 @@ def _formulas(problem: Problem, case: str, units: dict[str, str], earlier: dict[
     return solve_formulas(problem, case, units, earlier)
 
 
-def _in_time(problem: Problem, case: str, units: dict[str, str], earlier: dict[str, Earlier]) -> PartSolution:
-    """A motion from state to state; imported when needed."""
+def _in_time(
+    problem: Problem,
+    case: str,
+    units: dict[str, str],
+    earlier: dict[str, Earlier],
+    trial: Mapping[str, float] | None = None,
+) -> PartSolution:
+    """A motion from state to state; imported when needed. `trial`: numbers of sought constants, found before."""
     from planar_cli.solve.course.run import solve_course
 
-    return solve_course(problem, case, units, earlier)
+    return solve_course(problem, case, units, earlier, trial or {})
 
 
 def _with_curves(

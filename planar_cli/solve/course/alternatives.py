@@ -18,6 +18,8 @@ from planar_cli.errors import Diagnostic, NoSolution, NoValue
 from planar_cli.problem.scene import State
 from planar_cli.solve.course.chain import Branch
 from planar_cli.solve.course.motion_equations import MotionEquations
+from planar_cli.solve.course.regime_sequence import RegimeSequence
+from planar_cli.solve.course.solved_motion import SolvedMotion
 from planar_cli.solve.course.timeline import Demand
 
 SAME = Decimal("1e-12")
@@ -34,7 +36,15 @@ def chosen_extreme(course: MotionEquations) -> tuple[State, Demand] | None:
     return None
 
 
-def demand_choice(course: MotionEquations, branches: Sequence[Branch]) -> None:
+def one_of(course: MotionEquations, fits: list[SolvedMotion], again: list[SolvedMotion]) -> SolvedMotion:
+    """The motion that is meant. `again`: those that pass such a state before. NoSolution: the file must choose."""
+    if not fits:
+        return replace(again[0], checks=_left_out(course, again[1:], "fit as well"))
+    _demand_choice(course, [f.branch for f in fits])
+    return replace(fits[0], checks=_left_out(course, again, "pass such a state before, and are left out"))
+
+
+def _demand_choice(course: MotionEquations, branches: Sequence[Branch]) -> None:
     """NoSolution: several motions fit that are no smaller (larger) than all near them."""
     found = chosen_extreme(course)
     if found is None:
@@ -119,3 +129,11 @@ def _hint(course: MotionEquations, fitting: Sequence[Branch], state: State) -> s
             if len(numbers) == len(found) and min(numbers) < 0 < max(numbers):
                 return f"say which is meant in state {state.name}, such as `{axis}({name}) > 0` or `{axis}({name}) < 0`"
     return "say which is meant: an inequality of the sought constant, or of a place"
+
+
+def _left_out(course: RegimeSequence, others: list[SolvedMotion], why: str) -> tuple[str, ...]:
+    """Values of sought constants with which the motion is another, in a phrase."""
+    if not others:
+        return ()
+    names = [f"{s.name} = {others[-1].branch.values[s]:.4g} (SI units)" for s in course.sought()]
+    return (f"other roots, as {', '.join(names)}, {why}",)

@@ -6,6 +6,7 @@ branches first, and each is followed to see whether it happens so.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from decimal import Decimal
 
@@ -13,7 +14,7 @@ import sympy as sp
 
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.errors import Diagnostic, NoSolution, NoValue, Undecided
-from planar_cli.solve.course.alternatives import chosen_extreme, demand_choice
+from planar_cli.solve.course.alternatives import chosen_extreme, one_of
 from planar_cli.solve.course.asked_finds import AskedFind, asked_finds, asked_letters
 from planar_cli.solve.course.branch_order import candidates
 from planar_cli.solve.course.chain import Branch
@@ -43,10 +44,18 @@ from planar_cli.solve.course.motion_equations import MotionEquations, all_equati
 from planar_cli.solve.course.needed_times import without_unneeded_times
 from planar_cli.solve.course.newton import refined_left
 from planar_cli.solve.course.reached import asked_about
-from planar_cli.solve.course.regime_sequence import RegimeSequence, regime_sequence
+from planar_cli.solve.course.regime_sequence import regime_sequence
 from planar_cli.solve.course.simulate import Follower
 from planar_cli.solve.course.solved_motion import SolvedMotion
-from planar_cli.solve.course.starts import Start, balanced, certain_start, resting, resting_though_sought, untold
+from planar_cli.solve.course.starts import (
+    Start,
+    balanced,
+    certain_start,
+    resting,
+    resting_though_sought,
+    trial_start,
+    untold,
+)
 from planar_cli.solve.course.stated_motion import StatedMotion, stated_motion
 from planar_cli.solve.course.unbounded_times import Endless, demand_no_times, without_endless_places, without_times
 from planar_cli.solve.principled import principle_of
@@ -63,6 +72,10 @@ class ModeSearch(ModeChoice):
 
     units: dict[str, str] = field(default_factory=dict)
     """Of answers, by name."""
+    trial: Mapping[str, float] = field(default_factory=dict)
+    """Numbers of sought constants [SI] with which the motion passes all states, by name, where they are known from
+    following it: they tell the modes, and the equations in these modes tell the constants.
+    """
     stays: bool = False
     """Does it begin at rest in equilibrium?"""
     unstable: ModeSequence | None = None
@@ -98,7 +111,9 @@ class ModeSearch(ModeChoice):
                 why = (DEPARTS,) if self.sense else (STAYS,) if stays else ()
                 return replace(found, checks=(*found.checks, *why))
             modes = found
-        raise Undecided("the contacts of this motion change too often")
+        mark = self.problem.find[0].mark if self.problem.find else self.problem.states[0].mark
+        text = f"{mark.file}:{mark.line}: not decided, {CHANGES} assumptions about the modes of joints have been tried"
+        raise Undecided(f"{text}; it may help to ask for less of the motion, or to follow it with `planar simulate`")
 
     def _solve_departing(self, course: MotionEquations, finds: tuple[AskedFind, ...]) -> SolvedMotion | ModeSequence:
         """The same; where it rests in an unstable equilibrium and a state is not reached, after a slight touch.
@@ -119,6 +134,8 @@ class ModeSearch(ModeChoice):
     def _solve(self, course: MotionEquations, finds: tuple[AskedFind, ...]) -> SolvedMotion | ModeSequence:
         """The motion solved, or other modes to try."""
         course, start = self._start(course)
+        if start is Start.OPEN and self.trial:
+            start = trial_start(course, self._known(course))
         if start is Start.CONTRADICTS:
             other = self._other(course.modes, 0, "what is stated of the first state contradicts it")
             if other is None:
@@ -153,6 +170,10 @@ class ModeSearch(ModeChoice):
             return course.modes.with_resting(rests | course.modes.stretches[0].resting)
         return self._followed(course, finds, start)
 
+    def _known(self, course: StatedMotion) -> Valuation:
+        """Numbers of what is known, and of sought constants on trial."""
+        return course.base().extended({s: Decimal(repr(self.trial[s.name])) for s in course.sought() if self.trial})
+
     @staticmethod
     def _relate(course: MotionEquations, finds: tuple[AskedFind, ...]) -> MotionEquations:
         """With the equations from state to state."""
@@ -185,7 +206,8 @@ class ModeSearch(ModeChoice):
     def _followed(
         self, course: MotionEquations, finds: tuple[AskedFind, ...], start: dict[sp.Symbol, Decimal]
     ) -> SolvedMotion | ModeSequence:
-        followed = Follower(course, course.base()).run({s: float(v) for s, v in start.items()})
+        known = self._known(course)
+        followed = Follower(course, known).run({s: float(v) for s, v in start.items()})
         changed = self._changed(course, followed)
         if changed is not None:
             return changed
@@ -194,7 +216,8 @@ class ModeSearch(ModeChoice):
             related = self._related(*(self.loose or (course, finds)), followed.missed)
             if related is not None:
                 return related
-            raise never(course, followed, course.base())
+            raise never(course, followed, known)
+        followed.values |= {s: float(known(s)) for s in course.sought() if self.trial}
         for regime in course.distinct_regimes():
             regime.general.demand_unique(regime.undetermined)
         if course.departure is not None:
@@ -317,7 +340,7 @@ class ModeSearch(ModeChoice):
                 if first and chosen_extreme(course) is None:
                     break
         if fits or again:
-            return _one_of(course, fits, again)
+            return one_of(course, fits, again)
         if changed is not None:
             return changed
         clashing = None if branches else clash(course, course.equations)
@@ -359,23 +382,7 @@ class ModeSearch(ModeChoice):
         return SolvedMotion(course, finds, led, None, course.base().extended(led.values))
 
 
-def _one_of(course: MotionEquations, fits: list[SolvedMotion], again: list[SolvedMotion]) -> SolvedMotion:
-    """The motion that is meant. `again`: those that pass such a state before. NoSolution: the file must choose."""
-    if not fits:
-        return replace(again[0], checks=_left_out(course, again[1:], "fit as well"))
-    demand_choice(course, [f.branch for f in fits])
-    return replace(fits[0], checks=_left_out(course, again, "pass such a state before, and are left out"))
-
-
 def _number(followed: float, natural: Decimal) -> Decimal:
     """What a step method gave; what it leaves of a zero is none, beside an ordinary size."""
     number = Decimal(repr(followed))
     return number if abs(number) >= NOTHING * natural else Decimal(0)
-
-
-def _left_out(course: RegimeSequence, others: list[SolvedMotion], why: str) -> tuple[str, ...]:
-    """Values of sought constants with which the motion is another, in a phrase."""
-    if not others:
-        return ()
-    names = [f"{s.name} = {others[-1].branch.values[s]:.4g} (SI units)" for s in course.sought()]
-    return (f"other roots, as {', '.join(names)}, {why}",)

@@ -39,10 +39,14 @@ from planar_cli.solve.solution import InstantSolution
 from planar_cli.solve.solved_problem import PartSolution
 
 
-def solve_course(problem: Problem, case: str, units: dict[str, str], earlier: Mapping[str, Any]) -> PartSolution:
-    """All finds of a problem whose states follow each other in time."""
+def solve_course(
+    problem: Problem, case: str, units: dict[str, str], earlier: Mapping[str, Any], trial: Mapping[str, float]
+) -> PartSolution:
+    """All finds of a problem whose states follow each other in time. `trial`: numbers of sought constants [SI] with
+    which the motion passes all states, where they are known beforehand.
+    """
     workshop = Workshop(earlier)
-    solved = reaching(problem, lambda p: ModeSearch(p, workshop, units=units).run())
+    solved = reaching(problem, lambda p: ModeSearch(p, workshop, units=units, trial=trial).run())
     try:
         part = _told(solved, case)
     except Unvalued as error:

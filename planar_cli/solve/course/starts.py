@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
+from dataclasses import replace
 from decimal import Decimal
 from enum import Enum
 
@@ -57,6 +58,16 @@ def certain_start(course: MotionEquations) -> dict[sp.Symbol, Decimal] | Start:
     if course.sought() or any(blow.scene.open_names for blow in course.blows.values()):
         return Start.OPEN
     found = _first_letters(course)
+    whole = [letters for letters in found if len(letters) == len(course.first.letters)]
+    return whole[0] if whole else Start.OPEN if found else Start.CONTRADICTS
+
+
+def trial_start(course: MotionEquations, known: Valuation) -> dict[sp.Symbol, Decimal] | Start:
+    """The letters of the first state with numbers of sought constants, which are among what is `known`."""
+    equations = [e for e in course.equations if e.stop == course.first.name]
+    chain = course.chain()
+    branches = replace(chain, unknowns=chain.unknowns.difference(course.sought()), value=known).branches(equations)
+    found = [{s: b.values[o] for s, o in course.first.letters.items() if o in b.values} for b in branches]
     whole = [letters for letters in found if len(letters) == len(course.first.letters)]
     return whole[0] if whole else Start.OPEN if found else Start.CONTRADICTS
 

@@ -1,0 +1,195 @@
+"""An unknown constant found by shooting: the motion is followed for many of its values, until all relations hold.
+
+A state after the first is told by one relation; what it states besides is what the constant is sought for. As the
+constant changes, the difference of the two sides of that relation changes its sign at a root; every sign change between
+neighbouring values is bracketed, and the root counts where the motion then passes all states of the file.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
+from itertools import pairwise
+
+from planar_cli.errors import PlanarError
+from planar_cli.problem.expression import Relation, Statement
+from planar_cli.problem.scene import Problem, State, Symbol
+from planar_cli.records import record
+from planar_cli.simulate.run import Run, Settings, followed, prepared
+from planar_cli.simulate.timetable import Timetable, is_time, mode_of
+from planar_cli.units import PURE, parse_unit
+
+DECADES, PER_DECADE = 4, 4
+"""Within so many powers of ten about an ordinary size a constant is looked for, at so many values in each."""
+DEGREES = 5
+"""An angle is looked for all round, in steps of so many degrees."""
+EDGE = 12
+"""Where a state ceases to be reached, between two such values, is enclosed in so many steps."""
+TOLERANCE = 1e-11
+"""Of the steps of a motion, in parts of the scene's scales."""
+TIMES, STEPS = 500.0, 400
+"""A state is looked for over so many characteristic times, and so many steps, at most."""
+ROUNDS, CLOSE = 80, 1e-13
+"""A root is enclosed in so many steps at most, up to this part of its size."""
+HOLDS = 1e-7
+"""At a root the relation is off by less than this part of its scale; a jump through zero is none."""
+SAME = 1e-7
+"""Roots that are apart by less than this part of the larger one are the same."""
+Missed = Callable[[float], float | None]
+"""By how much, in parts of its scale, a relation is off with a value; None: its state is not reached."""
+Shown = tuple[float, float]
+"""A value of the constant, and by how much the relation is off with it."""
+
+
+@record
+class Shot:
+    """What is left of one relation when the others tell the state."""
+
+    problem: Problem
+    """The problem without it."""
+    state: str
+    left: Relation
+
+
+def shooting(problem: Problem, known: Mapping[str, float]) -> tuple[float, ...] | None:
+    """All values of the only unknown with which the motion passes all states, in SI units, negative ones only where
+    there are no others; None: the file has other unknowns, or not just one relation more than tells its states.
+    `known`: numbers of other names.
+    """
+    shots = list(_shots(problem)) if len(problem.unknowns) == 1 and not problem.symbols else []
+    if not shots:
+        return None
+    unknown = problem.unknowns[0]
+    for values in _values(problem, unknown, known):
+        for shot in shots:
+            found: list[float] = []
+            for root in _roots(_missed(shot, unknown.name, known), values):
+                new = not any(abs(root - other) <= SAME * abs(other) for other in found)
+                if new and _passes(problem, {**known, unknown.name: root}):
+                    found.append(root)
+            if found:
+                return tuple(found)
+    return ()
+
+
+def _shots(problem: Problem) -> Iterator[Shot]:
+    """The relation that is one too many for a motion with known constants, in every way of telling its state."""
+    much = [(s, n) for s in problem.states[1:] if (n := len(_telling(s)) - 1) > 0]
+    if [n for _, n in much] != [1]:
+        return
+    ((state, _),) = much
+    for relation in _telling(state):
+        if not isinstance(relation, Relation) or is_time(relation) or mode_of(relation) is not None:
+            continue
+        less = replace(state, relations=tuple(r for r in state.relations if r is not relation))
+        states = tuple(less if s is state else s for s in problem.states)
+        yield Shot(replace(problem, states=states), state.name, relation)
+
+
+def _telling(state: State) -> list[Statement]:
+    """The statements of which each would tell when a state is."""
+    return [s for s in state.relations if not isinstance(s, Relation) or s.operator == "="]
+
+
+def _values(problem: Problem, unknown: Symbol, known: Mapping[str, float]) -> Iterator[list[float]]:
+    """Where the constant is looked for, in SI units, in order: positive values, then negative ones."""
+    unit = parse_unit(unknown.unit or "1")
+    if unit.angle and unit.dimension == PURE:
+        turn = [math.radians(d) for d in range(0, 181, DEGREES)]
+        yield turn
+        yield [-v for v in turn]
+        return
+    scales = prepared(problem, {**known, unknown.name: 1.0}).model.scales
+    d = unit.dimension
+    size = scales.length ** float(d.length) * scales.mass ** float(d.mass) * scales.time ** float(d.time)
+    positive = [size * 10 ** (k / PER_DECADE) for k in range(-DECADES * PER_DECADE, DECADES * PER_DECADE + 1)]
+    yield positive
+    yield [-v for v in positive]
+
+
+def _missed(shot: Shot, name: str, known: Mapping[str, float]) -> Missed:
+    def missed(value: float) -> float | None:
+        run = _run(shot.problem, {**known, name: value})
+        moment = None if run is None else run.measures.moments.get(shot.state)
+        if run is None or moment is None:
+            return None
+        scale = Timetable(run.problem, run.measures).scale(shot.left.left, shot.left.right)
+        off = run.measures.gap(shot.left, moment.regime)(moment.t, moment.y)
+        return off[0] / scale if len(off) == 1 else None
+
+    return missed
+
+
+def _run(problem: Problem, values: Mapping[str, float]) -> Run | None:
+    """The motion with these numbers; None: with them there is none."""
+    settings = Settings(values=values, tolerance=TOLERANCE, estimate=False, times=TIMES, most_steps=STEPS)
+    try:
+        return followed(prepared(problem, values), settings)
+    except PlanarError:
+        return None
+
+
+def _passes(problem: Problem, values: Mapping[str, float]) -> bool:
+    """Does the motion pass all states of the file?"""
+    run = _run(problem, values)
+    return run is not None and all(s.name in run.measures.moments for s in problem.states)
+
+
+# --- roots ------------------------------------------------------------------------------------------------------------
+
+
+def _roots(missed: Missed, values: Sequence[float]) -> Iterator[float]:
+    """Where a relation holds, between these values."""
+    found = [(v, missed(v)) for v in values]
+    for low, high in pairwise(found):
+        ends = _reached(missed, low, high)
+        root = None if ends is None else _enclosed(missed, *ends)
+        if root is not None:
+            yield root
+
+
+def _reached(
+    missed: Missed, low: tuple[float, float | None], high: tuple[float, float | None]
+) -> tuple[Shown, Shown] | None:
+    """Two values between which the state is reached; None: it is not."""
+    (a, f), (b, g) = low, high
+    if f is None:
+        return None if g is None else (_edge(missed, a, (b, g)), (b, g))
+    return (a, f), (_edge(missed, b, (a, f)) if g is None else (b, g))
+
+
+def _edge(missed: Missed, lost: float, reached: Shown) -> Shown:
+    """The last value, from one that reaches a state towards one that does not, with which it is reached."""
+    for _ in range(EDGE):
+        middle = (lost + reached[0]) / 2
+        f = missed(middle)
+        if f is None:
+            lost = middle
+        else:
+            reached = middle, f
+    return reached
+
+
+def _enclosed(missed: Missed, low: Shown, high: Shown) -> float | None:
+    """The root between two values; None: there is no change of sign, or a jump. By false position; an end that stays
+    counts half.
+
+    Reference: Dowell and Jarratt, A modified regula falsi method, BIT 11 (1971), the Illinois variant.
+    """
+    (a, f), (b, g) = low, high
+    if f == 0 or f * g >= 0:
+        return a if f == 0 else None
+    for _ in range(ROUNDS):
+        x = (a * g - b * f) / (g - f)
+        h = missed(x)
+        if h is None:
+            return None
+        if abs(h) <= TOLERANCE or abs(b - a) <= CLOSE * max(abs(a), abs(b)):
+            return x if abs(h) <= HOLDS else None
+        if h * g < 0:
+            a, f = b, g
+        else:
+            f /= 2
+        b, g = x, h
+    return None

@@ -1,0 +1,55 @@
+"""An unknown constant that is found by following the motion, where the equations alone do not tell what happens."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+from planar_cli.equation.setup import Earlier
+from planar_cli.errors import Diagnostic, NoSolution, PlanarError, Undecided
+from planar_cli.problem.scene import Problem
+from planar_cli.simulate.shooting import shooting
+from planar_cli.solve.followed import can_be_followed, followed_part
+from planar_cli.solve.solved_problem import PartSolution
+
+OPEN = "PL623"
+"""The diagnostic of a constant that seems to be open."""
+
+
+def root_of(problem: Problem, earlier: Mapping[str, Earlier], error: Undecided | NoSolution) -> dict[str, float]:
+    """The number of the unknown [SI] with which the motion passes all states, by its name.
+
+    Raises the `error` where shooting does not apply, NoSolution where no number is found, or several are.
+    """
+    try:
+        roots = shooting(problem, numbers_of(earlier))
+    except PlanarError:
+        # What keeps the motion from being followed is not what is wrong with the file.
+        roots = None
+    if roots is None:
+        raise error
+    unknown = problem.unknowns[0]
+    if not roots:
+        if isinstance(error, NoSolution) and any(d.code != OPEN for d in error.diagnostics):
+            raise error
+        text = f"no motion passes through these states, whatever {unknown.name} is"
+        raise NoSolution([Diagnostic(unknown.mark, "PL620", text, "follow it with `planar simulate --set`")]) from error
+    if len(roots) > 1:
+        listed = ", ".join(f"{root:.6g}" for root in roots)
+        text = f"{unknown.name} may be {listed} (SI units): with each of them the motion passes all states"
+        raise NoSolution([Diagnostic(unknown.mark, "PL635", text, "write an inequality that tells which is meant")])
+    return {unknown.name: roots[0]}
+
+
+def by_motion(
+    problem: Problem, case: str, units: Mapping[str, str], earlier: Mapping[str, Earlier], trial: Mapping[str, float]
+) -> PartSolution | None:
+    """All finds read off the motion with this number of the unknown; None where that does not answer all of them."""
+    if not can_be_followed(replace(problem, unknowns=())):
+        return None
+    return followed_part(problem, case, {**numbers_of(earlier), **trial}, units)
+
+
+def numbers_of(earlier: Mapping[str, Earlier]) -> dict[str, float]:
+    """Numbers of earlier finds."""
+    return {name: float(known.value) for name, known in earlier.items() if known.value.is_number}

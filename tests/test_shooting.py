@@ -1,0 +1,120 @@
+"""Constants sought over several phases of a motion: following it tells the modes, equations tell the constant."""
+
+from __future__ import annotations
+
+from math import atan, degrees, sqrt
+
+import pytest
+
+from planar_cli.errors import NoSolution
+from planar_cli.problem.structure import load_text
+from planar_cli.simulate.shooting import shooting
+from planar_cli.solve.run import solve_problem
+from planar_cli.solve.solved_problem import PartSolution
+
+G = 9.81
+JUMP = """
+title: Bungee jumper
+plane: vertical
+given: {{m: 70 kg, l_0: 12 m}}
+unknowns: {{k: N/m}}
+points: {{O: [0, 0]}}
+bodies: {{jumper: {{particle: [0, 0], mass: m}}}}
+loads:
+  - spring: {{between: [O, jumper], stiffness: k, natural_length: l_0, acts: pull, name: cord}}
+states: {{jump: [t = 0, at rest], taut: [y(jumper) = -l_0], low: [v(jumper).y = 0, y(jumper) = {low}]}}
+find: {{k: k}}
+"""
+BALL = """
+title: Bowling ball with just the backspin that stops it
+plane: vertical
+given: {m: 6 kg, R: 0.11 m, v_0: 8 m/s, mu: 0.12}
+unknowns: {omega_0: rad/s}
+points: {C: [0, 0], G: [0, R]}
+surfaces: {lane: {through: C, angle: 0 deg}}
+bodies: {ball: {sphere: G, radius: R, mass: m}}
+joints:
+  - contact: {between: [ball, lane], at: C, mu: mu}
+states:
+  start: [t = 0, v(ball).x = v_0, v(ball).y = 0, omega(ball) = omega_0]
+  rolls: [mode(C) = stick, v(ball).x = 0]
+find: {omega: omega_0, t: t @ rolls}
+"""
+SHOVE = """
+title: Shove that sends the second block just to the edge
+plane: vertical
+given: {m_A: 2 kg, m_B: 3 kg, e: 0.6, mu: 0.2, d: 1 m, b: 1.5 m}
+unknowns: {v_0: m/s}
+points: {A: [0, 0], B: [d, 0]}
+surfaces: {table: {through: A, angle: 0 deg}}
+bodies: {A: {particle: A, mass: m_A}, B: {particle: B, mass: m_B}}
+joints:
+  - contact: {between: [A, table], at: A, mu: mu, name: under_A}
+  - contact: {between: [B, table], at: B, mu: mu, name: under_B}
+  - impact: {between: [A, B], normal: 0 deg, restitution: e}
+states:
+  start: [t = 0, v(A).x = v_0, B at rest]
+  hit: [x(A) = d]
+  after: [just after hit]
+  stop: [v(B).x = 0, x(B) = d + b]
+find: {v_0: v_0}
+"""
+THROW = """
+title: Throw at a target
+plane: vertical
+given: {v_0: 15 m/s, d: 20 m}
+unknowns: {beta: deg}
+bodies: {ball: {particle: [0, 0], mass: 1 kg}}
+states:
+  throw: [t = 0, v(ball).mag = v_0, v(ball).angle = beta]
+  lands: [y(ball) = 0, x(ball) = d]
+find: {beta: beta}
+"""
+
+
+def test_stiffness_of_a_cord_that_slackens_before() -> None:
+    """½ k (30 m - l_0)² = m g 30 m: no equation of the free fall alone holds k."""
+    part = _part(JUMP.format(low="-30 m"))
+    (k,) = (float(v) for v in part.found[0].values or ())
+    assert k == pytest.approx(2 * 70 * G * 30 / 18**2, rel=1e-12)
+    assert part.motion is not None
+
+
+def test_a_state_that_a_mode_tells_beside_a_relation_for_the_unknown() -> None:
+    """About the point of contact the angular momentum stays: m v_0 R = 2/5 m R² ω_0."""
+    part = _part(BALL)
+    omega, t = (float(f.values[0]) for f in part.found if f.values)
+    assert omega == pytest.approx(5 * 8 / (2 * 0.11), rel=1e-12)
+    assert t == pytest.approx(8 / (0.12 * G), rel=1e-12)
+
+
+@pytest.mark.slow
+def test_a_speed_that_is_sought_across_an_impact_and_friction() -> None:
+    problem, _ = load_text(SHOVE)
+    assert problem is not None
+    after = sqrt(2 * 0.2 * G * 1.5)
+    before = after * 5 / (1.6 * 2)
+    assert shooting(problem, {}) == pytest.approx((sqrt(before**2 + 2 * 0.2 * G * 1),), rel=1e-9)
+
+
+def test_all_roots_are_found() -> None:
+    problem, _ = load_text(THROW)
+    assert problem is not None
+    steep = atan((15**2 + sqrt(15**4 - (G * 20) ** 2)) / (G * 20))
+    flat = atan((15**2 - sqrt(15**4 - (G * 20) ** 2)) / (G * 20))
+    roots = shooting(problem, {})
+    assert roots is not None
+    assert [degrees(r) for r in roots] == pytest.approx([degrees(flat), degrees(steep)], rel=1e-9)
+
+
+def test_where_no_value_leads_through_the_states_that_is_said() -> None:
+    with pytest.raises(NoSolution) as error:
+        _part(JUMP.format(low="-11 m"))
+    assert "whatever k is" in str(error.value)
+
+
+def _part(text: str) -> PartSolution:
+    problem, wrong = load_text(text)
+    assert problem is not None, wrong
+    (part,) = solve_problem(problem).parts
+    return part
