@@ -90,3 +90,32 @@ motion: [omega(AB) = 1 rad/s]
 states: {start: [t = 0], after: [t = 0.5 s]}
 find: {w: omega(DC) @ after}
 """)
+
+
+def test_an_angle_that_no_regime_kept_is_read_from_the_place() -> None:
+    """A ball on a cord swings up, flies with the cord slack and jerks it taut: the parabola that leaves a circle at θ
+    from the top comes back to it at 3θ on the other side, where only the speed along the circle is left.
+    """
+    found = solve("""
+title: Ball on a cord
+plane: vertical
+given: {l: 1 m, v_0: 5.5 m/s}
+points: {O: [0, 0], P: [0, -l]}
+bodies: {ball: {particle: P, mass: 1 kg}}
+joints:
+  - rope: {path: [O, P], name: cord}
+states:
+  start: [t = 0, v(ball).x = v_0, v(ball).y = 0]
+  slack: [tension(cord) = 0]
+  jerk: [r(ball).mag = l]
+  after: [just after jerk]
+find: {x: x(ball) @ jerk, y: y(ball) @ jerk, v: v(ball).mag @ after}
+""")
+    g = mpmath.mpf("9.81")
+    theta = mpmath.acos((mpmath.mpf("5.5") ** 2 / g - 2) / 3)
+    x, y = -mpmath.sin(3 * theta), mpmath.cos(3 * theta)
+    v = mpmath.sqrt(g * mpmath.cos(theta))
+    across, down = v * mpmath.cos(theta), mpmath.sqrt((v * mpmath.sin(theta)) ** 2 + 2 * g * (mpmath.cos(theta) - y))
+    assert_close(found["x"], str(x), 10)
+    assert_close(found["y"], str(y), 10)
+    assert_close(found["v"], str(abs(y * across - x * down)), 10)

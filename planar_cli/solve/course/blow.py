@@ -203,6 +203,13 @@ class Blow:
         number = {s: Decimal(repr(float(v))) for s, v in state.items()}
         return self.numbers(value.extended({self.since.letters[s]: v for s, v in number.items()}))
 
+    def placed(self, state: Mapping[sp.Symbol, Any], values: Mapping[sp.Symbol, Any]) -> dict[sp.Symbol, Any]:
+        """The letters just before the blow, with where the coordinates after it then are. `values`: by letters of
+        states.
+        """
+        places = {c.symbol: self.since.letters[c.symbol] for c in self.after.coordinates}
+        return {**state, **{s: values[own] for s, own in places.items() if own in values}}
+
     def strike(self, state: Mapping[sp.Symbol, Any], here: Valuation, near: float) -> Stroke:
         """What comes of the letters just before the blow. `here`: the numbers with which things have `arrived`. `near`:
         a smaller gap is none, in m.

@@ -111,6 +111,7 @@ class Follower:
         """What comes of the blow between state i and the next."""
         blow = self.course.blows[i]
         self._here(blow.before, state)
+        state = blow.placed(state, self.done.values)
         here, near = blow.arrived(state, self.value), TOUCHES * self.sizes.length
         demand_together(self.course, i, here, near)
         return blow.strike(state, here, near)

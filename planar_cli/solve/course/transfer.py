@@ -12,6 +12,7 @@ import sympy as sp
 
 from planar_cli.equation.displacement import Coordinate
 from planar_cli.equation.plain import simplified
+from planar_cli.problem.geometry import Vec
 from planar_cli.solve.course.equations import Equation
 from planar_cli.solve.course.general import General
 from planar_cli.solve.course.regime import Regime
@@ -60,7 +61,27 @@ def _place(c: Coordinate, own: General, other: General, found: Mapping[sp.Symbol
         if slope == 0 or slope.free_symbols & (mine | varying) or theirs.free_symbols & (varying - {c.symbol}):
             continue
         return simplified((ours - theirs.subs(c.symbol, 0)) / slope)
-    return None
+    if c.unit != "rad":
+        return None
+    path = Vec(there.center.x.xreplace(dict(found)), there.center.y.xreplace(dict(found)))
+    elsewhere = {x.symbol for x in other.coordinates} - mine - {c.symbol}
+    return None if (path.x.free_symbols | path.y.free_symbols) & elsewhere else _round(here.center, path, c.symbol)
+
+
+def _round(place: Vec, path: Vec, angle: sp.Symbol) -> sp.Expr | None:
+    """The angle φ at a place of the circle r(φ): r'' = c - r, with the centre c. None: it is no circle."""
+    arm = Vec(-sp.diff(path.x, angle, 2), -sp.diff(path.y, angle, 2))
+    center = Vec(simplified(path.x - arm.x), simplified(path.y - arm.y))
+    if angle in center.x.free_symbols | center.y.free_symbols:
+        return None
+    begin = Vec(arm.x.subs(angle, 0), arm.y.subs(angle, 0))
+    onward = Vec(sp.diff(path.x, angle).subs(angle, 0), sp.diff(path.y, angle).subs(angle, 0))
+    square = simplified(begin.dot(begin))
+    if square == 0 or abs(sense := simplified(begin.cross(onward) / square)) != 1:
+        return None
+    reach = place - center
+    found: sp.Expr = sense * sp.atan2(simplified(begin.cross(reach)), simplified(begin.dot(reach)))
+    return found
 
 
 def resting_equations(regime: Regime, since: Stop, stop: Stop, transfer: Transfer) -> Iterator[Equation]:
