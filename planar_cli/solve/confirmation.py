@@ -133,6 +133,8 @@ def _confirmed(
 def _not_followed(problem: Problem, taken: Taken) -> str:
     """Why the motion of a file can not be followed at all; "" where it can."""
     for state in problem.states:
+        if any(isinstance(r, JustAfter) for r in state.relations):
+            continue
         for node in (n for r in state.relations for n in walk(r)):
             if isinstance(node, Quantity) and isinstance(node.at, tuple):
                 return f"state {state.name} is told by a quantity over a span, which is not looked for step by step"
