@@ -18,6 +18,7 @@ import sympy as sp
 from planar_cli.equation.exact import PI, Sample, Valuation
 from planar_cli.equation.sample import fraction, generator
 from planar_cli.equation.scales import Scales
+from planar_cli.errors import NoValue
 from planar_cli.records import record
 from planar_cli.units import PURE, Unit, parse_unit
 
@@ -202,7 +203,11 @@ class Ledger:
         for _ in range(tries if free else 1):
             known = ChainMap(self.values, self.definitions)
             numbers = {s: draw(s, rng) for s in free}
-            numbers |= self._beside([s for s in free if s.name in self.beside], Valuation(numbers, known), rng)
+            try:
+                numbers |= self._beside([s for s in free if s.name in self.beside], Valuation(numbers, known), rng)
+            except NoValue:
+                # There is no such place at these letters: others are drawn.
+                continue
             candidate = Sample(numbers, known, frozenset(free)) if free else Valuation({}, known)
             placed = self._projected(candidate)
             if placed is not None and _holds(holds, placed):
