@@ -119,3 +119,25 @@ find: {x: x(ball) @ jerk, y: y(ball) @ jerk, v: v(ball).mag @ after}
     assert_close(found["x"], str(x), 10)
     assert_close(found["y"], str(y), 10)
     assert_close(found["v"], str(abs(y * across - x * down)), 10)
+
+
+def test_a_floor_through_a_point_of_a_body_stays_where_it_is_drawn() -> None:
+    """Two crates slide on it, each to its own end."""
+    found = solve("""
+title: Two crates on one floor
+plane: vertical
+given: {mu: 0.2}
+points: {A: [0, 0], B: [1 m, 0]}
+surfaces: {floor: {through: A, angle: 0 deg}}
+bodies: {A: {particle: A, mass: 2 kg}, B: {particle: B, mass: 3 kg}}
+joints:
+  - contact: {between: [A, floor], at: A, mu: mu, name: under_A}
+  - contact: {between: [B, floor], at: B, mu: mu, name: under_B}
+states:
+  start: [t = 0, v(A).x = -2 m/s, v(B).x = 3 m/s]
+  A_stops: [v(A).x = 0]
+  B_stops: [v(B).x = 0]
+find: {x_A: x(A) @ A_stops, x_B: x(B) @ B_stops}
+""")
+    assert_close(found["x_A"], str(-4 / (0.4 * mpmath.mpf("9.81"))), 10)
+    assert_close(found["x_B"], str(1 + 9 / (0.4 * mpmath.mpf("9.81"))), 10)

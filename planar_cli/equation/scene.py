@@ -293,8 +293,11 @@ class Scene(Decided):
         return self.bodies[body].shape
 
     def carried(self, body: str, point: str) -> Vec:
-        """The place of a point that goes with a body."""
-        return self.point(point)
+        """The place of a point that goes with a body; what goes through it on the ground stays where it is drawn."""
+        place = self.point(point)
+        if body != GROUND or self.owner(point) == GROUND:
+            return place
+        return Vec(self.as_drawn(place.x), self.as_drawn(place.y))
 
     def along_plate(self, body: str, shape: Plate) -> Vec:
         """The direction of a plate's width, which turns with the body."""
