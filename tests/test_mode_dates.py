@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+import sympy as sp
 
 from planar_cli.problem.structure import load_text
 from planar_cli.solve.run import solve_problem
@@ -55,6 +56,18 @@ joints:
 states: {{1: [t = 0, v(P).x = v_0], 2: [{slack}]}}
 find: {{y: y(P) @ 2, v: v(P).mag @ 2}}
 """
+BOB = """
+title: Bob on a thread that goes slack, in letters
+plane: vertical
+symbols: {m: kg, l: m, v_0: m/s}
+assume: [v_0^2 > 2*g*l, v_0^2 < 5*g*l]
+points: {O: [0, 0], P: [0, -l]}
+bodies: {bob: {particle: P, mass: m}}
+joints:
+  - rope: {path: [O, P], name: thread}
+states: {start: [t = 0, v(bob).x = v_0, v(bob).y = 0], slack: [mode(thread) = slack]}
+find: {y: y(bob) @ slack}
+"""
 CRATE = """
 title: Crate that a growing force sets in motion
 plane: vertical
@@ -92,6 +105,15 @@ def test_a_mode_tells_the_same_instant_as_its_equation(
         assert one.expressions == other.expressions
         if other.values is not None:
             assert [float(v) for v in one.values or ()] == pytest.approx([float(v) for v in other.values], rel=1e-12)
+
+
+def test_where_a_thread_goes_slack_in_letters() -> None:
+    """By energy and along the thread, two equations in v² and sin φ, both linear."""
+    part = _part(BOB)
+    assert part.found[0].expressions is not None
+    (y,) = part.found[0].expressions
+    length, v, g = (next(s for s in y.free_symbols if s.name == name) for name in ("l", "v_0", "g"))
+    assert sp.simplify(y - (v**2 - 2 * g * length) / (3 * g)) == 0
 
 
 def _part(text: str) -> PartSolution:

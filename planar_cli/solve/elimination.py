@@ -150,13 +150,19 @@ def _circle(
     return None
 
 
-def combined(pool: list[Pending], left: Sequence[sp.Symbol], value: Valuation) -> list[Pending] | None:
-    """Two equations made into a simpler one that takes the place of one of them."""
-    return subtracted(pool, left, value) or _resultant(pool, left, value)
+def combined(
+    pool: list[Pending], left: Sequence[sp.Symbol], value: Valuation, any_alone: bool = False
+) -> list[Pending] | None:
+    """Two equations made into a simpler one that takes the place of one of them. `any_alone`: see `subtracted`."""
+    return subtracted(pool, left, value, any_alone) or _resultant(pool, left, value)
 
 
-def subtracted(pool: list[Pending], left: Sequence[sp.Symbol], value: Valuation) -> list[Pending] | None:
-    """The squares of one unknown cancel, and what is left is linear in some unknown."""
+def subtracted(
+    pool: list[Pending], left: Sequence[sp.Symbol], value: Valuation, any_alone: bool = False
+) -> list[Pending] | None:
+    """The squares of one unknown cancel, and what is left is linear in some unknown; `any_alone`: or it holds one
+    unknown alone, whose formula is looked for.
+    """
     for i, j in combinations(range(len(pool)), 2):
         for x in left:
             leads = [_square(pool[n].residual, x, left) for n in (i, j)]
@@ -164,7 +170,7 @@ def subtracted(pool: list[Pending], left: Sequence[sp.Symbol], value: Valuation)
                 continue
             less = tidy(sp.expand(leads[1] * pool[i].residual - leads[0] * pool[j].residual))
             made = Pending(less, (*pool[i].numbers, *pool[j].numbers))
-            if _linear([made], left, left, value, True) is not None:
+            if _linear([made], left, left, value, True) is not None or (any_alone and alone([made], left) is not None):
                 return [*(p for n, p in enumerate(pool) if n != j), made]
     return None
 

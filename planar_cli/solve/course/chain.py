@@ -230,7 +230,7 @@ class Chain:
             return
         step = eliminate(pool, left, tuple(self.times), here, tuple(self.times)) if len(pool) > 1 else None
         if step is None:
-            more = combined(pool, left, here)
+            more = combined(pool, left, here, self.symbolic)
             if more is None:
                 raise Undecided("equations of the motion are nonlinear in several unknowns at once")
             yield from self._unfold(more, left, values)
@@ -278,7 +278,7 @@ class Chain:
 
     def _roots(self, residual: sp.Expr, x: sp.Symbol, here: Valuation) -> list[Root]:
         """All real roots; a time only after the state before it, an angle with its turns."""
-        if x in self.truth and not residual.is_polynomial(x):
+        if x in self.truth and not residual.is_polynomial(x) and not self.symbolic:
             near = self._near_truth(residual, x, here)
             if near is not None:
                 return [near]

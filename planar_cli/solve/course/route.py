@@ -24,6 +24,7 @@ from planar_cli.solve.course.closed import closed_roots
 from planar_cli.solve.course.derivation import Derivation, DerivedStep, Edge, Route
 from planar_cli.solve.course.equations import DATA, Equation
 from planar_cli.solve.course.trace import Result
+from planar_cli.solve.elimination import Pending, alone, subtracted
 from planar_cli.solve.linear import solve
 
 LONG_POOL = 30
@@ -307,9 +308,19 @@ class Router:
             results.append(self._single(pool[0], left[0]))
             results += [Result(x, formula, self.value(x)) for x, formula in reversed(back)]
         else:
-            results = [Result(x, None, self.value(x)) for x in derivation.unknowns]
+            results = self._by_squares(pool, left) or [Result(x, None, self.value(x)) for x in derivation.unknowns]
         datum = len(derivation.equations) == 1 and derivation.equations[0].kind in DATA and not derivation.needs
         return DerivedStep(derivation, tuple(results), datum)
+
+    def _by_squares(self, pool: list[sp.Expr], left: list[sp.Symbol]) -> list[Result]:
+        """Two equations in letters from which the square of one unknown goes by subtraction; empty: it does not."""
+        pair = [Pending(r, ()) for r in pool]
+        made = subtracted(pair, left, self.value, True) if self.symbolic and len(pool) == len(left) == 2 else None
+        index = None if made is None else alone(made, left)
+        if made is None or index is None:
+            return []
+        x, y = sorted(left, key=lambda s: s not in made[index].residual.free_symbols)
+        return [self._single(made[index].residual, x), self._single(made[1 - index].residual, y)]
 
     def _single(self, residual: sp.Expr, x: sp.Symbol) -> Result:
         truth = self.value(x)
