@@ -21,7 +21,7 @@ from planar_cli.motion.source import Singular
 from planar_cli.motion.trajectory import Outcome, Trajectory, Transition, Work, stuck_at
 from planar_cli.motion.transition import Moment, Resolved, resolve
 from planar_cli.motion.unstable import growth_note
-from planar_cli.motion.waiting import Waiting, at_edge, fits, meant
+from planar_cli.motion.waiting import Waiting, at_edge, beyond, fits, meant
 from planar_cli.motion.zeno import Bounces
 
 RESTING = 1e-12
@@ -254,8 +254,7 @@ class Follower:
         if note:
             self.notes.append(note)
         if self.rest_ends and end == self.until:
-            words = f"nothing moves any more from t = {self.t:.9g} s"
-            rest = Outcome("rest", words, self.t)
+            rest = Outcome("rest", f"nothing moves any more from t = {self.t:.9g} s", self.t)
             self._close(regime, self.until, self.y, ())
             self.outcome = rest
             return
@@ -300,6 +299,8 @@ class Follower:
                 real = self.waiting.counts(event, regime, self.choice, run, *noise)
                 if real and fits(event, regime, self.choice, self.t, self.y):
                     self._reach(event)
+                elif run.t1 == run.t0 and not fallen:
+                    self.t, self.y = beyond(regime, self.t, self.y, self.automaton.time_scale)
         if self.outcome is None and fallen:
             guards = [regime.guards[i] for i in fallen]
             words = ", ".join(dict.fromkeys(f"no longer: {g.words}" for g in guards))
@@ -377,8 +378,7 @@ class Follower:
         self.transitions += found.transitions
         self.notes += found.notes
         self.work = replace(self.work, choices=self.work.choices + found.tried)
-        event = self.waiting.by_modes(self.automaton, self.choice, self.t, self.y)
-        if event is not None:
+        if (event := self.waiting.by_modes(self.automaton, self.choice, self.t, self.y)) is not None:
             self._reach(event)
 
     def _limit(self, moment: Moment, found: Resolved) -> Resolved | Outcome:

@@ -18,6 +18,8 @@ SOON = 1e-9
 """Within this part of the time scale after a state the next one is not looked for."""
 SMALL = 0.5
 """At a zero a number is below this part of what it was so long before."""
+PAST = 1e-12
+"""So many time scales lead past a pole."""
 LOOKS = (0.01, 0.03, 0.1)
 """So many time scales before a zero its function must have been more than rounding."""
 
@@ -186,6 +188,15 @@ def chains_of(events: Sequence[Event]) -> list[list[Event]]:
             places.append(places[-1 - event.back])
         chains[places[-1]].append(event)
     return chains
+
+
+def beyond(regime: Regime, t: float, y: Sequence[float], span: float) -> tuple[float, tuple[float, ...]]:
+    """Just beyond a pole at which a segment begins: what tells a state changes its sign there, and is not zero.
+
+    `span`: the time scale [s].
+    """
+    step = PAST * span
+    return t + step, tuple(v + step * r for v, r in zip(y, regime.rates(t, y), strict=True))
 
 
 def fits(event: Event, regime: Regime, choice: Choice, t: float, y: Sequence[float]) -> bool:
