@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import time
 from collections.abc import Callable, Sequence
 from decimal import Decimal
 from typing import Any
@@ -72,10 +71,10 @@ def test_a_comet() -> None:
     assert flow.stepper.spent < 40_000
 
 
-def test_twenty_five_digits_in_two_seconds() -> None:
-    begin = time.perf_counter()
-    state = Flow(swing, 0, [1, 0], 25).at(10)
-    assert time.perf_counter() - begin < 2
+def test_twenty_five_digits_in_few_evaluations() -> None:
+    flow = Flow(swing, 0, [1, 0], 25)
+    state = flow.at(10)
+    assert flow.stepper.spent < 40_000
     with mpmath.workdps(40):
         assert abs(state[0] - mpmath.cos(10)) < mpmath.mpf(10) ** -25
 
