@@ -12,8 +12,8 @@ from planar_cli.motion.impact import Bond, Struck, StruckContact, strike, unbala
 from planar_cli.motion.trajectory import Trajectory
 from planar_cli.problem.structure import load_text
 from planar_cli.simulate.run import Settings, simulate
+from planar_cli.solve.instant.verify import Disagreement
 from planar_cli.solve.run import solve_problem
-from planar_cli.solve.verify import Disagreement
 
 ROCKET = """
 title: Rocket that burns its fuel

@@ -19,10 +19,10 @@ from planar_cli.problem.structure import load_text
 from planar_cli.report.json_document import solution_data
 from planar_cli.report.narrate import narrate
 from planar_cli.solve import run as solving
+from planar_cli.solve.instant.verify import Disagreement
 from planar_cli.solve.run import solve_problem
 from planar_cli.solve.solution import Found
 from planar_cli.solve.solved_problem import PartSolution, Solution
-from planar_cli.solve.verify import Disagreement
 
 THROW = """
 title: Stone thrown up

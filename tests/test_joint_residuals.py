@@ -22,14 +22,14 @@ from planar_cli.problem.facts import Mode
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.structure import load_text
 from planar_cli.registry import members
-from planar_cli.solve.assembly import Assembly
-from planar_cli.solve.instant import Instant, make_instant
-from planar_cli.solve.linear import solve
-from planar_cli.solve.multibody import tidied
-from planar_cli.solve.poses import NearPoses, Place
-from planar_cli.solve.sparse import CONSTANT, Echelon, Line
-from planar_cli.solve.time_jets import TimeJet
-from planar_cli.solve.worked import PARTS
+from planar_cli.solve.instant.instant import Instant, make_instant
+from planar_cli.solve.instant.worked import PARTS
+from planar_cli.solve.multibody.assembly import Assembly
+from planar_cli.solve.multibody.linear import solve
+from planar_cli.solve.multibody.motion import tidied
+from planar_cli.solve.multibody.poses import NearPoses, Place
+from planar_cli.solve.multibody.sparse import CONSTANT, Echelon, Line
+from planar_cli.solve.multibody.time_jets import TimeJet
 
 SCENES: dict[str, str] = yaml.safe_load((Path(__file__).parent / "joint_scenes.yaml").read_text())
 

@@ -12,13 +12,13 @@ import pytest
 import sympy as sp
 
 from planar_cli.problem.structure import load_text
-from planar_cli.solve.course.first_modes import first_modes
-from planar_cli.solve.course.mode_sequence import Workshop
-from planar_cli.solve.course.motion_equations import MotionEquations, all_equations, first_equations
-from planar_cli.solve.course.regime_sequence import RegimeSequence, regime_sequence
-from planar_cli.solve.course.starts import Start, certain_start
-from planar_cli.solve.course.stated_motion import StatedMotion, stated_motion
-from planar_cli.solve.course.trace import MotionTrace
+from planar_cli.solve.between.motion_equations import MotionEquations, all_equations, first_equations
+from planar_cli.solve.between.stated_motion import StatedMotion, stated_motion
+from planar_cli.solve.between.trace import MotionTrace
+from planar_cli.solve.following.starts import Start, certain_start
+from planar_cli.solve.regimes.first_modes import first_modes
+from planar_cli.solve.regimes.mode_sequence import Workshop
+from planar_cli.solve.regimes.regime_sequence import RegimeSequence, regime_sequence
 from planar_cli.solve.run import solve_problem
 
 THROW = """

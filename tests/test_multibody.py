@@ -17,9 +17,9 @@ from planar_cli.errors import FileProblem
 from planar_cli.problem.facts import Action, Push
 from planar_cli.problem.scene import Problem
 from planar_cli.problem.structure import load, load_text
-from planar_cli.solve.instant import Trial, make_instant, search_modes
-from planar_cli.solve.multibody import Agreement, second_road
-from planar_cli.solve.worked import Worked, unknowns_of
+from planar_cli.solve.instant.instant import Trial, make_instant, search_modes
+from planar_cli.solve.instant.worked import Worked, unknowns_of
+from planar_cli.solve.multibody.motion import Agreement, second_road
 
 HIDDEN = {"particles/unknown-counterweight.yaml", "momentum/jet-against-a-hinged-plate.yaml"}
 """Files that seek a mass, or what stands inside a given name: the numbers of one choice of modes are linear in what is

@@ -8,10 +8,10 @@ import pytest
 import sympy as sp
 
 from planar_cli.equation.exact import Valuation
-from planar_cli.solve.course.chain import Branch, Chain
-from planar_cli.solve.course.derivation import Route
-from planar_cli.solve.course.equations import Equation
-from planar_cli.solve.course.route import Router
+from planar_cli.solve.between.chain import Branch, Chain
+from planar_cli.solve.between.derivation import Route
+from planar_cli.solve.between.route import Router
+from planar_cli.solve.regimes.equations import Equation
 
 X, Y, Z, T = sp.symbols("x__2 y__2 z__2 t__2", real=True)
 A, B = sp.symbols("a b", positive=True)

@@ -13,7 +13,7 @@ from planar_cli.equation.plain import longer, simplified
 from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Paragraph, line
 from planar_cli.report.forces import force_rows
 from planar_cli.report.words import Phrases
-from planar_cli.solve.course.trace import BalanceTrace, Impact, ImpactEquation
+from planar_cli.solve.between.trace import BalanceTrace, Impact, ImpactEquation
 
 LONGEST, MOST_NAMED = 60, 8
 AT_ONCE = "each with its own restitution: Newton's law at every contact. One after the other they would end otherwise."

@@ -11,9 +11,9 @@ from planar_cli.equation.system import System
 from planar_cli.problem.facts import Test
 from planar_cli.report.blocks import Check, Line, Math, Relation, Value, line
 from planar_cli.report.words import Phrases
-from planar_cli.solve.instant import Trial
+from planar_cli.solve.instant.instant import Trial
+from planar_cli.solve.instant.worked import unknowns_of
 from planar_cli.solve.solution import InstantSolution
-from planar_cli.solve.worked import unknowns_of
 
 MOST_PRESSES = 4
 TINY = Decimal("1e-30")

@@ -9,7 +9,7 @@ import sympy as sp
 from planar_cli.equation.plain import longer
 from planar_cli.report.blocks import Line, Math, Name, Relation, Value, line
 from planar_cli.report.words import Phrases
-from planar_cli.solve.roots import linear_or_square_roots
+from planar_cli.solve.instant.roots import linear_or_square_roots
 from planar_cli.solve.solution import Found
 
 MOST = 2

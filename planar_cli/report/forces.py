@@ -13,8 +13,8 @@ from planar_cli.problem.acting import kind_of
 from planar_cli.problem.facts import Push, Wrench
 from planar_cli.report.blocks import Forces, Line, Math, Name, Text
 from planar_cli.report.words import Phrases
+from planar_cli.solve.instant.stages import Stage
 from planar_cli.solve.solution import InstantSolution
-from planar_cli.solve.stages import Stage
 
 LONGEST = 30
 """Of an acceleration with more operations only the name is told: the equations say what it is."""

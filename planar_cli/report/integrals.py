@@ -7,7 +7,7 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.solve.course.trace import Relation, RouteTrace
+from planar_cli.solve.between.trace import Relation, RouteTrace
 
 General = Mapping[sp.Symbol, sp.Symbol]
 """By the symbol of a state, that of the general position."""

@@ -18,13 +18,13 @@ from planar_cli.homework.verdict import Verdict
 from planar_cli.report.effects import effects
 from planar_cli.report.narrate import phrases_in
 from planar_cli.report.words import answer_text, rounded, si_text, told_unit
-from planar_cli.solve.algebra import Line
-from planar_cli.solve.instant import Trial
+from planar_cli.solve.instant.algebra import Line
+from planar_cli.solve.instant.instant import Trial
+from planar_cli.solve.instant.stages import Stage
+from planar_cli.solve.instant.written import Explicit, Written
 from planar_cli.solve.principled import principle_of, usual
 from planar_cli.solve.solution import Found, InstantSolution
 from planar_cli.solve.solved_problem import PartSolution, Solution
-from planar_cli.solve.stages import Stage
-from planar_cli.solve.written import Explicit, Written
 
 MACHINE_DIGITS = 15
 STEP_DIGITS = 12

@@ -6,7 +6,7 @@ from decimal import Decimal
 from typing import Any
 
 from planar_cli.report.words import rounded, si_text
-from planar_cli.solve.course.trace import MotionTrace, Relation, Result
+from planar_cli.solve.between.trace import MotionTrace, Relation, Result
 
 STEP_DIGITS = 12
 

@@ -22,7 +22,7 @@ from planar_cli.report.origins import HAPPENS, head, named, told_once, turning
 from planar_cli.report.oscillation import oscillation_blocks
 from planar_cli.report.span_integrals import span_blocks
 from planar_cli.report.words import Phrases, in_si, told_unit
-from planar_cli.solve.course.trace import ImpactEquation, MotionTrace, Relation, Result, RouteStep, RouteTrace
+from planar_cli.solve.between.trace import ImpactEquation, MotionTrace, Relation, Result, RouteStep, RouteTrace
 
 MOST_ROOTS = 4
 SHORT = 40

@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterable, Iterator
 
 from planar_cli.report.blocks import Block, Equation, Line, Name, Paragraph, Result, line
 from planar_cli.report.names import plain_name
-from planar_cli.solve.course.trace import Relation
+from planar_cli.solve.between.trace import Relation
 
 HAPPENS = ("it stops sliding", "it turns round", "it comes to the other side")
 """What happens at an instant; all other words say what holds up to it."""

@@ -10,7 +10,7 @@ import sympy as sp
 from planar_cli.equation.exact import Valuation
 from planar_cli.report.blocks import Block, Equation, Inline, Line, Paragraph, Result, Value, line
 from planar_cli.report.words import Phrases
-from planar_cli.solve.course.trace import OscillationTrace, Verdict
+from planar_cli.solve.between.trace import OscillationTrace, Verdict
 
 DEVIATION = sp.Symbol("delta", real=True)
 RATES = tuple(sp.Symbol(f"delta_{dots}", real=True) for dots in ("dot", "ddot"))

@@ -11,7 +11,7 @@ from planar_cli.problem.dimensions import Lookup, dimension_of
 from planar_cli.problem.expression import Quantity
 from planar_cli.report.blocks import Block, Equation, Inline, Line, Paragraph, Result, Value, line
 from planar_cli.report.words import Phrases
-from planar_cli.solve.course.trace import Piece, SpanIntegral
+from planar_cli.solve.between.trace import Piece, SpanIntegral
 from planar_cli.units import ANGULAR_MOMENTUM, TIME, Dimension, default_unit
 
 NAMES = {"work": "W", "heat": "Q", "impulse": "J", "path_length": "s", "mean": "mean value", "count": "number"}

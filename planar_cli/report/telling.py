@@ -12,12 +12,12 @@ from planar_cli.report.blocks import Block, Equation, Heading, Line, Math, Name,
 from planar_cli.report.checks import friction_against_limit, friction_in
 from planar_cli.report.forces import force_rows
 from planar_cli.report.words import Phrases
-from planar_cli.solve.algebra import Line as SolvedLine
-from planar_cli.solve.algebra import SolvedBlock
+from planar_cli.solve.instant.algebra import Line as SolvedLine
+from planar_cli.solve.instant.algebra import SolvedBlock
+from planar_cli.solve.instant.stages import Stage
+from planar_cli.solve.instant.used import used_blocks
+from planar_cli.solve.instant.written import Explicit, Written
 from planar_cli.solve.solution import InstantSolution
-from planar_cli.solve.stages import Stage
-from planar_cli.solve.used import used_blocks
-from planar_cli.solve.written import Explicit, Written
 
 LONG_FORMULA = 16
 """A named intermediate with a longer formula is given by its value alone, except in a lesson."""

@@ -7,10 +7,10 @@ from dataclasses import replace
 from planar_cli.errors import FileProblem
 from planar_cli.problem.scene import Problem
 from planar_cli.records import record
+from planar_cli.solve.instant.used import used_blocks
 from planar_cli.solve.principled import every_principle, principle_of
 from planar_cli.solve.run import solve_problem
 from planar_cli.solve.solved_problem import PartSolution
-from planar_cli.solve.used import used_blocks
 
 NOT_REACHED = "PL570"
 

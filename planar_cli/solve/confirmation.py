@@ -26,11 +26,11 @@ from planar_cli.simulate.answers import NOT_FOLLOWED, Answered
 from planar_cli.simulate.measures import Moment, names_of_states
 from planar_cli.simulate.run import BEGINNING, Settings, Simulation, simulate
 from planar_cli.simulate.timetable import Timetable
-from planar_cli.solve.course.trace import MotionTrace, Taken
+from planar_cli.solve.between.trace import MotionTrace, Taken
 from planar_cli.solve.instances import Instance, instances
+from planar_cli.solve.instant.verify import Disagreement
 from planar_cli.solve.solution import Found
 from planar_cli.solve.solved_problem import Confirmation
-from planar_cli.solve.verify import Disagreement
 from planar_cli.units import Unit
 
 CERTAIN = 1e-6

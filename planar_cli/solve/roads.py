@@ -14,8 +14,8 @@ from planar_cli.problem.formulas import formulas
 from planar_cli.problem.outermost import quantities_in
 from planar_cli.problem.scene import Find, Problem, State
 from planar_cli.problem.walk import walk
-from planar_cli.solve.asked import FORCES, has_mass
-from planar_cli.solve.course.mode_dates import told_by_modes
+from planar_cli.solve.instant.asked import FORCES, has_mass
+from planar_cli.solve.regimes.mode_dates import told_by_modes
 
 CURVES = ("path", "hodograph")
 SPANNED = ("reached", "period", "frequency", "stable", "count")

@@ -15,22 +15,22 @@ from planar_cli.equation.setup import Earlier, first_unit
 from planar_cli.equation.system import System
 from planar_cli.errors import FileProblem, Mark, NoSolution, NotReached, Undecided, refuse
 from planar_cli.problem.scene import Find, Problem
-from planar_cli.solve.course.mode_dates import told_by_modes
-from planar_cli.solve.diagnose import OPEN, explain_failure, place, singular_position
-from planar_cli.solve.diagnose_cases import demand_cancelled, several, several_cases
-from planar_cli.solve.diagnose_clash import check_positions, demand_drawn
-from planar_cli.solve.diagnose_open import demand_determined, demand_passable
-from planar_cli.solve.finish import Finisher, not_reached
-from planar_cli.solve.instant import Instant, Lift, Trial, make_instant, search_modes
+from planar_cli.solve.diagnosis.cases import demand_cancelled, several, several_cases
+from planar_cli.solve.diagnosis.clash import check_positions, demand_drawn
+from planar_cli.solve.diagnosis.failures import OPEN, explain_failure, place, singular_position
+from planar_cli.solve.diagnosis.open_data import demand_determined, demand_passable
+from planar_cli.solve.instant.finish import Finisher, not_reached
+from planar_cli.solve.instant.instant import Instant, Lift, Trial, make_instant, search_modes
+from planar_cli.solve.instant.seek import seek
+from planar_cli.solve.instant.sign_pairs import BothWays, demand_one_way
+from planar_cli.solve.instant.verify import Disagreement
 from planar_cli.solve.passages import Tale
 from planar_cli.solve.principled import instant_words, principle_of, usual
+from planar_cli.solve.regimes.mode_dates import told_by_modes
 from planar_cli.solve.roads import in_general, is_curve, is_kinematic, runs_in_time, without
-from planar_cli.solve.seek import seek
-from planar_cli.solve.sign_pairs import BothWays, demand_one_way
 from planar_cli.solve.solution import Found, InstantSolution
 from planar_cli.solve.solved_problem import PartSolution, Solution
 from planar_cli.solve.states import solve_states, stand_at_states
-from planar_cli.solve.verify import Disagreement
 
 SEED = 1
 """SymPy factors and tests for zero at places that it draws: the same ones each time, so that a file takes the same way
@@ -217,7 +217,7 @@ def solve_part(problem: Problem, case: str, units: dict[str, str], earlier: dict
 
 def _formulas(problem: Problem, case: str, units: dict[str, str], earlier: dict[str, Earlier]) -> PartSolution:
     """Formulas that hold throughout; imported when needed, as one instant needs none of it."""
-    from planar_cli.solve.course.formulas import solve_formulas
+    from planar_cli.solve.curves.formulas import solve_formulas
 
     return solve_formulas(problem, case, units, earlier)
 
@@ -230,7 +230,7 @@ def _in_time(
     trial: Mapping[str, float] | None = None,
 ) -> PartSolution:
     """A motion from state to state; imported when needed. `trial`: numbers of sought constants, found before."""
-    from planar_cli.solve.course.run import solve_course
+    from planar_cli.solve.motion_over_time import solve_course
 
     return solve_course(problem, case, units, earlier, trial or {})
 
@@ -277,7 +277,7 @@ def solve_instant(
 
 def _lift(problem: Problem, always: tuple[Any, ...], earlier: dict[str, Earlier]) -> Lift:
     """How a principle gets a general position of this problem; imported when needed."""
-    from planar_cli.solve.course.lifted import Lift as Lifting
+    from planar_cli.solve.regimes.lifted import Lift as Lifting
 
     return Lifting(problem, always, earlier)
 

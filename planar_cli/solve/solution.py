@@ -11,9 +11,9 @@ from planar_cli.calculus.curve_words import Curve
 from planar_cli.equation.exact import Settled, Valuation
 from planar_cli.problem.scene import Find
 from planar_cli.records import record
-from planar_cli.solve.instant import Instant, Trial
-from planar_cli.solve.stages import Stage
-from planar_cli.solve.written import Explicit
+from planar_cli.solve.instant.instant import Instant, Trial
+from planar_cli.solve.instant.stages import Stage
+from planar_cli.solve.instant.written import Explicit
 from planar_cli.units import Unit
 
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from planar_cli.problem.scene import Problem
 from planar_cli.records import record
-from planar_cli.solve.course.trace import MotionTrace
+from planar_cli.solve.between.trace import MotionTrace
 from planar_cli.solve.passages import Tale
 from planar_cli.solve.solution import Found, InstantSolution
 

@@ -1,0 +1,123 @@
+"""Checks of a motion by other roads: the numbers that follow it step by step, and the balance of energy.
+
+    dT/dt = P      T the kinetic energy of all bodies, P the power of all loads and of friction; ideal joints do no work
+
+(An Introduction to Planar Dynamics, 3.3, 4.4.) For one free speed u, T(q, u): (∂T/∂u) du/dt = P - (∂T/∂q) dq/dt.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator
+from decimal import Decimal
+
+import sympy as sp
+
+from planar_cli.equation.exact import Valuation
+from planar_cli.equation.plain import derivative
+from planar_cli.errors import NoValue
+from planar_cli.solve.between.events import LOOKS
+from planar_cli.solve.between.followed import Followed
+from planar_cli.solve.between.solved_motion import SolvedMotion
+from planar_cli.solve.instant.verify import Disagreement
+from planar_cli.solve.regimes.equations import DATA
+from planar_cli.solve.regimes.regime import Regime
+
+NEEDED = 6
+FULL = 50
+
+
+def compared(found: SolvedMotion) -> tuple[str, ...]:
+    """What agrees, in phrases. Disagreement: two roads to the same motion differ."""
+    phrases = []
+    if found.followed is not None and found.followed.values:
+        digits = followed_digits(found, found.followed)
+        if digits is not None:
+            if digits < NEEDED:
+                raise Disagreement("the motion followed step by step differs from its equations")
+            phrases.append(f"followed step by step from the first state: agrees to {digits} digits")
+    return (*phrases, *balanced(found.course.distinct_regimes()))
+
+
+def balanced(regimes: Iterable[Regime]) -> tuple[str, ...]:
+    """That the balance of energy gives the same equations of motion. Disagreement: it does not."""
+    powers = [d for r in regimes if (d := power_digits(r)) is not None]
+    if not powers:
+        return ()
+    if min(powers) < NEEDED:
+        raise Disagreement("the balance of energy gives another equation of motion")
+    return (f"the balance of energy gives the same equation of motion, to {min(powers)} digits",)
+
+
+def followed_digits(found: SolvedMotion, followed: Followed) -> int | None:
+    """To how many digits the letters of all states agree, measured by the largest of the same dimension on the way."""
+    worst: float | None = None
+    stated = _stated_letters(found)
+    sizes: dict[str, float] = {}
+    units = found.course.ledger.units
+    kinds = {own: str(units[own].dimension) for stop in found.course.stops.values() for own in stop.letters.values()}
+    for s, v in _passed(followed):
+        if s in units:
+            kind = str(units[s].dimension)
+            sizes[kind] = max(sizes.get(kind, 0.0), abs(v))
+    for s, v in followed.values.items():
+        if s in found.guessed or s in stated or s not in kinds or not sizes[kinds[s]]:
+            continue
+        exact = found.value.known(s)
+        if exact is None:
+            continue
+        off = abs(float(exact) - v) / sizes[kinds[s]]
+        worst = off if worst is None else max(worst, off)
+    if worst is None:
+        return None
+    return int(min(-math.log10(max(worst, 1e-13)), 13))
+
+
+def _stated_letters(found: SolvedMotion) -> set[sp.Symbol]:
+    """Letters that the file gives one by one, and those from which the motion was followed: on both roads the same."""
+    course = found.course
+    own = {s for stop in course.stops.values() for s in stop.letters.values()}
+    alone = [e.residual.free_symbols & own for e in course.equations if e.kind in DATA]
+    return {s for inside in alone if len(inside) == 1 for s in inside} | {*course.first.letters.values()}
+
+
+def _passed(followed: Followed) -> Iterator[tuple[sp.Symbol, float]]:
+    """The letters of the states with their values, and those of the general position on the way between them."""
+    yield from followed.values.items()
+    for segment in followed.segments:
+        for k in range(1, LOOKS):
+            try:
+                here = segment.at(segment.t0 + (segment.t1 - segment.t0) * k / LOOKS)
+            except NoValue:
+                break
+            yield from here.items()
+
+
+def power_digits(regime: Regime) -> int | None:
+    """To how many digits Newton's law and the balance of energy give the same du/dt; None: it does not tell."""
+    if regime.balance is None:
+        return None
+    u = regime.free[0]
+    total, given = (regime.closed(e) for e in regime.balance)
+    left = derivative(total, u) * regime.accelerations[u]
+    left += sp.Add(*(derivative(total, q) * r for q, r in regime.rates.items()))
+    here = _anywhere(regime)
+    a, b = here.known(left), here.known(given)
+    if a is None or b is None:
+        return None
+    size = max(abs(a), abs(b), here.size(left) if left.is_Add else abs(a))
+    if size == 0:
+        return FULL
+    off = abs(a - b) / size
+    return FULL if off == 0 else min(int(-off.log10()), FULL) if off < Decimal(1) else 0
+
+
+def _anywhere(regime: Regime) -> Valuation:
+    """Numbers of a position like no other; where loops close, those of the position that was drawn."""
+    general = regime.general
+    if general.constraints:
+        return general.value
+    letters = (*(c.symbol for c in regime.coordinates), *regime.free)
+    ordinary = general.instant.scene.ledger.natural
+    moved = {s: general.value(s) + Decimal(i + 3) / 17 * ordinary(s) for i, s in enumerate(letters)}
+    return general.value.extended(moved)

@@ -1,0 +1,139 @@
+"""Several motions that fit, where something is to be largest (or smallest) over a constant that is sought.
+
+Each is the largest of those near it: a throw up a slope, and one down its other side. The file must say which is meant;
+a place that is positive in one and negative in the other tells them apart.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from decimal import Decimal
+
+import sympy as sp
+
+from planar_cli.equation.exact import PI, Unvalued
+from planar_cli.equation.ledger import display
+from planar_cli.errors import Diagnostic, NoSolution, NoValue
+from planar_cli.problem.scene import State
+from planar_cli.solve.between.chain import Branch
+from planar_cli.solve.between.motion_equations import MotionEquations
+from planar_cli.solve.between.solved_motion import SolvedMotion
+from planar_cli.solve.regimes.regime_sequence import RegimeSequence
+from planar_cli.solve.regimes.timeline import Demand
+
+SAME = Decimal("1e-12")
+ASIDE = Decimal("1e-4")
+"""By this part of an ordinary size a constant is changed, to see whether what is largest becomes less."""
+
+
+def chosen_extreme(course: MotionEquations) -> tuple[State, Demand] | None:
+    """What is to be largest or smallest over a constant that is sought; None: nothing is."""
+    for state in course.states:
+        for d in course.demands[state.name]:
+            if d.kind == "extreme" and course.is_set(state) and course.sought():
+                return state, d
+    return None
+
+
+def one_of(course: MotionEquations, fits: list[SolvedMotion], again: list[SolvedMotion]) -> SolvedMotion:
+    """The motion that is meant. `again`: those that pass such a state before. NoSolution: the file must choose."""
+    if not fits:
+        return replace(again[0], checks=_left_out(course, again[1:], "fit as well"))
+    _demand_choice(course, [f.branch for f in fits])
+    return replace(fits[0], checks=_left_out(course, again, "pass such a state before, and are left out"))
+
+
+def _demand_choice(course: MotionEquations, branches: Sequence[Branch]) -> None:
+    """NoSolution: several motions fit that are no smaller (larger) than all near them."""
+    found = chosen_extreme(course)
+    if found is None:
+        return
+    state, demand = found
+    fitting: list[Branch] = []
+    for branch in branches:
+        if not any(_same(course, branch, b) for b in fitting) and _is_top(course, branch, state, demand):
+            fitting.append(branch)
+    if len(fitting) < 2:
+        return
+    listed = "; ".join(_words(course, b) for b in fitting)
+    text = f"state {state.name}: `{demand.text}` in several ways: {listed}"
+    raise NoSolution([Diagnostic(demand.mark, "PL635", text, _hint(course, fitting, state))])
+
+
+def _height(course: MotionEquations, branch: Branch, state: State, demand: Demand) -> Decimal:
+    """What is to be largest, in a branch; of what is to be smallest its negative."""
+    value = course.base().extended(branch.values)
+    return value(course.stops[state.name].at(demand.residual)) * demand.extreme
+
+
+def _is_top(course: MotionEquations, branch: Branch, state: State, demand: Demand) -> bool:
+    """Is it less on both sides, where a sought constant is a little larger or smaller? What cannot be told may be."""
+    top = _height(course, branch, state, demand)
+    natural = course.natural(course.sought())
+    for constant in (s for s in course.sought() if s in branch.values):
+        for way in (-1, 1):
+            beside = _beside(course, branch, state, constant, branch.values[constant] + way * ASIDE * natural[constant])
+            try:
+                if beside is not None and _height(course, beside, state, demand) > top:
+                    return False
+            except (NoValue, Unvalued):
+                continue
+    return True
+
+
+def _beside(course: MotionEquations, branch: Branch, state: State, constant: sp.Symbol, at: Decimal) -> Branch | None:
+    """The motion next to a branch with another value of one constant; None: there is none. What is largest in other
+    states, of the time, stays so.
+    """
+    chain = course.chain()
+    value, left = course.base().extended({constant: at}), chain.unknowns - {constant}
+    chain = replace(chain, unknowns=left, value=value, accept=lambda values: True)
+    found = chain.branches([e for e in course.equations if (e.kind, e.stop) != ("extreme", state.name)])
+    whole = [replace(b, values={**b.values, constant: at}) for b in found if not b.left]
+    near = [b for b in whole if set(b.values) >= set(branch.values)]
+    return min(near, key=lambda b: _distance(course, b, branch), default=None)
+
+
+def _distance(course: MotionEquations, one: Branch, other: Branch) -> Decimal:
+    natural = course.natural(one.values)
+    return sum((abs(v - other.values[s]) / natural[s] for s, v in one.values.items() if s in other.values), Decimal(0))
+
+
+def _same(course: MotionEquations, one: Branch, other: Branch) -> bool:
+    """Is it the same motion? Angles may differ by turns."""
+    natural, units = course.natural(one.values), course.ledger.units
+    for s, v in one.values.items():
+        away = v - other.values.get(s, v)
+        if s in units and units[s].angle:
+            away -= 2 * PI * (away / (2 * PI)).to_integral_value()
+        if abs(away) > SAME * max(abs(v), natural[s]):
+            return False
+    return True
+
+
+def _words(course: MotionEquations, branch: Branch) -> str:
+    """The sought constants of one of them, as the file shows them."""
+    units, values = course.ledger.units, branch.values
+    shown = [(s.name, float(display(values[s], units[s])), units[s].text) for s in course.sought() if s in values]
+    return ", ".join(f"{name} = {number:.4g} {unit}" for name, number, unit in shown)
+
+
+def _hint(course: MotionEquations, fitting: Sequence[Branch], state: State) -> str:
+    """A relation that tells them apart."""
+    stop, regime = course.stops[state.name], course.readers[state.name].regime
+    for name, body in regime.general.instant.scene.bodies.items():
+        for axis, place in (("x", body.center.x), ("y", body.center.y)):
+            found = [course.base().extended(b.values).known(stop.at(place)) for b in fitting]
+            numbers = [v for v in found if v is not None]
+            if len(numbers) == len(found) and min(numbers) < 0 < max(numbers):
+                return f"say which is meant in state {state.name}, such as `{axis}({name}) > 0` or `{axis}({name}) < 0`"
+    return "say which is meant: an inequality of the sought constant, or of a place"
+
+
+def _left_out(course: RegimeSequence, others: list[SolvedMotion], why: str) -> tuple[str, ...]:
+    """Values of sought constants with which the motion is another, in a phrase."""
+    if not others:
+        return ()
+    names = [f"{s.name} = {others[-1].branch.values[s]:.4g} (SI units)" for s in course.sought()]
+    return (f"other roots, as {', '.join(names)}, {why}",)

@@ -1,0 +1,166 @@
+"""The answers of a motion: quantities at states, formulas that hold throughout, truths and modes."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.equation.exact import Settled, Valuation
+from planar_cli.equation.plain import longer, rounded_inside, simplified, with_short_roots
+from planar_cli.equation.system import mode_of
+from planar_cli.errors import Undecided, refuse
+from planar_cli.problem.expression import Quantity, Relation
+from planar_cli.problem.outermost import is_energy
+from planar_cli.records import record
+from planar_cli.solve.between.asked_finds import TRUTHS, AskedFind
+from planar_cli.solve.between.derivation import Route
+from planar_cli.solve.between.motion_equations import MotionEquations
+from planar_cli.solve.between.oscillation import stability
+from planar_cli.solve.between.stated_motion import StatedMotion
+from planar_cli.solve.between.throughout import Throughout
+from planar_cli.solve.between.trace import SpanIntegral
+from planar_cli.solve.curves.paths import CurveReader
+from planar_cli.solve.diagnosis.unsettled import settled_by
+from planar_cli.solve.following.starts import started
+from planar_cli.solve.instant.truth import holds
+from planar_cli.solve.passages import Passage
+from planar_cli.solve.roads import is_curve
+from planar_cli.solve.solution import Found
+from planar_cli.units import parse_unit
+
+CLOSED_OPS, LONGEST = 90, 600
+
+
+@record
+class AnsweredFind:
+    """The answer of one find."""
+
+    found: Found
+    """Its values and formulas."""
+    passing: Route | None = None
+    """Where it holds throughout the motion, the way to it."""
+    passage: Passage | None = None
+    """Of a curve, what is told of it."""
+
+
+@record
+class Answering:
+    """Answers the finds of one motion."""
+
+    course: MotionEquations
+    """The motion, solved."""
+    route: Route
+    """The way to what is asked."""
+    value: Valuation
+    """Numbers of everything."""
+    spans: tuple[SpanIntegral, ...]
+    """Quantities over spans, worked out."""
+    throughout: Throughout
+    """What holds throughout the motion."""
+
+    def answer(self, asked: AskedFind) -> AnsweredFind:
+        """One find."""
+        value = self.value
+        find, what = asked.find, asked.find.found.what
+        pure = parse_unit("1")
+        mode = self._mode(what, asked)
+        if mode is not None:
+            return AnsweredFind(Found(find.name, mode[0], pure, None, None, mode[1], find))
+        if isinstance(what, Quantity) and what.word in TRUTHS:
+            word = "true" if _is_true(self.course, what, value) else "false"
+            return AnsweredFind(Found(find.name, "truth", pure, None, None, word, find))
+        if is_curve(what):
+            known = self.throughout.start
+            starts = started(self.course, asked.reader.regime, lambda s: known.get(s, s), value)
+            found, passage = CurveReader(asked.reader.regime, starts).answer(find)
+            return AnsweredFind(found, passage=passage)
+        parts = list(asked.parts())
+        if isinstance(what, Quantity) and what.word == "frequency" and asked.unit is not None and asked.unit.angle:
+            parts = [2 * sp.pi * p for p in parts]
+        passing = self.throughout.route(parts)
+        if passing is not None:
+            parts = [put_in(p, passing) for p in parts]
+        closed = tuple(closed_formula(p, self.route, self.course.symbolic) for p in parts)
+        self._demand_state(asked, closed)
+        by = settled_by(self.course, find, closed, value, self.spans)
+        told = tuple(parts) if by is value else closed
+        if isinstance(what, Relation):
+            truth = holds(find, what.operator, told, closed, by, self.course.scene.everywhere())
+            said = "true" if truth else "false"
+            return AnsweredFind(Found(find.name, "truth", pure, None, None, said, find), passing)
+        letters = self.course.parameters() | self._varying()
+        symbolic = any(letters & c.free_symbols for c in closed)
+        values = None if symbolic else tuple(self._number(p, c, by) for p, c in zip(told, closed, strict=True))
+        short = all(not longer(c, CLOSED_OPS) and not rounded_inside(c) and not c.atoms(sp.Dummy) for c in closed)
+        kind = "vector" if len(parts) == 2 else "number"
+        energy = is_energy(what)
+        assert asked.unit is not None
+        formulas = closed if symbolic or short else None
+        found = Found(find.name, kind, asked.unit, values, formulas, "", find, energy, tuple(parts))
+        return AnsweredFind(found, passing)
+
+    def _demand_state(self, asked: AskedFind, closed: tuple[sp.Expr, ...]) -> None:
+        """FileProblem: what is asked without a state varies, and nothing is told of it but its own name.
+
+        Of a relation that is whether it holds, which has one answer only where nothing in it varies.
+        """
+        varying = self._varying()
+        relation = isinstance(asked.find.found.what, Relation)
+        named = [c for c in closed if c in varying or (relation and c.free_symbols & varying)]
+        if asked.at is None and named and all(c in named or c == 0 for c in closed):
+            states = ", ".join(f"`@ {s.name}`" for s in self.course.states)
+            text = f"{asked.find.name} varies in the course of the motion: it has no one value"
+            raise refuse(asked.find.mark, "PL560", text, f"say at which state: {states}")
+
+    def _varying(self) -> set[sp.Symbol]:
+        return {s for r in self.course.distinct_regimes() for s in r.letters}
+
+    @staticmethod
+    def _number(expr: sp.Expr, closed: sp.Expr, value: Valuation) -> Settled:
+        """Undecided: a denominator vanishes there, so that no number is one."""
+        # Not one inside an integral, over whose variable it varies.
+        powers = (p for p in expr.atoms(sp.Pow) if p.free_symbols <= expr.free_symbols)
+        if any(p.exp.could_extract_minus_sign() and value.is_zero(p.base) for p in powers):
+            raise Undecided("what is asked becomes 0/0 in the letters of this motion: it is not told")
+        return value.settled(expr, closed)
+
+    def _mode(self, what: Any, asked: AskedFind) -> tuple[str, str] | None:
+        """A mode that is asked, or compared."""
+        if isinstance(what, Relation) and (stated := mode_of(what)) is not None:
+            side = what.left if isinstance(what.left, Quantity) else what.right
+            name = self._mode_name(stated[0], getattr(side, "at", None), asked)
+            return "truth", "true" if name == stated[1] else "false"
+        if isinstance(what, Quantity) and what.word == "mode":
+            return "word", self._mode_name(what.things[0], what.at, asked)
+        return None
+
+    def _mode_name(self, joint: str, at: Any, asked: AskedFind) -> str:
+        reader = self.course.tellers[at] if isinstance(at, str) else asked.reader
+        system = reader.regime.general.trial.system
+        ours = next(our for our, name in system.aliases.items() if name == joint and system.modes[our].name)
+        return system.modes[ours].name
+
+
+def _is_true(course: StatedMotion, q: Quantity, value: Valuation) -> bool:
+    """reached(s): is the state part of the motion? stable(s): does a small deviation stay small?"""
+    if q.word == "reached":
+        return q.things[0] in course.stops
+    return stability(course.swings[q.things[0]], value).stable
+
+
+def put_in(expr: sp.Expr, route: Route) -> sp.Expr:
+    """An expression with the formulas of a route put in, all the way down."""
+    for _ in range(60):
+        inside = {s: route.formulas[s] for s in expr.free_symbols if s in route.formulas}
+        if not inside or longer(expr, 3000):
+            break
+        expr = expr.xreplace(inside)
+    return expr
+
+
+def closed_formula(expr: sp.Expr, route: Route, symbolic: bool) -> sp.Expr:
+    """A formula down to the names of the file. `symbolic`: letters of the file stay in it."""
+    expr = put_in(expr, route)
+    most = LONGEST if symbolic else CLOSED_OPS
+    return expr if expr.is_number or expr.is_Symbol or longer(expr, most) else with_short_roots(simplified(expr))

@@ -1,0 +1,41 @@
+"""Which of several branches of a motion goes first."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from decimal import Context, Decimal
+from typing import Any
+
+from planar_cli.solve.between.chain import Branch
+from planar_cli.solve.between.motion_equations import MotionEquations
+from planar_cli.solve.between.stated_motion import StatedMotion
+
+ROUGHLY, TIES = Context(prec=30), Context(prec=12)
+"""To so many digits times, and what is largest, are compared."""
+
+
+def candidates(course: MotionEquations) -> list[Branch]:
+    """All branches of the equations that are possible, those whose states come first in front."""
+    return ranked(course, course.chain().branches(course.equations))
+
+
+def ranked(course: StatedMotion, branches: Iterable[Branch]) -> list[Branch]:
+    """Those that leave no equation open, if there are any; of these first the largest where that is asked, the
+    earliest, and those with positive sought constants.
+    """
+    found = list(branches)
+    return sorted([b for b in found if not b.left] or found, key=lambda b: _rank(course, b))
+
+
+def _rank(course: StatedMotion, branch: Branch) -> tuple[Any, ...]:
+    keys: list[Any] = []
+    for state in course.states:
+        stop = course.stops[state.name]
+        for d in course.demands[state.name]:
+            if d.kind == "extreme":
+                v = course.base().extended(branch.values).known(stop.at(d.residual))
+                keys.append(-TIES.plus((v or Decimal(0)) * d.extreme))
+        keys.append(ROUGHLY.plus(branch.values.get(stop.t, Decimal(0))))
+    below = [s for s in course.sought() if branch.values.get(s, Decimal(0)) < 0]
+    negative = sum(not course.ledger.units[s].angle for s in below)
+    return (negative if course.blows else 0, *keys, negative, len(below))

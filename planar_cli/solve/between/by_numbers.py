@@ -1,0 +1,49 @@
+"""Letters of states that only a step method tells, and what may be derived from them: what comes at or after them."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Mapping
+
+import sympy as sp
+
+from planar_cli.equation.exact import Valuation
+from planar_cli.equation.plain import longer
+from planar_cli.records import record
+from planar_cli.solve.between.derivation import Edge
+from planar_cli.solve.regimes.equations import Equation
+from planar_cli.solve.regimes.regime_sequence import RegimeSequence
+
+LONGEST = 60
+
+
+@record
+class ByNumbers:
+    """`equations`: one for each letter; `order`: of the letters of all states, which state they belong to."""
+
+    equations: tuple[Equation, ...] = ()
+    order: Mapping[sp.Symbol, int] | None = None
+
+    def edges(self, edges: Iterable[Edge]) -> list[Edge]:
+        """The derivations that lead onward in time and can be read, and the numbers."""
+        order = self.order or {}
+        found = [((e,), (x,), frozenset[sp.Symbol](), e.cost) for e in self.equations for x in e.residual.free_symbols]
+        return [*(e for e in edges if _onward(e, order)), *found]
+
+
+def _onward(edge: Edge, order: Mapping[sp.Symbol, int]) -> bool:
+    equations, unknowns, needs, _ = edge
+    first = min((order[x] for x in unknowns if x in order), default=len(order))
+    last = max((order[x] for x in needs if x in order), default=0)
+    return last <= first and not any(longer(e.residual, LONGEST) for e in equations)
+
+
+def by_numbers(course: RegimeSequence, guessed: Collection[sp.Symbol], value: Valuation) -> ByNumbers:
+    """The letters of states whose values came from following the motion alone, `guessed`. `value`: their numbers."""
+    stops = [course.stops[state.name] for state in course.states]
+    order = {own: i for i, stop in enumerate(stops) for own in stop.letters.values()}
+    told = []
+    for own, i in order.items():
+        if own in guessed:
+            residual = own - sp.Rational(str(value(own)))
+            told.append(Equation(residual, "followed", "followed step by step", course.states[i].name))
+    return ByNumbers(tuple(told), order)

@@ -1,0 +1,189 @@
+"""Closed roots of one equation of a motion: polynomial, or with the unknown in one angle, one exponential, one root.
+
+A cos u + B sin u = C:  u = ... + 2 n pi          a e^(ku) + b = 0:  u = ln(-b/a)/k
+"""
+
+from __future__ import annotations
+
+from decimal import Decimal
+
+import sympy as sp
+from sympy.simplify.fu import TR8
+
+from planar_cli.equation.exact import PI, Valuation
+from planar_cli.equation.plain import longer, simplified
+from planar_cli.errors import Undecided
+from planar_cli.solve.instant.roots import Root, real_roots
+
+TURNS = 3
+LONGEST = 60
+
+
+def closed_roots(residual: sp.Expr, x: sp.Symbol, value: Valuation, truth: Decimal, symbolic: bool) -> list[Root]:
+    """The roots that have a closed form; of periodic ones those next to the true value and in the first turns."""
+    numerator = sp.fraction(sp.together(residual))[0] if not residual.has(sp.Integral) else residual
+    if numerator.is_polynomial(x):
+        return _tidied(real_roots(residual, x, value, symbolic, False), value)
+    numerator = _without_tangents(numerator, x)
+    found: list[Root] = []
+    for factor in _factors(numerator, x):
+        try:
+            found += _of_factor(factor, x, value, truth, symbolic)
+        except Undecided:
+            if value.extended({x: truth}).is_zero(factor):
+                raise
+    return _tidied(found, value)
+
+
+def _factors(numerator: sp.Expr, x: sp.Symbol) -> list[sp.Expr]:
+    """The factors that hold x; a root belongs to one of them."""
+    if longer(numerator, LONGEST) or numerator.has(sp.Integral):
+        return [numerator]
+    inside = {}
+    if len(_kernels(numerator, x)) > 1 or numerator.is_Mul:
+        inside = {a: sp.expand_trig(a) for a in numerator.atoms(sp.sin, sp.cos) if x in a.free_symbols}
+    product = sp.factor(numerator.xreplace(inside))
+    return [f.base if f.is_Pow else f for f in sp.Mul.make_args(product) if x in f.free_symbols]
+
+
+def _of_factor(numerator: sp.Expr, x: sp.Symbol, value: Valuation, truth: Decimal, symbolic: bool) -> list[Root]:
+    """The roots of one factor."""
+    if numerator.is_polynomial(x):
+        return real_roots(numerator, x, value, symbolic, False)
+    kernels = _kernels(numerator, x)
+    if len(kernels) > 1:
+        numerator = _summed(numerator)
+        kernels = _kernels(numerator, x)
+    if len(kernels) != 1:
+        return []
+    kernel = kernels.pop()
+    if isinstance(kernel, sp.exp | sp.log):
+        return _one_function(numerator, x, kernel, value, symbolic)
+    if isinstance(kernel, sp.Pow):
+        return _rooted(numerator, x, kernel, value, symbolic)
+    try:
+        return _angle(numerator, x, kernel, value, truth, symbolic)
+    except Undecided:
+        doubled = _summed(numerator)
+        kernels = _kernels(doubled, x)
+        if len(kernels) != 1 or kernel in kernels:
+            raise
+        return _angle(doubled, x, kernels.pop(), value, truth, symbolic)
+
+
+def _summed(numerator: sp.Expr) -> sp.Expr:
+    """Products of sines and cosines as sums."""
+    return sp.expand(TR8(sp.expand(numerator))) if not longer(numerator, LONGEST) else numerator
+
+
+def _without_tangents(numerator: sp.Expr, x: sp.Symbol) -> sp.Expr:
+    """Tangents of x as sines over cosines, without fractions."""
+    tangents = {a: sp.sin(a.args[0]) / sp.cos(a.args[0]) for a in numerator.atoms(sp.tan) if x in a.free_symbols}
+    return sp.fraction(sp.together(numerator.xreplace(tangents)))[0] if tangents else numerator
+
+
+def _kernels(expr: sp.Expr, x: sp.Symbol) -> set[sp.Expr]:
+    """What hides x: arguments of sines and cosines, exponentials, logarithms, roots. Multiples of one argument are
+    reduced to the smallest.
+    """
+    found: set[sp.Expr] = set()
+    for atom in expr.atoms(sp.sin, sp.cos, sp.tan):
+        if x in atom.free_symbols:
+            found.add(sp.expand(atom.args[0]))
+    for atom in expr.atoms(sp.exp, sp.log):
+        if x in atom.free_symbols:
+            found.add(atom)
+    for atom in expr.atoms(sp.Pow):
+        if x in atom.base.free_symbols and not atom.exp.is_Integer:
+            found.add(sp.Pow(atom.base, sp.Rational(1, 2)) if (2 * atom.exp).is_Integer else atom)
+    return found
+
+
+def _one_function(numerator: sp.Expr, x: sp.Symbol, kernel: sp.Expr, value: Valuation, symbolic: bool) -> list[Root]:
+    """One exponential or logarithm: its value first, then x."""
+    y = sp.Dummy("y", real=True)
+    flat = numerator.xreplace({kernel: y})
+    flat = flat if x not in flat.free_symbols else sp.expand(flat, log=False).subs(kernel, y)
+    if x in flat.free_symbols or not flat.is_polynomial(y):
+        return []
+    inverse = sp.log if isinstance(kernel, sp.exp) else sp.exp
+    found: list[Root] = []
+    for root in real_roots(flat, y, value, symbolic, False):
+        if root.expression is None or (inverse is sp.log and root.value <= 0):
+            continue
+        found += real_roots(kernel.args[0] - inverse(root.expression), x, value, symbolic, False)
+    return found
+
+
+def _rooted(numerator: sp.Expr, x: sp.Symbol, kernel: sp.Pow, value: Valuation, symbolic: bool) -> list[Root]:
+    """One square root: isolated and squared; what does not satisfy the equation itself leaves."""
+    y = sp.Dummy("y", nonnegative=True)
+    flat = sp.expand(numerator.xreplace({kernel: y}).subs(kernel, y))
+    if not flat.is_polynomial(y) or sp.degree(flat, y) != 1:
+        return []
+    slope, rest = flat.coeff(y, 1), flat.coeff(y, 0)
+    squared = sp.expand(slope**2 * kernel.base - rest**2)
+    if not squared.is_polynomial(x):
+        return []
+    found = []
+    for root in real_roots(squared, x, value, symbolic, False):
+        here = value.extended({x: root.value})
+        number = here.known(numerator)
+        if number is not None and abs(number) <= Decimal("1e-15") * here.size(numerator):
+            found.append(root)
+    return found
+
+
+def _angle(
+    numerator: sp.Expr, x: sp.Symbol, argument: sp.Expr, value: Valuation, truth: Decimal, symbolic: bool
+) -> list[Root]:
+    """One angle u, linear in x: all u of a turn, then x for as many turns as reach the true value."""
+    rate = sp.diff(argument, x)
+    if x in rate.free_symbols:
+        return []
+    u = sp.Dummy("u", real=True)
+    flat = numerator.replace(
+        lambda e: isinstance(e, sp.sin | sp.cos | sp.tan) and sp.expand(e.args[0] - argument) == 0, lambda e: e.func(u)
+    )
+    if x in flat.free_symbols:
+        return []
+    start = simplified((argument - rate * x).expand())
+    there = value(rate) * truth + value(start)
+    found = []
+    for root in real_roots(flat, u, value, symbolic, True):
+        if root.expression is None:
+            continue
+        turns = round(float((there - value(root.expression)) / (2 * PI)))
+        first = 0 if abs(turns) <= TURNS else turns
+        for n in range(min(first, turns), max(first, turns) + 1):
+            expr = (root.expression + 2 * sp.pi * n - start) / rate
+            number = value(expr)
+            found.append(Root(expr, number))
+    return found
+
+
+def _unwound(expr: sp.Expr, value: Valuation) -> sp.Expr:
+    """The angle whose tangent is the cotangent of another: the complement of that."""
+
+    def plain(e: sp.Expr) -> sp.Expr:
+        below = 1 / e.args[0]
+        if not isinstance(below, sp.tan):
+            return e
+        angle = sp.pi / 2 - below.args[0]
+        turns = (value(e) - value(angle)) / PI
+        whole = round(turns)
+        return angle + whole * sp.pi if abs(turns - whole) <= Decimal("1e-20") else e
+
+    found: sp.Expr = expr.replace(lambda e: isinstance(e, sp.atan), plain)
+    return found
+
+
+def _tidied(roots: list[Root], value: Valuation) -> list[Root]:
+    """Plainer expressions, each still with its value."""
+    found = []
+    for r in roots:
+        expr = r.expression
+        if expr is not None and not longer(expr, LONGEST):
+            expr = simplified(_unwound(expr, value))
+        found.append(Root(expr, r.value))
+    return sorted(found, key=lambda r: r.value)

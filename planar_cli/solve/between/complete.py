@@ -1,0 +1,59 @@
+"""What a motion tells once it is known: equilibrium states beside it, oscillations, truths about states, spans."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from decimal import Decimal
+
+import sympy as sp
+
+from planar_cli.equation.exact import Valuation
+from planar_cli.solve.between.chain import Branch
+from planar_cli.solve.between.oscillation import check_oscillations, placed
+from planar_cli.solve.between.solved_motion import SolvedMotion
+from planar_cli.solve.between.span_integrals import solve_spans
+
+AGREE = Decimal("1e-9")
+
+
+def completed(found: SolvedMotion) -> SolvedMotion:
+    """The branch with the equilibrium states in it, and whatever is asked about states."""
+    course, branch = found.course, found.branch
+    balanced = course.equilibria.branch
+    if balanced is not branch:
+        branch = Branch(
+            {**balanced.values, **branch.values},
+            {**balanced.formulas, **branch.formulas},
+            (*balanced.steps, *branch.steps),
+            branch.left,
+        )
+    value = found.value.extended(balanced.values)
+    for letter in balanced.values:
+        formula = _resolved(letter, balanced.formulas)
+        if not formula.free_symbols & set(balanced.values):
+            course.told[letter] = formula
+    check_oscillations(course, course.swings, value)
+    spans = solve_spans(course, value) if course.spanned else ()
+    for s in spans:
+        if s.formula is not None and _agrees(s.formula, s.number, value):
+            course.told.setdefault(s.symbol, s.formula)
+    value = value.extended({s.symbol: s.number for s in spans})
+    oscillations = tuple(placed(course, found) for found in course.swings.values())
+    return replace(found, branch=branch, value=value, spans=spans, oscillations=oscillations)
+
+
+def _agrees(formula: sp.Expr, number: Decimal, value: Valuation) -> bool:
+    """Has the formula a number, and is it the one?"""
+    found = value.known(formula)
+    return found is not None and abs(found - number) <= AGREE * max(abs(number), value.size(formula))
+
+
+def _resolved(expr: sp.Expr, formulas: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
+    """Formulas put into each other."""
+    for _ in range(len(formulas) + 1):
+        inside = {s: formulas[s] for s in expr.free_symbols if s in formulas}
+        if not inside:
+            break
+        expr = expr.xreplace(inside)
+    return expr

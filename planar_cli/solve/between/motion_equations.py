@@ -1,0 +1,186 @@
+"""The equations of a motion over several states, and which of their roots are possible."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from decimal import Decimal
+
+import sympy as sp
+
+from planar_cli.records import record
+from planar_cli.solve.between.chain import Chain
+from planar_cli.solve.between.extremes import stationary
+from planar_cli.solve.between.stated_motion import StatedMotion
+from planar_cli.solve.following.departure import Departure
+from planar_cli.solve.regimes.equations import (
+    Equation,
+    at_limits,
+    drawn_equations,
+    ending_equations,
+    kept_equations,
+    law_equations,
+    link_equations,
+    loop_equations,
+    stated_equations,
+)
+from planar_cli.solve.regimes.mode_sequence import fixed_time
+from planar_cli.solve.regimes.timeline import Stop
+from planar_cli.solve.regimes.transfer import later_equations, resting_equations
+from planar_cli.units import TIME
+
+TINY = Decimal("1e-15")
+
+
+@record
+class MotionEquations(StatedMotion):
+    """The equations of a motion between the symbols of its states, and the search for their roots."""
+
+    equations: tuple[Equation, ...]
+    """What must hold: of the first state alone, or from state to state."""
+    separations: tuple[Equation, ...] = ()
+    """What has just parted at the first state has no velocity apart."""
+    differences: tuple[sp.Symbol, ...] = ()
+    """Differences of places that are unknowns of their own."""
+    departure: Departure | None = None
+    """The disturbance that sends it off from an unstable equilibrium; None: it begins by itself."""
+
+    @property
+    def symbolic(self) -> bool:
+        """Do letters of the file stay in the equations?"""
+        parameters = self.parameters()
+        rows = (r for swing in self.swings.values() for r in (*swing.stiffness, *swing.damping))
+        every = (*(e.residual for e in self.equations), *(sp.sympify(e) for row in rows for e in row))
+        return any(e.free_symbols & parameters for e in every)
+
+    def chain(self) -> Chain:
+        """The solver of the equations."""
+        own = [*self.between.impulses.values(), *(s for blow in self.blows.values() for s in blow.letters)]
+        letters = [v for s in self.stops.values() for v in s.letters.values()]
+        unknowns = frozenset([*letters, *self.sought(), *own, *self.differences])
+        times: dict[sp.Symbol, sp.Symbol | None] = {}
+        angles: dict[sp.Symbol, sp.Symbol | None] = {}
+        before: Stop | None = None
+        units = self.ledger.units
+        for state in self.states:
+            stop = self.stops[state.name]
+            struck = any(blow.stop is stop for blow in self.blows.values())
+            times[stop.t] = None if before is None or struck or fixed_time(state.relations) else before.t
+            for general, own in stop.letters.items():
+                if units[own].angle and general != stop.time and units[own].text in ("rad", "deg", "rev"):
+                    angles[own] = before.letters[general] if before is not None else None
+            before = stop
+        natural = self.natural(unknowns)
+        return Chain(unknowns, times, angles, self.base(), self.symbolic, self._possible, natural=natural)
+
+    def _possible(self, values: dict[sp.Symbol, Decimal]) -> bool:
+        """Do the inequalities and the order of times hold, as far as they can be told?"""
+        number = self.base().extended(values)
+        nothing = TINY * self.scales.exact(TIME)
+        before: Stop | None = None
+        for state in self.states:
+            stop = self.stops[state.name]
+            if (
+                before is not None
+                and not fixed_time(state.relations)
+                and not any(blow.stop is stop for blow in self.blows.values())
+                and {stop.t, before.t} <= set(values)
+                and values[stop.t] <= values[before.t] + TINY * max(abs(values[before.t]), nothing)
+            ):
+                return False
+            before = stop
+            for d in self.demands[state.name]:
+                if d.kind == "inequality":
+                    v = number.known(d.residual)
+                    slack = Decimal(0) if v is None else TINY * number.size(d.residual)
+                    if v is not None and (v < -slack or (d.sign and v <= slack)):
+                        return False
+        return True
+
+
+def first_equations(motion: StatedMotion) -> MotionEquations:
+    """The equations of the first state."""
+    written = [*_stated(motion), *_beginning(motion)]
+    return MotionEquations(**motion.parts(), equations=_at_limits(motion, written))
+
+
+def all_equations(motion: MotionEquations) -> MotionEquations:
+    """All equations, from state to state; they take long, so that only modes that may happen have them."""
+    written = [*_stated(motion), *_beginning(motion), *_moving(motion), *motion.separations]
+    found = replace(motion, equations=_at_limits(motion, written))
+    return replace(found, equations=(*found.equations, *_stationary(found)))
+
+
+def _at_limits(motion: StatedMotion, equations: list[Equation]) -> tuple[Equation, ...]:
+    """The equations where letters become infinite in their state."""
+    return tuple(at_limits(equations, motion.infinite(), motion.regimes[0].general.value)) if motion.states else ()
+
+
+def _stated(motion: StatedMotion) -> list[Equation]:
+    found: list[Equation] = []
+    for s in motion.states:
+        stop = motion.stops[s.name]
+        found += list(stated_equations(motion.demands[s.name]))
+        found += list(stated_equations(motion.placed[s.name], "motion"))
+        for d in motion.demands[s.name]:
+            if d.kind == "extreme" and not motion.is_set(s):
+                rate = stop.at(motion.readers[s.name].regime.derivative(d.residual))
+                found.append(Equation(rate, "extreme", d.text, s.name, mark=d.mark))
+    for name, (expr, words) in motion.modes.turnings.items():
+        found.append(Equation(motion.stops[name].at(expr), "turn", words, name))
+    first = motion.first
+    if not any(first.t in e.residual.free_symbols for e in found if e.stop == first.name):
+        found.append(Equation(first.t, "start", "time is counted from here", first.name))
+    return found
+
+
+def _stationary(motion: MotionEquations) -> list[Equation]:
+    """What is largest or smallest for a constant that is sought."""
+    found: list[Equation] = []
+    for s in motion.states:
+        for d in motion.demands[s.name]:
+            if d.kind == "extreme" and motion.is_set(s):
+                chain = motion.chain()
+                kept = frozenset((*chain.times, *motion.sought()))
+                like = Equation(sp.S.Zero, "extreme", d.text, s.name, mark=d.mark)
+                objective = motion.stops[s.name].at(d.residual)
+                found += stationary(motion.equations, objective, chain.unknowns, kept, like)
+    return found
+
+
+def _beginning(motion: StatedMotion) -> list[Equation]:
+    """How the first state is drawn."""
+    if not motion.states:
+        return []
+    first = motion.first
+    placed = {x for d in motion.placed[first.name] for x in d.residual.free_symbols} - {first.t}
+    found = [e for e in drawn_equations(motion.regimes[0], first) if not e.residual.free_symbols & placed]
+    later = [*motion.regimes, motion.beyond] if motion.beyond is not None else motion.regimes
+    found += list(later_equations(later, first, motion.transfer(motion.regimes[0])))
+    return found + list(loop_equations(motion.readers[first.name].regime, first, first))
+
+
+def _moving(motion: StatedMotion) -> list[Equation]:
+    """What the motion from state to state says."""
+    found: list[Equation] = []
+    since = 0
+    for i, state in enumerate(motion.states):
+        stop = motion.stops[state.name]
+        regime = motion.readers[state.name].regime
+        if i - 1 in motion.blows:
+            found += motion.blows[i - 1].equations
+        if i == 0 or i - 1 in motion.blows:
+            continue
+        found += list(loop_equations(regime, motion.first, stop))
+        if i >= 2 and (i - 2 in motion.blows or motion.regimes[i - 1] is not motion.regimes[i - 2]):
+            since = i - 1
+        start = motion.stops[motion.states[since].name]
+        laws = motion.laws[i - 1]
+        by_laws = law_equations(laws, start, stop, regime, regime.general.value)
+        found += [replace(e, offered=frozenset(motion.between.integrating)) for e in by_laws]
+        found += list(link_equations(laws, start, stop, regime))
+        found += list(kept_equations(regime, start, stop))
+        found += list(motion.between.equations(motion, i))
+        if stop.t in motion.infinite():
+            found += list(ending_equations(laws, stop, regime))
+        found += list(resting_equations(regime, motion.stops[motion.states[i - 1].name], stop, motion.transfer(regime)))
+    return found

@@ -1,0 +1,184 @@
+"""From a solved motion to its trace: what is said of it, apart from what solved it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from itertools import pairwise
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.equation.exact import Valuation
+from planar_cli.solve.between.answers import AnsweredFind
+from planar_cli.solve.between.balances import StateBalance
+from planar_cli.solve.between.derivation import DerivedStep, Route
+from planar_cli.solve.between.independence import settled
+from planar_cli.solve.between.needed import wanted_of
+from planar_cli.solve.between.oscillation import Oscillation, roots_of, stability
+from planar_cli.solve.between.solved_motion import SolvedMotion
+from planar_cli.solve.between.taken import taken_of
+from planar_cli.solve.between.trace import (
+    BalanceTrace,
+    Centre,
+    Impact,
+    ImpactEquation,
+    MotionTrace,
+    OscillationTrace,
+    RegimeTrace,
+    Relation,
+    Request,
+    RouteStep,
+    RouteTrace,
+    Turning,
+)
+from planar_cli.solve.impulsive.impact import Blow
+from planar_cli.solve.instant.stages import Stage
+from planar_cli.solve.instant.written import Written
+from planar_cli.solve.regimes.equations import DATA, Equation
+from planar_cli.solve.regimes.regime_sequence import RegimeSequence
+from planar_cli.solve.solution import InstantSolution
+
+
+def motion_trace(
+    found: SolvedMotion,
+    route: Route,
+    answers: Sequence[AnsweredFind],
+    presumed: tuple[sp.Expr, ...],
+    instants: tuple[InstantSolution, ...],
+) -> MotionTrace:
+    """All that is said of a motion. `route`: the way to what is asked; `presumed`: what is positive, and need not be;
+    `instants`: the general positions of its regimes that are told.
+    """
+    course = found.course
+    whole = found.oscillations or any(a.passing is not None or a.passage is not None for a in answers)
+    tracer = _Tracer(found.value, course.base())
+    return MotionTrace(
+        problem=course.problem,
+        states=tuple(s.name for s in course.states),
+        ledger=course.ledger,
+        value=found.value,
+        symbolic=course.symbolic,
+        unknowns=course.chain().unknowns,
+        general={own: general for stop in course.stops.values() for general, own in stop.letters.items()},
+        varying=frozenset(s for regime in course.distinct_regimes() for s in regime.letters),
+        free=frozenset(course.regimes[0].free if course.regimes else ()),
+        guessed=found.guessed,
+        followed=None if found.followed is None else found.followed.values,
+        turnings=_turnings(found),
+        route=tracer.route(route),
+        requests=tuple(Request(a.find, a.parts(), a.unit) for a in found.finds),
+        passing={a.found.name: tracer.route(a.passing) for a in answers if a.passing is not None},
+        spans=found.spans,
+        oscillations=tuple(_oscillation(o, found.value) for o in found.oscillations),
+        regimes=tuple(_regime(course, i, None if whole else wanted_of(course, route, i)) for i in instants),
+        checks=found.checks,
+        presumed=presumed,
+        taken=taken_of(found),
+    )
+
+
+def _turnings(found: SolvedMotion) -> tuple[Turning, ...]:
+    course = found.course
+    turnings = []
+    for name, (expr, words) in course.modes.turnings.items():
+        t = course.stops[name].t
+        # After a slight touch the time depends on the touch alone.
+        timed = not course.symbolic and t in found.value.values and course.departure is None
+        turnings.append(Turning(name, t if timed else None, expr, words))
+    return tuple(turnings)
+
+
+def _oscillation(found: Oscillation, value: Valuation) -> OscillationTrace:
+    rates = (found.regime.general.rate_of(u) for u in found.speeds)
+    return OscillationTrace(
+        state=found.stop.name,
+        motion=tuple(zip(rates, found.laws, strict=True)),
+        stiffness=found.stiffness[0][0],
+        damping=found.damping[0][0],
+        square=found.square,
+        period=found.period,
+        roots=() if found.single else tuple(roots_of(found, value)),
+        verdict=stability(found, value),
+    )
+
+
+def _regime(course: RegimeSequence, instant: InstantSolution, wanted: frozenset[str] | None) -> RegimeTrace:
+    # A state that is never reached is none of these: what goes towards it goes on without end.
+    names = [*(s.name for s in course.states), ""]
+    spans = zip(pairwise(names), course.regimes, strict=False)
+    acts = [span for span, r in spans if r.general.solution is instant]
+    if not acts and course.beyond is not None and course.beyond.general.solution is instant:
+        acts = [(names[-2], "")]
+    acts += [
+        (state.name, state.name)
+        for state, stretch in course.modes.equilibria
+        if course.workshop.regime(stretch).general.solution is instant
+    ]
+    return RegimeTrace(instant, tuple(acts), wanted)
+
+
+class _Tracer:
+    """Turns equations and routes into what is said of them. `value`: numbers of everything; `base`: of what is no
+    unknown.
+    """
+
+    def __init__(self, value: Valuation, base: Valuation) -> None:
+        self.value, self.base = value, base
+        self._impacts: dict[str, Impact] = {}
+
+    def route(self, route: Route) -> RouteTrace:
+        known = settled(route, self.value, self.base)
+        return RouteTrace(tuple(self._step(step) for step in route.steps), known, route.formulas, route.plain)
+
+    def _step(self, step: DerivedStep) -> RouteStep:
+        d = step.derivation
+        return RouteStep(tuple(self._relation(e) for e in d.equations), d.unknowns, d.needs, step.results, step.datum)
+
+    def _relation(self, e: Equation) -> Relation:
+        source = self._source(e.source)
+        return Relation(e.residual, e.kind, e.words, e.stop, e.since, e.kind in DATA, e.span, e.law, source, e.offered)
+
+    def _source(self, source: Any) -> BalanceTrace | ImpactEquation | None:
+        if source is None:
+            return None
+        if isinstance(source, StateBalance):
+            b = source
+            return BalanceTrace(b.law, b.since.name, b.stop.name, b.before, b.after, b.brought, b.amounts)
+        blow, written = source
+        return self._impact_equation(blow, written)
+
+    # --- impacts -----------------------------------------------------------------------------------------------------
+
+    def _impact_equation(self, blow: Blow, w: Written) -> ImpactEquation:
+        impact = self._impacts.setdefault(blow.since.name, self._impact(blow))
+        sides = (blow.here(w.left), blow.here(w.right))
+        along = None if w.along is None else (blow.here(w.along[0]), blow.here(w.along[1]))
+        return ImpactEquation(impact, *sides, w.law, w.lead, w.words, w.bodies, _centre(blow, w), along)
+
+    def _impact(self, blow: Blow) -> Impact:
+        hits = [j for j in blow.struck.joints if j.strikes and blow.system.modes[j.name].facts.pushes]
+        if blow.stage is None:
+            return Impact(blow.since.name, len(hits), None)
+        known = self.value.values
+        places = {s: known[own] for s, own in blow.stop.letters.items() if own in known}
+        value = blow.scene.valuations[0].extended({**known, **places})
+        stages = (_in_velocities(blow.stage),)
+        solution = InstantSolution("", blow.struck, blow.trial, (), stages, blow.stage.lines, value)
+        return Impact(blow.since.name, len(hits), solution)
+
+
+def _centre(blow: Blow, w: Written) -> Centre | None:
+    """The moment centre of an equation, where it has no name of its own."""
+    found = None if blow.stage is None or w.law != "moment" else blow.stage.centres.get(w.lead)
+    if found is None:
+        return None
+    place, through = found
+    return Centre(blow.here(sp.sympify(place.x)), blow.here(sp.sympify(place.y)), tuple(through))
+
+
+def _in_velocities(stage: Stage) -> Stage:
+    """A plan of a blow with the velocities just after it by its unknowns, where an instant names accelerations."""
+    explicit = {x.symbol: x.expression for x in stage.lines}
+    put = {b: [(d, c.xreplace(explicit)) for d, c in parts] for b, parts in stage.accelerations.items()}
+    return replace(stage, accelerations=put)

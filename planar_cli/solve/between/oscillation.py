@@ -1,0 +1,262 @@
+"""Small oscillations about an equilibrium state: the equations of motion linearised there.
+
+With s the small deviation that grows with a free speed u (ds/dt = u), and du/dt = f(q, u):
+
+    s̈ + c ṡ + ω₀² s = 0        ω₀² = -Σ ∂f/∂q dq/ds        c = -∂f/∂u        T = 2π/√(ω₀² - c²/4)
+
+With several free speeds ω₀² and c are matrices; the roots λ of their characteristic equation tell periods and
+stability. SI units.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import replace
+
+import mpmath
+import sympy as sp
+
+from planar_cli.equation.exact import DIGITS, Sample, Unvalued, Valuation
+from planar_cli.equation.plain import derivative, simplified
+from planar_cli.errors import Diagnostic, FileProblem, Mark, NoSolution, NoValue, Undecided
+from planar_cli.problem.expression import Quantity
+from planar_cli.records import record
+from planar_cli.solve.between.trace import Verdict
+from planar_cli.solve.regimes.regime import Regime
+from planar_cli.solve.regimes.regime_sequence import RegimeSequence
+from planar_cli.solve.regimes.timeline import Stop
+
+HIGHEST = 5
+"""Where the linear term vanishes, terms up to this power of the deviation are looked at."""
+SLOW = mpmath.mpf("1e-25")
+
+
+@record
+class Oscillation:
+    """The motion near one equilibrium state."""
+
+    stop: Stop
+    regime: Regime
+    speeds: tuple[sp.Symbol, ...]
+    """The free speeds u."""
+    laws: tuple[sp.Expr, ...]
+    """du/dt of each, a formula of the general position."""
+    stiffness: tuple[tuple[sp.Expr, ...], ...]
+    """The entries of ω₀² in letters of the state, row by row."""
+    damping: tuple[tuple[sp.Expr, ...], ...]
+    """The same of c."""
+
+    @property
+    def single(self) -> bool:
+        return len(self.speeds) == 1
+
+    @property
+    def square(self) -> sp.Expr:
+        """ω₀² - c²/4 of one freedom: the square of the circular frequency."""
+        w2, c = self.stiffness[0][0], self.damping[0][0]
+        return w2 if c == 0 else w2 - c**2 / 4
+
+    @property
+    def period(self) -> sp.Expr:
+        return 2 * sp.pi * sp.sqrt(1 / self.square)
+
+    @property
+    def frequency(self) -> sp.Expr:
+        """In Hz."""
+        return sp.sqrt(self.square) / (2 * sp.pi)
+
+
+def linearised(regime: Regime, stop: Stop) -> Oscillation:
+    """The equations of motion of a regime, linearised about an equilibrium. FileProblem: there is nothing to swing."""
+    speeds = regime.free
+    if not speeds:
+        text = f"state {stop.name}: nothing is free to move, so nothing can oscillate"
+        raise FileProblem([Diagnostic(stop.mark, "PL631", text, "leave a coordinate free of `motion` and of friction")])
+    still = dict.fromkeys(speeds, sp.S.Zero)
+    rates = {q: {u: simplified(derivative(r, u)) for u in speeds if r.has(u)} for q, r in regime.rates.items()}
+    drift = {q: r.xreplace(still) for q, r in regime.rates.items()}
+    laws = tuple(regime.accelerations[u] for u in speeds)
+    for law in laws:
+        _demand_steady(law, drift, regime, stop)
+
+    def at_rest(expr: sp.Expr) -> sp.Expr:
+        # Places are put in before anything is simplified: there most terms vanish.
+        return stop.at(expr.xreplace(still))
+
+    stiffness = tuple(tuple(at_rest(-_slope(law, u, rates)) for u in speeds) for law in laws)
+    damping = tuple(tuple(at_rest(-derivative(law, u)) for u in speeds) for law in laws)
+    return Oscillation(stop, regime, speeds, laws, stiffness, damping)
+
+
+def _slope(law: sp.Expr, u: sp.Symbol, rates: dict[sp.Symbol, dict[sp.Symbol, sp.Expr]]) -> sp.Expr:
+    """How a law changes with the deviation of a free speed: all coordinates that follow it change."""
+    return sp.Add(*(derivative(law, q) * own[u] for q, own in rates.items() if u in own and law.has(q)))
+
+
+def _demand_steady(law: sp.Expr, drift: dict[sp.Symbol, sp.Expr], regime: Regime, stop: Stop) -> None:
+    """The law may depend neither on time nor on what `motion` drives."""
+    if law.has(regime.time) or any(law.has(q) and d != 0 for q, d in drift.items()):
+        text = f"state {stop.name}: the equation of motion changes with time, so the equilibrium does not last"
+        raise FileProblem([Diagnostic(stop.mark, "PL631", text, "an equilibrium needs forces that stay the same")])
+
+
+# --- quantities about states -----------------------------------------------------------------------------------------
+
+
+def oscillations_asked(course: RegimeSequence) -> dict[str, Oscillation]:
+    """The oscillations that period(s), frequency(s) or stable(s) ask about, by state."""
+    found: dict[str, Oscillation] = {}
+    for q in _asked(course):
+        name = q.things[0]
+        if name not in {s.name for s, _ in course.modes.equilibria}:
+            text = f"{q.word}({name}): state {name} is no equilibrium"
+            raise FileProblem([Diagnostic(q.mark, "PL631", text, f"write `{name}: [equilibrium, …]` in `states`")])
+        if name not in found:
+            found[name] = linearised(course.readers[name].regime, course.stops[name])
+    return found
+
+
+def periods(course: RegimeSequence, swings: Mapping[str, Oscillation]) -> dict[sp.Symbol, sp.Expr]:
+    """What period(s) and frequency(s) of one freedom are, in letters of their states."""
+    told = {}
+    for reader in course.distinct_readers():
+        for symbol, q in reader.spans.items():
+            if q.word in ("period", "frequency") and swings[q.things[0]].single:
+                found = swings[q.things[0]]
+                told[symbol] = found.period if q.word == "period" else found.frequency
+    return told
+
+
+def placed(course: RegimeSequence, found: Oscillation) -> Oscillation:
+    """With the place of the equilibrium put in."""
+    reader = course.readers[found.stop.name]
+
+    def put(rows: tuple[tuple[sp.Expr, ...], ...]) -> tuple[tuple[sp.Expr, ...], ...]:
+        return tuple(tuple(simplified(reader.settled(e)) for e in row) for row in rows)
+
+    return replace(found, stiffness=put(found.stiffness), damping=put(found.damping))
+
+
+def check_oscillations(course: RegimeSequence, swings: Mapping[str, Oscillation], value: Valuation) -> None:
+    """NoSolution: a period that is asked for does not exist, or is not the only one. Undecided: letters leave open
+    whether the equilibrium is stable.
+    """
+    for q in _asked(course):
+        found = swings[q.things[0]]
+        if isinstance(value, Sample) and (q.word == "stable" or not _swings(found, value)):
+            demand_everywhere(placed(course, found), q, value, course.scene.everywhere())
+        if q.word in ("period", "frequency"):
+            _demand_period(swings[q.things[0]], q, value)
+
+
+def periods_asked(course: RegimeSequence) -> set[str]:
+    """The equilibrium states about which a period is asked."""
+    return {q.things[0] for q in _asked(course) if q.word in ("period", "frequency")}
+
+
+def _swings(found: Oscillation, value: Valuation) -> bool:
+    """Does it oscillate with these numbers?"""
+    return not found.single or (stability(found, value).stable and value(found.square) > 0)
+
+
+def _asked(course: RegimeSequence) -> Iterator[Quantity]:
+    spans = (q for reader in course.distinct_readers() for q in reader.spans.values())
+    return (q for q in spans if q.word in ("period", "frequency", "stable"))
+
+
+def _demand_period(found: Oscillation, q: Quantity, value: Valuation) -> None:
+    state = found.stop.name
+    if not found.single:
+        periods = [f"{mpmath.nstr(2 * mpmath.pi / abs(r.imag), 6)} s" for r in roots_of(found, value) if r.imag > SLOW]
+        listed = ", ".join(dict.fromkeys(periods)) or "none"
+        raise _no_period(q.mark, f"{len(found.speeds)} freedoms have no single period about {state}: {listed}")
+    if not stability(found, value).stable:
+        raise _no_period(q.mark, f"the equilibrium {state} is not stable, so nothing oscillates about it")
+    square = value(found.square)
+    if value.is_zero(found.square) or square < 0:
+        how = "critically damped" if value.is_zero(found.square) else "overdamped"
+        raise _no_period(q.mark, f"{how}: it creeps back to {state} without oscillating")
+
+
+def _no_period(mark: Mark, text: str) -> NoSolution:
+    return NoSolution([Diagnostic(mark, "PL632", text, "ask `stable(…)` instead")])
+
+
+# --- stability -------------------------------------------------------------------------------------------------------
+
+
+def stability(found: Oscillation, value: Valuation) -> Verdict:
+    """Does a small deviation stay small? With a number for every letter; Undecided: letters leave it open."""
+    try:
+        return _single(found, value) if found.single else _several(found, value)
+    except (Unvalued, NoValue) as error:
+        text = f"the stability of {found.stop.name} is not decided: {error}"
+        raise Undecided(text) from error
+
+
+def demand_everywhere(found: Oscillation, q: Quantity, value: Valuation, draws: Iterable[Valuation]) -> None:
+    """Undecided: what becomes of a small deviation depends on letters that have no numbers. `found`: with the place of
+    the equilibrium put in.
+    """
+    entries = [e for rows in (found.stiffness, found.damping) for row in rows for e in row]
+    letters = set().union(*(e.free_symbols for e in entries)) & value.drawn
+    if not letters:
+        return
+    kinds = {kind for draw in draws if (kind := _kind(found, draw)) is not None}
+    if len(kinds) > 1:
+        named = ", ".join(sorted(s.name for s in letters))
+        what = f"`{q.word}({found.stop.name})` depends on {named}, which have no numbers"
+        square = f": it is stable where {found.stiffness[0][0]} > 0".replace("**", "^") if found.single else ""
+        raise Undecided(f"{q.mark.file}:{q.mark.line}: {what}{square}; `assume` says which of them is larger")
+
+
+def _kind(found: Oscillation, draw: Valuation) -> tuple[int, ...] | None:
+    """What kind of motion a small deviation is, by signs; None: with these numbers there is no such place."""
+    try:
+        if not found.single:
+            return (int(_several(found, draw).stable),)
+        terms = (found.stiffness[0][0], found.damping[0][0])
+        return tuple(0 if draw.is_zero(e) else 1 if draw(e) > 0 else -1 for e in terms)
+    except (NoValue, Unvalued):
+        return None
+
+
+def _single(found: Oscillation, value: Valuation) -> Verdict:
+    w2, c = found.stiffness[0][0], found.damping[0][0]
+    damped = 0 if value.is_zero(c) else 1 if value(c) > 0 else -1
+    if damped < 0:
+        return Verdict("unstable")
+    if not value.is_zero(w2):
+        return Verdict("stable" if value(w2) > 0 else "unstable")
+    u, law = found.speeds[0], found.laws[0]
+    rates = {q: {u: derivative(r, u)} for q, r in found.regime.rates.items() if r.has(u)}
+    slope = law.xreplace({u: sp.S.Zero})
+    for power in range(1, HIGHEST + 1):
+        slope = _slope(slope, u, rates)
+        there = found.stop.at(slope)
+        if power > 1 and not value.is_zero(there):
+            held = power % 2 and value(there) < 0
+            return Verdict("stable" if held else "unstable", power)
+    return Verdict("indifferent")
+
+
+def _several(found: Oscillation, value: Valuation) -> Verdict:
+    roots = roots_of(found, value)
+    size = max(abs(r) for r in roots)
+    growth = max(r.real for r in roots)
+    if growth > SLOW * size:
+        return Verdict("unstable")
+    return Verdict("indifferent" if min(abs(r) for r in roots) <= SLOW * size else "stable")
+
+
+def roots_of(found: Oscillation, value: Valuation) -> list[mpmath.mpc]:
+    """The roots λ of the characteristic equation: a motion e^(λt)."""
+    n = len(found.speeds)
+    with mpmath.workdps(DIGITS):
+        matrix = mpmath.zeros(2 * n)
+        for i in range(n):
+            matrix[i, n + i] = 1
+            for j in range(n):
+                matrix[n + i, j] = -mpmath.mpf(str(value(found.stiffness[i][j])))
+                matrix[n + i, n + j] = -mpmath.mpf(str(value(found.damping[i][j])))
+        return sorted(mpmath.eig(matrix, left=False, right=False), key=lambda r: (r.imag, r.real))

@@ -1,0 +1,369 @@
+"""The cheapest way through the equations of a motion to what is asked, and that way worked out in symbols.
+
+An unknown follows from one equation in which all others are known, or from two or three equations together. The cost of
+an unknown is that of its equations and of all that they need; the cheapest derivation of every unknown is found in
+order of cost (Knuth's generalisation of Dijkstra's algorithm). All values are known beforehand, so that only equations
+count that really fix their unknown there, and of several roots the one that happens is taken.
+"""
+
+from __future__ import annotations
+
+import heapq
+import itertools
+from collections.abc import Iterable, Mapping, Sequence
+from decimal import Decimal
+
+import sympy as sp
+
+from planar_cli.equation.exact import Valuation
+from planar_cli.equation.plain import derivative, letters, longer, simplified
+from planar_cli.errors import Undecided
+from planar_cli.solve.between.by_numbers import ByNumbers
+from planar_cli.solve.between.chain import Step
+from planar_cli.solve.between.closed import closed_roots
+from planar_cli.solve.between.derivation import Derivation, DerivedStep, Edge, Route
+from planar_cli.solve.between.trace import Result
+from planar_cli.solve.instant.elimination import Pending, alone, subtracted
+from planar_cli.solve.multibody.linear import solve
+from planar_cli.solve.regimes.equations import DATA, Equation
+
+LONG_POOL = 30
+"""A longer remainder is not put in a plainer form where numbers stand behind it."""
+WHOLE = 8
+"""So many unknowns at most are told as found together."""
+TOGETHER = 0.8
+"""What solving equations together costs beside them."""
+HIDDEN = 1.5
+"""What it costs to solve for an unknown inside sines or exponentials."""
+
+
+class Router:
+    """Plans over the equations of one motion. `value`: numbers of everything; `unknowns`: letters of states and sought
+    constants; `blocks`: those in which numbers were found; `followed`: what only a step method tells; `natural`: an
+    ordinary size of each unknown.
+    """
+
+    def __init__(
+        self,
+        equations: Sequence[Equation],
+        unknowns: frozenset[sp.Symbol],
+        value: Valuation,
+        symbolic: bool,
+        blocks: Sequence[Step] = (),
+        followed: ByNumbers | None = None,
+        natural: Mapping[sp.Symbol, Decimal] | None = None,
+    ) -> None:
+        self.unknowns, self.value, self.symbolic, self.blocks = unknowns, value, symbolic, blocks
+        self.followed, self.natural = followed, natural or {}
+        self.plain = self._plain(equations)
+        self._residuals: dict[sp.Expr, sp.Expr] = {}
+        self.equations = [e for e in equations if self._inside(e) and self._true(e)]
+
+    def residual(self, equation: Equation) -> sp.Expr:
+        """With zeros and names of the file put in."""
+        if not self.plain:
+            return equation.residual
+        found = self._residuals.get(equation.residual)
+        if found is None:
+            found = self._residuals[equation.residual] = equation.residual.xreplace(self.plain)
+        return found
+
+    def _true(self, equation: Equation) -> bool:
+        """Does a time by the place hold? Only as long as the motion does not turn round."""
+        if equation.kind != "t(q)":
+            return True
+        number = self.value.known(equation.residual)
+        return number is not None and abs(number) <= Decimal("1e-9") * self.value.size(equation.residual)
+
+    def _inside(self, equation: Equation) -> frozenset[sp.Symbol]:
+        return letters(self.residual(equation)) & self.unknowns
+
+    def _plain(self, equations: Sequence[Equation]) -> dict[sp.Symbol, sp.Expr]:
+        """Data that need no line: zeros, names of the file, times from which time is counted; and what stays so."""
+        found: dict[sp.Symbol, sp.Expr] = {}
+        changed = True
+        while changed:
+            changed = False
+            for e in equations:
+                if e.kind not in (*DATA, "v(t)", "link", "q(t)"):
+                    continue
+                residual = e.residual.xreplace(found)
+                inside = letters(residual) & self.unknowns
+                if len(inside) != 1 or inside & found.keys():
+                    continue
+                (x,) = inside
+                rate = derivative(residual, x)
+                if x in letters(rate) or rate == 0:
+                    continue
+                datum = simplified(-residual.subs(x, 0) / rate)
+                if datum == 0 or (datum.is_Symbol and e.kind in DATA):
+                    found[x] = datum
+                    found = {k: v.xreplace({x: datum}) for k, v in found.items()}
+                    changed = True
+        return found
+
+    # --- plan --------------------------------------------------------------------------------------------------------
+
+    def route(self, targets: Iterable[sp.Symbol]) -> Route:
+        """The way to all targets that can be derived."""
+        targets = list(targets)
+        edges = self._edges()
+        best = self._cheapest(edges)
+        for more in (self._rings, self._large):
+            if any(t not in best and t not in self.plain for t in targets):
+                edges += more()
+                best = self._cheapest(edges)
+        for target in targets:
+            if target not in best and target not in self.plain:
+                whole = self._whole(target, best)
+                if whole is not None:
+                    edges.append(whole)
+                    best = self._cheapest(edges)
+        if self.followed is not None and any(t not in best and t not in self.plain for t in targets):
+            best = {**self._cheapest(self.followed.edges(edges)), **best}
+        order: list[Derivation] = []
+        for target in targets:
+            self._collect(target, best, order)
+        formulas: dict[sp.Symbol, sp.Expr] = dict(self.plain)
+        steps = []
+        for derivation in order:
+            step = self._work(derivation)
+            if step is None:
+                continue
+            steps.append(step)
+            told = [] if derivation.equations[0].kind == "followed" else step.results
+            formulas |= {r.unknown: r.formula for r in told if r.formula is not None}
+        return Route(tuple(steps), formulas, self.plain)
+
+    def _collect(self, target: sp.Symbol, best: dict[sp.Symbol, Derivation], order: list[Derivation]) -> None:
+        derivation = best.get(target)
+        if derivation is None or derivation in order:
+            return
+        for need in sorted(derivation.needs, key=lambda s: s.name):
+            self._collect(need, best, order)
+        if derivation not in order:
+            order.append(derivation)
+
+    def _cheapest(self, edges: list[Edge]) -> dict[sp.Symbol, Derivation]:
+        """The cheapest derivation of every unknown, found in order of cost."""
+        waiting = {i: len(needs) for i, (_, _, needs, _) in enumerate(edges)}
+        users: dict[sp.Symbol, list[int]] = {}
+        for i, (_, _, needs, _) in enumerate(edges):
+            for s in needs:
+                users.setdefault(s, []).append(i)
+        costs: dict[sp.Symbol, float] = {}
+        best: dict[sp.Symbol, Derivation] = {}
+        queue: list[tuple[float, int]] = [(edges[i][3], i) for i, n in waiting.items() if n == 0]
+        heapq.heapify(queue)
+        while queue:
+            cost, i = heapq.heappop(queue)
+            equations, unknowns, needs, _ = edges[i]
+            fresh = [x for x in unknowns if x not in best]
+            if not fresh:
+                continue
+            derivation = Derivation(equations, unknowns, needs, cost)
+            for x in fresh:
+                best[x], costs[x] = derivation, cost
+                for j in users.get(x, ()):
+                    waiting[j] -= 1
+                    if waiting[j] == 0:
+                        heapq.heappush(queue, (edges[j][3] + sum(costs[s] for s in edges[j][2]), j))
+        return best
+
+    def _edges(self) -> list[Edge]:
+        """Every unknown from one equation, every two from two."""
+        found: list[Edge] = []
+        small: list[tuple[Equation, frozenset[sp.Symbol]]] = []
+        for e in self.equations:
+            inside = self._inside(e)
+            small.append((e, inside))
+            for x in inside:
+                hidden = self._hidden(e, x)
+                if hidden is not None:
+                    found.append(((e,), (x,), inside - {x}, e.cost + 0.05 * len(inside) + hidden))
+        for (e, a), (f, b) in itertools.combinations(small, 2):
+            shared = a & b
+            if e.kind in DATA and f.kind in DATA and len(shared) < 2:
+                continue
+            for pair in itertools.combinations(sorted(shared, key=lambda s: s.name), 2):
+                if self._regular((e, f), pair):
+                    hidden = sum(self._hidden(g, x) or 0.0 for g in (e, f) for x in pair) / 2
+                    cost = e.cost + f.cost + TOGETHER + hidden + 0.05 * len(a | b)
+                    found.append(((e, f), pair, (a | b) - set(pair), cost))
+        return found
+
+    def _rings(self) -> list[Edge]:
+        """Three unknowns from three equations, each of which shares one with each of the others."""
+        found: list[Edge] = []
+        inside = [(e, self._inside(e)) for e in self.equations if not e.residual.has(sp.Integral)]
+        for (e, a), (f, b), (g, c) in itertools.combinations(inside, 3):
+            if not (a & b and b & c and c & a):
+                continue
+            for three in {frozenset(t) for t in itertools.product(a & b, b & c, c & a) if len(set(t)) == 3}:
+                unknowns = tuple(sorted(three, key=lambda s: s.name))
+                if self._regular((e, f, g), unknowns):
+                    cost = e.cost + f.cost + g.cost + 2 * TOGETHER + 0.05 * len(a | b | c)
+                    found.append(((e, f, g), unknowns, (a | b | c) - three, cost))
+        return found
+
+    def _large(self) -> list[Edge]:
+        """The larger blocks in which the numbers were found."""
+        found: list[Edge] = []
+        for step in self.blocks:
+            unknowns = tuple(x for x in step.unknowns if x not in self.plain)
+            equations = tuple(e for e in step.equations if self._inside(e))
+            if len(equations) == len(unknowns) > 1:
+                inside = frozenset().union(*(self._inside(e) for e in equations))
+                cost = sum(e.cost for e in equations) + TOGETHER * len(equations)
+                found.append((equations, unknowns, inside - set(unknowns), cost))
+        return found
+
+    def _whole(self, target: sp.Symbol, best: dict[sp.Symbol, Derivation]) -> Edge | None:
+        """All equations that fix a target together, found by adding those with the fewest further unknowns."""
+        equations: list[Equation] = []
+        unknowns = {target}
+        usable = [e for e in self.equations if not e.residual.has(sp.Integral) and e.kind not in ("v(q)", "q(v)")]
+        while len(unknowns) <= WHOLE:
+            further: list[tuple[int, float, int, Equation, set[sp.Symbol]]] = []
+            for e in usable:
+                fresh = {s for s in self._inside(e) if s not in best} - unknowns
+                if e not in equations and self._inside(e) & unknowns:
+                    further.append((len(fresh), e.cost, len(further), e, fresh))
+            for _, _, _, e, fresh in sorted(further, key=lambda f: f[:3]):
+                if self._adds([*equations, e], unknowns | fresh):
+                    equations.append(e)
+                    unknowns |= fresh
+                    break
+            else:
+                return None
+            if len(equations) == len(unknowns):
+                needs = frozenset().union(*(self._inside(e) for e in equations)) - unknowns
+                cost = sum(e.cost for e in equations) + TOGETHER * len(equations)
+                return tuple(equations), tuple(sorted(unknowns, key=lambda s: s.name)), needs, cost
+        return None
+
+    def _adds(self, equations: list[Equation], unknowns: set[sp.Symbol]) -> bool:
+        """Are these equations independent in these unknowns?"""
+        columns = sorted(unknowns, key=lambda s: s.name)
+        rows = self._slopes(equations, columns)
+        if rows is None:
+            return False
+        solved = solve([[*row, Decimal(0)] for row in rows], len(columns))
+        return len(solved.null) == len(columns) - len(equations)
+
+    def _slopes(self, equations: Iterable[Equation], unknowns: Sequence[sp.Symbol]) -> list[list[Decimal]] | None:
+        """How much each equation changes with each unknown; None: that has no value."""
+        rows = [[self.value.known(derivative(self.residual(e), x)) for x in unknowns] for e in equations]
+        found = [[c for c in row if c is not None] for row in rows]
+        return found if all(len(row) == len(unknowns) for row in found) else None
+
+    def _hidden(self, equation: Equation, x: sp.Symbol) -> float | None:
+        """What it costs to solve for x: nothing where it enters plainly. None: the equation does not fix x here."""
+        residual = self.residual(equation)
+        rate = derivative(residual, x)
+        if self.value.known(rate) is None:
+            return None
+        if self.value.is_zero(rate):
+            return None if x not in letters(rate) else self._double(rate, x)
+        if residual.has(sp.Integral):
+            return HIDDEN if equation.kind != "t(q)" or x in _outer(residual) else None
+        if x not in letters(rate):
+            return 0.0
+        return 0.3 if residual.is_polynomial(x) else HIDDEN
+
+    def _double(self, rate: sp.Expr, x: sp.Symbol) -> float | None:
+        """A double root, as at a turning point, still fixes x if the equation is quadratic there."""
+        bend = derivative(rate, x)
+        return None if self.value.known(bend) is None or self.value.is_zero(bend) else HIDDEN
+
+    def _regular(self, equations: tuple[Equation, ...], unknowns: tuple[sp.Symbol, ...]) -> bool:
+        """Do as many equations fix these unknowns?"""
+        if any(e.residual.has(sp.Integral) for e in equations):
+            return False
+        rows = self._slopes(equations, unknowns)
+        if rows is None:
+            return False
+        scaled = [[c / (max(abs(v) for v in row) or Decimal(1)) for c in row] for row in rows]
+        return abs(_determinant(scaled)) > Decimal("1e-18")
+
+    # --- work --------------------------------------------------------------------------------------------------------
+
+    def _work(self, derivation: Derivation) -> DerivedStep | None:
+        """Solve in symbols; of several roots the one with the known value."""
+        pool = [self.residual(e) for e in derivation.equations]
+        left = list(derivation.unknowns)
+        back: list[tuple[sp.Symbol, sp.Expr]] = []
+        while len(pool) > 1:
+            step = _linear_step(pool, left, self.value, 60 if self.symbolic else LONG_POOL)
+            if step is None:
+                break
+            index, x, formula = step
+            pool.pop(index)
+            put = [r.xreplace({x: formula}) for r in pool]
+            pool = [r if longer(r, LONG_POOL) and not self.symbolic else simplified(r) for r in put]
+            back.append((x, formula))
+            left.remove(x)
+        results: list[Result] = []
+        if len(pool) == 1:
+            results.append(self._single(pool[0], left[0]))
+            results += [Result(x, formula, self.value(x)) for x, formula in reversed(back)]
+        else:
+            results = self._by_squares(pool, left) or [Result(x, None, self.value(x)) for x in derivation.unknowns]
+        datum = len(derivation.equations) == 1 and derivation.equations[0].kind in DATA and not derivation.needs
+        return DerivedStep(derivation, tuple(results), datum)
+
+    def _by_squares(self, pool: list[sp.Expr], left: list[sp.Symbol]) -> list[Result]:
+        """Two equations in letters from which the square of one unknown goes by subtraction; empty: it does not."""
+        pair = [Pending(r, ()) for r in pool]
+        made = subtracted(pair, left, self.value, True) if self.symbolic and len(pool) == len(left) == 2 else None
+        index = None if made is None else alone(made, left)
+        if made is None or index is None:
+            return []
+        x, y = sorted(left, key=lambda s: s not in made[index].residual.free_symbols)
+        return [self._single(made[index].residual, x), self._single(made[1 - index].residual, y)]
+
+    def _single(self, residual: sp.Expr, x: sp.Symbol) -> Result:
+        truth = self.value(x)
+        try:
+            roots = closed_roots(residual, x, self.value, truth, self.symbolic)
+        except Undecided:
+            roots = []
+        near = Decimal("1e-11") * max(abs(truth), Decimal("1e-6") * self.natural.get(x, Decimal(1)))
+        taken = next((r for r in roots if abs(r.value - truth) <= near), None)
+        formula = None if taken is None else taken.expression
+        return Result(x, formula, truth, tuple(roots))
+
+
+def _determinant(rows: list[list[Decimal]]) -> Decimal:
+    if len(rows) == 1:
+        return rows[0][0]
+    total = Decimal(0)
+    for j, c in enumerate(rows[0]):
+        total += (-1) ** j * c * _determinant([row[:j] + row[j + 1 :] for row in rows[1:]])
+    return total
+
+
+def _outer(residual: sp.Expr) -> set[sp.Symbol]:
+    """Symbols outside of integrals."""
+    return set().union(*(a.free_symbols for a in sp.Add.make_args(residual) if not a.has(sp.Integral)))
+
+
+def _linear_step(
+    pool: list[sp.Expr], left: list[sp.Symbol], value: Valuation, most: int
+) -> tuple[int, sp.Symbol, sp.Expr] | None:
+    """An equation that is linear in an unknown which it really contains; the shortest formula."""
+    found: list[tuple[int, int, sp.Symbol, sp.Expr]] = []
+    for x in left:
+        for index, residual in enumerate(pool):
+            rate = derivative(residual, x)
+            if rate == 0 or x in letters(rate):
+                continue
+            if value.known(rate) is None or value.is_zero(rate):
+                continue
+            formula = simplified(-(residual - rate * x).expand() / rate) if not longer(residual, most) else None
+            formula = -sp.expand(residual - rate * x) / rate if formula is None else formula
+            found.append((int(sp.count_ops(formula)), index, x, formula))
+    if not found:
+        return None
+    _, index, x, formula = min(found, key=lambda f: (f[0], f[2].name))
+    return index, x, formula

@@ -1,0 +1,38 @@
+"""A motion that is solved: its course, the branch of its equations that happens, and all that is told of it."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from planar_cli.equation.exact import Valuation
+from planar_cli.records import record
+from planar_cli.solve.between.asked_finds import AskedFind
+from planar_cli.solve.between.chain import Branch
+from planar_cli.solve.between.followed import Followed
+from planar_cli.solve.between.motion_equations import MotionEquations
+from planar_cli.solve.between.oscillation import Oscillation
+from planar_cli.solve.between.trace import SpanIntegral
+
+
+@record
+class SolvedMotion:
+    """The branch of the equations of a motion that happens."""
+
+    course: MotionEquations
+    """The equations."""
+    finds: tuple[AskedFind, ...]
+    """What is asked."""
+    branch: Branch
+    """The roots that happen."""
+    followed: Followed | None
+    """How it was followed in numbers; None: it could not be."""
+    value: Valuation
+    """Numbers of everything."""
+    guessed: frozenset[sp.Symbol] = frozenset()
+    """Symbols whose values come from following it alone."""
+    checks: tuple[str, ...] = ()
+    """What was compared, in phrases."""
+    spans: tuple[SpanIntegral, ...] = ()
+    """Quantities over spans, once they are worked out."""
+    oscillations: tuple[Oscillation, ...] = ()
+    """About equilibrium states that are asked about, once the places of these are known."""

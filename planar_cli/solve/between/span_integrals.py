@@ -1,0 +1,237 @@
+"""Quantities over a span of a motion: path length, mean, count, work, impulse, heat.
+
+Each is an integral over time. In order of preference it is
+
+    a difference     where the integrand is the rate of a function G of place and time (a force along one coordinate)
+    an integral      of q(t), where the laws of motion are integrated, closed or by quadrature
+    a flow           integrated along with the motion, with the digits that are certain
+
+A path length is the sum of its parts between the instants at which the velocity vanishes. SI units.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from contextlib import suppress
+from decimal import Decimal
+from functools import cached_property, partial
+from itertools import pairwise
+
+import mpmath
+import sympy as sp
+
+from planar_cli.calculus.antiderivative import definite
+from planar_cli.calculus.first import all_roots
+from planar_cli.calculus.polish import polish
+from planar_cli.equation.exact import Valuation
+from planar_cli.equation.plain import simplified
+from planar_cli.errors import Diagnostic, NoSolution, NoValue
+from planar_cli.problem.expression import Quantity, Relation
+from planar_cli.solve.between.exact_segments import ENOUGH, FEW_DIGITS, MANY_DIGITS, ExactSegment, exact_segments
+from planar_cli.solve.between.motion_equations import MotionEquations
+from planar_cli.solve.between.span_quantities import SpanQuantity
+from planar_cli.solve.between.trace import Piece, SpanIntegral
+from planar_cli.solve.impulsive.impact import Blow
+from planar_cli.solve.impulsive.spans import over_blow
+from planar_cli.solve.regimes.potential import potential, signed_speed
+from planar_cli.solve.regimes.timeline import Stop
+
+CERTAIN = Decimal("1e-9")
+"""What an integral in a state's own relations may differ from the same by numbers, relative to its size."""
+SAME_TIME = Decimal("1e-20")
+
+
+class SpanSolver:
+    """Integrates over spans of one motion. `value`: numbers of names and of the letters of states."""
+
+    def __init__(self, course: MotionEquations, value: Valuation) -> None:
+        self.course, self.value = course, value
+
+    @cached_property
+    def segments(self) -> tuple[ExactSegment, ...]:
+        return exact_segments(self.course, self.value)
+
+    def solve(self, symbol: sp.Symbol, asked: SpanQuantity) -> SpanIntegral:
+        q = asked.quantity
+        parts = self._parts(asked)
+        if q.word == "count":
+            events = tuple(
+                t for p, r, segment in parts for t in self._events(p, q, self._rates(asked, segment), segment)
+            )
+            n = len(events)
+            return SpanIntegral(symbol, q, (), Decimal(n), sp.Integer(n), events=events)
+        pieces = tuple(self._piece(p, r, asked, segment) for p, r, segment in parts)
+        pieces += tuple(self._blow(blow, q) for blow in self._blows(asked))
+        number = sum((p.number for p in pieces), Decimal(0))
+        formulas = [p.formula for p in pieces]
+        formula = None if None in formulas else sp.Add(*formulas)
+        if q.word != "mean":
+            return SpanIntegral(symbol, q, pieces, number, formula)
+        a, b = (self.course.stops[n] for n in asked.span)
+        time = b.t - a.t
+        return SpanIntegral(
+            symbol, q, pieces, number / self.value(time), None if formula is None else formula / time, time
+        )
+
+    def _blows(self, asked: SpanQuantity) -> list[Blow]:
+        """The blows inside a span."""
+        order = {s.name: i for i, s in enumerate(self.course.states)}
+        a, b = (order.get(n, -1) for n in asked.span)
+        return [blow for i, blow in self.course.blows.items() if a <= i < b]
+
+    def _blow(self, blow: Blow, q: Quantity) -> Piece:
+        formula = over_blow(blow, q)
+        loose = formula.free_symbols & set(blow.undetermined)
+        if loose:
+            text = f"not unique: {', '.join(sorted(s.name for s in loose))}; the scene has more supports than equations"
+            raise NoSolution([Diagnostic(q.mark, "PL603", text, "ask for what is unique, or leave a support out")])
+        return Piece(*_ends(blow.since, blow.stop), formula, "blow", self.value(formula), formula)
+
+    def _parts(self, asked: SpanQuantity) -> list[tuple[Stop, Stop, ExactSegment]]:
+        """The span cut where a blow falls, and where the regime changes."""
+        a, b = (self.course.stops[n] for n in asked.span)
+        found = []
+        for blow in self._blows(asked):
+            found += self._between(a, blow.since, asked) if a is not blow.since else []
+            a = blow.stop
+        return [*found, *self._between(a, b, asked)] if a is not b else found
+
+    def _between(self, a: Stop, b: Stop, asked: SpanQuantity) -> list[tuple[Stop, Stop, ExactSegment]]:
+        """Part of a span without blows, cut where the regime changes."""
+        ta, tb = self.value(a.t), self.value(b.t)
+        if tb < ta:
+            q = asked.quantity
+            text = f"state {b.name} comes before state {a.name}"
+            raise NoSolution([Diagnostic(q.mark, "PL633", text, f"write `@ {b.name}->{a.name}`")])
+        inside = [segment.start for segment in self.segments[1:] if ta < segment.t0 < tb]
+        points = [a, *inside, b]
+        found = []
+        for p, r in pairwise(points):
+            tp = self.value(p.t)
+            segment = [x for x in self.segments if x.t0 <= tp + SAME_TIME * max(abs(tp), Decimal(1))][-1:] or [
+                self.segments[0]
+            ]
+            found.append((p, r, segment[0]))
+        return found
+
+    def _rates(self, asked: SpanQuantity, segment: ExactSegment) -> tuple[sp.Expr, ...]:
+        reader = next(r for r in self.course.distinct_readers() if r.regime is segment.regime)
+        return tuple(simplified(reader.closed(e)) for e in asked.rates[id(segment.regime)])
+
+    # --- one piece ---------------------------------------------------------------------------------------------------
+
+    def _piece(self, p: Stop, r: Stop, asked: SpanQuantity, segment: ExactSegment) -> Piece:
+        rates = self._rates(asked, segment)
+        if asked.quantity.word != "path_length":
+            return self._integral(p, r, rates[0], segment)
+        speed, signed = signed_speed(rates[0], rates[1], segment.regime)
+        if not signed:
+            return self._integral(p, r, speed, segment)
+        ta, tb = self.value(p.t), self.value(r.t)
+        turns = tuple(t for t in self._zeros(speed, segment, ta, tb) if ta < t < tb)
+        whole = self._integral(p, r, speed, segment)
+        if not turns:
+            sense = -1 if whole.number < 0 else 1
+            formula = None if whole.formula is None else sense * whole.formula
+            return Piece(
+                *_ends(p, r), speed, whole.how, abs(whole.number), formula, whole.antiderivative, whole.over_time
+            )
+        ends = [ta, *turns, tb]
+        total = sum((abs(self._number(speed, segment, s, t)[0]) for s, t in pairwise(ends)), Decimal(0))
+        return Piece(*_ends(p, r), speed, whole.how, total, None, whole.antiderivative, whole.over_time, turns)
+
+    def _integral(self, p: Stop, r: Stop, rate: sp.Expr, segment: ExactSegment) -> Piece:
+        """∫ rate dt between two states of a segment."""
+        ta, tb = self.value(p.t), self.value(r.t)
+        number, how = self._number(rate, segment, ta, tb)
+        g = potential(rate, segment.regime)
+        if g is not None:
+            return Piece(*_ends(p, r), rate, "difference", number, r.at(g) - p.at(g), g)
+        over = segment.over_time(rate)
+        formula = None
+        if over is not None:
+            formula = definite(simplified(over), segment.regime.time, p.t, r.t, segment.value)
+        return Piece(*_ends(p, r), rate, how, number, formula, None, over)
+
+    def _number(self, rate: sp.Expr, segment: ExactSegment, ta: Decimal, tb: Decimal) -> tuple[Decimal, str]:
+        """∫ rate dt between two times, and how it was done."""
+        if ta == tb:
+            return Decimal(0), "difference"
+        g = potential(rate, segment.regime)
+        if g is not None:
+            return segment.number(g, tb) - segment.number(g, ta), "difference"
+        over = segment.over_time(rate)
+        if over is None:
+            return self._flowed(rate, segment, ta, tb), "flow"
+        time, start, end = segment.regime.time, sp.Dummy("t_a", real=True), sp.Dummy("t_b", real=True)
+        here = segment.value.extended({start: ta, end: tb})
+        closed = definite(simplified(over), time, start, end, here)
+        number = here.known(closed) if closed is not None else None
+        if number is not None:
+            return number, "integral"
+        return here(sp.Integral(over, (time, start, end))), "quadrature"
+
+    @staticmethod
+    def _flowed(rate: sp.Expr, segment: ExactSegment, ta: Decimal, tb: Decimal) -> Decimal:
+        for digits in (FEW_DIGITS, MANY_DIGITS):
+            flow = segment.flow(digits, (rate,), ta)
+            end = float(tb) if digits == FEW_DIGITS else mpmath.mpf(str(tb))
+            if digits == MANY_DIGITS or flow.certain(end) >= ENOUGH:
+                break
+        return Decimal(mpmath.nstr(mpmath.mpf(flow.at(end)[-1]), digits + 2))
+
+    # --- zeros -------------------------------------------------------------------------------------------------------
+
+    def _zeros(self, expr: sp.Expr, segment: ExactSegment, ta: Decimal, tb: Decimal) -> list[Decimal]:
+        """The instants in (ta, tb] at which a formula vanishes."""
+        if not expr.free_symbols & set(segment.regime.letters):
+            return []
+        found = []
+        direct = segment.over_time(expr)
+        for root in all_roots(segment.function(expr), float(ta), float(tb)):
+            t = Decimal(repr(root.value))
+            if direct is not None and root.kind != "stays":
+                with suppress(NoValue):
+                    t = polish(partial(segment.number, direct), Decimal(root.low), Decimal(root.high))
+            found.append(t)
+        return found
+
+    def _events(self, p: Stop, q: Quantity, rates: tuple[sp.Expr, ...], segment: ExactSegment) -> list[Decimal]:
+        """How often a relation comes true after state p: it holds for an instant, or begins to hold."""
+        assert isinstance(q.argument, Relation)
+        assert isinstance(q.at, tuple)
+        ends = [self.value(self.course.stops[q.at[1]].t), *(x.t0 for x in self.segments if x.t0 > self.value(p.t))]
+        ta, tb = self.value(p.t), min(ends)
+        times = self._zeros(rates[0], segment, ta, tb)
+        if q.argument.operator == "=":
+            others = [segment.function(e) for e in rates[1:]]
+            return [t for t in times if all(abs(g(float(t))) <= 1e-9 * _size(g, segment) for g in others)]
+        sense = 1 if q.argument.operator in (">", ">=") else -1
+        g = segment.function(rates[0])
+        step = 1e-7 * float(tb - ta)
+        return [t for t in times if sense * g(float(t) + step) > 0 > sense * g(float(t) - step)]
+
+
+def _size(g: Callable[[float], float], segment: ExactSegment) -> float:
+    span = float(segment.t1 - segment.t0)
+    return max(abs(g(float(segment.t0) + span * k / 7)) for k in range(8))
+
+
+def _ends(since: Stop, until: Stop) -> tuple[str, str, tuple[sp.Symbol, sp.Symbol]]:
+    """Between which states a part of a span is, and their times."""
+    return since.name, until.name, (since.t, until.t)
+
+
+def solve_spans(course: MotionEquations, value: Valuation) -> tuple[SpanIntegral, ...]:
+    """All quantities over spans. Those that stand in states are checked by numbers; NoSolution: the motion turns."""
+    solver = SpanSolver(course, value)
+    found = []
+    for symbol, asked in course.spanned.items():
+        solved = solver.solve(symbol, asked)
+        told = course.told.get(symbol)
+        if told is not None and abs(value(told) - solved.number) > CERTAIN * max(abs(solved.number), CERTAIN):
+            a, b = asked.span
+            text = f"the motion turns between {a} and {b}, so that {asked.quantity.word}(…) is not what was assumed"
+            raise NoSolution([Diagnostic(asked.quantity.mark, "PL633", text, "put a state where it turns")])
+        found.append(solved)
+    return tuple(found)

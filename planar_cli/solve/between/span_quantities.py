@@ -1,0 +1,107 @@
+"""Quantities over spans as a file asks for them: what is integrated, and what they are where they fix a state."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.errors import Undecided
+from planar_cli.problem.expression import Quantity, Statement
+from planar_cli.records import record
+from planar_cli.solve.between.span_rates import rates_of
+from planar_cli.solve.impulsive.impact import Blow
+from planar_cli.solve.impulsive.spans import over_blow
+from planar_cli.solve.regimes.potential import potential, signed_speed
+from planar_cli.solve.regimes.regime_sequence import RegimeSequence
+
+
+@record
+class SpanQuantity:
+    """A quantity over a span: what is integrated, by the regime that acts (closed later, when that is worked out)."""
+
+    quantity: Quantity
+    rates: Mapping[int, tuple[sp.Expr, ...]]
+
+    @property
+    def span(self) -> tuple[str, str]:
+        at = self.quantity.at
+        assert isinstance(at, tuple)
+        return at
+
+
+def ask_spans(course: RegimeSequence) -> dict[sp.Symbol, SpanQuantity]:
+    """Everything that is asked over spans; what it needs is put on the lists of what regimes work out."""
+    found: dict[sp.Symbol, SpanQuantity] = {}
+    readers = course.distinct_readers()
+    moving = {id(r) for r in course.regimes}
+    used = set().union(*(e.free_symbols for r in readers for e in map(sp.sympify, r.exprs)))
+    for reader in readers:
+        for symbol, q in list(reader.spans.items()):
+            if not isinstance(q.at, tuple) or symbol not in used:
+                continue
+            rates: dict[int, tuple[sp.Expr, ...]] = {}
+            for other in readers:
+                if id(other.regime) in moving and id(other.regime) not in rates:
+                    rates[id(other.regime)] = rates_of(q, other)
+                    other.exprs += rates[id(other.regime)]
+            found[symbol] = SpanQuantity(q, rates)
+    return found
+
+
+def tell_spans(
+    course: RegimeSequence,
+    spanned: Mapping[sp.Symbol, SpanQuantity],
+    blows: Mapping[int, Blow],
+    raw: Mapping[str, list[tuple[Statement, tuple[Any, ...]]]],
+) -> None:
+    """What stand-ins that stand in states are, as differences between states; they must have one regime."""
+    parts = [p for found in raw.values() for _, ps in found for p in ps if isinstance(p, sp.Basic)]
+    used = set().union(*(p.free_symbols for p in parts)) if parts else set()
+    first = course.first
+    own = [d for d in course.readers[first.name].demands(first, raw[first.name]) if d.kind == "equation"]
+    for symbol, asked in spanned.items():
+        if symbol in used:
+            course.told[symbol] = _difference(course, asked, blows, [d.residual for d in own])
+
+
+def _difference(
+    course: RegimeSequence, asked: SpanQuantity, blows: Mapping[int, Blow], early: list[sp.Expr]
+) -> sp.Expr:
+    q = asked.quantity
+    a, b = (course.stops[n] for n in asked.span)
+    reader = course.readers[asked.span[1]]
+    rates = tuple(reader.closed(e) for e in asked.rates[id(reader.regime)])
+    g = None
+    order = {s.name: i for i, s in enumerate(course.states)}
+    since, until = order[a.name], order[b.name]
+    if all(i in blows for i in range(since, until)):
+        return sp.Add(*(over_blow(blows[i], q) for i in range(since, until)))
+    if len({id(r) for r in course.regimes}) == 1 and q.word != "count" and not blows:
+        rate = signed_speed(rates[0], rates[1], reader.regime)[0] if q.word == "path_length" else rates[0]
+        g = potential(rate, reader.regime)
+    if g is None:
+        text = f"{q.word}(…) @ {a.name}->{b.name} has no closed form here, so it can not fix a state"
+        raise Undecided(f"{q.mark.file}:{q.mark.line}: {text}")
+    change = b.at(g) - a.at(g)
+    if q.word == "mean":
+        return change / (b.t - a.t)
+    return change * _sense(course, rate, early) if q.word == "path_length" else change
+
+
+def _sense(course: RegimeSequence, speed: sp.Expr, early: list[sp.Expr]) -> int:
+    """Which way a motion goes that does not turn: as at the first state, of which `early` vanish."""
+    first = course.first
+    for residual in early:
+        inside = residual.free_symbols & set(first.letters.values())
+        if len(inside) == 1:
+            own = next(iter(inside))
+            letter = next(k for k, v in first.letters.items() if v == own)
+            slope = sp.diff(residual, own)
+            if letter in speed.free_symbols and not slope.free_symbols & inside:
+                begun = course.given().known(-residual.subs(own, 0) / slope)
+                number = None if begun is None else course.given().extended({letter: begun}).known(speed)
+                if number is not None:
+                    return -1 if number < 0 else 1
+    return 1

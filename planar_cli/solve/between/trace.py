@@ -1,0 +1,384 @@
+"""What is said of a motion that is solved, as frozen data: all that print, comparison and submissions see of it.
+
+Expressions are in the symbols of states (`x__2` of x in state 2), of the file, and of the general position. SI units.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from decimal import Decimal
+
+import mpmath
+import sympy as sp
+
+from planar_cli.calculus.spans import Span
+from planar_cli.equation.displacement import Coordinate
+from planar_cli.equation.exact import Valuation
+from planar_cli.equation.ledger import Ledger
+from planar_cli.principles.base import Balance
+from planar_cli.problem.expression import Quantity
+from planar_cli.problem.scene import Find, Problem
+from planar_cli.records import record
+from planar_cli.solve.instant.roots import Root
+from planar_cli.solve.solution import InstantSolution
+from planar_cli.units import Unit
+
+# --- relations between states ----------------------------------------------------------------------------------------
+
+
+@record
+class Law:
+    """How one coordinate moves: q̇ = f (order 1) or q̈ = f (order 2)."""
+
+    coordinate: Coordinate
+    """The coordinate q."""
+    order: int
+    """1 or 2."""
+    f: sp.Expr
+    """The rate in t, q and its own speed v, m/s or rad/s, m/s² or rad/s²."""
+    v: sp.Symbol
+    """The symbol of the own speed in `f`."""
+    speed: sp.Symbol | None = None
+    """The free speed that it goes with, v = factor · speed; None: with none."""
+    factor: sp.Expr = sp.S.One
+    """See `speed`; 1 or a length."""
+    effort: float = 0.0
+    """What it takes to find it, beside what its integral costs."""
+
+
+@record
+class BalanceTrace:
+    """One balance of a principle between two states, in SI units."""
+
+    law: Balance
+    """The law, with the words in which it is told."""
+    since: str
+    """The state at the beginning."""
+    stop: str
+    """The state at the end."""
+    before: sp.Expr
+    """The amount at the beginning."""
+    after: sp.Expr
+    """The amount at the end."""
+    brought: tuple[tuple[str, sp.Expr], ...]
+    """What sources bring meanwhile, by their words; those that bring nothing are left out."""
+    amounts: tuple[tuple[str, sp.Expr], ...]
+    """The amount at the end, by body."""
+
+    @property
+    def gain(self) -> sp.Expr:
+        """What all sources bring."""
+        return sp.Add(*(e for _, e in self.brought))
+
+
+@record
+class Impact:
+    """Impacts and impulses between two states of one instant."""
+
+    since: str
+    """The state just before."""
+    impacts: int
+    """How many impacts happen in it."""
+    solution: InstantSolution | None
+    """Its plan of equations, with velocities where an instant has accelerations; None: nothing had to be planned."""
+
+
+@record
+class Centre:
+    """A moment centre without a name: where two lines of action meet."""
+
+    x: sp.Expr
+    """Its abscissa, m."""
+    y: sp.Expr
+    """Its ordinate, m."""
+    through: tuple[sp.Expr, ...]
+    """The impulses whose lines meet there."""
+
+
+@record
+class ImpactEquation:
+    """One equation of the plan of an impact."""
+
+    impact: Impact
+    """The impact that it is of."""
+    left: sp.Expr
+    """Its left side."""
+    right: sp.Expr
+    """Its right side."""
+    law: str
+    """force, moment or relation."""
+    lead: str
+    """The direction or the moment centre; of a relation, its words."""
+    words: str
+    """What it says, in words."""
+    bodies: tuple[str, ...]
+    """The group whose momentum it balances."""
+    centre: Centre | None
+    """The moment centre, where it has no name."""
+    along: tuple[sp.Expr, sp.Expr] | None
+    """Of linear momenta, the direction in which they count as positive."""
+
+
+@record
+class Relation:
+    """One equation between states: `residual` vanishes."""
+
+    residual: sp.Expr
+    """Left side minus right side."""
+    kind: str
+    """Of which kind it is: given, drawn, link, loop, v(t), energy, blow, …"""
+    words: str
+    """Where it comes from."""
+    stop: str
+    """The state at its end; "" where it holds throughout."""
+    since: str = ""
+    """The state at its beginning; "" for none."""
+    is_datum: bool = False
+    """Does it only say what is known anyway?"""
+    span: Span | None = None
+    """The integral of a law that it is, with its limits."""
+    law: Law | None = None
+    """The law of motion of which it is an integral."""
+    source: BalanceTrace | ImpactEquation | None = None
+    """What it was planned from, where that is written out."""
+    offered: frozenset[str] = frozenset()
+    """The principles of which it is a law, by their words; none for data, geometry and blows."""
+
+
+# --- the route -------------------------------------------------------------------------------------------------------
+
+
+@record
+class Result:
+    """One line: unknown = formula = value."""
+
+    unknown: sp.Symbol
+    """What is found."""
+    formula: sp.Expr | None
+    """Its formula in what was found before; None: none is short."""
+    value: Decimal
+    """Its number."""
+    roots: tuple[Root, ...] = ()
+    """All roots of its equation, with those that do not happen."""
+
+
+@record
+class RouteStep:
+    """Unknowns from relations in which all else is known."""
+
+    relations: tuple[Relation, ...]
+    """The relations that are used."""
+    unknowns: tuple[sp.Symbol, ...]
+    """What they fix."""
+    needs: frozenset[sp.Symbol]
+    """What must be known for that."""
+    results: tuple[Result, ...]
+    """The lines that it gives."""
+    is_datum: bool
+    """Does it only say what is given?"""
+
+
+@record
+class RouteTrace:
+    """The way to what is asked."""
+
+    steps: tuple[RouteStep, ...]
+    """Derivations in their order."""
+    settled: frozenset[sp.Symbol]
+    """The unknowns whose numbers rest on no letter without a number."""
+    formulas: Mapping[sp.Symbol, sp.Expr]
+    """Everything that was derived."""
+    plain: Mapping[sp.Symbol, sp.Expr]
+    """Data that are put in at once: zeros and names of the file."""
+
+
+# --- spans and equilibria --------------------------------------------------------------------------------------------
+
+
+@record
+class Piece:
+    """Part of a span in one regime, between two states."""
+
+    since: str
+    """The state at its beginning."""
+    until: str
+    """The state at its end."""
+    limits: tuple[sp.Symbol, sp.Symbol]
+    """The times of both."""
+    integrand: sp.Expr
+    """What is integrated over time."""
+    how: str
+    """difference, integral, quadrature, flow or blow."""
+    number: Decimal
+    """Its number."""
+    formula: sp.Expr | None = None
+    """The result in symbols of states; None: in numbers alone."""
+    antiderivative: sp.Expr | None = None
+    """A function of the general position of which the integrand is the rate; None: there is none."""
+    over_time: sp.Expr | None = None
+    """The integrand over time, where the motion is known as a function of it."""
+    turns: tuple[Decimal, ...] = ()
+    """Of a path length: the instants at which the velocity vanishes, s."""
+
+
+@record
+class SpanIntegral:
+    """A quantity over a span worked out."""
+
+    symbol: sp.Symbol
+    """What stands for it in other expressions."""
+    quantity: Quantity
+    """What the file asks."""
+    pieces: tuple[Piece, ...]
+    """Its parts, one for each regime."""
+    number: Decimal
+    """Its number."""
+    formula: sp.Expr | None
+    """The result in symbols of states; None: in numbers alone."""
+    duration: sp.Expr = sp.S.One
+    """What a mean is divided by, s; else 1."""
+    events: tuple[Decimal, ...] = ()
+    """Of a count: the times of what is counted, s."""
+
+
+@record
+class Verdict:
+    """Does a small deviation from an equilibrium stay small?"""
+
+    kind: str
+    """stable, unstable or indifferent."""
+    power: int = 1
+    """The power of the deviation in the term that decides (1: linear)."""
+
+    @property
+    def stable(self) -> bool:
+        return self.kind == "stable"
+
+
+@record
+class OscillationTrace:
+    """Small oscillations about one equilibrium: s̈ + c ṡ + ω₀² s = 0 where there is one freedom."""
+
+    state: str
+    """The state of equilibrium."""
+    motion: tuple[tuple[sp.Symbol, sp.Expr], ...]
+    """The acceleration of every freedom, and its law in the general position."""
+    stiffness: sp.Expr
+    """ω₀² of the first freedom, 1/s²."""
+    damping: sp.Expr
+    """c of the first freedom, 1/s."""
+    square: sp.Expr
+    """The square of its circular frequency, 1/s²."""
+    period: sp.Expr
+    """Its period, s."""
+    roots: tuple[mpmath.mpc, ...]
+    """With several freedoms: the roots λ of the characteristic equation, 1/s."""
+    verdict: Verdict
+    """Is it stable?"""
+
+
+# --- the motion ------------------------------------------------------------------------------------------------------
+
+
+@record
+class Turning:
+    """A state that was put in: until when an assumption holds, or what happens there."""
+
+    state: str
+    """Its name."""
+    time: sp.Symbol | None
+    """Its time; None: it has no number."""
+    expr: sp.Expr
+    """What vanishes there."""
+    words: str
+    """What held up to there, or what happens."""
+
+
+@record
+class Request:
+    """A find of the file."""
+
+    find: Find
+    """What the file asks."""
+    parts: tuple[sp.Expr, ...]
+    """It in symbols of states; of the general position where it holds throughout. Two of a vector."""
+    unit: Unit | None
+    """The unit of its answer; None: it is a relation or a word."""
+
+
+@record
+class RegimeTrace:
+    """One regime of the motion."""
+
+    solution: InstantSolution
+    """Its general position, worked out."""
+    stretches: tuple[tuple[str, str], ...]
+    """From which state to which it acts; to "" beyond the last, and to itself of a state that no motion leads to."""
+    wanted: frozenset[str] | None
+    """Names of the unknowns of its general position on which the motion rests; None: all of them."""
+
+
+@record
+class Taken:
+    """What a solved motion tells whoever follows it anew in numbers, beside what its file says."""
+
+    letters: Mapping[str, float]
+    """Constants that were sought, and letters of the file as they were drawn, by name [SI]."""
+    opened: Mapping[str, float]
+    """What joints leave open and a blow tells: restitutions, by the name of the constant."""
+    times: Mapping[str, float]
+    """When states are reached [s]."""
+    speeds: Mapping[str, tuple[float, float, float]]
+    """Of bodies in the first state: of the mass centre along x and y [m/s], and of turning [rad/s]."""
+
+
+@record
+class MotionTrace:
+    """A motion over time with the way to what is asked of it."""
+
+    problem: Problem
+    """The file that it is of."""
+    states: tuple[str, ...]
+    """The states in their order."""
+    ledger: Ledger
+    """Units and titles of all symbols."""
+    value: Valuation
+    """Numbers of everything."""
+    symbolic: bool
+    """Do letters of the file stay in the answers?"""
+    unknowns: frozenset[sp.Symbol]
+    """Symbols of states and sought constants."""
+    general: Mapping[sp.Symbol, sp.Symbol]
+    """By the symbol of a state, that of the general position."""
+    varying: frozenset[sp.Symbol]
+    """Symbols of the general position of all regimes: t, coordinates, free speeds."""
+    free: frozenset[sp.Symbol]
+    """The free speeds of the first regime."""
+    guessed: frozenset[sp.Symbol]
+    """Symbols of states whose values come from following the motion in numbers alone."""
+    followed: Mapping[sp.Symbol, float] | None
+    """Symbols of states with the values that following the motion in numbers gave; None: it could not be followed."""
+    turnings: tuple[Turning, ...]
+    """States that were put in."""
+    route: RouteTrace
+    """The way to what is asked."""
+    requests: tuple[Request, ...]
+    """What is asked."""
+    passing: Mapping[str, RouteTrace]
+    """By the name of a find that holds throughout the motion, the way to it."""
+    spans: tuple[SpanIntegral, ...]
+    """Quantities over spans."""
+    oscillations: tuple[OscillationTrace, ...]
+    """About equilibrium states that are asked about."""
+    regimes: tuple[RegimeTrace, ...]
+    """The regimes that are told."""
+    checks: tuple[str, ...]
+    """What was compared, in phrases."""
+    presumed: tuple[sp.Expr, ...]
+    """What is positive with these letters, and need not be."""
+    taken: Taken
+    """For a motion that is followed anew."""
+
+    def regime(self, solution: InstantSolution) -> RegimeTrace:
+        """The regime of a general position."""
+        return next(r for r in self.regimes if r.solution is solution)

@@ -1,0 +1,310 @@
+"""Finds that are formulas: in the time and the coordinates of a general position, where the file names no instant.
+
+The place of what is asked is written in the coordinates, and differentiated with their rates: v = dr/dt, a = dv/dt.
+Forces come from the equations of the general position.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from decimal import Decimal
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.equation.conditions import vector_or_jet
+from planar_cli.equation.plain import longer, rounded_inside, simplified
+from planar_cli.equation.quantities import Quantities
+from planar_cli.equation.system import mode_of
+from planar_cli.errors import Diagnostic, NoSolution, refuse
+from planar_cli.problem.dimensions import dimension_of
+from planar_cli.problem.expression import Name, Quantity, Relation, Side
+from planar_cli.problem.formulas import formulas
+from planar_cli.problem.geometry import Vec
+from planar_cli.problem.outermost import quantities_in
+from planar_cli.problem.scene import Find, Polar, Problem
+from planar_cli.problem.walk import walk
+from planar_cli.solve.between.agreement import balanced
+from planar_cli.solve.curves.kinematics import Story
+from planar_cli.solve.curves.paths import CurveReader
+from planar_cli.solve.instant.verify import Disagreement
+from planar_cli.solve.instant.worked import unknowns_of
+from planar_cli.solve.passages import Passage, Tale, sides_of
+from planar_cli.solve.regimes.differentiated import differentiated, rates_put_in
+from planar_cli.solve.regimes.functions import Functions, directed, drawn_start
+from planar_cli.solve.regimes.mode_sequence import Stretch, Workshop, spans_of
+from planar_cli.solve.regimes.regime import Regime
+from planar_cli.solve.roads import asks_forces, is_curve
+from planar_cli.solve.solution import Found
+from planar_cli.solve.solved_problem import PartSolution
+from planar_cli.units import parse_unit
+
+CLOSED_OPS = 90
+AGREE = Decimal("1e-25")
+LONG_ROW = 24
+"""A place whose derivatives take more operations is better told with the numbers of the instant."""
+
+
+def general_regime(problem: Problem, earlier: Mapping[str, Any], exprs_of: Any) -> Regime:
+    """The general position in the first modes that hold, worked out. `exprs_of`: what is needed of it."""
+    workshop = Workshop(earlier)
+    span = spans_of(problem, ())[0]
+    objection = ""
+    for choice in workshop.drawn(span).choices():
+        regime = workshop.regime(Stretch(span, choice))
+        trial = regime.general.trial
+        if trial.objection or not trial.outcomes:
+            objection = objection or trial.objection
+            continue
+        regime.work(exprs_of(regime))
+        return regime
+    mark = problem.find[0].mark
+    raise NoSolution(
+        [Diagnostic(mark, "PL622", f"no assumption about the contacts holds in a general position: {objection}")]
+    )
+
+
+def solve_formulas(problem: Problem, case: str, units: Mapping[str, str], earlier: Mapping[str, Any]) -> PartSolution:
+    """All finds of a problem as formulas and curves."""
+
+    def exprs_of(regime: Regime) -> list[sp.Expr]:
+        quantities = regime.general.quantities
+        return [e for f in problem.find if asks_forces(f) for e in _values(f, quantities)]
+
+    regime = general_regime(problem, earlier, exprs_of)
+    reader = FormulaReader(problem, units, regime)
+    found = tuple(reader.answer(f) for f in problem.find)
+    solution = regime.general.solution
+    assert solution is not None
+    if reader.compared:
+        lines = solution.checks.setdefault("lines", [])
+        lines.append("velocities and accelerations along the joints agree")
+    solution.checks.setdefault("lines", []).extend(balanced([regime]))
+    whole = not reader.kinetic and not reader.by_joints
+    return PartSolution(case, (solution,), found, None, Tale(reader.passages(), whole))
+
+
+def _values(find: Find, quantities: Quantities) -> tuple[sp.Expr, ...]:
+    """A find as one or two expressions; a relation as left and right."""
+    what = find.found.what
+    if isinstance(what, Relation):
+        if mode_of(what) is not None:
+            return ()
+        sides: list[Any] = [vector_or_jet(s, quantities, quantities.evaluator) for s in (what.left, what.right)]
+    elif isinstance(what, Quantity) and what.word == "mode":
+        return ()
+    else:
+        one = vector_or_jet(what, quantities, quantities.evaluator)
+        sides = [one.x, one.y] if isinstance(one, Vec) else [one]
+    values = tuple(s.value for s in sides)
+    if any(v is None for v in values):
+        raise refuse(find.mark, "PL552", f"{find.name}: the accelerations do not tell this rate")
+    return values
+
+
+@dataclass(slots=True)
+class FormulaReader:
+    """Answers finds in one regime. `curves`: how the curves were found."""
+
+    problem: Problem
+    units: Mapping[str, str]
+    regime: Regime
+    curves: list[Passage] = field(default_factory=list)
+    compared: int = 0
+    _quantities: Quantities | None = None
+    _functions: Functions | None = None
+
+    @property
+    def quantities(self) -> Quantities:
+        if self._quantities is None:
+            self._quantities = differentiated(self.regime)
+        return self._quantities
+
+    @property
+    def functions(self) -> Functions:
+        if self._functions is None:
+            self._functions = Functions(self.regime, drawn_start(self.regime))
+            if self._uses_time():
+                self._functions.find()
+        return self._functions
+
+    @property
+    def kinetic(self) -> bool:
+        """Do forces tell the motion, or is one asked?"""
+        return bool(self.regime.free and self._massive()) or any(asks_forces(f) for f in self.problem.find)
+
+    @property
+    def by_joints(self) -> bool:
+        """Do joints, not `motion` alone, tell how fast coordinates change that stand in the finds?"""
+        if all(is_curve(f.found.what) for f in self.problem.find):
+            return False
+        varying = {c.symbol for c in self.regime.coordinates}
+        return any(r.free_symbols & varying for s, r in self.regime.rates.items() if s not in self.functions.found)
+
+    def _massive(self) -> bool:
+        return any(b.mass != 0 for b in self.regime.general.instant.scene.bodies.values())
+
+    def _uses_time(self) -> bool:
+        return any(isinstance(n, Name) and n.name == "t" for f in formulas(self.problem) for n in walk(f.tree))
+
+    # --- answers -----------------------------------------------------------------------------------------------------
+
+    def answer(self, find: Find) -> Found:
+        """One find."""
+        what = find.found.what
+        if is_curve(what):
+            found, passage = CurveReader(self.regime, drawn_start(self.regime)).answer(find)
+            self.curves.append(passage)
+            return found
+        pure = parse_unit("1")
+        if isinstance(what, Relation) or (isinstance(what, Quantity) and what.word == "mode"):
+            word = self._word(find, what)
+            return Found(find.name, "word" if isinstance(what, Quantity) else "truth", pure, None, None, word, find)
+        quantities = self.regime.general.quantities if asks_forces(find) else self.quantities
+        raw = _values(find, quantities)
+        if not asks_forces(find):
+            self._check(find, raw)
+        parts = tuple(self.closed(e, find) for e in raw)
+        varying = set(self.regime.general.instant.scene.ledger.letters)
+        values = None
+        if not any(p.free_symbols & varying for p in parts):
+            value = self.regime.general.instant.scene.valuations[0]
+            values = tuple(value.settled(p, p) for p in parts)
+        short = all(not longer(p, CLOSED_OPS) and not rounded_inside(p) for p in parts)
+        kind = "vector" if len(parts) == 2 else "number"
+        energy = any(q.word in ("KE", "PE") for q in quantities_in(what))
+        shown = parts if values is None or short else None
+        return Found(find.name, kind, self._unit(find), values, shown, "", find, energy, parts)
+
+    def _check(self, find: Find, raw: tuple[sp.Expr, ...]) -> None:
+        """The derivatives of places are what the joints say of velocities and accelerations."""
+        outcome = self.regime.general.trial.outcomes[0]
+        rates = rates_put_in(self.regime)
+        value = outcome.value.extended(unknowns_of(self.regime.general.trial.system, outcome))
+        for ours, theirs in zip(raw, _values(find, self.regime.general.quantities), strict=True):
+            one, other = value(self.regime.closed(ours.xreplace(rates))), value(theirs)
+            if abs(one - other) > AGREE * max(abs(one), abs(other), Decimal("1e-20")):
+                raise Disagreement(
+                    f"{find.name}: the derivative of the place is {one:.6g}, the joints give {other:.6g}"
+                )
+        self.compared += len(raw)
+
+    def closed(self, expr: sp.Expr, find: Find) -> sp.Expr:
+        """A formula in t and the coordinates of the file; our own coordinates are put in as functions of time."""
+        expr = self.clean(expr)
+        scene = self.regime.general.instant.scene
+        own = {c.symbol: c for c in self.regime.coordinates if c.symbol not in scene.ledger.coordinates}
+        left = [c for s, c in own.items() if s in expr.free_symbols]
+        if left and not self._uses_time():
+            expr = expr.subs({c.symbol: c.drawn for c in left if c.drawn is not None})
+        elif left:
+            raise self._open(find, left[0].words)
+        speeds = {r for r, _ in scene.evaluator.motions.values() if isinstance(r, sp.Symbol)}
+        titles = self.regime.general.trial.system.titles
+        if loose := sorted(expr.free_symbols & set(self.regime.free) - speeds, key=str):
+            raise self._open(find, titles.get(loose[0], loose[0].name))
+        return expr
+
+    def clean(self, expr: sp.Expr) -> sp.Expr:
+        """A formula of the regime with rates and functions of time put in, as it is printed."""
+        expr = self.regime.closed(expr.xreplace(rates_put_in(self.regime)))
+        expr = simplified(self._unsigned(simplified(self.functions.put_in(expr))))
+        return directed(expr, self.regime.general.instant.scene.valuations[0])
+
+    def _unsigned(self, expr: sp.Expr) -> sp.Expr:
+        """|e| is e where the file writes a distance or a magnitude with it: those are not negative."""
+        expr = expr.replace(_is_root, _square_rooted)
+        if not expr.has(sp.Abs):
+            return expr
+        scene = self.regime.general.instant.scene
+        distances = [scene.value(p.place.distance) for p in self.problem.points if isinstance(p.place, Polar)]
+        distances += [scene.value(side) for side in _magnitudes(self.problem)]
+
+        def plain(size: sp.Expr) -> sp.Expr:
+            inside = size.args[0]
+            for sign in (1, -1):
+                if any(d.free_symbols and simplified(sign * inside / d).is_positive for d in distances):
+                    return sign * inside
+            return size
+
+        return expr.replace(lambda e: isinstance(e, sp.Abs), plain)
+
+    @staticmethod
+    def _open(find: Find, words: str) -> Exception:
+        text = f"{find.name}: the file does not tell how this varies in time: {words}"
+        return refuse(
+            find.mark, "PL651", text, "give the start of the motion in `states`, or say in `motion` how it moves"
+        )
+
+    def _unit(self, find: Find) -> Any:
+        if find.found.unit is not None:
+            return parse_unit(find.found.unit)
+        if find.name in self.units:
+            return parse_unit(self.units[find.name])
+        setup, what = self.regime.general.instant.setup, find.found.what
+        assert isinstance(what, Side)
+        return setup.unit_for(dimension_of(what, setup.lookup))
+
+    def _word(self, find: Find, what: Any) -> str:
+        """A mode, or whether a relation holds whatever t and the coordinates are."""
+        system = self.regime.general.trial.system
+        stated = mode_of(what) if isinstance(what, Relation) else (what.things[0], "")
+        if stated is not None:
+            ours = next(our for our, name in system.aliases.items() if name == stated[0] and system.modes[our].name)
+            name = system.modes[ours].name
+            return name if not isinstance(what, Relation) else "true" if name == stated[1] else "false"
+        left, right = (self.closed(e, find) for e in _values(find, self.regime.general.quantities))
+        truths = set()
+        for value in self.regime.general.instant.scene.valuations:
+            off = Decimal(0) if value.is_zero(left - right) else value(left - right)
+            truths.add({"<": off < 0, ">": off > 0, "<=": off <= 0, ">=": off >= 0, "=": not off}[what.operator])
+        return "true" if truths == {True} else "false"
+
+    # --- telling -----------------------------------------------------------------------------------------------------
+
+    def passages(self) -> tuple[Passage, ...]:
+        """Places and their derivatives, then the curves."""
+        finds = [f for f in self.problem.find if not is_curve(f.found.what) and not asks_forces(f)]
+        told = () if self.kinetic or not finds else self._places(finds)
+        return (*told, *self.curves)
+
+    def _places(self, finds: list[Find]) -> tuple[Passage, ...]:
+        story = Story(self.regime, self.quantities, self.functions, self.clean, not self.by_joints)
+        return story.passages(finds)
+
+
+def _magnitudes(problem: Problem) -> list[Side]:
+    """What `motion` gives as the magnitude of a place."""
+    relations = [law.statement for law in problem.motion if isinstance(law.statement, Relation)]
+    return [
+        r.right
+        for r in relations
+        if isinstance(r.left, Quantity) and r.left.word == "r" and [p.kind for p in r.left.parts] == ["mag"]
+    ]
+
+
+def _is_root(e: sp.Expr) -> bool:
+    return bool(e.is_Pow and e.exp.is_Rational and e.exp.q == 2 and e.base.is_Add)
+
+
+def _square_rooted(e: sp.Expr) -> sp.Expr:
+    """√(a²) as |a|."""
+    root = sp.sqrt(sp.factor(e.base))
+    return root ** (2 * e.exp) if not any(_is_root(p) for p in root.atoms(sp.Pow)) else e
+
+
+def at_given_time(problem: Problem, regimes: Sequence[Regime], passages: tuple[Passage, ...]) -> Tale | None:
+    """One instant of a motion that `motion` gives as short places over time: differentiated, then the time put in.
+    `passages`: what is told of curves. None: it is no such motion.
+    """
+    if problem.states or len(regimes) != 1 or any(asks_forces(f) for f in problem.find):
+        return None
+    reader = FormulaReader(problem, {}, regimes[0])
+    if set(Functions(regimes[0], {}).find()) != set(regimes[0].rates) or reader.kinetic:
+        return None
+    when = " and ".join(s.text for s in problem.instant or () if isinstance(s, Relation))
+    told = reader.passages()
+    if any(longer(side, LONG_ROW) for p in told for row in p.rows for side in sides_of(row)):
+        return None
+    return Tale((*told, Passage(f"All this is taken at {when}.", ()), *passages))

@@ -1,0 +1,285 @@
+"""Curves: the path of a point, also as seen from a moving point or body, and the hodograph of its velocity.
+
+The place of the point is written with one parameter (time, or the only coordinate that varies), and the parameter is
+eliminated. (An Introduction to Planar Dynamics, 1.1, 1.4.1.)
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass, replace
+
+import sympy as sp
+
+from planar_cli.calculus.curve_words import CIRCLE, POINT, Curve
+from planar_cli.calculus.curves import curve_of
+from planar_cli.equation.exact import Valuation
+from planar_cli.equation.ledger import Ledger
+from planar_cli.equation.plain import simplified
+from planar_cli.errors import refuse
+from planar_cli.problem.expression import Quantity
+from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scene import GROUND, Find, Rod
+from planar_cli.records import record
+from planar_cli.solve.curves.one_freedom import driver_of, followed_curve, loops_of
+from planar_cli.solve.passages import Passage, Row, told_function
+from planar_cli.solve.regimes.functions import Functions, explained
+from planar_cli.solve.regimes.regime import Regime
+from planar_cli.solve.solution import Found
+from planar_cli.units import parse_unit
+
+PATH = (("x", "y"), ("r", "theta"))
+HODOGRAPH = (("v_x", "v_y"), ("v", "phi"))
+PLAIN_NAMES = {"v_x": "vx", "v_y": "vy"}
+
+
+@record
+class Single:
+    """A place in one parameter."""
+
+    parameter: sp.Symbol
+    functions: Functions
+    """How the other coordinates depend on it."""
+    place: Vec
+    coordinate: sp.Symbol | None = None
+    """For which the parameter stands, where the file calls that like an axis."""
+
+
+@dataclass(slots=True)
+class CurveReader:
+    """Reads the curves that are asked of one regime whose rates are worked out. `starts`: values of t, coordinates and
+    free speeds at one instant, as far as they are known.
+    """
+
+    regime: Regime
+    starts: Mapping[sp.Symbol, sp.Expr]
+
+    def answer(self, find: Find) -> tuple[Found, Passage]:
+        """The curve, and how its equation was found."""
+        q = find.found.what
+        assert isinstance(q, Quantity)
+        place = self.place(q)
+        axes, polar = HODOGRAPH if q.word == "hodograph" else PATH
+        scene = self.regime.general.instant.scene
+        single = _apart(self._single(q, place), axes, self.regime.general.instant.scene.ledger)
+        if isinstance(single, Single):
+            letters = frozenset(s for s in scene.ledger.letters if s != single.parameter)
+            at, value = single.place, scene.valuations[0]
+            axes = _free_axes(axes, at.x.free_symbols | at.y.free_symbols, q.things[0])
+            curve = curve_of(at.x, at.y, single.parameter, value, axes, polar, letters)
+            heading = self._heading(q) + self._meaning(single)
+            passage = Passage(heading, self._rows(place, single, curve, axes))
+            return self._found(find, self._named(q, curve, value)), passage
+        loops = loops_of(self.regime)
+        driver = driver_of(self.regime, loops, single)
+        if driver is None:
+            raise self._several(find, q, single)
+        at = self._velocity(place) if q.word == "hodograph" else place
+        curve = followed_curve(self.regime, loops, driver, at, axes)
+        rows = [
+            Row("", sp.Eq(sp.Symbol(a, real=True), e, evaluate=False)) for a, e in zip(axes, (at.x, at.y), strict=True)
+        ]
+        rows += [Row(c.title, sp.Eq(c.residual, 0, evaluate=False)) for c in loops.constraints]
+        if curve.equation is not None:
+            rows.append(Row(f"places computed along the loop all lie on one {curve.kind}", curve.equation))
+        return self._found(find, self._named(q, curve, scene.valuations[0])), Passage(
+            self._heading(q) + ":", tuple(rows)
+        )
+
+    def _found(self, find: Find, curve: Curve) -> Found:
+        equations: tuple[sp.Expr, ...] | None = None
+        if curve.equation is not None:
+            plain = {s: sp.Symbol(PLAIN_NAMES[s.name], real=True) for s in curve.equation.free_symbols
+                     if s.name in PLAIN_NAMES}  # fmt: skip
+            equations = (curve.equation.xreplace(plain),)
+        return Found(find.name, "curve", parse_unit("1"), None, equations, "", find, curve=curve)
+
+    # --- places in frames --------------------------------------------------------------------------------------------
+
+    def place(self, q: Quantity) -> Vec:
+        """The point in its frame, in coordinates and t; as a point of that of its bodies which makes it shortest."""
+        seen = [self._seen(at, q) for at in self._places(q.things[0])]
+        plain = [Vec(simplified(at.x), simplified(at.y)) for at in seen]
+        return min(plain, key=lambda at: len(self._varying(at)))
+
+    def _places(self, name: str) -> list[Vec]:
+        """A point as each of the bodies carries it to which it belongs."""
+        general = self.regime.general
+        at = self._point(name)
+        drawn = {c.symbol: c.drawn for c in general.coordinates if c.drawn is not None}
+        owners = general.instant.scene.owners.get(name, [])
+        inside = at.x.free_symbols | at.y.free_symbols
+        if name in general.displacement.spots or any(
+            c.symbol in inside for c in general.coordinates if c.drawn is None
+        ):
+            return [at]
+        start = Vec(at.x.subs(drawn), at.y.subs(drawn))
+        poses = [general.displacement.poses[o] for o in owners[1:] if o not in general.displacement.formula]
+        return [at, *(p.point(start) for p in poses)]
+
+    def _point(self, name: str) -> Vec:
+        scene = self.regime.general.instant.scene
+        at = scene.point(name)
+        return Vec(self.regime.closed(at.x), self.regime.closed(at.y))
+
+    def frame(self, q: Quantity) -> str | None:
+        """The body from which it is seen; None: it does not turn."""
+        scene = self.regime.general.instant.scene
+        second = q.things[1] if len(q.things) == 2 else None
+        return second if second in scene.bodies and second not in scene.points else None
+
+    def _seen(self, at: Vec, q: Quantity) -> Vec:
+        """A place as the frame of a quantity sees it."""
+        if len(q.things) < 2 or q.things[1] == GROUND:
+            return at
+        body = self.frame(q)
+        if body is None:
+            found: Vec = at - self._point(q.things[1])
+            return found
+        scene = self.regime.general.instant.scene
+        shape = scene.bodies[body].shape
+        reach = at - self._point(shape.start if isinstance(shape, Rod) else body)
+        theta = self.regime.closed(scene.bodies[body].theta)
+        c, s = sp.cos(theta), sp.sin(theta)
+        return Vec(simplified(c * reach.x + s * reach.y), simplified(c * reach.y - s * reach.x))
+
+    # --- one parameter -----------------------------------------------------------------------------------------------
+
+    def _varying(self, at: Vec) -> list[sp.Symbol]:
+        """The coordinates and t in a place, but for those that rest."""
+        inside = at.x.free_symbols | at.y.free_symbols
+        return [s for s in self.regime.letters if s in inside and self.regime.rates.get(s, sp.S.One) != 0]
+
+    def _single(self, q: Quantity, place: Vec) -> Single | list[sp.Symbol]:
+        """The curve in one parameter: the only coordinate; else one on which the others depend; else time. Where
+        there is none, what it depends on.
+        """
+        hodograph = q.word == "hodograph"
+        plain = self._velocity(place) if hodograph else place
+        varying = self._varying(plain)
+        if len(varying) <= 1:
+            return Single((varying or [self.regime.time])[0], Functions(self.regime, self.starts), plain)
+        for kept in varying:
+            if kept not in self.regime.rates:
+                continue
+            linked = Functions(self.regime, {}, frozenset({kept}), timed=False)
+            linked.find()
+            found = Vec(linked.put_in(plain.x), linked.put_in(plain.y))
+            if self._varying(found) == [kept]:
+                return Single(kept, linked, Vec(simplified(found.x), simplified(found.y)))
+        timed = Functions(self.regime, self.starts)
+        timed.find()
+        found = Vec(simplified(timed.put_in(place.x)), simplified(timed.put_in(place.y)))
+        left = self._varying(found)
+        if left not in ([], [self.regime.time]):
+            return [s for s in varying if s != self.regime.time] if not hodograph else varying
+        if hodograph:
+            found = Vec(*(simplified(sp.diff(e, self.regime.time)) for e in (found.x, found.y)))
+        return Single(self.regime.time, timed, found)
+
+    def _velocity(self, place: Vec) -> Vec:
+        return Vec(self.regime.derivative(place.x), self.regime.derivative(place.y))
+
+    def _several(self, find: Find, q: Quantity, varying: list[sp.Symbol]) -> Exception:
+        names = [s.name for s in varying]
+        listed = f"{', '.join(names[:-1])} and {names[-1]}" if len(names) > 1 else names[0]
+        what = "velocity" if q.word == "hodograph" else "place"
+        text = f"{find.name}: the {what} of {q.things[0]} depends on {listed}"
+        text += ", and nothing in the file ties them to each other or to the time: that is no single curve"
+        hint = "say in `motion` how they move, or give the start of the motion in `states`"
+        if q.word == "path":
+            hint += "; or ask for the path as seen from a point or body, `path(B/A)`"
+        return refuse(find.mark, "PL650", text, hint)
+
+    # --- words -------------------------------------------------------------------------------------------------------
+
+    def _named(self, q: Quantity, curve: Curve, value: Valuation) -> Curve:
+        """A circle about a point of the file, or about the origin, is called so; a point at rest says what rests."""
+        if curve.kind == POINT:
+            rests = "the velocity does not change" if q.word == "hodograph" else "it does not move in this frame"
+            return replace(curve, kind=f"point: {rests}", centre=None)
+        if curve.kind != CIRCLE or curve.centre is None:
+            return curve
+        name = self._named_centre(q, curve.centre) if q.word == "path" else ""
+        if not name and all(value.is_zero(c) for c in curve.centre):
+            name = "the origin"
+        return replace(curve, kind=f"circle about {name}", centre=None) if name else curve
+
+    def _named_centre(self, q: Quantity, centre: tuple[sp.Expr, sp.Expr]) -> str:
+        """A point that stays at the centre, wherever the others are."""
+        scene = self.regime.general.instant.scene
+        for name in scene.points:
+            at = self._seen(self._point(name), q)
+            if all(v.is_zero(at.x - centre[0]) and v.is_zero(at.y - centre[1]) for v in scene.valuations):
+                return name
+        return ""
+
+    def _heading(self, q: Quantity) -> str:
+        point = q.things[0]
+        if q.word == "hodograph":
+            return f"Hodograph of {point}, the curve of the tip of its velocity drawn from one point"
+        if len(q.things) < 2 or q.things[1] == GROUND:
+            return f"Path of {point}"
+        other = q.things[1]
+        body = self.frame(q)
+        if body is None:
+            return f"Path of {point} seen from a frame that moves with {other} and does not turn, {other} its origin"
+        shape = self.regime.general.instant.scene.bodies[body].shape
+        if isinstance(shape, Rod):
+            return f"Path of {point} seen from {other}, its origin at {shape.start} and its x axis along {other}"
+        return f"Path of {point} seen from {other}, its origin at the centre and its axes turning with {other}"
+
+    def _meaning(self, single: Single) -> str:
+        """What a coordinate is that the file does not name."""
+        parameter, exprs = single.parameter, single.place
+        scene = self.regime.general.instant.scene
+        if single.coordinate is not None:
+            return f", `{parameter.name}` the coordinate {single.coordinate.name}:"
+        own = next((c for c in self.regime.coordinates if c.symbol == parameter), None)
+        if own is None or parameter in scene.ledger.coordinates or own.words[:5] in ("x of ", "y of "):
+            return ":"
+        if parameter not in exprs.x.free_symbols | exprs.y.free_symbols:
+            return ":"
+        since = " from where it is drawn" if own.drawn == 0 and own.words.startswith("way") else ""
+        return f", `{parameter.name}` the {own.words}{since}:"
+
+    def _rows(self, place: Vec, single: Single, curve: Curve, axes: tuple[str, str]) -> tuple[Row, ...]:
+        """The place, the functions put in, and the elimination."""
+        functions, exprs = single.functions, single.place
+        told = explained(functions.found, (place.x, place.y))
+        rows = [told_function(f) for f in told if f.symbol not in (place.x, place.y)]
+        shown = []
+        for axis, own, expr in zip(axes, (place.x, place.y), (exprs.x, exprs.y), strict=True):
+            known = functions.found.get(own) if isinstance(own, sp.Symbol) else None
+            words = known.words if known is not None and known.expr == expr else ""
+            line = sp.expand(expr) if expr.is_polynomial(self.regime.time) else expr
+            shown.append(Row(words, sp.Eq(sp.Symbol(axis, real=True), line, evaluate=False)))
+        steps = [Row(w, e) for w, e in curve.steps if not any(_same(e, s.line) for s in shown)]
+        return (*rows, *shown) if curve.kind == POINT else (*rows, *shown, *steps)
+
+
+def _free_axes(axes: tuple[str, str], used: Collection[sp.Symbol], point: str) -> tuple[str, str]:
+    """Axes called after the point where the file has a length of the same name: y_P beside y."""
+    names = {s.name for s in used}
+    if not names & set(axes):
+        return axes
+    across, up = (f"{axis}_{point}" for axis in axes)
+    while names & {across, up}:
+        across, up = across + "′", up + "′"
+    return across, up
+
+
+def _apart(single: Single | list[sp.Symbol], axes: tuple[str, str], ledger: Ledger) -> Single | list[sp.Symbol]:
+    """The parameter under another name where the file calls a coordinate like an axis, and it is not that axis."""
+    if not isinstance(single, Single) or single.parameter.name not in axes:
+        return single
+    p, at = single.parameter, single.place
+    if (at.x, at.y)[axes.index(p.name)] == p:
+        return single
+    other = ledger.once(f"{p.name}_0", ledger.units[p].text, p)
+    return Single(other, single.functions, Vec(at.x.xreplace({p: other}), at.y.xreplace({p: other})), p)
+
+
+def _same(step: object, shown: sp.Eq) -> bool:
+    """Is a step a line that is shown already?"""
+    return isinstance(step, sp.Eq) and step.lhs == shown.lhs and sp.expand(step.rhs - shown.rhs) == 0

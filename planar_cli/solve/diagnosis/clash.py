@@ -1,0 +1,249 @@
+"""Givens that contradict each other, or the drawing: which, and by how much, in the units of the file."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from decimal import Decimal
+
+import sympy as sp
+
+from planar_cli.equation.conditions import POSITION, gap, order, vector_or_jet
+from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.equation.jets import Jet
+from planar_cli.equation.quantities import Quantities
+from planar_cli.equation.setup import Setup
+from planar_cli.errors import NOWHERE, Diagnostic, Mark, NoSolution, NoValue, PlanarError
+from planar_cli.problem.expression import Relation
+from planar_cli.problem.geometry import Vec
+from planar_cli.problem.polar import TOGETHER
+from planar_cli.solve.diagnosis.words import false_words, in_unit, left_of, listed, short, unit_of
+from planar_cli.solve.instant.asked import names_anywhere
+from planar_cli.solve.instant.inequalities import holds
+from planar_cli.solve.instant.instant import Instant, Trial
+from planar_cli.solve.instant.study import solve_velocities
+from planar_cli.solve.instant.worked import unknowns_of
+from planar_cli.solve.multibody.poses import NearPoses
+
+NEGLIGIBLE = Decimal("1e-6")
+BLAMED = ("velocities", "contradiction")
+
+
+def sources(trial: Trial) -> list[str]:
+    """What takes part in the contradiction: texts of the file's relations, names of joints, equations of bodies."""
+    if trial.objection == "velocities":
+        found = next(v.conflict for v in trial.velocities if v.conflict is not None)
+        return list(dict.fromkeys(t for c, f in found[0] if f for t in c.text.split(TOGETHER)))
+    outcome = next(o for o in trial.outcomes if o.solved.conflict is not None)
+    assert outcome.solved.conflict is not None
+    factors, _ = outcome.solved.conflict
+    blamed = (s for s, f in zip(outcome.assembly.sources, factors, strict=True) if f)
+    return list(dict.fromkeys(t for s in blamed for t in s.split(TOGETHER)))
+
+
+def clash(instant: Instant, trial: Trial, mark: Mark) -> Diagnostic:
+    """The contradiction of one choice of modes."""
+    texts = sources(trial)
+    given = [r for r, _ in instant.statements.relations if r.text in texts]
+    for relation in reversed(given):
+        found = _left_out(instant, trial, relation, [r.text for r in given if r is not relation])
+        if found is not None:
+            return found
+    bodies, joints = _parts(instant, texts)
+    laws = [f"the equations of motion of {listed(bodies)}"] if bodies else []
+    held = [f"the joints {listed(joints)}" if len(joints) > 1 else f"the joint {joints[0]}"] if joints else []
+    words = [*laws, *held, *(f"`{r.text}`" for r in given)]
+    at = next((r.mark for r in given if r.mark != NOWHERE), mark)
+    hint = "leave one of these out, or make its value an unknown" if given else "a support or a load may be missing"
+    light = [b for b in bodies if instant.scene.bodies[b].mass == 0]
+    if bodies and light == bodies and not given:
+        text = f"the forces on {listed(bodies)} cannot balance, and without mass nothing else can hold them"
+        return Diagnostic(
+            _body_mark(instant, light[0], mark), "PL602", text, f"give {listed(light)} a mass, or a support"
+        )
+    return Diagnostic(at, "PL602", f"these contradict each other: {'; '.join(words or texts)}", hint)
+
+
+def _body_mark(instant: Instant, name: str, otherwise: Mark) -> Mark:
+    return next((b.mark for b in instant.scene.problem.bodies if b.name == name), otherwise)
+
+
+def _parts(instant: Instant, texts: list[str]) -> tuple[list[str], list[str]]:
+    """The bodies whose equations take part, and the joints."""
+    bodies = [b for b in instant.scene.bodies if any(t.startswith(f"{b}, a") for t in texts)]
+    return bodies, list(dict.fromkeys(instant.aliases[t] for t in texts if t in instant.aliases))
+
+
+def _left_out(instant: Instant, trial: Trial, relation: Relation, others: list[str]) -> Diagnostic | None:
+    """What the rest says about the left side of a relation, when it is left out."""
+    level = trial.objection == "velocities"
+    statements = replace(
+        instant.statements, relations=tuple(p for p in instant.statements.relations if p[0] is not relation)
+    )
+    try:
+        twin = Instant(Setup(instant.scene.problem, statements, instant.setup.earlier, False))
+        twin.drivers = instant.drivers
+        found = _by_velocities(twin, trial, relation) if level else _by_motion(twin, trial, relation)
+    except (PlanarError, Unvalued, NoValue):
+        return None
+    if found is None:
+        return None
+    left, right = found
+    code = "PL607" if level else "PL608"
+    against = listed(f"`{t}`" for t in others)
+    if not level:
+        against = f"{against} and the equations of motion" if others else "the equations of motion"
+    reason = against or "the joints"
+    verb = "make" if len(others) > 1 or not level or not others else "makes"
+    hint = "leave one of them out, or declare its value under `unknowns`"
+    if instant.scene.ledger.symbolic:
+        return Diagnostic(
+            relation.mark, code, f"`{relation.text}` contradicts what {reason} {verb} of {left_of(relation)}", hint
+        )
+    unit = unit_of(instant, relation.right, relation.left)
+    off = f"they differ by {in_unit(abs(left - right), unit)}"
+    return Diagnostic(
+        relation.mark,
+        code,
+        f"`{relation.text}`, but {reason} {verb} {left_of(relation)} = {in_unit(left, unit)}; {off}",
+        hint,
+    )
+
+
+def _by_velocities(instant: Instant, trial: Trial, relation: Relation) -> tuple[Decimal, Decimal] | None:
+    """Both sides by the velocities alone; None when these leave them open."""
+    system, value = instant.system(trial.choice), instant.scene.valuations[0]
+    quantities = system.quantities_of(system.first, None)
+    first = solve_velocities(system, value, False)
+    found = []
+    for moving in ({}, *({x: Decimal("1.37")} for x in first.free)):
+        velocities = solve_velocities(system, value, True, True, moving)
+        if velocities.conflict is not None:
+            return None
+        found.append(_sides(relation, quantities, value.extended(velocities.values)))
+    steady = all(abs(a - b) < NEGLIGIBLE for other in found for a, b in zip(found[0], other, strict=True))
+    return found[0] if steady else None
+
+
+def _by_motion(instant: Instant, trial: Trial, relation: Relation) -> tuple[Decimal, Decimal] | None:
+    """Both sides by velocities, accelerations and forces; None when these leave them open."""
+    again = instant.try_choice(trial.choice, instant.scene.valuations[:1])
+    if not again.outcomes or again.outcomes[0].solved.conflict is not None:
+        return None
+    outcome = again.outcomes[0]
+    numbers = outcome.value.extended(unknowns_of(again.system, outcome))
+    return _sides(relation, again.system.quantities(), numbers)
+
+
+def _sides(relation: Relation, quantities: Quantities, numbers: Valuation) -> tuple[Decimal, Decimal]:
+    """Both sides in numbers; of vectors the size."""
+    found = []
+    for side in (relation.left, relation.right):
+        value = vector_or_jet(side, quantities, quantities.evaluator)
+        if isinstance(value, Vec):
+            x, y = numbers(value.x.value), numbers(value.y.value)
+            found.append((x * x + y * y).sqrt())
+        else:
+            found.append(numbers(value.value))
+    return found[0], found[1]
+
+
+# --- positions -------------------------------------------------------------------------------------------------------
+
+
+def check_positions(instant: Instant) -> None:
+    """Raise where a relation about places, or between known numbers, does not hold."""
+    names = {s.name for s in instant.scene.ledger.coordinates}
+    sought = {s.name for s in instant.scene.ledger.sought}
+    stated = [r for r, _ in instant.statements.relations if r not in instant.setup.settled]
+    wrong = []
+    for relation in (*stated, *instant.statements.inequalities):
+        level = order(relation, names)
+        if level > POSITION or (names_anywhere(relation.left) | names_anywhere(relation.right)) & sought:
+            continue
+        equation = relation.operator == "="
+        found = _as_drawn(instant, relation) if level == POSITION and equation else _known(instant, relation)
+        if found is not None:
+            wrong.append(found)
+    if wrong:
+        raise NoSolution(wrong)
+
+
+def _known(instant: Instant, relation: Relation) -> Diagnostic | None:
+    """What is wrong with a relation between numbers that are known; one between letters is an assumption."""
+    system = instant.system(tuple(0 for _ in instant.modes))
+    evaluator = system.quantities_of(system.first, None).evaluator
+    left, right = (sp.sympify(evaluator.value(s)) for s in (relation.left, relation.right))
+    ledger, value = instant.scene.ledger, instant.scene.valuations[0]
+    both = left - right
+    if instant.scene.rests_on_sought(both) or (ledger.symbolic and not value.is_zero(both) and not both.is_number):
+        return None
+    if holds(relation.operator, both, value):
+        return None
+    text = false_words(instant, relation, value(left), value(right))
+    return Diagnostic(relation.mark, "PL616", text, "both sides are known: correct one, or declare it under `unknowns`")
+
+
+def _as_drawn(instant: Instant, relation: Relation) -> Diagnostic | None:
+    """What is wrong with one relation about places."""
+    system = instant.system(tuple(0 for _ in instant.modes))
+    quantities = system.quantities_of(system.first, None)
+    value = instant.scene.valuations[0]
+    try:
+        sides = [vector_or_jet(s, quantities, quantities.evaluator) for s in (relation.left, relation.right)]
+        if any(isinstance(s, Vec) for s in sides):
+            return _vectors_off(instant, relation, gap(sides[0], sides[1])) if relation.operator == "=" else None
+        if any(instant.scene.rests_on_sought(sp.sympify(s.value)) for s in sides):
+            return None
+    except PlanarError:
+        return None
+    left, right = (value.known(sp.sympify(s.value)) for s in sides)
+    if left is None or right is None:
+        return None
+    if abs(left - right) <= NEGLIGIBLE * max(abs(left), abs(right), Decimal("1e-3")):
+        return None
+    hint = "draw the points at this instant, or write one of them with a coordinate"
+    if instant.scene.ledger.symbolic:
+        return Diagnostic(relation.mark, "PL609", f"`{relation.text}` does not hold in the drawn position", hint)
+    unit = unit_of(instant, relation.right, relation.left)
+    off = f"it is off by {in_unit(abs(left - right), unit)}"
+    return Diagnostic(
+        relation.mark,
+        "PL609",
+        f"`{relation.text}`, but as drawn {left_of(relation)} = {in_unit(left, unit)}; {off}",
+        hint,
+    )
+
+
+def _vectors_off(instant: Instant, relation: Relation, apart: Jet | Vec) -> Diagnostic | None:
+    """What is wrong with a relation between places as vectors."""
+    assert isinstance(apart, Vec)
+    parts = [sp.sympify(p.value) for p in (apart.x, apart.y)]
+    value = instant.scene.valuations[0]
+    if any(instant.scene.rests_on_sought(p) for p in parts):
+        return None
+    if all(abs(value(p)) <= NEGLIGIBLE * max(value.size(p), Decimal("1e-3")) for p in parts):
+        return None
+    hint = "draw the points at this instant, or write one of them with a coordinate"
+    return Diagnostic(relation.mark, "PL609", f"`{relation.text}` does not hold in the drawn position", hint)
+
+
+def demand_drawn(instant: Instant, trial: Trial) -> None:
+    """Raise where a joint does not fit the drawn position: a link of another length, a contact that does not touch."""
+    poses = NearPoses(instant.scene.valuations[0], {})
+    wrong = []
+    for joint in instant.joints:
+        for residual in joint.residuals(instant.scene, trial.system.modes[joint.name]):
+            found = residual.of(poses)
+            parts = (found.x, found.y) if isinstance(found, Vec) else (found,)
+            off = max((abs(p.value) for p in parts), default=Decimal(0))
+            if off > NEGLIGIBLE:
+                gap = "" if instant.scene.ledger.symbolic else f" by {short(off)} (SI units)"
+                name = f"the {joint.kind} {instant.aliases[joint.name]}"
+                text = f"{name} does not fit the drawing: {residual.title} is off{gap}"
+                hint = "correct the length or a point, or leave the length out"
+                wrong.append(Diagnostic(joint.mark, "PL615", text, hint))
+    if wrong:
+        raise NoSolution(wrong)
+
+
+__all__ = ["check_positions", "clash", "demand_drawn", "sources"]

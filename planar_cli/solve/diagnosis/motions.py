@@ -1,0 +1,341 @@
+"""What is wrong with a motion that can not be told: a datum is missing, data contradict, a state never comes.
+
+A datum is missing where the equations of the motion leave a letter of the first state, or a sought constant, loose;
+that is seen from their rank at a general place. Data contradict each other where the motion exists without one of them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterable
+from contextlib import suppress
+from decimal import Decimal
+from itertools import islice
+
+import sympy as sp
+
+from planar_cli.calculus.first import first_extreme
+from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.equation.plain import derivative
+from planar_cli.equation.sample import anywhere
+from planar_cli.equation.scales import slack_of
+from planar_cli.errors import NOWHERE, Diagnostic, Mark, NoSolution, NoValue, Undecided
+from planar_cli.problem.scene import Problem
+from planar_cli.solve.between.asked_finds import AskedFind, asked_letters
+from planar_cli.solve.between.balances import StateBalance
+from planar_cli.solve.between.events import FollowedSegment, events, is_zero, scale_of
+from planar_cli.solve.between.followed import Ends, Followed
+from planar_cli.solve.between.motion_equations import MotionEquations
+from planar_cli.solve.between.reached import asked_about
+from planar_cli.solve.between.stated_motion import StatedMotion
+from planar_cli.solve.diagnosis.failures import explain_failure, singular_position
+from planar_cli.solve.following.follower import Follower
+from planar_cli.solve.instant.instant import make_instant, search_modes
+from planar_cli.solve.multibody.linear import solve
+from planar_cli.solve.regimes.equations import Equation
+from planar_cli.solve.regimes.mode_sequence import Span, Workshop, fixed_time
+from planar_cli.solve.regimes.regime_sequence import RegimeSequence
+from planar_cli.solve.regimes.timeline import Demand, Stop
+
+AGREES = Decimal("1e-7")
+SAMPLES = 60
+ROOTS = 20
+BEFORE = 1e-6
+"""What happens within this part of a stretch before its end happens at its end."""
+
+
+# --- a datum is missing ----------------------------------------------------------------------------------------------
+
+
+def loose_letters(course: MotionEquations) -> list[sp.Symbol]:
+    """Letters of states and sought constants that the equations do not fix."""
+    unknowns = sorted(course.chain().unknowns, key=lambda s: s.name)
+    ordinary = course.natural(unknowns)
+    value = course.base().extended({x: anywhere(i) * ordinary[x] for i, x in enumerate(unknowns)})
+    rows = []
+    places = [s.name for s in course.states]
+    # Where laws of motion tell everything, balances say nothing new.
+    laws = [
+        e
+        for e in course.equations
+        if not isinstance(e.source, StateBalance) or course.laws[places.index(e.stop) - 1].loose
+    ]
+    for e in _independent(laws):
+        slopes = [value.known(derivative(e.residual, x)) if e.residual.has(x) else Decimal(0) for x in unknowns]
+        row = [slope for slope in slopes if slope is not None]
+        if len(row) == len(unknowns):
+            rows.append([*row, Decimal(0)])
+    if not rows:
+        return unknowns
+    solved = solve(rows, len(unknowns))
+    return [x for j, x in enumerate(unknowns) if not solved.unique(j)]
+
+
+def _independent(equations: Iterable[Equation]) -> list[Equation]:
+    """As many of every family as say something new."""
+    count: dict[tuple[str, ...], int] = {}
+    found = []
+    for e in sorted(equations, key=lambda e: e.cost):
+        if e.residual.has(sp.Integral):
+            continue
+        if e.family:
+            count[e.family] = count.get(e.family, 0) + 1
+            if count[e.family] > e.rank:
+                continue
+        found.append(e)
+    return found
+
+
+def missing(course: MotionEquations) -> NoSolution | None:
+    """What the file should say; None: the equations leave nothing loose."""
+    loose = set(loose_letters(course))
+    sought = [s for s in course.sought() if s in loose]
+    first = course.first
+    open_first = [s for s in first.letters.values() if s in loose]
+    unsaid = [
+        s
+        for s in course.states[1:]
+        if not fixed_time(s.relations)
+        and not any(blow.stop.name == s.name for blow in course.blows.values())
+        and all(d.kind == "inequality" for d in course.demands[s.name])
+        and s.name not in course.modes.turnings
+    ]
+    if unsaid and not sought and not open_first:
+        text = f"nothing says when state {unsaid[0].name} is"
+        hint = "give a relation with `=` that holds first in this state, or `t = …`"
+        return _wrong(unsaid[0].mark, "PL623", text, hint)
+    if not sought and not open_first:
+        return _open_impact(course, loose)
+    names = [s.name for s in sought] or list(dict.fromkeys(_title(course, first, s) for s in open_first))
+    mark = first.mark if not sought else _mark_of(course, sought[0])
+    what = " and ".join(", ".join(names).rsplit(", ", 1)) if len(names) > 1 else names[0]
+    text = f"{what} {'is' if len(names) == 1 else 'are'} open: no state tells enough"
+    hint = "give one more relation in a state, as a place, a velocity or a time"
+    return _wrong(mark, "PL623", text, hint)
+
+
+def _open_impact(course: StatedMotion, loose: Collection[sp.Symbol]) -> NoSolution | None:
+    """A coefficient of restitution that was left out and that nothing tells."""
+    for blow in course.blows.values():
+        open_names = {f"e_{j.name}": j for j in blow.struck.joints}
+        for name, symbol in blow.scene.open_names.items():
+            if symbol in loose:
+                joint = open_names[name]
+                text = f"the restitution of {joint.name} is open: state {blow.stop.name} does not tell enough"
+                return _wrong(
+                    joint.mark, "PL623", text, "write `restitution: 0.8`, or a velocity just after the impact"
+                )
+    return None
+
+
+def demand_told(course: MotionEquations, finds: tuple[AskedFind, ...], told: Collection[sp.Symbol]) -> None:
+    """NoSolution: letters that are asked for are not told, because a datum is missing."""
+    letters = asked_letters(finds)
+    if letters & course.chain().unknowns - set(told):
+        wrong = missing(course)
+        if wrong is not None:
+            raise wrong
+
+
+def _mark_of(course: RegimeSequence, sought: sp.Symbol) -> Mark:
+    return next((u.mark for u in course.problem.unknowns if u.name == sought.name), course.first.mark)
+
+
+def _title(course: RegimeSequence, stop: Stop, own: sp.Symbol) -> str:
+    """A letter of a state in words."""
+    general = next(k for k, v in stop.letters.items() if v == own)
+    for regime in course.distinct_regimes():
+        if general == regime.time:
+            return f"the time of state {stop.name}"
+        for c in regime.coordinates:
+            words = c.words or c.symbol.name
+            if general == c.symbol:
+                return f"{words} in state {stop.name}"
+            if general == c.speed:
+                return f"the rate of {words} in state {stop.name}"
+    return f"{general.name} in state {stop.name}"
+
+
+def as_drawn(span: Span, workshop: Workshop, problem: Problem) -> NoSolution | None:
+    """What is wrong with the velocities of the drawn position; None: nothing."""
+    instant = make_instant(span.problem, span.always, (), dict(workshop.earlier), False)
+    held, rejected = search_modes(instant, instant.scene.valuations)
+    if held:
+        return None
+    singular_position(instant, rejected, problem.find)
+    return explain_failure(instant, rejected, problem.find)
+
+
+# --- data contradict each other --------------------------------------------------------------------------------------
+
+
+def demand_agreement(course: StatedMotion, value: Valuation, guessed: Collection[sp.Symbol] = ()) -> None:
+    """NoSolution: a state that was found by some of its relations does not satisfy the others. `guessed`: letters with
+    machine numbers, whose rounding is measured by the largest value that they have in any state.
+    """
+    large = value.extended(_largest(course, value, guessed))
+    for state in course.states:
+        for d in course.demands[state.name]:
+            if d.kind not in ("equation", "inequality"):
+                continue
+            number = value.known(d.residual)
+            if number is None or large.known(d.residual) is None:
+                continue
+            slack = AGREES * max(value.size(d.residual), large.size(d.residual))
+            if abs(number) > slack:
+                letters = [*course.stops[state.name].letters.values()]
+                slack += AGREES * AGREES * slack_of(d.residual, letters, course.natural(letters), value)
+            if number < -slack if d.kind == "inequality" else abs(number) > slack:
+                raise _contradiction(course, d, number)
+
+
+def _largest(course: RegimeSequence, value: Valuation, letters: Collection[sp.Symbol]) -> dict[sp.Symbol, Decimal]:
+    """The largest value that letters of states have in any of the states."""
+    sizes: dict[sp.Symbol, Decimal] = {}
+    for stop in course.stops.values():
+        for general, own in stop.letters.items():
+            if own in value.values:
+                sizes[general] = max(sizes.get(general, Decimal(0)), abs(value(own)))
+    general_of = {own: general for stop in course.stops.values() for general, own in stop.letters.items()}
+    return {own: sizes[general_of[own]] for own in letters if own in general_of and general_of[own] in sizes}
+
+
+def _contradiction(course: StatedMotion, demand: Demand, number: Decimal) -> NoSolution:
+    others = [d.text for d in course.demands[demand.state] if d.text != demand.text and d.kind == "equation"]
+    others = others or ["what is stated of the states before it"]
+    text = f"state {demand.state}: `{demand.text}` contradicts {_quoted(others)}: the sides differ by {_short(number)}"
+    return _wrong(demand.mark, "PL624", text, "leave one of them out, or declare what they hold under `unknowns`")
+
+
+def _quoted(texts: list[str]) -> str:
+    return ", ".join(t if t.startswith("what ") else f"`{t}`" for t in texts)
+
+
+def _short(number: Decimal) -> str:
+    return f"{abs(float(number)):.4g} in SI units"
+
+
+def clash(course: MotionEquations, equations: Iterable[Equation]) -> NoSolution | None:
+    """Statements of which any one may go, and then there is a motion; None: no single one stands in the way."""
+    equations = list(equations)
+    stated = [
+        e for e in equations if e.kind == "given" and e.mark != NOWHERE and e.residual.free_symbols != {course.first.t}
+    ]
+    found = []
+    for e in stated:
+        try:
+            free = any(course.chain().branches([x for x in equations if x is not e]))
+        except (Undecided, NoValue, Unvalued):
+            continue
+        if free:
+            found.append(e)
+    if len(found) < 1:
+        return None
+    texts = list(dict.fromkeys(e.words for e in found))
+    rest = f"contradicts {_quoted(texts[:-1])}" if len(texts) > 1 else "contradicts what else is known"
+    text = f"state {found[-1].stop}: `{texts[-1]}` {rest}"
+    return _wrong(found[-1].mark, "PL624", text, "leave one of them out, or declare what they hold under `unknowns`")
+
+
+# --- a state that never comes ----------------------------------------------------------------------------------------
+
+
+def never(course: MotionEquations, followed: Followed, value: Valuation) -> NoSolution:
+    """Why the state that was missed does not come."""
+    name = followed.missed
+    assert name is not None
+    stop, demands = course.stops[name], course.demands[name]
+    texts = "; ".join(d.text for d in demands)
+    if not demands or all(d.kind == "inequality" for d in demands):
+        lacking = missing(course)
+        if lacking is not None:
+            return lacking
+    if any(d.kind == "extreme" for d in demands):
+        hint = "on the way from the state before it nothing is stationary: it grows or shrinks without end"
+        return _wrong(stop.mark, "PL621", f"state {name} is never reached: {texts}", hint)
+    hint = "" if name in asked_about(course.problem) else _hint(course, followed, stop, value)
+    return _wrong(stop.mark, "PL621", f"state {name} is never reached: {texts}", hint)
+
+
+def meets_again(course: RegimeSequence, ends: Ends) -> NoSolution:
+    """What has parted comes together again before the next state, and nothing says how it goes on."""
+    state = course.states[ends.stretch + 1]
+    text = f"before state {state.name}, at t = {ends.time:.4g} s, `{ends.words}` ends with a blow: it meets again"
+    hint = "a state `just after` it and an `impact` tell what comes of it; else ask for nothing later"
+    return _wrong(state.mark, "PL622", text, hint)
+
+
+def _hint(course: MotionEquations, followed: Followed, stop: Stop, value: Valuation) -> str:
+    """How near the motion comes, whether the relations hold one by one, or before the states that stand before."""
+    equations = [d for d in course.demands[stop.name] if d.kind == "equation"]
+    follower = Follower(course, value)
+    follower.done.values = dict(followed.values)
+    for segment in followed.segments:
+        when = _common(follower, equations, stop, segment, segment.t1)
+        if when is not None:
+            return f"it was reached before, at t = {when:.4g} s: states stand in the order in which they happen"
+    index = next(i for i, s in enumerate(course.states) if s.name == stop.name)
+    regime = course.regimes[index - 1]
+    segment = follower.segment(
+        regime, follower.begin(regime, followed.at, course.readers[course.states[index - 1].name].regime)
+    )
+    found = []
+    for d in equations:
+        g = follower.function(d.residual, stop, segment)
+        try:
+            first = next(events(g, segment), None)
+        except NoValue:
+            return ""
+        if first is not None:
+            found.append(f"`{d.text}` holds at t = {first.value:.4g} s")
+            continue
+        run = 20 * scale_of(segment)
+        times = [segment.t0 + run * k / SAMPLES for k in range(SAMPLES + 1)]
+        away, at = _nearest(g, times)
+        apart = _short(Decimal(repr(away)))
+        found.append(f"`{d.text}` is nearest at t = {at:.4g} s, where the sides differ by {apart}")
+    return ", ".join(found)
+
+
+def passed_before(course: MotionEquations, followed: Followed, value: Valuation) -> bool:
+    """Did what is stated of a state at a given time hold before, on the way from the state before it?"""
+    follower = Follower(course, value)
+    follower.done.values = dict(followed.values)
+    for state, segment in zip(course.states[1:], followed.segments, strict=False):
+        stated = fixed_time(state.relations)
+        equations = [d for d in course.demands[state.name] if d.kind == "equation"]
+        others = [d for d in equations if stated is not None and d.text != stated.text]
+        until = segment.t1 - BEFORE * (segment.t1 - segment.t0)
+        if stated is not None and _common(follower, others, course.stops[state.name], segment, until) is not None:
+            return True
+    return False
+
+
+def _nearest(g: Callable[[float], float], times: list[float]) -> tuple[float, float]:
+    """The smallest size of a function and when it has it: by samples, and the best of them looked at closely."""
+    k = min(range(len(times)), key=lambda i: abs(g(times[i])))
+    with suppress(NoValue):
+        near = first_extreme(lambda t: abs(g(t)), times[max(k - 1, 0)], times[min(k + 1, len(times) - 1)], -1)
+        if near is not None:
+            return near.value, near.at
+    return abs(g(times[k])), times[k]
+
+
+def _common(
+    follower: Follower, equations: list[Demand], stop: Stop, segment: FollowedSegment, until: float
+) -> float | None:
+    """When all relations of a state hold on a stretch before it."""
+    if not equations or until <= segment.t0:
+        return None
+    gs = [follower.function(d.residual, stop, segment) for d in equations]
+    try:
+        for root in islice(events(gs[0], segment, until), ROOTS):
+            sizes = [follower.size(d.residual, stop, segment, root.value) for d in equations]
+            if all(is_zero(g, root.value, segment, size) for g, size in zip(gs[1:], sizes[1:], strict=True)):
+                return root.value
+    except NoValue:
+        pass
+    return None
+
+
+def _wrong(mark: Mark, code: str, text: str, hint: str = "") -> NoSolution:
+    return NoSolution([Diagnostic(mark, code, text, hint)])

@@ -1,0 +1,76 @@
+"""Why constants, angles, speeds or extremes that are sought are not found."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from planar_cli.equation.conditions import Condition
+from planar_cli.equation.exact import Unvalued
+from planar_cli.equation.form import Nonlinear, linear_form
+from planar_cli.equation.kinetics import body_residuals
+from planar_cli.errors import Diagnostic, NoValue
+from planar_cli.solve.diagnosis.open_data import demand
+from planar_cli.solve.diagnosis.words import listed, one_of, unknown_name
+from planar_cli.solve.instant.candidates import Candidate
+from planar_cli.solve.instant.instant import Instant, Trial
+from planar_cli.solve.instant.plan import Planner
+from planar_cli.solve.instant.seeker import LOOSE, Seeker
+from planar_cli.solve.multibody.linear import solve
+
+
+def open_symbols(candidates: list[Candidate], nonlinear: int, bits: dict[sp.Symbol, int]) -> list[sp.Symbol]:
+    """The targets that no plan reaches."""
+    return [s for s, bit in bits.items() if Planner(candidates, nonlinear).plan(bit) is None]
+
+
+def not_found(instant: Instant, trial: Trial, objections: list[str], loose: list[sp.Symbol]) -> Diagnostic:
+    """The diagnosis of a search that came to nothing. `loose`: targets that no equations determine."""
+    find = instant.scene.problem.find[0]
+    extremes = instant.statements.extremes
+    said = list(dict.fromkeys(o for o in objections if o))
+    names = [unknown_name(trial.system, s) for s in loose]
+    hanging = [o for o in said if LOOSE in o]
+    if extremes and not said:
+        wanted = extremes[0].text.split(" is ")[0]
+        text = (
+            f"{wanted} has no extreme value: no contact, rope or guide reaches its limit, however far {wanted} is taken"
+        )
+        return Diagnostic(
+            extremes[0].mark, "PL613", text, "state what must hold, such as `mode(C) = stick`, or give a limit"
+        )
+    if hanging:
+        name = hanging[0].split(f" {LOOSE}")[0]
+        hint = f"give {name}, or state the case: `mode(C) = stick`, or ask for the limit: `{name} is smallest`"
+        mark = next((s.mark for s in instant.scene.problem.unknowns if s.name == name), find.mark)
+        return Diagnostic(mark, "PL606", f"{hanging[0]}; {demand(1)}", hint)
+    if loose and not said:
+        text = f"{find.name} is open: the equations do not determine {listed(names)}; {demand(1)}"
+        return Diagnostic(find.mark, "PL606", text, one_of(names))
+    text = "no solution is consistent" + (f": {'; '.join(said)}" if said else "")
+    return Diagnostic(find.mark, "PL601", text, "change a given, or state one thing less")
+
+
+def contradiction(seeker: Seeker) -> Diagnostic | None:
+    """Equations that are linear in what is sought, and that contradict each other; None: there are none."""
+    unknowns = sorted(seeker.linear & set(seeker.unknowns), key=lambda s: s.name)
+    others = set(seeker.unknowns) - set(unknowns)
+    told: list[tuple[Condition | None, sp.Expr]] = [(c, e) for c in seeker.conditions for e in c.rows()]
+    told += [(None, e) for body in seeker.scene.bodies for e in body_residuals(seeker.system, body)]
+    rows, sources = [], []
+    for condition, expr in told:
+        if expr.free_symbols & others:
+            continue
+        try:
+            form = linear_form(expr, set(unknowns))
+            rows.append([*(seeker.value(form.terms.get(x, sp.S.Zero)) for x in unknowns), seeker.value(form.constant)])
+        except (Nonlinear, Unvalued, NoValue):
+            continue
+        sources.append(condition)
+    found = solve(rows, len(unknowns)).conflict
+    if found is None:
+        return None
+    part = [c for c, factor in zip(sources, found[0], strict=True) if factor and c is not None and c.kind == "given"]
+    if not part:
+        return None
+    text = f"these contradict each other: {'; '.join(dict.fromkeys(f'`{c.text}`' for c in part))}"
+    return Diagnostic(part[-1].mark, "PL602", text, "leave one of these out, or correct its numbers")

@@ -1,0 +1,77 @@
+"""Released at rest exactly in an unstable equilibrium: what moves is the limit of ever slighter touches.
+
+A touch of a thousand-millionth is followed in numbers; it tells what happens in which order, and the laws of energy
+tell the speeds, which differ from their limits by the square of the touch alone. Only the times grow beyond all bounds.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Collection, Mapping
+from decimal import Decimal
+
+import sympy as sp
+
+from planar_cli.equation.displacement import Coordinate
+from planar_cli.equation.exact import Valuation
+from planar_cli.equation.plain import derivative
+from planar_cli.records import record
+from planar_cli.solve.between.events import length_of
+from planar_cli.solve.regimes.regime import Regime
+
+SLIGHT = 1e-9
+"""The touch in parts of a radian, or of the size of the scene, in the time in which it grows."""
+DEPARTS = "released at rest in an unstable equilibrium: the limit of a slight touch"
+
+
+@record
+class Departure:
+    """The free speed that a departure begins with, its value then, and the time in which a deviation grows e-fold."""
+
+    speed: sp.Symbol
+    value: Decimal
+    time: float
+
+
+def departure_of(
+    regime: Regime, base: Valuation, start: Mapping[sp.Symbol, Decimal], sense: int, idle: Collection[str]
+) -> Departure | None:
+    """What sends the motion off, of the free speeds that rest by themselves; None: their rest is not unstable, or in
+    several ways. `regime`: the first; `base`: numbers of everything that is known.
+    """
+    value = base.extended(dict(start))
+    found = []
+    for u in (u for u in regime.free if u.name in idle):
+        growth = _growth(regime, u, value)
+        if growth > 0:
+            found.append((u, growth))
+    if len(found) != 1:
+        return None
+    u, growth = found[0]
+    c = _coordinate(regime, u)
+    assert c is not None
+    state = {s: float(v) for s, v in start.items()}
+    still = [0.0] * (len(regime.letters) - 1)
+    size = (
+        1.0
+        if c.unit == "rad"
+        else length_of(regime, state, still, value, regime.general.instant.scene.ledger.scales.length)
+    )
+    pace = math.sqrt(growth)
+    slope = abs(float(value(derivative(regime.rates[c.symbol], u))))
+    return Departure(u, Decimal(repr(sense * SLIGHT * pace * size / slope)), 1 / pace)
+
+
+def _coordinate(regime: Regime, u: sp.Symbol) -> Coordinate | None:
+    """The coordinate that moves with a speed."""
+    moved = [c for c in regime.coordinates if u in regime.rates[c.symbol].free_symbols]
+    return next((c for c in moved if c.speed == u), moved[0] if moved else None)
+
+
+def _growth(regime: Regime, u: sp.Symbol, value: Valuation) -> float:
+    """How fast a deviation grows, d(du/dt)/dq dq/du in 1/s²; not positive where it does not."""
+    c = _coordinate(regime, u)
+    if c is None:
+        return 0.0
+    slope = derivative(regime.accelerations[u], c.symbol) * derivative(regime.rates[c.symbol], u)
+    return float(value.known(slope) or 0)

@@ -1,0 +1,133 @@
+"""Choices of modes: which assumption about joints is tried next where one has failed, and what was wrong before."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from decimal import Decimal
+
+from planar_cli.equation.exact import Valuation
+from planar_cli.errors import Diagnostic, NoSolution
+from planar_cli.problem.scene import Problem
+from planar_cli.solve.between.stated_motion import StatedMotion
+from planar_cli.solve.diagnosis.motions import as_drawn
+from planar_cli.solve.following.gaps import changes_sides
+from planar_cli.solve.regimes.mode_sequence import ModeSequence, Workshop, nearest
+from planar_cli.solve.regimes.regime_sequence import RegimeSequence
+
+SLACK = Decimal("1e-9")
+Far = Mapping[int, frozenset[str]]
+
+
+@dataclass(slots=True)
+class ModeChoice:
+    """The choices of modes that have been tried, and the next one."""
+
+    problem: Problem
+    workshop: Workshop
+    """Where regimes come from."""
+    tried: dict[tuple[str, ...], list[tuple[int, ...]]] = field(default_factory=dict)
+    """Choices of modes that failed, by the states up to where they begin."""
+    tried_blows: dict[tuple[str, ...], list[tuple[int, ...]]] = field(default_factory=dict)
+    """The same of what strikes."""
+    why: str = ""
+    """What speaks against the first of them."""
+    lack: NoSolution | None = None
+    """What is wrong with the first of them in which no motion passes through the states."""
+
+    def _unblocked(self, modes: ModeSequence, i: int) -> ModeSequence:
+        """Another choice of modes, where the velocities of this one contradict each other in every position."""
+        other = self._other(modes, i, "the joints contradict what is given of the velocities")
+        if other is None:
+            raise as_drawn(modes.stretch(i).span, self.workshop, self.problem) or self._exhausted(modes, i)
+        return other
+
+    def _agreeing(self, course: RegimeSequence) -> ModeSequence | None:
+        """Another choice of modes, where in this one the forces of a stretch contradict each other in every position;
+        None: all do, or this one does not.
+        """
+        wrong = next((i for i, r in enumerate(course.regimes) if r.moved()), None)
+        return None if wrong is None else self._other(course.modes, wrong, "the forces contradict each other")
+
+    def _next(self, modes: ModeSequence, i: int, why: str) -> ModeSequence:
+        """The same with another choice of modes on stretch i. NoSolution: all have been tried."""
+        other = self._other(modes, i, why)
+        if other is None:
+            raise self._exhausted(modes, i)
+        return other
+
+    def _exhausted(self, modes: ModeSequence, i: int) -> NoSolution:
+        """All choices of modes for a stretch have been tried."""
+        text = f"no assumption about the contacts holds from here on: {self.why}"
+        return NoSolution([Diagnostic(modes.states[i].mark, "PL622", text)])
+
+    def _other(self, modes: ModeSequence, i: int, why: str) -> ModeSequence | None:
+        """The same with another choice of modes on stretch i, those first that differ least from what was before; None:
+        all have been tried.
+        """
+        name = tuple(s.name for s in modes.states[: i + 1])
+        failed = self.tried.setdefault(name, [])
+        failed.append(modes.stretch(i).choice)
+        self.why = self.why or why
+        for choice in nearest(modes, i, self.workshop.drawn(modes.stretch(i).span).choices()):
+            if choice not in failed and not changes_sides(modes, self.workshop, i, choice):
+                return modes.changed(i, choice)
+        return None
+
+    def _other_blow(self, course: StatedMotion, i: int, why: str, far: Far) -> ModeSequence | None:
+        """The same with other modes of the joints in a blow; None: all have been tried. `far`: impacts whose bodies are
+        known to be apart, by stretch.
+        """
+        name = tuple(s.name for s in course.modes.states[: i + 1])
+        failed = self.tried_blows.setdefault(name, [])
+        failed.append(course.blows[i].choice)
+        self.why = self.why or why
+        for choice in course.blows[i].struck.choices():
+            if choice not in failed and (i not in far or course.blows[i].fits(choice, far[i])):
+                return course.modes.struck(i, choice)
+        return None
+
+    def _determined(self, course: RegimeSequence, i: int) -> ModeSequence:
+        """Another choice of modes, where in this one forces that are needed are not unique."""
+        regime = course.regimes[i]
+        try:
+            regime.general.demand_unique(regime.undetermined)
+        except NoSolution as error:
+            self.lack = self.lack or error
+        other = self._other(course.modes, i, "the forces are not unique")
+        if other is None:
+            raise self.lack or self._exhausted(course.modes, i)
+        return other
+
+    def _elsewhere(self, course: StatedMotion, why: str, far: Far) -> ModeSequence | None:
+        """Other modes in a blow, or after one; None: there are no blows, or all have been tried."""
+        for i in course.blows:
+            other = self._other_blow(course, i, why, far)
+            if other is not None:
+                return other
+        for i in course.blows:
+            other = self._other(course.modes, i + 1, why)
+            if other is not None:
+                self.tried_blows.clear()
+                return replace(other, stretches=tuple(replace(s, blow_choice=None) for s in other.stretches))
+        return None
+
+
+def at_a_top(course: RegimeSequence, name: str, value: Valuation) -> bool:
+    """Is the last state one of rest in equilibrium? A motion that just reaches it takes longer and longer."""
+    stop, regime = course.stops[name], course.regimes[len(course.states) - 2]
+    rates = [*regime.rates.values(), *regime.accelerations.values()]
+    here = [e.xreplace(stop.letters) for e in rates]
+    numbers = [(value.known(e), e) for e in here]
+    return all(v is not None and abs(v) <= SLACK * value.size(e) for v, e in numbers)
+
+
+def assumed(course: RegimeSequence, value: Valuation) -> bool:
+    """Do the modes hold in every state? What can not be told there does not speak against them."""
+    for name, stop in course.stops.items():
+        for watch in course.readers[name].regime.watches:
+            here = watch.expr.xreplace(stop.letters)
+            number = value.known(here)
+            if number is not None and number < -SLACK * value.size(here):
+                return False
+    return True

@@ -1,0 +1,388 @@
+"""Finds the modes that happen: the motion is followed in numbers, and where an assumption ends others are tried.
+
+A first state that is known is followed at once. Where constants or velocities are sought, the equations give all
+branches first, and each is followed to see whether it happens so.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from decimal import Decimal
+
+import sympy as sp
+
+from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.errors import Diagnostic, NoSolution, NoValue, Undecided
+from planar_cli.solve.between.alternatives import chosen_extreme, one_of
+from planar_cli.solve.between.asked_finds import AskedFind, asked_finds, asked_letters
+from planar_cli.solve.between.branch_order import candidates
+from planar_cli.solve.between.chain import Branch
+from planar_cli.solve.between.differences import by_differences
+from planar_cli.solve.between.followed import Followed
+from planar_cli.solve.between.integrals_that_hold import holding
+from planar_cli.solve.between.masses import demand_mass
+from planar_cli.solve.between.matching import beside, onward, same_motion
+from planar_cli.solve.between.methods import by_method
+from planar_cli.solve.between.motion_equations import MotionEquations, all_equations, first_equations
+from planar_cli.solve.between.needed_times import without_unneeded_times
+from planar_cli.solve.between.newton import refined_left
+from planar_cli.solve.between.reached import asked_about
+from planar_cli.solve.between.solved_motion import SolvedMotion
+from planar_cli.solve.between.stated_motion import StatedMotion, stated_motion
+from planar_cli.solve.diagnosis.motions import (
+    clash,
+    demand_agreement,
+    demand_told,
+    meets_again,
+    missing,
+    never,
+    passed_before,
+)
+from planar_cli.solve.diagnosis.unbounded_times import Endless, demand_no_times, without_endless_places, without_times
+from planar_cli.solve.following.continuation import continued_branch
+from planar_cli.solve.following.departure import DEPARTS, departure_of
+from planar_cli.solve.following.follower import Follower
+from planar_cli.solve.following.gaps import just_parted
+from planar_cli.solve.following.known_prefix import Beginning, beginning
+from planar_cli.solve.following.mode_choice import ModeChoice, assumed, at_a_top
+from planar_cli.solve.following.starts import (
+    Start,
+    balanced,
+    certain_start,
+    resting,
+    resting_though_sought,
+    trial_start,
+    untold,
+)
+from planar_cli.solve.principled import principle_of
+from planar_cli.solve.regimes.first_modes import first_modes
+from planar_cli.solve.regimes.mode_sequence import ModeSequence
+from planar_cli.solve.regimes.regime_sequence import regime_sequence
+
+CHANGES = 40
+NOTHING = Decimal("1e-13")
+AT_A_TOP = "the last state is one of equilibrium: with a little more it is passed, with less never reached"
+STAYS = "it begins at rest in equilibrium, where every acceleration vanishes: nothing moves"
+
+
+@dataclass(slots=True)
+class ModeSearch(ModeChoice):
+    """The search of one problem."""
+
+    units: dict[str, str] = field(default_factory=dict)
+    """Of answers, by name."""
+    trial: Mapping[str, float] = field(default_factory=dict)
+    """Numbers of sought constants [SI] with which the motion passes all states, by name, where they are known from
+    following it: they tell the modes, and the equations in these modes tell the constants.
+    """
+    stays: bool = False
+    """Does it begin at rest in equilibrium?"""
+    unstable: ModeSequence | None = None
+    """The modes that begin in an unstable equilibrium; None: none was met."""
+    departing: frozenset[str] = frozenset()
+    """The free speeds by which that equilibrium can be left."""
+    sense: int = 0
+    """To which side it is left, 1 or -1; 0: not at all."""
+    loose: tuple[MotionEquations, tuple[AskedFind, ...]] | None = None
+    """The equations, and what is asked, before what rests was held."""
+
+    def run(self) -> SolvedMotion:
+        """The modes that happen, and the motion in them."""
+        modes = first_modes(self.problem, self.workshop)
+        for _ in range(CHANGES):
+            sequence = regime_sequence(self.problem, modes, self.workshop)
+            blocked = next((i for i, r in enumerate(sequence.regimes) if not r.moves()), None)
+            if blocked is not None:
+                modes = self._unblocked(modes, blocked)
+                continue
+            agreeing = self._agreeing(sequence)
+            if agreeing is not None:
+                modes = agreeing
+                continue
+            finds = asked_finds(sequence, self.units)
+            course = first_equations(stated_motion(sequence))
+            demand_mass(course, course.base())
+            if not course.states:
+                return SolvedMotion(course, finds, course.equilibria.branch, None, course.base())
+            found = self._solve_departing(course, finds)
+            if isinstance(found, SolvedMotion):
+                stays = self.stays and not course.regimes[0].free
+                why = (DEPARTS,) if self.sense else (STAYS,) if stays else ()
+                return replace(found, checks=(*found.checks, *why))
+            modes = found
+        mark = self.problem.find[0].mark if self.problem.find else self.problem.states[0].mark
+        text = f"{mark.file}:{mark.line}: not decided, {CHANGES} assumptions about the modes of joints have been tried"
+        raise Undecided(f"{text}; it may help to ask for less of the motion, or to follow it with `planar simulate`")
+
+    def _solve_departing(self, course: MotionEquations, finds: tuple[AskedFind, ...]) -> SolvedMotion | ModeSequence:
+        """The same; where it rests in an unstable equilibrium and a state is not reached, after a slight touch.
+        `reached(s)` is about the motion by itself, without any disturbance.
+        """
+        try:
+            return self._solve(course, finds)
+        except NoSolution as error:
+            if self.unstable is None or isinstance(error, Endless) or asked_about(self.problem):
+                raise
+            if self.sense < 0:
+                raise self.lack or error from error
+            self.lack = self.lack or error
+            self.sense = -1 if self.sense else 1
+            self.tried, self.tried_blows = {}, {}
+            return self.unstable
+
+    def _solve(self, course: MotionEquations, finds: tuple[AskedFind, ...]) -> SolvedMotion | ModeSequence:
+        """The motion solved, or other modes to try."""
+        course, start = self._start(course)
+        if start is Start.OPEN and self.trial:
+            start = trial_start(course, self._known(course))
+        if start is Start.CONTRADICTS:
+            other = self._other(course.modes, 0, "what is stated of the first state contradicts it")
+            if other is None:
+                early = [e for e in course.equations if e.stop == course.first.name]
+                raise self.lack or clash(course, early) or self._exhausted(course.modes, 0)
+            return other
+        if isinstance(start, dict) and untold(course):
+            # A wrong assumption may be why a state says nothing: at rest nothing comes to rest.
+            other = self._tried(course, start)
+            if other is not None:
+                return other
+        if start is Start.OPEN or untold(course):
+            rests = course.modes.stretches[0].resting
+            if resting_though_sought(course) - rests:
+                return course.modes.with_resting(resting_though_sought(course) | rests)
+            loose = next((i for i, r in enumerate(course.regimes) if r.undetermined), None)
+            course = self._relate(course, finds)
+            return self._sought(course, finds) if loose is None else self._determined(course, loose)
+        assert isinstance(start, dict)
+        if self.sense:
+            departure = departure_of(course.regimes[0], course.base(), start, self.sense, self.departing)
+            course = replace(course, departure=departure)
+            start |= {departure.speed: departure.value} if departure is not None else {}
+        kept = frozenset() if course.blows or self.sense else balanced(course, start)
+        rests = frozenset() if course.blows else resting(course, start) | kept
+        if not self.sense and departure_of(course.regimes[0], course.base(), start, 1, rests) is not None:
+            self.unstable, self.departing = course.modes, rests
+        self.stays = self.stays or bool(kept)
+        if any(rests - s.resting for s in course.modes.stretches):
+            if self.loose is None and self._alone:
+                self.loose = self._relate(course, finds), finds
+            return course.modes.with_resting(rests | course.modes.stretches[0].resting)
+        return self._followed(course, finds, start)
+
+    def _known(self, course: StatedMotion) -> Valuation:
+        """Numbers of what is known, and of sought constants on trial."""
+        return course.base().extended({s: Decimal(repr(self.trial[s.name])) for s in course.sought() if self.trial})
+
+    @staticmethod
+    def _relate(course: MotionEquations, finds: tuple[AskedFind, ...]) -> MotionEquations:
+        """With the equations from state to state."""
+        course = all_equations(course)
+        return replace(course, equations=without_unneeded_times(course, finds))
+
+    @staticmethod
+    def _start(course: MotionEquations) -> tuple[MotionEquations, dict[sp.Symbol, Decimal] | Start]:
+        """The letters of the first state. What its own statements leave open of things that have just parted has no
+        velocity apart.
+        """
+        start = certain_start(course)
+        for e in just_parted(course) if start is Start.OPEN else ():
+            parted = replace(course, equations=(*course.equations, e), separations=(*course.separations, e))
+            now = certain_start(parted)
+            if now is not Start.CONTRADICTS:
+                course, start = parted, now
+        return course, start
+
+    def _tried(self, course: MotionEquations, start: dict[sp.Symbol, Decimal]) -> ModeSequence | None:
+        """Other modes, if following these as far as they go shows a wrong assumption."""
+        try:
+            followed = Follower(course, course.base()).run({s: float(v) for s, v in start.items()})
+        except (NoValue, Unvalued):
+            return None
+        return self._changed(course, followed)
+
+    # --- a known start -----------------------------------------------------------------------------------------------
+
+    def _followed(
+        self, course: MotionEquations, finds: tuple[AskedFind, ...], start: dict[sp.Symbol, Decimal]
+    ) -> SolvedMotion | ModeSequence:
+        known = self._known(course)
+        followed = Follower(course, known).run({s: float(v) for s, v in start.items()})
+        changed = self._changed(course, followed)
+        if changed is not None:
+            return changed
+        course = self._relate(course, finds)
+        if followed.missed is not None:
+            related = self._related(*(self.loose or (course, finds)), followed.missed)
+            if related is not None:
+                return related
+            raise never(course, followed, known)
+        followed.values |= {s: float(known(s)) for s in course.sought() if self.trial}
+        for regime in course.distinct_regimes():
+            regime.general.demand_unique(regime.undetermined)
+        if course.departure is not None:
+            demand_no_times(course, finds)
+            followed.values[course.first.letters[course.departure.speed]] = 0.0
+            course = replace(course, equations=without_times(course))
+        if followed.tends:
+            course = replace(course, equations=without_endless_places(course, followed))
+        course = replace(course, equations=holding(course.equations, followed.values, course.base()))
+        course, differences = by_differences(course, finds, followed.values)
+        followed.values |= differences
+        chain = course.chain()
+        chain = replace(chain, truth=followed.values, tends=followed.tends)
+        course, branch = beside(course, finds, chain)
+        open_letters = [s for s in followed.values if s not in branch.values]
+        more = refined_left(course, branch, open_letters, followed.values)
+        guessed = {s for s in open_letters if s not in more}
+        natural = course.natural(guessed)
+        more |= {s: _number(followed.values[s], natural[s]) for s in guessed}
+        value = course.base().extended({**more, **branch.values})
+        demand_agreement(course, value, guessed)
+        later = tuple(f"{text}: the first time; later it is more so" for text in dict.fromkeys(followed.growing))
+        return SolvedMotion(course, finds, branch, followed, value, frozenset(guessed), checks=later)
+
+    @property
+    def _alone(self) -> str:
+        """The law of the file's method that relates states even where no motion joins them; "" for none."""
+        return "" if self.problem.method is None else principle_of(self.problem.method).alone
+
+    def _related(self, course: MotionEquations, finds: tuple[AskedFind, ...], missed: str) -> SolvedMotion | None:
+        """States related by one law alone, where the file asks for a method that does so and no motion leads there; the
+        speed that goes the way from state to state comes first.
+        """
+        if not self._alone:
+            return None
+        course = replace(course, equations=by_method(course.equations, course.problem.method))
+        letters = asked_letters(finds)
+        needed = letters & course.chain().unknowns
+        branches = [b for b in candidates(course) if needed <= set(b.values)]
+        if not branches:
+            return None
+        branch = max(branches, key=lambda b: onward(course, b))
+        if not assumed(course, course.base().extended(branch.values)):
+            return None
+        told = f"no motion leads to state {missed} by itself: {self._alone} alone relates the states"
+        return SolvedMotion(course, finds, branch, None, course.base().extended(branch.values), checks=(told,))
+
+    def _changed(self, course: StatedMotion, followed: Followed) -> ModeSequence | None:
+        """The next modes to try, None when these hold."""
+        modes = course.modes
+        if followed.blow is not None:
+            other = self._other_blow(course, followed.blow, followed.why, followed.far)
+            if other is None:
+                text = f"no assumption about the contacts holds in the blow: {self.why}"
+                raise self.lack or NoSolution([Diagnostic(modes.states[followed.blow + 1].mark, "PL622", text)])
+            return other
+        if followed.misfit is not None and followed.ways:
+            return modes.going(followed.misfit, followed.ways)
+        if followed.misfit is not None:
+            return self._next(modes, followed.misfit, followed.why)
+        if followed.dated is not None:
+            return modes.dated(followed.dated)
+        if followed.ends is not None:
+            ends = followed.ends
+            if ends.again:
+                raise meets_again(course, ends)
+            changed = modes.turned(ends.stretch, ends.expr, ends.words)
+            regime = course.regimes[ends.stretch]
+            if any(ends.expr == w.expr for w in regime.watches) or ends.expr in regime.slips:
+                return self._next(changed, ends.stretch + 1, ends.words)
+            return changed
+        return None
+
+    # --- a start that is sought --------------------------------------------------------------------------------------
+
+    def _sought(self, course: MotionEquations, finds: tuple[AskedFind, ...]) -> SolvedMotion | ModeSequence:
+        """All branches of the equations; the first that, followed from its start, happens so. One in which a state at a
+        given time is the first of its kind goes before those that pass such a state earlier.
+        """
+        known = beginning(course)
+        try:
+            other = self._changed(course, known.followed)
+        except NoSolution as error:
+            raise self.lack or error from error
+        return self._of_branches(course, finds, known) if other is None else other
+
+    def _of_branches(
+        self, course: MotionEquations, finds: tuple[AskedFind, ...], known: Beginning
+    ) -> SolvedMotion | ModeSequence:
+        changed: ModeSequence | None = None
+        again: list[SolvedMotion] = []
+        fits: list[SolvedMotion] = []
+        far: dict[int, frozenset[str]] = dict(known.followed.far)
+        branches, guessed = known.after(course, candidates(course))
+        for branch in branches:
+            value = course.base().extended(branch.values)
+            start = {s: branch.values[own] for s, own in course.first.letters.items() if own in branch.values}
+            if branch.left or set(start) != set(course.first.letters) or untold(course):
+                found = self._led(course, finds, branches)
+                if found is None:
+                    continue
+                return found
+            followed = self._along(course, value, start)
+            if followed is None:
+                continue
+            far |= followed.far
+            other = self._changed(course, followed)
+            if other is not None:
+                changed = changed or other
+                continue
+            last = course.states[-1].name
+            # Rounding decides whether a motion that is followed gets to such a place.
+            if followed.missed in (None, last) and at_a_top(course, last, value):
+                return SolvedMotion(course, finds, branch, None, value, checks=(AT_A_TOP,))
+            if followed.missed is None and same_motion(course, followed, branch):
+                more = {s: Decimal(repr(v)) for s, v in followed.values.items() if s not in branch.values}
+                found = SolvedMotion(course, finds, branch, followed, value.extended(more), guessed | set(more))
+                first = not course.sought() or not passed_before(course, followed, value)
+                (fits if first else again).append(found)
+                if first and chosen_extreme(course) is None:
+                    break
+        if fits or again:
+            return one_of(course, fits, again)
+        if changed is not None:
+            return changed
+        clashing = None if branches else clash(course, course.equations)
+        wrong = clashing if clashing is not None and course.sought() else missing(course) or clashing
+        text = "no motion passes through these states"
+        self.lack = self.lack or wrong or NoSolution([Diagnostic(course.states[0].mark, "PL620", text)])
+        other = self._elsewhere(course, text, far)
+        if other is not None:
+            return other
+        if branches:
+            raise self.lack
+        other = self._other(course.modes, 0, text)
+        if other is None:
+            raise self.lack
+        return other
+
+    def _along(self, course: MotionEquations, value: Valuation, start: dict[sp.Symbol, Decimal]) -> Followed | None:
+        """The motion of one branch, followed from its start; None: it cannot be."""
+        try:
+            return Follower(course, value).run({s: float(v) for s, v in start.items()})
+        except NoSolution as error:
+            self.lack = self.lack or error
+        except NoValue:
+            pass
+        return None
+
+    def _led(
+        self, course: MotionEquations, finds: tuple[AskedFind, ...], branches: list[Branch]
+    ) -> SolvedMotion | None:
+        """Where no motion can be followed: the branch to which the drawn position leads; None: after blows, another."""
+        led = continued_branch(course, branches)
+        try:
+            demand_told(course, finds, led.values)
+        except NoSolution as error:
+            if not course.blows:
+                raise
+            self.lack = self.lack or error
+            return None
+        return SolvedMotion(course, finds, led, None, course.base().extended(led.values))
+
+
+def _number(followed: float, natural: Decimal) -> Decimal:
+    """What a step method gave; what it leaves of a zero is none, beside an ordinary size."""
+    number = Decimal(repr(followed))
+    return number if abs(number) >= NOTHING * natural else Decimal(0)

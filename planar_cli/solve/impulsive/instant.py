@@ -1,0 +1,138 @@
+"""A blow as an instant of its own: the same modes and plan of equations, with impulses and velocities after it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import fields, is_dataclass, replace
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.equation.conditions import ACCELERATION, VELOCITY, order
+from planar_cli.equation.ledger import Kind, Role
+from planar_cli.equation.motion import TreeBuilder, Twist
+from planar_cli.equation.setup import Course as Position
+from planar_cli.equation.setup import Setup
+from planar_cli.equation.struck import StruckScene
+from planar_cli.equation.system import Statements, mode_of
+from planar_cli.errors import refuse
+from planar_cli.joints.base import Joint
+from planar_cli.problem.expression import AtRest, Name, Quantity, Relation, Statement
+from planar_cli.problem.facts import Mode, Push
+from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scene import Problem
+from planar_cli.problem.walk import walk
+from planar_cli.solve.instant.instant import Instant
+from planar_cli.units import parse_unit
+
+LIFTED = {"v": "a", "omega": "alpha", "dot": "ddot"}
+OF_IMPULSE = {"N": "N*s", "N*m": "N*m*s"}
+
+
+class AfterTree(TreeBuilder):
+    """Makes velocities just after a blow where accelerations would stand. `known`: those that have a letter already, by
+    what the velocity is; `mark`: what is put behind the names of the others.
+    """
+
+    known: Mapping[str, sp.Symbol]
+    mark: str
+
+    def _pair(self, index: str, speed: str, rate: str, *, turns: bool = False) -> tuple[sp.Symbol, sp.Symbol]:
+        stem, unit = ("omega", "rad/s") if turns else ("v", "m/s")
+        name = f"{stem}_{index}" if index else stem
+        before = self._symbol(f"rest_{name}", unit, speed, Kind.SPEED)
+        words = f"{rate.replace('acceleration', 'velocity')} just after"
+        found = self.known.get(speed)
+        if found is None:
+            return before, self._symbol(name + self.mark, unit, words, Kind.SPEED)
+        self.titles[found] = words
+        return before, found
+
+
+class Struck(Instant):
+    """The scene in a blow. `known`: letters of the velocities after it by what they are; `mark`: ends the names of its
+    own.
+    """
+
+    def __init__(self, setup: Setup, known: Mapping[str, sp.Symbol], mark: str) -> None:
+        self.known, self.mark = known, mark
+        super().__init__(setup)
+
+    def modes_of(self, joint: Joint) -> tuple[Mode, ...]:
+        assert isinstance(self.scene, StruckScene)
+        return joint.blows(self.scene)
+
+    def tree_builder(self, bodies: list[str]) -> TreeBuilder:
+        made = AfterTree(self.scene.ledger, self.scene.rigid, self.scene.center_name, bodies)
+        made.known, made.mark = self.known, self.mark
+        return made
+
+    def name_of(self, push: Push) -> tuple[str, str]:
+        return f"J_{push.name}{self.mark}", OF_IMPULSE[push.unit]
+
+
+def struck_instant(
+    problem: Problem,
+    always: tuple[Statement, ...],
+    earlier: Mapping[str, Any],
+    position: Position,
+    before: Mapping[str, tuple[Vec, sp.Expr]],
+    arriving: Mapping[sp.Symbol, str],
+    known: Mapping[str, sp.Symbol],
+    rates: Mapping[sp.Symbol, sp.Symbol],
+    mark: str,
+) -> Struck:
+    """The scene of one blow. `problem`: the joints that hold after it, and what strikes; `before`: velocity of
+    the mass centre and angular velocity with which each body arrives, in the letters `arriving` (with their units).
+    `known`: letters of velocities after it by what they are; `rates`: those of the rates of the file's coordinates.
+    """
+    coordinates = {c.name for c in problem.coordinates}
+    demanded = tuple(d for s in always for d in _after(s, coordinates))
+    level = replace(problem, plane="horizontal")
+    statements = Statements.of((), (*demanded, AtRest(None, "", problem.bodies[0].mark)))
+    setup = Setup(level, statements, earlier, True, position, StruckScene)
+    ledger = setup.ledger
+    for symbol, unit in arriving.items():
+        ledger.letters.append(symbol)
+        ledger.adopt(symbol, parse_unit(unit), Role(Kind.STATE))
+    for q in ledger.coordinates:
+        rate, _ = setup.motions[q]
+        if isinstance(rate, sp.Symbol):
+            role = Role(Kind.SPEED, q)
+            after = rates.get(rate) or ledger.fresh(f"{rate.name}{mark}", ledger.units[rate].text, role=role)
+            setup.motions[q] = (rate, after)
+        else:
+            setup.motions[q] = (sp.S.Zero, rate)
+    scene = setup.scene
+    assert isinstance(scene, StruckScene)
+    scene.before = {b: Twist(scene.center(b), v, spin) for b, (v, spin) in before.items()}
+    scene.open_names = {}
+    return Struck(setup, known, mark)
+
+
+def _after(statement: Statement, coordinates: set[str]) -> tuple[Statement, ...]:
+    """What `motion` demands of the velocities after a blow, where accelerations stand for them."""
+    if not isinstance(statement, Relation) or statement.operator != "=" or mode_of(statement) is not None:
+        return ()
+    level = order(statement, coordinates)
+    if level == VELOCITY:
+        return (_lifted(statement),)
+    if level >= ACCELERATION:
+        return ()
+    if any(isinstance(n, Name) and n.name == "t" for n in walk(statement)):
+        hint = "give its velocity: `omega(crank) = 2 rad/s`"
+        raise refuse(statement.mark, "PL590", f"`{statement.text}` places something by the time, in a blow", hint)
+    left, right = (Quantity("ddot", (), side, (), None, statement.mark) for side in (statement.left, statement.right))
+    return (replace(statement, left=left, right=right),)
+
+
+def _lifted(tree: Any) -> Any:
+    """The same formula of accelerations instead of velocities."""
+    if isinstance(tree, tuple):
+        return tuple(_lifted(t) for t in tree)
+    if not is_dataclass(tree) or isinstance(tree, type):
+        return tree
+    found = replace(tree, **{f.name: _lifted(getattr(tree, f.name)) for f in fields(tree) if f.init})
+    if isinstance(found, Quantity) and found.word in LIFTED:
+        return replace(found, word=LIFTED[found.word])
+    return found

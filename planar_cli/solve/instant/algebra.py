@@ -1,0 +1,305 @@
+"""The plan carried out: every block solved, line by line, in symbols and in sixty-digit numbers at once.
+
+The lines of the elimination are the lines of the solution. Each result is a formula in names (knowns, earlier results)
+and a number; closed formulas are put together from them at the end, where they are asked for.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from decimal import Decimal
+
+import sympy as sp
+
+from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.equation.form import Nonlinear, linear_form
+from planar_cli.equation.plain import longer, tidy
+from planar_cli.records import record
+from planar_cli.solve.instant.plan import Block
+from planar_cli.solve.instant.written import Written
+
+NAMED = 24
+"""A longer coefficient gets a name where several letters are carried."""
+FEW_LETTERS = 5
+"""With so few letters the exact coefficients of a block stay short enough to be written out."""
+MOST_FORMULAS = 3
+"""So many numeric equations at most are solved together in formulas; more of them in numbers."""
+SHORT = 6
+"""A coefficient of at most so many operations stays a formula while a block is solved."""
+
+
+@record
+class Line:
+    """One line of step 3: `symbol` = `formula` = `value`, from equations of these numbers.
+
+    `letters`: unknowns that the formula still carries.
+    """
+
+    symbol: sp.Symbol
+    formula: sp.Expr
+    value: Decimal | None
+    equations: tuple[int, ...]
+    letters: tuple[sp.Symbol, ...] = ()
+
+
+@record
+class SolvedBlock:
+    """One block with its lines."""
+
+    equations: tuple[Written, ...]
+    unknowns: tuple[sp.Symbol, ...]
+    letters: tuple[sp.Symbol, ...]
+    lines: tuple[Line, ...]
+
+
+class Algebra:
+    """Solves blocks one after the other. `value`: numbers of everything known, extended as results come in.
+
+    `fresh`: makes symbols for long coefficients that several letters share, lest formulas grow beyond any page.
+    """
+
+    def __init__(
+        self,
+        value: Valuation,
+        explicit: dict[sp.Symbol, sp.Expr],
+        symbolic: bool,
+        unknowns: frozenset[sp.Symbol],
+        fresh: Callable[[str], sp.Symbol] | None = None,
+    ) -> None:
+        self.value, self.explicit, self.symbolic, self.unknowns = value, explicit, symbolic, unknowns
+        self.fresh = fresh
+        self.named: dict[sp.Expr, sp.Symbol] = {}
+        self.formulas: dict[sp.Symbol, sp.Expr] = {}
+
+    def solve(self, block: Block, written: tuple[Written, ...], unknowns: tuple[sp.Symbol, ...]) -> SolvedBlock:
+        """Solve one block whose unknowns all enter linearly."""
+        order = tuple(unknowns[j] for j in block.unknowns)
+        letters = tuple(unknowns[j] for j in block.letters)
+        if len(order) == 1:
+            lines = [self._single(written[0], order[0])]
+        else:
+            lines = self._together([self.in_unknowns(w, order) for w in written], written, order, letters)
+        for line in lines:
+            if not line.letters:
+                self.value = (
+                    self.value.extended({line.symbol: self.value(line.formula)})
+                    if line.value is None
+                    else self.value.extended({line.symbol: line.value})
+                )
+                self.formulas[line.symbol] = line.formula
+        return SolvedBlock(written, order, letters, tuple(lines))
+
+    def in_unknowns(self, equation: Written, unknowns: tuple[sp.Symbol, ...]) -> sp.Expr:
+        """Left minus right side; explicit lines are put in where they hold an unknown of the block, else they have
+        values.
+        """
+        residual = equation.residual
+        inside = {}
+        for symbol in residual.free_symbols:
+            line = self.explicit.get(symbol)
+            if line is None:
+                continue
+            if (line.free_symbols & self.unknowns) - set(self.value.values):
+                inside[symbol] = line
+            elif symbol not in self.value.values:
+                self.value = self.value.extended({symbol: self.value(line)})
+        return self._without_idle(residual.xreplace(inside), unknowns)
+
+    def _without_idle(self, residual: sp.Expr, unknowns: tuple[sp.Symbol, ...]) -> sp.Expr:
+        """Unknowns of later blocks whose coefficients cancel are left out."""
+        idle = self.unknowns & residual.free_symbols - set(unknowns) - set(self.value.values)
+        if not idle:
+            return residual
+        for x in idle:
+            try:
+                residual = linear_form(residual, {x}).constant
+            except Nonlinear:
+                continue
+        return residual
+
+    def _solve_for(self, residual: sp.Expr, x: sp.Symbol) -> sp.Expr:
+        form = linear_form(residual, {x})
+        constant = form.constant
+        if constant.is_Add:
+            constant = sp.Add(*(a for a in constant.args if self._counts(a)))
+        return tidy(-constant / tidy(form.terms[x]))
+
+    def _counts(self, term: sp.Expr) -> bool:
+        try:
+            return not self.value.is_zero(term)
+        except Unvalued:
+            return True
+
+    def _single(self, equation: Written, x: sp.Symbol) -> Line:
+        formula = self._solve_for(self.in_unknowns(equation, (x,)), x)
+        return Line(x, formula, self.value(formula), (equation.number,))
+
+    def _collected(self, residual: sp.Expr, order: tuple[sp.Symbol, ...]) -> sp.Expr:
+        """The residual with moments of inertia and other named intermediates put in, collected in unknowns."""
+        definitions = self.value.definitions
+        for _ in range(20):
+            inside = {s: e for s in residual.free_symbols if (e := definitions.get(s)) is not None and e.free_symbols}
+            if not inside:
+                break
+            residual = residual.xreplace(inside)
+        form = linear_form(residual, set(order))
+        return sp.Add(sp.factor(form.constant), *(sp.factor(c) * x for x, c in form.terms.items()))
+
+    def _letters_of(self, exprs: list[sp.Expr]) -> set[sp.Symbol]:
+        """The letters in which coefficients are written."""
+        return set().union(*(e.free_symbols for e in exprs)) - self.unknowns
+
+    def _together(
+        self,
+        residuals: list[sp.Expr],
+        written: tuple[Written, ...],
+        order: tuple[sp.Symbol, ...],
+        letters: tuple[sp.Symbol, ...],
+    ) -> list[Line]:
+        """Express the unknowns in the letters one at a time; the equations left over give the letters."""
+        if self.symbolic and self.fresh is not None and len(letters) > 1:
+            opened = [self._collected(r, order) for r in residuals]
+            if len(self._letters_of(opened)) <= FEW_LETTERS:
+                residuals = opened
+            else:
+                return self._by_names(residuals, written, order, letters)
+        lines: list[Line] = []
+        inside: dict[sp.Symbol, sp.Expr] = {}
+        chained = order[: len(order) - len(letters)]
+        for residual, equation, x in zip(residuals, written, chained, strict=False):
+            formula = self._in_letters(self._solve_for(residual.xreplace(inside), x), letters)
+            inside[x] = formula
+            lines.append(
+                Line(x, formula, None, (equation.number,), tuple(s for s in letters if s in formula.free_symbols))
+            )
+        rest = [self._in_letters(r.xreplace(inside), letters) for r in residuals[len(chained) :]]
+        solved = self._letters(rest, letters)
+        numbers = tuple(e.number for e in written[len(chained) :])
+        found = [Line(s, solved[s], self.value(solved[s]), numbers) for s in letters]
+        self.value = self.value.extended({x.symbol: x.value for x in found if x.value is not None})
+        back = [
+            Line(
+                x.symbol,
+                tidy(x.formula.xreplace(solved)) if self.symbolic else x.formula,
+                self.value(x.formula),
+                x.equations,
+            )
+            for x in lines
+        ]
+        return [*[x for x in lines if x.letters], *found, *back]
+
+    def _in_letters(self, expr: sp.Expr, letters: tuple[sp.Symbol, ...]) -> sp.Expr:
+        """Collect an expression in the letters; in a numeric problem with exact or certain numbers as coefficients."""
+        form = linear_form(expr, set(letters))
+        if self.symbolic:
+            return sp.Add(tidy(form.constant), *(tidy(c) * x for x, c in form.terms.items()))
+        whole = [tidy(e) for e in (form.constant, *form.terms.values())]
+        short = all(not longer(e, SHORT) for e in whole)
+        constant, *coefficients = whole if short else [self._plain(e) for e in whole]
+        return sp.Add(constant, *(c * x for c, x in zip(coefficients, form.terms, strict=True)))
+
+    def _by_names(
+        self,
+        residuals: list[sp.Expr],
+        written: tuple[Written, ...],
+        order: tuple[sp.Symbol, ...],
+        letters: tuple[sp.Symbol, ...],
+    ) -> list[Line]:
+        """As `_together` with symbols and several letters: long coefficients get names, each letter its own line."""
+        lines: list[Line] = []
+        inside: dict[sp.Symbol, sp.Expr] = {}
+        chained = order[: len(order) - len(letters)]
+        for residual, equation, x in zip(residuals, written, chained, strict=False):
+            formula = self._in_names(self._solve_for(residual.xreplace(inside), x), letters, lines)
+            inside[x] = formula
+            held = tuple(s for s in letters if s in formula.free_symbols)
+            lines.append(Line(x, formula, None if held else self.value(formula), (equation.number,), held))
+        rest = [self._in_names(r.xreplace(inside), letters, lines) for r in residuals[len(chained) :]]
+        numbers = tuple(e.number for e in written[len(chained) :])
+        for s, formula in self._in_steps(rest, letters, lines):
+            lines.append(Line(s, formula, self.value(formula), numbers))
+            self.value = self.value.extended({s: self.value(formula)})
+        back = [Line(x.symbol, x.formula, self.value(x.formula), x.equations) for x in lines if x.letters]
+        return [*lines, *back]
+
+    def _in_names(self, expr: sp.Expr, letters: tuple[sp.Symbol, ...], lines: list[Line]) -> sp.Expr:
+        form = linear_form(expr, set(letters))
+        return sp.Add(self._name(form.constant, lines), *(self._name(c, lines) * x for x, c in form.terms.items()))
+
+    def _name(self, expr: sp.Expr, lines: list[Line]) -> sp.Expr:
+        """The expression, or where it is long a symbol with a line of its own."""
+        if self.value.is_zero(expr):
+            return sp.S.Zero
+        found = tidy(expr)
+        if self.fresh is None or not longer(found, NAMED):
+            return found
+        if found not in self.named:
+            symbol = self.named[found] = self.fresh(f"k_{len(self.named) + 1}")
+            value = self.value(found)
+            self.value = self.value.extended({symbol: value})
+            lines.append(Line(symbol, found, value, ()))
+        return self.named[found]
+
+    def _in_steps(
+        self, residuals: list[sp.Expr], letters: tuple[sp.Symbol, ...], lines: list[Line]
+    ) -> list[tuple[sp.Symbol, sp.Expr]]:
+        """The letters one after the other, the last one first, by elimination with the largest pivot."""
+        forms = [linear_form(r, set(letters)) for r in residuals]
+        rows = [[f.terms.get(s, sp.S.Zero) for s in letters] + [f.constant] for f in forms]
+        size = len(letters)
+        for k in range(size):
+            best = max(range(k, size), key=lambda i: abs(self.value(rows[i][k])))
+            rows[k], rows[best] = rows[best], rows[k]
+            for i in range(k + 1, size):
+                if rows[i][k] != 0:
+                    factor = self._name(rows[i][k] / rows[k][k], lines)
+                    ahead = zip(rows[i][k + 1 :], rows[k][k + 1 :], strict=True)
+                    rows[i][k:] = [sp.S.Zero, *(self._name(a - factor * b, lines) if b != 0 else a for a, b in ahead)]
+        found = []
+        for k in reversed(range(size)):
+            known = sp.Add(rows[k][size], *(rows[k][j] * letters[j] for j in range(k + 1, size)))
+            found.append((letters[k], tidy(-known / rows[k][k])))
+        return found
+
+    def _plain(self, expr: sp.Expr) -> sp.Expr:
+        """A number for an expression of knowns, to all digits."""
+        value = self.value(expr)
+        return sp.S.Zero if not value or self.value.is_zero(expr) else sp.Rational(str(value))
+
+    def _letters(self, residuals: list[sp.Expr], letters: tuple[sp.Symbol, ...]) -> dict[sp.Symbol, sp.Expr]:
+        """Solve the last equations for the letters by elimination with the largest pivot."""
+        inside = set(letters)
+        forms = [linear_form(r, inside) for r in residuals]
+        rows = [[f.terms.get(s, sp.S.Zero) for s in letters] + [f.constant] for f in forms]
+        size = len(letters)
+        if size > MOST_FORMULAS and not self.symbolic:
+            numbers = in_numbers([[self.value(e) for e in row] for row in rows])
+            return {s: sp.Rational(str(x)) for s, x in zip(letters, numbers, strict=True)}
+        for k in range(size):
+            best = max(range(k, size), key=lambda i: abs(self.value(rows[i][k])))
+            rows[k], rows[best] = rows[best], rows[k]
+            for i in range(size):
+                if i != k and rows[i][k] != 0 and not self.value.is_zero(rows[i][k]):
+                    factor = tidy(rows[i][k] / rows[k][k])
+                    rows[i] = [
+                        tidy(a - factor * b) if j > k else sp.S.Zero if j == k else a
+                        for j, (a, b) in enumerate(zip(rows[i], rows[k], strict=True))
+                    ]
+        return {s: tidy(-rows[k][size] / rows[k][k]) for k, s in enumerate(letters)}
+
+
+def in_numbers(rows: list[list[Decimal]]) -> list[Decimal]:
+    """The solution of Σ row[j] x_j + row[-1] = 0 by elimination with the largest pivot."""
+    size = len(rows)
+    for k in range(size):
+        best = max(range(k, size), key=lambda i: abs(rows[i][k]))
+        rows[k], rows[best] = rows[best], rows[k]
+        for row in rows[k + 1 :]:
+            if row[k]:
+                factor = row[k] / rows[k][k]
+                row[k:] = [a - factor * b if b else a for a, b in zip(row[k:], rows[k][k:], strict=True)]
+    found: list[Decimal] = []
+    for k in reversed(range(size)):
+        known = sum((a * x for a, x in zip(rows[k][k + 1 : size], reversed(found), strict=True)), rows[k][size])
+        found.append(-known / rows[k][k])
+    return found[::-1]

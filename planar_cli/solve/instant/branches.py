@@ -1,0 +1,203 @@
+"""A plan with unknowns that enter nonlinearly, carried out: every root of every such equation is a branch."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from decimal import Decimal
+
+import sympy as sp
+
+from planar_cli.equation.exact import Valuation
+from planar_cli.equation.form import Nonlinear, linear_form
+from planar_cli.errors import NoValue, Undecided
+from planar_cli.records import record
+from planar_cli.solve.instant.algebra import Algebra, Line, SolvedBlock
+from planar_cli.solve.instant.elimination import Pending, alone, closes, combined, eliminate
+from planar_cli.solve.instant.plan import Block
+from planar_cli.solve.instant.roots import Root, real_roots
+from planar_cli.solve.instant.written import Written
+
+
+@record
+class Choice:
+    """One equation in one unknown with all its real roots, and the one that this branch takes."""
+
+    symbol: sp.Symbol
+    equation: sp.Expr
+    roots: tuple[Root, ...]
+    taken: int
+    number: int
+
+
+@record
+class Branch:
+    """One way through the plan."""
+
+    algebra: Algebra
+    blocks: tuple[SolvedBlock, ...]
+    choices: tuple[Choice, ...]
+
+
+class Brancher:
+    """Walks the blocks of a plan. `angles`: unknowns that are angles."""
+
+    def __init__(self, unknowns: tuple[sp.Symbol, ...], angles: frozenset[sp.Symbol], symbolic: bool) -> None:
+        self.unknowns, self.angles, self.symbolic = unknowns, angles, symbolic
+
+    def run(self, algebra: Algebra, work: list[tuple[Block, tuple[Written, ...]]]) -> Iterator[Branch]:
+        """All branches, depth first."""
+        if not work:
+            yield Branch(algebra, (), ())
+            return
+        (block, written), rest = work[0], work[1:]
+        for after, solved, choices in self._block(algebra, block, written):
+            for branch in self.run(after, rest):
+                yield Branch(branch.algebra, (solved, *branch.blocks), (*choices, *branch.choices))
+
+    def _block(
+        self, algebra: Algebra, block: Block, written: tuple[Written, ...]
+    ) -> Iterator[tuple[Algebra, SolvedBlock, tuple[Choice, ...]]]:
+        order = tuple(self.unknowns[j] for j in block.unknowns)
+        residuals = [self._opened(algebra.in_unknowns(w, order), algebra, order) for w in written]
+        if self._linear(residuals, order):
+            after = copied(algebra)
+            yield after, after.solve(block, written, self.unknowns), ()
+            return
+        letters = tuple(self.unknowns[j] for j in block.letters) or order
+        yield from self._nonlinear(algebra, residuals, written, order, letters)
+
+    @staticmethod
+    def _opened(residual: sp.Expr, algebra: Algebra, order: tuple[sp.Symbol, ...]) -> sp.Expr:
+        """Named intermediates that hold an unknown of the block are put in."""
+        definitions = algebra.value.definitions
+        for _ in range(20):
+            inside = {
+                s: definitions[s]
+                for s in residual.free_symbols
+                if s in definitions and holds(definitions, s, set(order))
+            }
+            if not inside:
+                return residual
+            residual = residual.xreplace(inside)
+        return residual
+
+    @staticmethod
+    def _linear(residuals: list[sp.Expr], order: tuple[sp.Symbol, ...]) -> bool:
+        try:
+            forms = [linear_form(r, set(order)) for r in residuals]
+        except Nonlinear:
+            return False
+        return all(any(x in f.terms for f in forms) for x in order)
+
+    def _nonlinear(
+        self,
+        algebra: Algebra,
+        residuals: list[sp.Expr],
+        written: tuple[Written, ...],
+        order: tuple[sp.Symbol, ...],
+        letters: tuple[sp.Symbol, ...],
+    ) -> Iterator[tuple[Algebra, SolvedBlock, tuple[Choice, ...]]]:
+        """Express unknowns one at a time, until equations in one unknown are left, all of whose roots are followed."""
+        pool = [Pending(r, (w.number,)) for r, w in zip(residuals, written, strict=True)]
+        for after, lines, choices in self._reduced(copied(algebra), pool, order, letters, ()):
+            shown = tuple(dict.fromkeys(c.symbol for c in choices)) if len(order) > 1 else ()
+            yield after, SolvedBlock(written, order, shown, lines), choices
+
+    def _reduced(
+        self,
+        algebra: Algebra,
+        pool: list[Pending],
+        left: tuple[sp.Symbol, ...],
+        letters: tuple[sp.Symbol, ...],
+        lines: tuple[Line, ...],
+    ) -> Iterator[tuple[Algebra, tuple[Line, ...], tuple[Choice, ...]]]:
+        """One step, and what follows from it; `lines`: unknowns expressed so far, by unknowns that are still left."""
+        if not left:
+            after = copied(algebra)
+            try:
+                back = self._back(after, lines)
+            except NoValue:
+                return
+            if all(closes(p.residual, after.value) for p in pool):
+                yield after, (*lines, *back), ()
+            return
+        pool = [p for p in pool if any(s in p.residual.free_symbols for s in left)]
+        if len(pool) < len(left):
+            return
+        own = alone(pool, left)
+        step = eliminate(pool, left, letters, algebra.value) if len(pool) > 1 else None
+        if step is not None:
+            line = replace(step.line, letters=tuple(s for s in left if s in step.line.formula.free_symbols))
+            rest = tuple(s for s in left if s != line.symbol)
+            yield from self._reduced(algebra, step.pool, rest, letters, (*lines, line))
+        elif own is not None:
+            yield from self._rooted(algebra, pool, own, left, letters, lines)
+        else:
+            smaller = combined(pool, left, algebra.value)
+            if smaller is None:
+                numbers = ", ".join(f"({n})" for n in dict.fromkeys(n for p in pool for n in p.numbers))
+                raise Undecided(f"the equations {numbers} are nonlinear in several unknowns at once")
+            yield from self._reduced(algebra, smaller, left, letters, lines)
+
+    def _rooted(
+        self,
+        algebra: Algebra,
+        pool: list[Pending],
+        own: int,
+        left: tuple[sp.Symbol, ...],
+        letters: tuple[sp.Symbol, ...],
+        lines: tuple[Line, ...],
+    ) -> Iterator[tuple[Algebra, tuple[Line, ...], tuple[Choice, ...]]]:
+        """All roots of an equation in one unknown."""
+        pending = pool[own]
+        x = next(s for s in left if s in pending.residual.free_symbols)
+        rest = [p for i, p in enumerate(pool) if i != own]
+        if vanishes(pending.residual, x, algebra.value):
+            return
+        roots = real_roots(pending.residual, x, algebra.value, self.symbolic, x in self.angles)
+        for taken, root in enumerate(roots):
+            after = copied(algebra)
+            exact = root.expression if root.expression is not None else sp.Rational(str(root.value))
+            after.value = after.value.extended({x: root.value})
+            after.formulas[x] = exact
+            line = Line(x, exact, root.value, pending.numbers)
+            choice = Choice(x, pending.residual, tuple(roots), taken, pending.numbers[0])
+            others = tuple(s for s in left if s != x)
+            for found, told, choices in self._reduced(after, rest, others, letters, (*lines, line)):
+                yield found, told, (choice, *choices)
+
+    @staticmethod
+    def _back(algebra: Algebra, lines: tuple[Line, ...]) -> list[Line]:
+        """The unknowns that were expressed by others, the last one first, in numbers."""
+        found = []
+        for line in reversed(lines):
+            if line.value is None:
+                value = algebra.value(line.formula)
+                if value and algebra.value.is_zero(line.formula):
+                    value = Decimal(0)
+                algebra.value = algebra.value.extended({line.symbol: value})
+                algebra.formulas[line.symbol] = line.formula
+                found.append(Line(line.symbol, line.formula, value, line.equations))
+        return found
+
+
+def vanishes(residual: sp.Expr, x: sp.Symbol, value: Valuation) -> bool:
+    """Does an equation hold for every value of its unknown? Then it follows from the others and says nothing of it."""
+    tried = (value.extended({x: Decimal(n)}) for n in ("0.73205", "1.31607", "0.27915"))
+    return all(v.vanishes(residual) for v in tried)
+
+
+def holds(definitions: Mapping[sp.Symbol, sp.Expr], symbol: sp.Symbol, unknowns: set[sp.Symbol]) -> bool:
+    """Does a named intermediate rest on one of the unknowns?"""
+    expr = definitions.get(symbol)
+    if expr is None:
+        return False
+    return any(s in unknowns or holds(definitions, s, unknowns) for s in expr.free_symbols)
+
+
+def copied(algebra: Algebra) -> Algebra:
+    """The same state, to be extended on its own."""
+    twin = Algebra(algebra.value.extended({}), algebra.explicit, algebra.symbolic, algebra.unknowns)
+    twin.formulas = dict(algebra.formulas)
+    return twin

@@ -1,0 +1,204 @@
+"""Steps by which equations that are nonlinear in several unknowns become equations in one unknown.
+
+Tried in this order: an unknown that enters one equation linearly is expressed; an angle whose cosine and sine enter two
+equations linearly goes by cos² + sin² = 1; of two equations with squares the squares cancel by subtraction; of two
+polynomials the resultant is taken.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from decimal import Decimal
+from itertools import combinations
+
+import sympy as sp
+
+from planar_cli.equation.exact import Valuation
+from planar_cli.equation.form import Form, Nonlinear, linear_form
+from planar_cli.equation.plain import longer, tidy
+from planar_cli.records import record
+from planar_cli.solve.instant.algebra import Line
+
+CLOSE = Decimal("1e-25")
+HIGHEST = 8
+"""Resultants of polynomials whose degrees multiply to more than this are not taken."""
+
+
+@record
+class Pending:
+    """An equation that is still to be used: its residual, and the numbers of the equations that it comes from."""
+
+    residual: sp.Expr
+    numbers: tuple[int, ...]
+
+
+@record
+class Step:
+    """One unknown expressed, and the equations that are left."""
+
+    line: Line
+    pool: list[Pending]
+
+
+def alone(pool: Sequence[Pending], left: Sequence[sp.Symbol]) -> int | None:
+    """The first equation in one unknown only."""
+    for i, p in enumerate(pool):
+        if sum(s in p.residual.free_symbols for s in left) == 1:
+            return i
+    return None
+
+
+def closes(residual: sp.Expr, value: Valuation) -> bool:
+    """Does an equation hold in numbers?"""
+    number = value.known(residual)
+    return number is not None and abs(number) <= CLOSE * max(value.size(residual), CLOSE)
+
+
+def eliminate(
+    pool: list[Pending],
+    left: Sequence[sp.Symbol],
+    letters: Sequence[sp.Symbol],
+    value: Valuation,
+    positive: Sequence[sp.Symbol] = (),
+) -> Step | None:
+    """An equation that gives one unknown, which is put into the others; unknowns that are not letters first.
+    `positive`: unknowns of which only a positive value counts.
+    """
+    order = sorted(left, key=lambda s: s in letters)
+    found = _linear(pool, order, left, value, True) or _circle(pool, order, left, value)
+    if found is None and alone(pool, left) is None:
+        found = _linear(pool, order, left, value, False) or _even(pool, [x for x in order if x in positive])
+    return found
+
+
+def _even(pool: list[Pending], candidates: Iterable[sp.Symbol]) -> Step | None:
+    """A letter that is positive, such as a time since the start, and enters by its square alone."""
+    for x in candidates:
+        square = sp.Dummy("x2", positive=True)
+        flat = [sp.expand(p.residual).subs(x**4, square**2).subs(x**2, square) for p in pool]
+        if any(x in f.free_symbols for f in flat):
+            continue
+        for i, f in enumerate(flat):
+            form = _form(f, square)
+            if form is None or form.terms.get(square, sp.S.Zero) == 0:
+                continue
+            formula = tidy(-form.constant / form.terms[square])
+            rest = [Pending(tidy(o.xreplace({square: formula})), pool[j].numbers) for j, o in enumerate(flat) if j != i]
+            return Step(Line(x, sp.sqrt(formula), None, pool[i].numbers), rest)
+    return None
+
+
+def _linear(
+    pool: list[Pending], order: Iterable[sp.Symbol], left: Sequence[sp.Symbol], value: Valuation, constant: bool
+) -> Step | None:
+    """An unknown that enters linearly, with a factor that does not vanish; `constant`: it holds no other unknown."""
+    for x in order:
+        for i, p in enumerate(pool):
+            if x not in p.residual.free_symbols:
+                continue
+            form = _form(p.residual, x)
+            if form is None:
+                continue
+            factor = form.terms.get(x, sp.S.Zero)
+            if factor == 0 or (constant and any(s in factor.free_symbols for s in left)):
+                continue
+            if value.vanishes(factor):
+                continue
+            formula = tidy(-form.constant / factor)
+            rest = [Pending(tidy(o.residual.xreplace({x: formula})), o.numbers) for j, o in enumerate(pool) if j != i]
+            return Step(Line(x, formula, None, p.numbers), rest)
+    return None
+
+
+def _form(residual: sp.Expr, x: sp.Symbol) -> Form | None:
+    """A residual taken apart by one unknown; None where that enters nonlinearly."""
+    for written in (residual, sp.expand(residual)):
+        try:
+            return linear_form(written, {x})
+        except Nonlinear:
+            continue
+    return None
+
+
+def _circle(
+    pool: list[Pending], order: Iterable[sp.Symbol], left: Sequence[sp.Symbol], value: Valuation
+) -> Step | None:
+    """Two equations A_i cos x + B_i sin x + C_i = 0: both are expressed, and cos² + sin² = 1 is left."""
+    c, s = sp.Dummy("c"), sp.Dummy("s")
+    for x in order:
+        forms = []
+        for i, p in enumerate(pool):
+            flat = p.residual.xreplace({sp.cos(x): c, sp.sin(x): s})
+            if flat == p.residual or x in flat.free_symbols:
+                continue
+            try:
+                form = linear_form(flat, {c, s})
+            except Nonlinear:
+                continue
+            forms.append((i, form.terms.get(c, sp.S.Zero), form.terms.get(s, sp.S.Zero), form.constant))
+        for (i, a1, b1, c1), (j, a2, b2, c2) in combinations(forms, 2):
+            whole = tidy(a1 * b2 - a2 * b1)
+            if whole == 0 or (not any(u in whole.free_symbols for u in left) and value.is_zero(whole)):
+                continue
+            cosine, sine = tidy((b1 * c2 - b2 * c1) / whole), tidy((a2 * c1 - a1 * c2) / whole)
+            circle = sp.fraction(sp.together(cosine**2 + sine**2 - 1))[0]
+            numbers = tuple(dict.fromkeys((*pool[i].numbers, *pool[j].numbers)))
+            formula = sp.atan2(sine, cosine)
+            others = [p for n, p in enumerate(pool) if n not in (i, j)]
+            rest = [Pending(tidy(o.residual.xreplace({x: formula})), o.numbers) for o in others]
+            return Step(Line(x, formula, None, numbers), [Pending(tidy(sp.expand(circle)), numbers), *rest])
+    return None
+
+
+def combined(
+    pool: list[Pending], left: Sequence[sp.Symbol], value: Valuation, any_alone: bool = False
+) -> list[Pending] | None:
+    """Two equations made into a simpler one that takes the place of one of them. `any_alone`: see `subtracted`."""
+    return subtracted(pool, left, value, any_alone) or _resultant(pool, left, value)
+
+
+def subtracted(
+    pool: list[Pending], left: Sequence[sp.Symbol], value: Valuation, any_alone: bool = False
+) -> list[Pending] | None:
+    """The squares of one unknown cancel, and what is left is linear in some unknown; `any_alone`: or it holds one
+    unknown alone, whose formula is looked for.
+    """
+    for i, j in combinations(range(len(pool)), 2):
+        for x in left:
+            leads = [_square(pool[n].residual, x, left) for n in (i, j)]
+            if leads[0] is None or leads[1] is None:
+                continue
+            less = tidy(sp.expand(leads[1] * pool[i].residual - leads[0] * pool[j].residual))
+            made = Pending(less, (*pool[i].numbers, *pool[j].numbers))
+            if _linear([made], left, left, value, True) is not None or (any_alone and alone([made], left) is not None):
+                return [*(p for n, p in enumerate(pool) if n != j), made]
+    return None
+
+
+def _square(residual: sp.Expr, x: sp.Symbol, left: Sequence[sp.Symbol]) -> sp.Expr | None:
+    """The factor of x² in a quadratic equation, when it holds no other unknown."""
+    expanded = sp.expand(residual)
+    if not expanded.is_polynomial(x) or sp.degree(expanded, x) != 2:
+        return None
+    lead = expanded.coeff(x, 2)
+    return None if any(s in lead.free_symbols for s in left) else lead
+
+
+def _resultant(pool: list[Pending], left: Sequence[sp.Symbol], value: Valuation) -> list[Pending] | None:
+    """An equation without x from two polynomials in x; both stay, to give x afterwards and to be tested."""
+    for i, j in combinations(range(len(pool)), 2):
+        inside = [s for s in left if s in pool[i].residual.free_symbols | pool[j].residual.free_symbols]
+        if len(inside) != 2:
+            continue
+        for x in inside:
+            y = next(s for s in inside if s != x)
+            one, other = (sp.expand(pool[n].residual) for n in (i, j))
+            if not (one.is_polynomial(x, y) and other.is_polynomial(x, y)):
+                continue
+            if sp.total_degree(one, x, y) * sp.total_degree(other, x, y) > HIGHEST or longer(one * other, 200):
+                continue
+            found = sp.expand(sp.resultant(one, other, x))
+            if found != 0 and y in found.free_symbols and not any(p.residual == found for p in pool):
+                numbers = tuple(dict.fromkeys((*pool[i].numbers, *pool[j].numbers)))
+                return [Pending(found, numbers), *pool]
+    return None

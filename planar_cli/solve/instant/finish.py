@@ -1,0 +1,297 @@
+"""From the chosen modes to the finds: targets, stages, values, closed formulas."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+
+import sympy as sp
+
+from planar_cli.equation.conditions import vector_or_jet
+from planar_cli.equation.displacement import Coordinate
+from planar_cli.equation.exact import Sample, Valuation
+from planar_cli.equation.plain import letters, longer, rounded_inside, simplified
+from planar_cli.equation.quantities import Quantities
+from planar_cli.equation.system import System, mode_of
+from planar_cli.errors import Diagnostic, FileProblem, Mark, NoSolution, refuse
+from planar_cli.problem.dimensions import Kind, dimension_of
+from planar_cli.problem.expression import Quantity, Relation, Side
+from planar_cli.problem.geometry import Vec
+from planar_cli.problem.outermost import is_energy
+from planar_cli.problem.scene import Find
+from planar_cli.solve.instant.instant import Instant, Trial
+from planar_cli.solve.instant.seeker import Sought
+from planar_cli.solve.instant.stages import Stage, StageMaker, acceleration_unknowns, needed
+from planar_cli.solve.instant.truth import holds
+from planar_cli.solve.instant.verify import verify
+from planar_cli.solve.solution import Found, InstantSolution
+from planar_cli.units import Unit, parse_unit
+
+CLOSED_OPS, MOST_OPS = 90, 600
+"""A formula of more operations is not printed; one of more than the second number is left as it comes."""
+
+
+class Finisher:
+    """Works out one instant for its finds. `answer_units`: the units in which the file states its answers."""
+
+    def __init__(
+        self,
+        instant: Instant,
+        trial: Trial,
+        rejected: tuple[Trial, ...],
+        answer_units: Mapping[str, str],
+        state: str = "",
+    ) -> None:
+        self.instant, self.trial, self.rejected, self.state = instant, trial, rejected, state
+        self.system: System = trial.system
+        self.scene = instant.scene
+        self.ledger = self.scene.ledger
+        self.answer_units = answer_units
+        self.symbolic = self.ledger.symbolic
+        self.letters: frozenset[sp.Symbol] = frozenset()
+        self.coordinates: tuple[Coordinate, ...] = ()
+        self.principle = instant.principle
+        self.most = MOST_OPS
+
+    def solve(self, finds: tuple[Find, ...]) -> tuple[InstantSolution, list[Found]]:
+        """The stages, and the answers of these finds."""
+        quantities = self.system.quantities()
+        sides = {f.name: self._expressions(f, quantities) for f in finds}
+        exprs = [e for es in sides.values() for e in es]
+        solution, stages, value = self.work(exprs, finds)
+        self._demand_reached(unreached(stages, exprs), finds)
+        return solution, [self._found(f, sides[f.name], value, stages, quantities) for f in finds]
+
+    def work(self, exprs: list[sp.Expr], finds: tuple[Find, ...]) -> tuple[InstantSolution, list[Stage], Valuation]:
+        """The stages that expressions need, carried out and checked."""
+        base = self.trial.outcomes[0].value
+        unknowns = set(acceleration_unknowns(self.system))
+        maker = StageMaker(self.system, base, self.symbolic)
+        if self._has_forces():
+            maker.families = self.instant.families(
+                self.principle, self.system, base, self.trial.choice, self.coordinates
+            )
+        targets = needed(exprs, unknowns) | (self._test_targets(unknowns) if self._asks_forces(exprs) else set())
+        self.demand_unique(needed(exprs, unknowns), finds)
+        maker.value = self._drop(base, unknowns)
+        acceleration = maker.accelerations(targets) if targets else None
+        stages = self._with_velocities(maker, exprs, acceleration)
+        value = self._values(stages)
+        lines = tuple(line for s in stages for line in s.lines)
+        solution = InstantSolution(self.state, self.instant, self.trial, self.rejected, tuple(stages), lines, value)
+        solution.checks = verify(self.trial, value.values).report()
+        return solution, stages, value
+
+    def _demand_reached(self, missing: list[sp.Symbol], finds: tuple[Find, ...]) -> None:
+        """FileProblem: the principle that was named has no equations that lead to these."""
+        if missing:
+            raise not_reached(self.scene.problem.method, [s.name for s in missing], finds[0].mark)
+
+    def asked(self, finds: tuple[Find, ...]) -> list[sp.Expr]:
+        """What the finds ask, in the unknowns of the system."""
+        quantities = self.system.quantities()
+        return [sp.sympify(e) for f in finds for e in self._expressions(f, quantities)]
+
+    def solve_sought(self, sought: Sought, finds: tuple[Find, ...]) -> tuple[InstantSolution, list[Found]]:
+        """As `solve`, where constants, angles, speeds or extremes were sought."""
+        quantities = self.system.quantities()
+        sides = {f.name: self._expressions(f, quantities) for f in finds}
+        branch, writer = sought.branch, sought.writer
+        stage = Stage(
+            "acceleration",
+            sought.plan,
+            branch.blocks,
+            tuple(writer.lines),
+            dict(writer.centres),
+            (),
+            (),
+            branch.algebra,
+            writer.named,
+        )
+        value = self._values([stage])
+        solution = InstantSolution(self.state, self.instant, self.trial, (), (stage,), tuple(writer.lines), value)
+        solution.sought = sought
+        if self.trial.outcomes:
+            solution.checks = verify(self.trial, value.values).report()
+        return solution, [self._found(f, sides[f.name], value, [stage], quantities) for f in finds]
+
+    def _drop(self, base: Valuation, unknowns: set[sp.Symbol]) -> Valuation:
+        """The numbers of everything but the unknowns."""
+        return base.without(unknowns)
+
+    def _has_forces(self) -> bool:
+        return any(b.mass != 0 for b in self.scene.bodies.values()) or bool(self.system.wrenches)
+
+    def _asks_forces(self, exprs: list[sp.Expr]) -> bool:
+        return (
+            bool(self.system.pushes)
+            and self._has_forces()
+            and bool(needed(exprs, set(acceleration_unknowns(self.system))))
+        )
+
+    def _test_targets(self, unknowns: set[sp.Symbol]) -> set[sp.Symbol]:
+        """Pushes that the tests of the assumed modes need."""
+        found: set[sp.Symbol] = set()
+        for mode in self.system.modes.values():
+            for test in mode.tests:
+                symbols = {self.system.symbols[n] for n, _ in test.pushes if n in self.system.symbols}
+                found |= {s for s in symbols & unknowns if self._unique(s)}
+        return found
+
+    def _unique(self, symbol: sp.Symbol) -> bool:
+        """Is a push determined at all?"""
+        outcome = self.trial.outcomes[0]
+        name = next((n for n, s in self.system.symbols.items() if s == symbol), None)
+        if name is None or name not in outcome.assembly.columns:
+            return True
+        return outcome.solved.unique(outcome.assembly.columns[name])
+
+    def demand_unique(self, targets: set[sp.Symbol], finds: tuple[Find, ...]) -> None:
+        """NoSolution: some of these pushes are not determined."""
+        loose = sorted(s.name for s in targets if not self._unique(s))
+        if loose:
+            mark = finds[0].mark
+            text = f"not unique: {', '.join(loose)}; the scene has more supports than equations"
+            raise NoSolution([Diagnostic(mark, "PL603", text, "ask for what is unique, or leave a support out")])
+
+    # --- velocities --------------------------------------------------------------------------------------------------
+
+    def _with_velocities(self, maker: StageMaker, exprs: list[sp.Expr], acceleration: Stage | None) -> list[Stage]:
+        """The velocity stage that the acceleration stage and the finds rest on comes first."""
+        velocities = self.trial.velocities[0]
+        moving = {s for s, v in velocities.values.items() if v} - self.letters
+        used = list(exprs)
+        if acceleration is not None:
+            used += [w.residual for b in acceleration.blocks for w in b.equations] + [
+                x.expression for x in acceleration.lines
+            ]
+        targets = needed([*used, *self._named_in(used)], moving)
+        stages: list[Stage] = []
+        if targets:
+            known = {s: v for s, v in velocities.values.items() if not v}
+            plain = maker.value.without(moving)
+            maker_of_velocities = StageMaker(self.system, plain, self.symbolic, letters=self.letters)
+            stages.append(maker_of_velocities.velocities(targets, known))
+        if acceleration is not None:
+            stages.append(acceleration)
+        return stages
+
+    def _named_in(self, exprs: list[sp.Expr]) -> list[sp.Expr]:
+        """The named intermediates on which expressions rest, all the way down."""
+        found: dict[sp.Symbol, sp.Expr] = {}
+        left = list(exprs)
+        while left:
+            for s in left.pop().free_symbols:
+                if s in self.ledger.definitions and s not in found:
+                    found[s] = self.ledger.definitions[s]
+                    left.append(found[s])
+        return list(found.values())
+
+    def _values(self, stages: list[Stage]) -> Valuation:
+        outcome = self.trial.outcomes[0]
+        columns = {s: outcome.assembly.columns.get(s.name) for s in self.ledger.sought}
+        found = {s: outcome.solved.values[column] for s, column in columns.items() if column is not None}
+        value = outcome.value.knowing(found)
+        for stage in stages:
+            value = value.updated(stage.algebra.value)
+        return value
+
+    # --- finds -------------------------------------------------------------------------------------------------------
+
+    def _expressions(self, find: Find, quantities: Quantities) -> tuple[sp.Expr, ...]:
+        """A find as one or two expressions; a relation as left and right."""
+        what = find.found.what
+        if isinstance(what, Relation):
+            if mode_of(what) is not None:
+                return ()
+            sides = [vector_or_jet(s, quantities, quantities.evaluator) for s in (what.left, what.right)]
+            return tuple(s.value for s in sides)
+        if isinstance(what, Quantity) and what.word == "mode":
+            return ()
+        found = vector_or_jet(what, quantities, quantities.evaluator)
+        parts = (found.x, found.y) if isinstance(found, Vec) else (found,)
+        return tuple(self._known(p.value, find) for p in parts)
+
+    @staticmethod
+    def _known(value: sp.Expr | None, find: Find) -> sp.Expr:
+        if value is None:
+            raise refuse(find.mark, "PL552", f"{find.name}: one instant does not tell this rate")
+        return value
+
+    def _mode_name(self, joint: str) -> str:
+        ours = next(our for our, name in self.system.aliases.items() if name == joint and self.system.modes[our].name)
+        return self.system.modes[ours].name
+
+    def _found(
+        self, find: Find, exprs: tuple[sp.Expr, ...], value: Valuation, stages: list[Stage], quantities: Quantities
+    ) -> Found:
+        what = find.found.what
+        pure = parse_unit("1")
+        if isinstance(what, Relation):
+            mode = mode_of(what)
+            if mode is not None:
+                truth = self._mode_name(mode[0]) == mode[1]
+            else:
+                apart = (exprs[0] - exprs[1],)
+                closed = (self.closed(apart[0], stages),) if isinstance(value, Sample) else apart
+                truth = holds(find, what.operator, apart, closed, value, self.scene.everywhere())
+            return Found(find.name, "truth", pure, None, None, "true" if truth else "false", find)
+        if isinstance(what, Quantity) and what.word == "mode":
+            return Found(find.name, "word", pure, None, None, self._mode_name(what.things[0]), find)
+        unit = self.unit_of(find, what)
+        closed = tuple(self.closed(e, stages) for e in exprs)
+        symbolic = any(set(self.ledger.letters) & c.free_symbols for c in closed)
+        values = None if symbolic else tuple(value.settled(e, c) for e, c in zip(exprs, closed, strict=True))
+        short = all(not longer(c, CLOSED_OPS) and not rounded_inside(c) for c in closed)
+        kind = "vector" if len(exprs) == 2 else "number"
+        energy = is_energy(what)
+        return Found(find.name, kind, unit, values, closed if symbolic or short else None, "", find, energy, exprs)
+
+    def unit_of(self, find: Find, what: Side) -> Unit:
+        """As asked, else as the file states the answer, else SI (US customary in such a file)."""
+        if find.found.unit is not None:
+            return parse_unit(find.found.unit)
+        if find.name in self.answer_units:
+            return parse_unit(self.answer_units[find.name])
+        kind: Kind = dimension_of(what, self.instant.setup.lookup)
+        return self.instant.setup.unit_for(kind)
+
+    def closed(self, expr: sp.Expr, stages: list[Stage]) -> sp.Expr:
+        """The formula of a find down to the names of the file."""
+        formulas: dict[sp.Symbol, sp.Expr] = {}
+        for stage in stages:
+            formulas.update(stage.algebra.explicit)
+            formulas.update(stage.algebra.formulas)
+        formulas.update({s: sp.S.Zero for s, v in self.trial.velocities[0].values.items() if not v})
+        for stage in stages:
+            formulas.update(dict.fromkeys(stage.zero, sp.S.Zero))
+        for _ in range(80):
+            inside = {s: formulas[s] for s in letters(expr) if s in formulas}
+            inside |= {s: self.ledger.definitions[s] for s in letters(expr) if s in self.ledger.definitions}
+            inside |= {s: v for s in letters(expr) if (v := self.ledger.values.get(s)) is not None and v.free_symbols}
+            if not inside:
+                break
+            expr = expr.xreplace(inside)
+            # A long formula of one instant is not printed. Over a motion it must say all of it by its letters.
+            if not self.coordinates and longer(expr, 4000 if self.symbolic else 4 * CLOSED_OPS):
+                return expr
+        return self._simple(expr)
+
+    def _simple(self, expr: sp.Expr) -> sp.Expr:
+        if expr.is_number or expr.is_Symbol or longer(expr, self.most):
+            return expr
+        if not self.symbolic:
+            return expr if longer(expr, 199) else sp.factor_terms(expr)
+        return simplified(expr)
+
+
+def unreached(stages: Iterable[Stage], exprs: list[sp.Expr]) -> list[sp.Symbol]:
+    """What these expressions need and no equation of the stages tells."""
+    inside = set().union(*(sp.sympify(e).free_symbols for e in exprs)) if exprs else set()
+    return sorted({s for stage in stages for s in stage.undetermined} & inside, key=lambda s: s.name)
+
+
+def not_reached(method: str | None, names: Iterable[str], mark: Mark) -> FileProblem:
+    """A method that was named does not lead to something that is asked."""
+    text = f"method {method} alone does not reach {', '.join(names)}"
+    hint = "leave `method` out: the plan then takes the laws that lead there; `--compare` lists what each reaches"
+    return refuse(mark, "PL570", text, hint)

@@ -1,0 +1,350 @@
+"""One instant from its file to the choice of modes that holds: geometry, velocities, every mode tried in numbers."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from decimal import Decimal
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.equation.displacement import Coordinate
+from planar_cli.equation.driving import driving_pushes
+from planar_cli.equation.exact import Valuation
+from planar_cli.equation.ledger import Ledger
+from planar_cli.equation.motion import Motion, TreeBuilder
+from planar_cli.equation.setup import Setup, names_in
+from planar_cli.equation.system import Statements, System, make_system
+from planar_cli.errors import Undecided
+from planar_cli.joints.base import Joint
+from planar_cli.loads.base import Load, mode_key
+from planar_cli.principles.base import Family, Principle
+from planar_cli.problem.facts import Mode, Push, Test
+from planar_cli.problem.keys import Flow, keys_of
+from planar_cli.problem.outermost import quantities_in
+from planar_cli.problem.polar import TOGETHER
+from planar_cli.problem.scene import Problem
+from planar_cli.records import record
+from planar_cli.solve.instant.asked import is_pure_kinematics, names_anywhere
+from planar_cli.solve.instant.inequalities import Broken, broken
+from planar_cli.solve.instant.locked import LOCKED, locked
+from planar_cli.solve.instant.study import Outcome, Velocities, accelerate, solve_velocities
+from planar_cli.solve.instant.worked import unknowns_of
+from planar_cli.solve.principled import at_instants, position_of
+
+MOST_MODES = 400
+TINY = Decimal("1e-25")
+
+
+@record
+class Trial:
+    """One choice of modes: its system, its velocities and outcomes for each valuation, and what speaks against it.
+
+    `objection`: why it is rejected ("" when it holds); `broken`: the inequality of the file that speaks against it.
+    """
+
+    choice: tuple[int, ...]
+    system: System
+    velocities: tuple[Velocities, ...]
+    outcomes: tuple[Outcome, ...]
+    objection: str
+    tests: tuple[tuple[Test, Any], ...] = ()
+    broken: Broken | None = None
+
+
+Lift = Callable[[Principle, System, tuple[int, ...]], tuple[Family, ...]]
+"""What a principle that needs a general position offers in one choice of modes, in the unknowns of the instant."""
+
+
+class Instant:
+    """The scene of one instant and its modes. `principle`: what tells accelerations and forces; `lift`: how it gets a
+    general position, where it needs one.
+    """
+
+    def __init__(self, setup: Setup) -> None:
+        self.setup, self.scene, self.statements = setup, setup.scene, setup.statements
+        self.joints = distinct(self.scene.problem.joints)
+        self.kinematic = is_pure_kinematics(self.scene.problem)
+        self.aliases = alias_of(self.scene.problem.joints, self.joints)
+        self.modes: list[tuple[Joint | Load, tuple[Mode, ...]]] = [(j, self.modes_of(j)) for j in self.joints]
+        for load in self.scene.problem.loads:
+            found = load.modes(self.scene)
+            if found:
+                self.modes.append((replace(load, name=mode_key(load.name)), found))
+                self.aliases[mode_key(load.name)] = load.name
+        self.scene.forget_valuations()
+        names = [b.name for b in self.scene.problem.bodies]
+        self.builder = self.tree_builder(names)
+        self.symbols: dict[str, sp.Symbol] = {}
+        apart = TreeBuilder(Ledger(), self.scene.rigid, self.scene.center_name, names)
+        self.free = Motion(apart.build((), hang=False), self.scene.center, {})
+        self.drivers: tuple[Push, ...] = ()
+        self.plain = asked_by_axis(self.scene.problem, self.joints)
+        self.principle = at_instants(self.scene.problem.method)
+        self.lift: Lift | None = None
+
+    def families(
+        self,
+        principle: Principle,
+        system: System,
+        value: Valuation,
+        choice: tuple[int, ...],
+        coordinates: tuple[Coordinate, ...] = (),
+    ) -> tuple[Family, ...]:
+        """The equations that a principle offers. `coordinates`: of a general position."""
+        if principle.general and self.scene.displacement is None:
+            return () if self.lift is None else self.lift(principle, system, choice)
+        return tuple(principle.at_instant(position_of(system, value, coordinates)))
+
+    def modes_of(self, joint: Joint) -> tuple[Mode, ...]:
+        """The ways in which a joint may act; of one that has parted, as drawn."""
+        parted = self.setup.parted.get(joint.name)
+        found = joint.modes(self.scene) if parted is None else parted
+        return held(found) if self.kinematic else found
+
+    def tree_builder(self, bodies: list[str]) -> TreeBuilder:
+        """What makes the unknowns of the motion."""
+        return TreeBuilder(self.scene.ledger, self.scene.rigid, self.scene.center_name, bodies)
+
+    def name_of(self, push: Push) -> tuple[str, str]:
+        """How a push is called, and its unit."""
+        return push.name, push.unit
+
+    @property
+    def at_rest(self) -> bool:
+        return None in self.statements.rest
+
+    def add_drivers(self) -> bool:
+        """Let every prescribed motion bring the unknown force or torque that keeps it going. False: there is none to
+        add.
+        """
+        if self.drivers:
+            return False
+        system = self.system(tuple(0 for _ in self.modes))
+        self.drivers = driving_pushes(system, self.free)
+        return bool(self.drivers)
+
+    def must_seek(self) -> bool:
+        """Are extremes asked for, or constants sought that enter nonlinearly?"""
+        if self.statements.extremes:
+            return True
+        return bool(self.scene.ledger.sought) and not self._sought_linear()
+
+    def _sought_linear(self) -> bool:
+        """Do all sought constants enter as magnitudes of loads, or not at all?"""
+        ledger = self.scene.ledger
+        hidden = [e for p in self.scene.points.values() for e in (p.x, p.y)]
+        hidden += [*ledger.definitions.values(), *ledger.values.values()]
+        hidden += [e for b in self.scene.bodies.values() for e in (b.mass, b.inertia)]
+        hidden += [x for _, found in self.modes for mode in found for law in mode.facts.laws for x in (law.factor,)]
+        hidden += [f for _, found in self.modes for mode in found for t in mode.tests for _, f in t.pushes]
+        for expr in hidden:
+            if set(ledger.sought) & sp.sympify(expr).free_symbols:
+                return False
+        for relation, _ in self.statements.relations:
+            for side in (relation.left, relation.right):
+                if any(ledger.symbols.get(n) in ledger.sought for n in names_anywhere(side)):
+                    return False
+        return self._loads_linear()
+
+    def _loads_linear(self) -> bool:
+        """Directions and stiffnesses are known; only magnitudes are sought."""
+        sought = {s.name for s in self.scene.ledger.sought}
+        for load in self.scene.problem.loads:
+            for spec in keys_of(type(load)):
+                value = getattr(load, spec.name)
+                if spec.name in ("magnitude", "moment") or isinstance(value, (str, tuple, type(None))):
+                    continue
+                sides = (value.speed, value.angle) if isinstance(value, Flow) else (value,)
+                if any(names_in(side) & sought for side in sides):
+                    return False
+        return True
+
+    def system(self, choice: tuple[int, ...]) -> System:
+        """The equations of one choice of modes."""
+        modes = {j.name: found[i] for (j, found), i in zip(self.modes, choice, strict=True)}
+        scene, builder, statements = self.scene, self.builder, self.statements
+        return make_system(
+            scene, builder, statements, modes, self.symbols, self.aliases, self.plain, self.drivers, self.name_of
+        )
+
+    def choices(self) -> Iterator[tuple[int, ...]]:
+        """All choices, the natural assumptions first: by how many joints depart from their first mode."""
+        allowed = [self._allowed(joint, found) for joint, found in self.modes]
+        every = itertools.product(*allowed)
+        return iter(sorted(itertools.islice(every, MOST_MODES * 10), key=lambda c: (sum(i > 0 for i in c), sum(c))))
+
+    def _allowed(self, joint: Joint | Load, found: tuple[Mode, ...]) -> list[int]:
+        """The modes that the file leaves open."""
+        name = self.aliases[joint.name]
+        wanted = {word for stated, word in self.statements.modes if stated == name}
+        return [i for i, mode in enumerate(found) if not wanted or mode.name in wanted or not mode.name]
+
+    def try_choice(
+        self, choice: tuple[int, ...], valuations: tuple[Valuation, ...], given: dict[sp.Symbol, Decimal] | None = None
+    ) -> Trial:
+        """Solve one choice in numbers and test its assumptions. `given`: velocities and constants that are settled."""
+        system = self.system(choice)
+        if self.at_rest and any(
+            m.sliding is not None and m.direction == 0 and self._runs(m, valuations) for m in system.modes.values()
+        ):
+            return Trial(choice, system, (), (), "it slides already")
+        velocities = tuple(
+            solve_velocities(system, v, self.at_rest, given is None, self._speeds(system, given)) for v in valuations
+        )
+        if any(v.conflict for v in velocities):
+            return Trial(choice, system, velocities, (), "velocities")
+        if any(v.free for v in velocities):
+            return Trial(choice, system, velocities, (), "velocities are open")
+        outcomes = tuple(
+            accelerate(system, vel, v, self.free, given or {}) for vel, v in zip(velocities, valuations, strict=True)
+        )
+        for outcome in outcomes:
+            moving = self._moves_otherwise(system, outcome)
+            if moving:
+                return Trial(choice, system, velocities, outcomes, moving)
+            if outcome.solved.conflict is not None:
+                return Trial(choice, system, velocities, outcomes, "contradiction")
+            if locked(system, outcome.assembly, {name for name, _ in self.statements.modes}):
+                return Trial(choice, system, velocities, outcomes, LOCKED)
+            failed = outcome.failed
+            if failed:
+                return Trial(choice, system, velocities, outcomes, failed[0][0].words, failed)
+            against = self._against(system, outcome)
+            if against:
+                return Trial(choice, system, velocities, outcomes, against)
+            false = self._false(system, outcome)
+            if false is not None:
+                return Trial(choice, system, velocities, outcomes, false.words, broken=false)
+        return Trial(choice, system, velocities, outcomes, "")
+
+    @staticmethod
+    def _speeds(system: System, given: dict[sp.Symbol, Decimal] | None) -> dict[sp.Symbol, Decimal] | None:
+        if given is None:
+            return None
+        rates = (r for r, _ in system.scene.evaluator.motions.values() if isinstance(r, sp.Symbol))
+        names = {s.name for s in (*system.tree.velocity_unknowns(), *rates)}
+        return {s: v for s, v in given.items() if s.name in names}
+
+    @staticmethod
+    def _runs(mode: Mode, valuations: tuple[Valuation, ...]) -> bool:
+        """Does the surface under a body at rest run?"""
+        return mode.sliding is not None and mode.sliding.rate != 0 and not valuations[0].is_zero(mode.sliding.rate)
+
+    def _moves_otherwise(self, system: System, outcome: Outcome) -> str:
+        """A joint assumed to stick slides already, or slides the other way."""
+        for mode in system.modes.values():
+            if mode.sliding is None:
+                continue
+            speed = outcome.assembly.row_speed(mode.sliding)
+            if abs(speed) < TINY:
+                continue
+            if mode.direction == 0 or speed * mode.direction < 0:
+                return "it slides already" if mode.direction == 0 else "it slides the other way"
+        return ""
+
+    @staticmethod
+    def _against(system: System, outcome: Outcome) -> str:
+        """A vector that points against the direction that the file gives it, or has a negative size."""
+        senses = system.senses()
+        if not senses:
+            return ""
+        numbers = outcome.value.extended(unknowns_of(system, outcome))
+        for text, sense in senses:
+            number = numbers.known(sense)
+            if number is not None and number < -TINY:
+                parts = " and ".join(f"`{t}`" for t in text.split(TOGETHER))
+                return f"{parts} would hold only with the opposite direction"
+        return ""
+
+    def _false(self, system: System, outcome: Outcome) -> Broken | None:
+        """An inequality of the file that does not hold; in a general position it is about some state, not about all."""
+        if not self.statements.inequalities or self.scene.displacement is not None:
+            return None
+        numbers = outcome.value.extended(unknowns_of(system, outcome))
+        return broken(self.statements.inequalities, system.quantities(), numbers)
+
+
+def distinct(joints: tuple[Joint, ...]) -> tuple[Joint, ...]:
+    """Joints that share a name (both called by their point) are told apart by a number."""
+    seen: dict[str, int] = {}
+    found = []
+    for joint in joints:
+        seen[joint.name] = seen.get(joint.name, 0) + 1
+        found.append(joint if seen[joint.name] == 1 else replace(joint, name=f"{joint.name}_{seen[joint.name]}"))
+    return tuple(found)
+
+
+def asked_by_axis(problem: Problem, joints: tuple[Joint, ...]) -> frozenset[str]:
+    """Joints of whose reaction just one of x and y is asked: those components stay."""
+    names = set()
+    for find in problem.find:
+        for q in quantities_in(find.found.what):
+            if q.word == "reaction" and q.parts and q.parts[0].kind in ("x", "y"):
+                names.add(q.things[0])
+    return frozenset(ours for ours, name in alias_of(problem.joints, joints).items() if name in names)
+
+
+def alias_of(joints: tuple[Joint, ...], named: tuple[Joint, ...]) -> dict[str, str]:
+    """Our own name of each joint to the file's."""
+    return {ours.name: theirs.name for ours, theirs in zip(named, joints, strict=True)}
+
+
+def held(modes: tuple[Mode, ...]) -> tuple[Mode, ...]:
+    """The modes in which a joint holds: where nothing is said of forces, nothing parts or slackens."""
+    found = tuple(m for m in modes if not m.parted) or modes
+    return (replace(found[0], words="", tests=()),) if len(found) == 1 else found
+
+
+def search_modes(instant: Instant, valuations: tuple[Valuation, ...]) -> tuple[list[Trial], list[Trial]]:
+    """All choices that hold, told apart by their motion, and those that do not, in natural order."""
+    held: list[Trial] = []
+    rejected: list[Trial] = []
+    for count, choice in enumerate(instant.choices()):
+        if count >= MOST_MODES:
+            if not held:
+                raise Undecided(f"none of the first {MOST_MODES} combinations of contact modes holds; there are more")
+            break
+        trial = instant.try_choice(choice, valuations)
+        if trial.objection:
+            rejected.append(trial)
+        elif not any(same_motion(trial, other) for other in held):
+            held.append(trial)
+    return [t for t in held if not any(begins(instant, t, other) for other in held)], rejected
+
+
+def begins(instant: Instant, trial: Trial, other: Trial) -> bool:
+    """Would a slip have to begin in `trial` where friction can hold in `other`? From rest it begins only beyond the
+    static limit, so that the other one counts.
+    """
+    differs = False
+    for (_, modes), i, j in zip(instant.modes, trial.choice, other.choice, strict=True):
+        if i != j:
+            differs = True
+            if modes[j].name != "stick" or modes[i].name != "slip":
+                return False
+            outcome = trial.outcomes[0]
+            sliding = modes[i].sliding
+            if sliding is None or abs(outcome.assembly.row_speed(sliding)) > TINY:
+                return False
+    return differs
+
+
+def same_motion(a: Trial, b: Trial) -> bool:
+    """Do two choices give the same accelerations?"""
+    one, other = a.outcomes[0], b.outcomes[0]
+    for key, column in one.assembly.columns.items():
+        if isinstance(key, tuple):
+            x, y = one.solved.values[column], other.solved.values[other.assembly.columns[key]]
+            if abs(x - y) > TINY * max(abs(x), abs(y), Decimal(1)):
+                return False
+    return True
+
+
+def make_instant(
+    problem: Any, always: tuple[Any, ...], now: tuple[Any, ...], earlier: dict[str, Any], open_form: bool
+) -> Instant:
+    """The instant of a problem with what holds always and what holds now."""
+    return Instant(Setup(problem, Statements.of(always, now), earlier, open_form))

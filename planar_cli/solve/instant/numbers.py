@@ -1,0 +1,83 @@
+"""Expressions in the unknowns as rows of sixty-digit numbers, each worked out once."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from decimal import Decimal
+
+import sympy as sp
+
+from planar_cli.equation.exact import ZERO, Valuation
+from planar_cli.equation.form import Form, linear_form
+from planar_cli.equation.plain import derivative
+from planar_cli.solve.multibody.linear import Row
+
+
+@dataclass(slots=True)
+class Numbers:
+    """Expressions to rows of numbers: linear ones by their coefficients, others by their slopes at a generic place.
+
+    `unknowns`: the columns. `linear`: those of them in which everything is linear; for the rest
+    their slopes are taken. `value`: the valuation, in which every unknown has a generic number as well.
+    """
+
+    unknowns: tuple[sp.Symbol, ...]
+    linear: frozenset[sp.Symbol]
+    value: Valuation
+    rows: dict[sp.Expr, Row] = field(default_factory=dict)
+
+    def form(self, expr: sp.Expr) -> Form:
+        return linear_form(expr, self.linear)
+
+    def row(self, expr: sp.Expr) -> Row:
+        """Coefficients of the unknowns and the constant, as numbers."""
+        known = self.rows.get(expr)
+        if known is None:
+            known = self.rows[expr] = self._row(expr)
+        return list(known)
+
+    def without(self, idle: set[sp.Symbol], value: Valuation) -> Numbers:
+        """The same numbers when some unknowns, all of them linear, are zero: their columns are left out."""
+        kept = [j for j, x in enumerate(self.unknowns) if x not in idle]
+        rows = {expr: [*(row[j] for j in kept), row[-1]] for expr, row in self.rows.items()}
+        return Numbers(tuple(self.unknowns[j] for j in kept), self.linear - idle, value, rows)
+
+    def _row(self, expr: sp.Expr) -> Row:
+        form = self.form(expr)
+        row = [self._coefficient(form.terms.get(x)) for x in self.unknowns]
+        constant = self._clean(form.constant)
+        if len(self.linear) < len(self.unknowns):
+            for j, x in enumerate(self.unknowns):
+                if x not in self.linear:
+                    row[j] = self._slope(expr, x)
+        return [*row, constant]
+
+    def _coefficient(self, expr: sp.Expr | None) -> Decimal:
+        return ZERO if expr is None else self._clean(expr)
+
+    def _clean(self, expr: sp.Expr) -> Decimal:
+        value = self.value(expr)
+        if value and abs(value) < Decimal("1e-20") and self.value.is_zero(expr):
+            return ZERO
+        return value
+
+    def _slope(self, expr: sp.Expr, x: sp.Symbol) -> Decimal:
+        """The exact derivative in numbers; a difference quotient would leave traces where terms cancel."""
+        opened = opened_for(expr, x, self.value.definitions)
+        return self._clean(derivative(opened, x)) if x in opened.free_symbols else ZERO
+
+
+def opened_for(expr: sp.Expr, x: sp.Symbol, definitions: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
+    """The expression with those named intermediates put in that rest on x."""
+    while True:
+        inside = {s: definitions[s] for s in expr.free_symbols if rests_on(s, x, definitions)}
+        if not inside:
+            return expr
+        expr = expr.xreplace(inside)
+
+
+def rests_on(symbol: sp.Symbol, x: sp.Symbol, definitions: Mapping[sp.Symbol, sp.Expr]) -> bool:
+    """Does a named intermediate rest on x, directly or through others?"""
+    expr = definitions.get(symbol)
+    return expr is not None and any(s == x or rests_on(s, x, definitions) for s in expr.free_symbols)

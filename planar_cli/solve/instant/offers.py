@@ -1,0 +1,390 @@
+"""All candidates of one instant: every connected group of bodies, every loop and relation, with the multipliers that
+free an equation of unknown pushes.
+
+Killed are only lines that a teacher draws: reactions, edges of friction cones, m a of known direction; never a couple
+of inertia. Two killed lines give a moment centre, or a direction when they are parallel; both are one operation, the
+cross product of two wrenches.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from decimal import Decimal
+from functools import cached_property, partial
+
+import sympy as sp
+
+from planar_cli.equation.conditions import Condition
+from planar_cli.equation.exact import CERTAIN, ONE, ZERO
+from planar_cli.equation.plain import longer, tidy
+from planar_cli.equation.system import System
+from planar_cli.principles.base import BodyFamily, Family, Single
+from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scene import GROUND
+from planar_cli.records import record
+from planar_cli.solve.instant import candidates as c
+from planar_cli.solve.instant.candidates import Candidate, Choice, combine, cross3, priced
+from planar_cli.solve.instant.numbers import Numbers
+from planar_cli.solve.multibody.linear import Row
+
+MOST_GROUPS = 72
+CLOSE = Decimal("1e-30")
+"""Points that lie so near each other, in units of the scene, are one."""
+Three = tuple[Decimal, Decimal, Decimal]
+
+
+@record
+class Group:
+    """A connected group of bodies: its three rows (Σ F_x, Σ F_y, Σ M about the origin, less inertia), and which columns
+    are lines of force that may be killed: their wrenches (f_x, f_y, m).
+    """
+
+    bodies: tuple[str, ...]
+    rows: tuple[Row, Row, Row]
+    lines: dict[int, Three]
+    turning: bool
+
+
+class Offers:
+    """Makes all candidates of a system. `families`: what a principle offers, beside the relations of motion;
+    `constructed`: centres as well.
+    """
+
+    constructed = True
+
+    def __init__(
+        self, system: System, numbers: Numbers, conditions: list[Condition], families: Iterable[Family]
+    ) -> None:
+        self.system, self.numbers, self.conditions = system, numbers, conditions
+        every = list(families)
+        self.families = {f.body: f for f in every if isinstance(f, BodyFamily)}
+        self.singles = [f for f in every if isinstance(f, Single)]
+        self.scene = system.scene
+        self.index = {x: j for j, x in enumerate(numbers.unknowns)}
+        self._residuals: dict[str, tuple[Row, Row, Row]] = {}
+        self._aside: dict[str, bool] = {}
+        self._spins = [self.index[e.spin_rate] for e in system.tree.edges if e.spin_rate in self.index]
+        self._moved: dict[sp.Symbol, set[str]] = {}
+
+    def all(self) -> list[Candidate]:
+        found: list[Candidate] = []
+        for condition in self.conditions:
+            found += self.of_condition(condition)
+        for single in self.singles:
+            row = self.numbers.row(single.left - single.right)
+            found += c.cheapest([priced((), None, None, row, single.cost, single)])
+        for group in self.groups() if self.families else ():
+            found += self.of_group(group)
+        return found
+
+    # --- relations of motion -----------------------------------------------------------------------------------------
+
+    def of_condition(self, condition: Condition) -> list[Candidate]:
+        """A scalar relation as it is; a vector one along the axes, and across each unknown's direction."""
+        residual = condition.residual
+        if not isinstance(residual, Vec):
+            return c.cheapest([priced((), condition, None, self.numbers.row(residual), c.AXIS)])
+        if condition.normal is not None:
+            choice = Choice(False, condition.normal, f"across the path of {condition.place}")
+            return c.cheapest([priced((), condition, choice, self.numbers.row(residual.dot(condition.normal)), c.AXIS)])
+        x, y = self.numbers.row(residual.x), self.numbers.row(residual.y)
+        found = [
+            priced((), condition, Choice(False, Vec(sp.S.One, sp.S.Zero), "along x", (), "x"), x, c.AXIS),
+            priced((), condition, Choice(False, Vec(sp.S.Zero, sp.S.One), "along y", (), "y"), y, c.AXIS),
+        ]
+        form_x, form_y = self.numbers.form(residual.x), self.numbers.form(residual.y)
+        for j, symbol in enumerate(self.numbers.unknowns):
+            if not (x[j] and y[j]) or (symbol not in form_x.terms and symbol not in form_y.terms):
+                continue
+            across = Vec(-form_y.terms.get(symbol, sp.S.Zero), form_x.terms.get(symbol, sp.S.Zero))
+            row = combine((x, y), (-y[j], x[j]))
+            if (across.x.free_symbols | across.y.free_symbols) & self._bent:
+                # What multiplies holds unknowns itself: slopes are those of the product.
+                row = list(self.numbers.row(tidy(sp.expand(residual.dot(across)))))
+            row[j] = ZERO
+            words = f"so that {symbol.name} drops out"
+            choice = Choice(False, partial(self._direction, across), words, (symbol,))
+            found.append(priced((), condition, choice, row, c.ACROSS))
+        return c.cheapest(found)
+
+    @cached_property
+    def _bent(self) -> set[sp.Symbol]:
+        """Unknowns that enter some equation otherwise than linearly."""
+        return set(self.numbers.unknowns) - self.numbers.linear
+
+    def _direction(self, across: Vec) -> Vec:
+        """A projection that drops one unknown, scaled to a unit vector where its length is simple."""
+        length = self.scene.length(across)
+        if longer(length, 4):
+            return across
+        return Vec(*(sp.cancel(p) if p.free_symbols else p for p in (across.x / length, across.y / length)))
+
+    # --- groups of bodies --------------------------------------------------------------------------------------------
+
+    def groups(self) -> list[Group]:
+        """Connected groups, the smallest first; all of them where they are few."""
+        neighbours = self.neighbours()
+        bodies = self.bodies
+        found: list[frozenset[str]] = [frozenset([b]) for b in bodies]
+        seen, layer = set(found), list(found)
+        while layer and len(found) < MOST_GROUPS:
+            grown = []
+            for group in layer:
+                for body in sorted((set().union(*(neighbours[b] for b in group)) & set(bodies)) - group):
+                    larger = group | {body}
+                    if larger not in seen:
+                        seen.add(larger)
+                        grown.append(larger)
+            found += grown[: MOST_GROUPS - len(found)]
+            layer = grown[:MOST_GROUPS]
+        whole = frozenset(bodies)
+        if whole not in seen:
+            found.append(whole)
+        single = {b: self.body_rows(b) for b in bodies}
+        return [self._group(tuple(b for b in bodies if b in g), single) for g in found]
+
+    def neighbours(self) -> dict[str, set[str]]:
+        found: dict[str, set[str]] = {b: set() for b in self.scene.bodies}
+        for push in self.system.pushes:
+            bodies = {a.body for a in push.actions if a.body != GROUND}
+            for b in bodies:
+                found[b] |= bodies - {b}
+        for wrench in self.system.wrenches:
+            pair = (wrench.kind, wrench.name)
+            others = {w.body for w in self.system.wrenches if wrench.name and (w.kind, w.name) == pair}
+            found[wrench.body] |= (others & set(found)) - {wrench.body}
+        return found
+
+    @property
+    def bodies(self) -> list[str]:
+        """The bodies of which there are families, in the order of the file."""
+        return [b for b in self.scene.bodies if b in self.families]
+
+    def body_rows(self, body: str) -> tuple[Row, Row, Row]:
+        """The family of one body, in numbers."""
+        if body not in self._residuals:
+            family = self.families[body]
+            self._residuals[body] = (
+                self.numbers.row(family.x),
+                self.numbers.row(family.y),
+                self.numbers.row(family.moment),
+            )
+        return self._residuals[body]
+
+    def base_rows(self) -> list[Row]:
+        """The rows of which all candidates are made: three of each body in turn, then the other equations."""
+        rows = [row for b in self.bodies for row in self.body_rows(b)]
+        singles = (self.numbers.row(s.left - s.right) for s in self.singles)
+        return [
+            *rows,
+            *singles,
+            *(self.numbers.row(expr) for condition in self.conditions for expr in condition.rows()),
+        ]
+
+    def _group(self, bodies: tuple[str, ...], single: dict[str, tuple[Row, Row, Row]]) -> Group:
+        ones = [ONE] * len(bodies)
+        x, y, m = (combine([single[b][i] for b in bodies], ones) for i in range(3))
+        lines: dict[int, Three] = {}
+        for j in self._killable(bodies):
+            wrench = (x[j], y[j], m[j])
+            if wrench[0] or wrench[1]:
+                lines[j] = wrench
+        turning = any(self.scene.rigid(b) for b in bodies) and not any(self._pressed_aside(b) for b in bodies)
+        return Group(bodies, (x, y, m), lines, turning)
+
+    def _pressed_aside(self, body: str) -> bool:
+        """Does a force act on a particle elsewhere than at its place? Then a couple that nobody asks for holds it."""
+        if self.scene.rigid(body):
+            return False
+        if body not in self._aside:
+            self._aside[body] = self._asides(body)
+        return self._aside[body]
+
+    def _asides(self, body: str) -> bool:
+        center = self.scene.center(body)
+        points = [a.point for p in self.system.pushes for a in p.actions if a.body == body]
+        return any(not self._same(p, center) for p in points)
+
+    def _same(self, a: Vec, b: Vec) -> bool:
+        return self.scene.is_zero(a.x - b.x) and self.scene.is_zero(a.y - b.y)
+
+    def _killable(self, bodies: tuple[str, ...]) -> list[int]:
+        """Columns that are drawn as one line: reactions, and the part of m a that has a known direction."""
+        found = []
+        couples = {self.system.symbols[p.name] for p in self.system.pushes if p.unit == "N*m"}
+        for push in self.system.pushes:
+            symbol = self.system.symbols[push.name]
+            if symbol in self.index and symbol not in couples:
+                found.append(self.index[symbol])
+        for edge in self.system.tree.edges:
+            slides = edge.slide_rate is not None and edge.joining is not None
+            if slides and edge.slide_rate in self.index and self._only_translation(edge.slide_rate, bodies):
+                found.append(self.index[edge.slide_rate])
+        return found
+
+    def _only_translation(self, symbol: sp.Symbol, bodies: tuple[str, ...]) -> bool:
+        """Does the unknown move just one body of the group?"""
+        if symbol not in self._moved:
+            assert self.system.motion is not None
+            center, motion = self.scene.center, self.system.motion
+            ways = {b: motion.acceleration(center(b), b) for b in self.scene.bodies}
+            self._moved[symbol] = {b for b, a in ways.items() if symbol in a.x.free_symbols | a.y.free_symbols}
+        return len(self._moved[symbol].intersection(bodies)) <= 1
+
+    def of_group(self, group: Group) -> list[Candidate]:
+        """Axes, named points, directions across a line, intersections of two lines."""
+        found = [
+            self._force(group, Vec(sp.S.One, sp.S.Zero), "x", c.AXIS),
+            self._force(group, Vec(sp.S.Zero, sp.S.One), "y", c.AXIS),
+        ]
+        for direction, words in self._named_directions(group):
+            found.append(
+                self._force(group, direction, words, c.ALONG_CONTACT if words.startswith("along") else c.NAMED_SLANT)
+            )
+        if not group.turning:
+            return c.cheapest(found)
+        named = self._named_points(group)
+        for name, place in named.items():
+            found.append(self._moment(group, place, name, c.NAMED_POINT))
+        if not self.constructed:
+            return c.cheapest(found)
+        points = [(self.numbers.value(place.x), self.numbers.value(place.y)) for place in named.values()]
+        lines = list(group.lines.items())
+        for i, (j, a) in enumerate(lines):
+            found.append(self._across(group, j, a))
+            for k, b in lines[i + 1 :]:
+                found.append(self._crossing(group, (j, a), (k, b), points))
+        return c.cheapest(found)
+
+    def _force(self, group: Group, direction: Vec, words: str, form: float) -> Candidate | None:
+        value = self.numbers.value
+        row = combine(group.rows[:2], (value(direction.x), value(direction.y)))
+        return priced(
+            group.bodies, None, Choice(False, direction, words, (), words if words in "xy" else ""), row, form
+        )
+
+    def _moment(self, group: Group, place: Vec, name: str, form: float) -> Candidate | None:
+        value = self.numbers.value
+        row = combine(group.rows, (value(place.y), -value(place.x), ONE))
+        if self._percussion(group, row):
+            return None
+        return priced(group.bodies, None, Choice(True, place, "", (), name), row, form)
+
+    def _percussion(self, group: Group, row: Row) -> bool:
+        """Does inertia cancel about this point? Nobody looks for a centre of percussion to be rid of α."""
+        return any(not row[j] and any(r[j] for r in group.rows) for j in self._spins)
+
+    def _named_directions(self, group: Group) -> list[tuple[Vec, str]]:
+        """Along and across the paths and contacts of the group's bodies."""
+        found: list[tuple[Vec, str]] = []
+        for push in self.system.pushes:
+            for action in push.actions:
+                if (
+                    action.body in group.bodies
+                    and action.force is not None
+                    and push.kind in ("normal", "friction", "tension")
+                ):
+                    x, y = self.numbers.value(action.force.x), self.numbers.value(action.force.y)
+                    if abs(x) > CERTAIN and abs(y) > CERTAIN:
+                        words = {
+                            "normal": "along the normal",
+                            "friction": "along the contact",
+                            "tension": "along the rope",
+                        }[push.kind]
+                        found.append((action.force, f"{words} at {push.place}"))
+                        if push.kind == "tension":
+                            found.append((action.force.turned(), f"across the rope at {push.place}"))
+        return found[:12]
+
+    def _named_points(self, group: Group) -> dict[str, Vec]:
+        found: dict[str, Vec] = {}
+        for name, owners in self.scene.owners.items():
+            if set(owners) & set(group.bodies):
+                found[name] = self.scene.point(name)
+        for body in group.bodies:
+            if self.scene.rigid(body):
+                found.setdefault(self.scene.bodies[body].center_name or f"G_{body}", self.scene.center(body))
+        for push in self.system.pushes:
+            for action in push.actions:
+                if action.body in group.bodies and push.place in self.scene.points:
+                    found.setdefault(push.place, self.scene.point(push.place))
+        return found
+
+    def _across(self, group: Group, j: int, line: Three) -> Candidate | None:
+        """The force direction across one line."""
+        if not (line[0] and line[1]):
+            return None
+        row = combine(group.rows[:2], (-line[1], line[0]))
+        row[j] = ZERO
+        symbol = self.numbers.unknowns[j]
+        return priced(
+            group.bodies,
+            None,
+            Choice(False, partial(self._across_line, group, symbol), f"across {symbol.name}", (symbol,)),
+            row,
+            c.ACROSS,
+        )
+
+    def _crossing(
+        self, group: Group, first: tuple[int, Three], second: tuple[int, Three], points: list[tuple[Decimal, Decimal]]
+    ) -> Candidate | None:
+        """Moments about the intersection of two lines, or the force direction across two parallel ones."""
+        (j, a), (k, b) = first, second
+        multiplier = cross3(a, b)
+        size = max(abs(p) for p in multiplier)
+        if not size or not multiplier[2]:
+            return None
+        x, y = -multiplier[1] / multiplier[2], multiplier[0] / multiplier[2]
+        tiny = CLOSE * self._scale
+        if any(abs(px - x) <= tiny and abs(py - y) <= tiny for px, py in points):
+            return None
+        row = combine(group.rows, (y, -x, ONE))
+        row[j] = row[k] = ZERO
+        if self._percussion(group, row):
+            return None
+        symbols = (self.numbers.unknowns[j], self.numbers.unknowns[k])
+        form = c.CONSTRUCTED if max(abs(x), abs(y)) < 8 * self._scale else c.FAR
+        return priced(group.bodies, None, Choice(True, Vec(None, None), "", symbols), row, form)
+
+    @cached_property
+    def _scale(self) -> Decimal:
+        """The size of the scene: its largest coordinate."""
+        places = [self.numbers.value(p) for v in self.scene.points.values() for p in (v.x, v.y)]
+        return max((abs(p) for p in places), default=ONE) or ONE
+
+    def _across_line(self, group: Group, symbol: sp.Symbol) -> Vec:
+        """The direction across the line of an unknown on this group."""
+        return line_of(self.system, self.numbers, group.bodies, symbol)[1].turned()
+
+
+def line_of(system: System, numbers: Numbers, bodies: tuple[str, ...], symbol: sp.Symbol) -> tuple[Vec, Vec]:
+    """Point and direction of the resultant of one unknown on a group: from its wrench about the origin."""
+    fx = fy = m = sp.S.Zero
+    simple: tuple[Vec, Vec] | None = None
+    count = 0
+    for push, expr in system.reactions.pushes if system.reactions else ():
+        factor = numbers.form(expr).terms.get(symbol)
+        if factor is None:
+            continue
+        for action in push.actions:
+            if action.body in bodies and action.force is not None:
+                force = action.force * factor
+                fx, fy, m = fx + force.x, fy + force.y, m + action.point.cross(force) + factor * action.couple
+                simple, count = (action.point, action.force), count + 1
+    if count == 0:
+        return _inertia_line(system, bodies, symbol, numbers)
+    if count == 1 and simple is not None:
+        return simple
+    square = fx**2 + fy**2
+    return Vec(fy * m / square, -fx * m / square), Vec(fx, fy)
+
+
+def _inertia_line(system: System, bodies: tuple[str, ...], symbol: sp.Symbol, numbers: Numbers) -> tuple[Vec, Vec]:
+    assert system.motion is not None
+    for body in bodies:
+        center = system.scene.center(body)
+        a = system.motion.acceleration(center, body)
+        direction = Vec(*(numbers.form(e).terms.get(symbol, sp.S.Zero) for e in (a.x, a.y)))
+        if direction.x != 0 or direction.y != 0:
+            return center, direction
+    raise LookupError(symbol.name)

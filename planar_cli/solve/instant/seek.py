@@ -1,0 +1,122 @@
+"""Unknown constants, angles, speeds and extremes: the choices of modes in natural order, until a branch of one holds.
+
+`X is largest`: the freedom that is left is used up by assumptions at their limit (|F| = mu N, N = 0, …), one for each
+freedom; of all points that satisfy every other assumption the largest X counts.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Callable
+from dataclasses import replace
+from decimal import Decimal
+
+import sympy as sp
+
+from planar_cli.equation.system import System
+from planar_cli.errors import Diagnostic, NoSolution, Undecided
+from planar_cli.solve.diagnosis.not_found import contradiction, not_found, open_symbols
+from planar_cli.solve.instant.instant import Instant, Trial
+from planar_cli.solve.instant.seeker import Seeker, Sought
+from planar_cli.solve.instant.stationary import stationary_branches
+
+MOST_CHOICES = 40
+MOST_LIMITS = 2
+CLOSE = Decimal("1e-25")
+
+
+def seek(instant: Instant, targets_of: Callable[[System], set[sp.Symbol]]) -> tuple[Sought, list[Sought]]:
+    """The branch that holds, over all choices of modes in natural order, and those that do not.
+
+    `targets_of(system)`: the symbols that the finds need.
+    """
+    rejected: list[Sought] = []
+    undecided: Undecided | None = None
+    best: Sought | None = None
+    extremes = instant.statements.extremes
+    for choice in itertools.islice(instant.choices(), MOST_CHOICES):
+        seeker = Seeker(instant, choice)
+        if seeker.conflict:
+            continue
+        try:
+            found = _best(seeker, targets_of(seeker.system), rejected)
+        except Undecided as error:
+            undecided = error
+            continue
+        if found is not None and not extremes:
+            return found, rejected
+        if found is not None and (best is None or _better(found, best, extremes[0].sense)):
+            best = found
+    if best is not None:
+        return best, rejected
+    if undecided is not None:
+        raise undecided
+    raise NoSolution([_nothing(instant, targets_of, [s.objection for s in rejected])])
+
+
+def _better(one: Sought, other: Sought, sense: int) -> bool:
+    """Is the objective of one choice of modes beyond that of another? Equal ones leave the more natural choice."""
+    a, b = one.objective or Decimal(0), other.objective or Decimal(0)
+    return sense * (a - b) > CLOSE * max(abs(a), abs(b))
+
+
+def _nothing(instant: Instant, targets_of: Callable[[System], set[sp.Symbol]], objections: list[str]) -> Diagnostic:
+    """Why nothing was found, by the first choice of modes whose velocities fit."""
+    seekers = (Seeker(instant, c) for c in itertools.islice(instant.choices(), MOST_CHOICES))
+    seeker = next((s for s in seekers if not s.conflict), None) or Seeker(instant, next(instant.choices()))
+    targets = targets_of(seeker.system)
+    clashing = None if seeker.conflict or objections else contradiction(seeker)
+    if clashing is not None:
+        return clashing
+    loose: list[sp.Symbol] = []
+    if not seeker.conflict and not objections:
+        found, numbers = seeker.candidates((), targets)
+        bits = {x: 1 << j for j, x in enumerate(numbers.unknowns)}
+        nonlinear = sum(bit for x, bit in bits.items() if x not in seeker.linear)
+        loose = open_symbols(found, nonlinear, {x: bit for x, bit in bits.items() if x in targets})
+    return not_found(instant, Trial((), seeker.system, (), (), ""), objections, loose)
+
+
+def _best(seeker: Seeker, targets: set[sp.Symbol], rejected: list[Sought]) -> Sought | None:
+    """The branch of one choice of modes that holds (and is extreme, where that is asked)."""
+    extremes = seeker.instant.statements.extremes
+    held: list[Sought] = []
+    targets = targets | seeker.compared()
+    if not extremes:
+        for sought in seeker.branches(targets, ()):
+            (rejected if sought.objection else held).append(sought)
+        return _preferred(held)
+    quantities = seeker.system.quantities()
+    side = quantities.evaluator.value(extremes[0].side)
+    targets = targets | {s for s in side.free_symbols if s in seeker.unknowns}
+    limits = seeker.told_limits(targets)
+    for count in range(1, MOST_LIMITS + 1):
+        for chosen in itertools.combinations(limits, count):
+            for sought in seeker.branches(targets, chosen):
+                sought.objective = (
+                    sought.trial.outcomes[0].value.extended(sought.branch.algebra.value.values)(side)
+                    if sought.trial.outcomes
+                    else None
+                )
+                (rejected if sought.objection or sought.objective is None else held).append(sought)
+        if held:
+            break
+    if not held and len(limits) == len(seeker.limit_conditions()):
+        held = stationary_branches(seeker, targets, side, rejected)
+    if not held:
+        return None
+    best = max(held, key=lambda s: extremes[0].sense * (s.objective or Decimal(0)))
+    return replace(best, others=[s for s in held if s is not best])
+
+
+def _preferred(held: list[Sought]) -> Sought | None:
+    """Of several branches the one with positive (for angles: the smallest) values; the others are kept beside it."""
+    if not held:
+        return None
+
+    def rank(s: Sought) -> tuple[int, Decimal]:
+        values = [c.roots[c.taken].value for c in s.branch.choices]
+        return sum(v < 0 for v in values), sum((abs(v) for v in values), Decimal(0))
+
+    ordered = sorted(held, key=rank)
+    return replace(ordered[0], others=ordered[1:])

@@ -1,0 +1,97 @@
+"""Branches of one instant that hold as well as each other: told as one where what is asked is the same, else refused.
+
+A speed that is given without its direction leaves pairs of roots. A sought constant takes the positive one of its
+roots; of what moves, the file says which way.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
+from decimal import Decimal
+
+import sympy as sp
+
+from planar_cli.equation.exact import Valuation
+from planar_cli.equation.system import System
+from planar_cli.errors import Diagnostic, Mark, NoSolution
+from planar_cli.problem.expression import Quantity, Relation
+from planar_cli.problem.geometry import Vec
+from planar_cli.problem.walk import walk
+from planar_cli.solve.instant.instant import Instant
+from planar_cli.solve.instant.seeker import Sought
+
+CLOSE = Decimal("1e-25")
+"""Numbers that differ by no more than this share of their size are the same."""
+SAME = "it holds as well, and what is asked is the same"
+
+Asked = Callable[[System], Sequence[sp.Expr]]
+"""What the finds ask, in the unknowns of a system."""
+
+
+class BothWays(NoSolution):
+    """What is given holds both ways, and the answers differ."""
+
+
+def demand_one_way(instant: Instant, taken: Sought, asked: Asked, mark: Mark) -> Sought:
+    """The branch that was taken, if no other with the same constants answers otherwise; else NoSolution."""
+    sought = list(instant.scene.ledger.sought)
+    others = []
+    for s in taken.others:
+        rival = _same(s, taken, sought, sought)
+        if rival and not _same(s, taken, asked(s.trial.system), asked(taken.trial.system)):
+            raise BothWays([_both(instant, taken, s, mark)])
+        others.append(replace(s, objection=SAME) if rival else s)
+    return replace(taken, others=others)
+
+
+def _numbers(s: Sought) -> Valuation:
+    return s.trial.outcomes[0].value.extended(s.branch.algebra.value.values)
+
+
+def _same(one: Sought, other: Sought, mine: Sequence[sp.Expr], others: Sequence[sp.Expr]) -> bool:
+    """Have expressions the same values in two branches, by the size of their terms?"""
+    a, b = _numbers(one), _numbers(other)
+    return all(abs(a(e) - b(f)) <= CLOSE * max(a.size(e), b.size(f)) for e, f in zip(mine, others, strict=True))
+
+
+def _both(instant: Instant, one: Sought, other: Sought, mark: Mark) -> Diagnostic:
+    """What holds both ways, and the relation that would choose."""
+    stated = [r for r, _ in instant.statements.relations if list(_sizes(r))]
+    text = " and ".join(f"`{r.text}`" for r in stated) or "what is given"
+    choice = _choice(stated, one, other)
+    hint = f"write `{choice} > 0` or `{choice} < 0`" if choice else "an inequality chooses, such as `omega(b) > 0`"
+    at = stated[0].mark if stated else mark
+    return Diagnostic(at, "PL618", f"{text} holds both ways, and the answers differ", hint)
+
+
+def _sizes(relation: Relation) -> Iterator[Quantity]:
+    """The quantities of which only the size stands in a relation."""
+    for node in walk(relation):
+        if isinstance(node, Quantity) and node.parts and node.parts[-1].kind == "mag":
+            yield node
+
+
+def _choice(stated: Sequence[Relation], one: Sought, other: Sought) -> str:
+    """Something that has opposite signs in the two branches, as the file would write it; "" for nothing."""
+    for (text, a), (_, b) in zip(_candidates(stated, one), _candidates(stated, other), strict=True):
+        if a * b < 0:
+            return text
+    return ""
+
+
+def _candidates(stated: Sequence[Relation], s: Sought) -> Iterator[tuple[str, Decimal]]:
+    """Components of what is given by its size, then the velocities of bodies."""
+    system, value = s.trial.system, _numbers(s)
+    quantities, motion = system.quantities(), system.motion
+    assert motion is not None
+    for q in (q for r in stated for q in _sizes(r)):
+        found = quantities.any(replace(q, parts=q.parts[:-1]))
+        if isinstance(found, Vec):
+            yield f"{q.word}({'/'.join(q.things)}).x", value(found.x.value)
+            yield f"{q.word}({'/'.join(q.things)}).y", value(found.y.value)
+    for body in system.scene.bodies:
+        v = motion.velocity(system.scene.center(body), body)
+        yield f"omega({body})", value(motion.velocities[body].angular)
+        yield f"v({body}).x", value(v.x)
+        yield f"v({body}).y", value(v.y)

@@ -1,0 +1,182 @@
+"""Stages of a worked solution: which unknowns there are, what is zero at sight, the plan, and the plan carried out."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from decimal import Decimal
+from functools import partial
+
+import sympy as sp
+
+from planar_cli.equation.conditions import Condition
+from planar_cli.equation.exact import Valuation
+from planar_cli.equation.form import mentions
+from planar_cli.equation.system import System
+from planar_cli.principles.base import Family
+from planar_cli.problem.geometry import Vec
+from planar_cli.records import record
+from planar_cli.solve.instant.adjoint import adjoint_candidates, sum_masks
+from planar_cli.solve.instant.algebra import Algebra, SolvedBlock
+from planar_cli.solve.instant.candidates import Candidate
+from planar_cli.solve.instant.numbers import Numbers
+from planar_cli.solve.instant.offers import Offers
+from planar_cli.solve.instant.plan import Plan, Planner
+from planar_cli.solve.instant.write import Writer
+from planar_cli.solve.instant.written import Explicit
+from planar_cli.solve.multibody.linear import rank, scaled
+
+
+@record
+class Stage:
+    """One stage, solved: the plan, its blocks, the explicit lines, the constructed centres.
+
+    `zero`: unknowns that vanish at sight (nothing acts on them). `undetermined`: targets that nothing fixes.
+    """
+
+    level: str
+    plan: Plan
+    blocks: tuple[SolvedBlock, ...]
+    lines: tuple[Explicit, ...]
+    centres: dict[str, tuple[Vec, tuple[sp.Symbol, ...]]]
+    zero: tuple[sp.Symbol, ...]
+    undetermined: tuple[sp.Symbol, ...]
+    algebra: Algebra
+    accelerations: dict[str, list[tuple[Vec, sp.Expr]]]
+
+
+@dataclass(slots=True)
+class StageMaker:
+    """Makes a stage of one system. `value`: numbers of everything that is known before it. `letters`: velocities that
+    stay letters, as in a position that is left general. `constructed`: may moment centres be intersections of lines?
+    `whole`: inertia of every body in an equation is put on paper, also where its moment needs no centre of mass.
+    `families`: what a principle offers of accelerations and forces.
+    """
+
+    system: System
+    value: Valuation
+    symbolic: bool
+    next_number: int = 1
+    letters: frozenset[sp.Symbol] = frozenset()
+    constructed: bool = True
+    whole: bool = False
+    families: tuple[Family, ...] = ()
+
+    def velocities(self, targets: set[sp.Symbol], known: dict[sp.Symbol, Decimal]) -> Stage:
+        """The velocities that are needed; `known`: those that are zero."""
+        rates = [r for r, _ in self.system.scene.evaluator.motions.values() if isinstance(r, sp.Symbol)]
+        unknowns = [
+            s
+            for s in (*self.system.tree.velocity_unknowns(), *rates, *self._sought_speeds())
+            if s not in known and s not in self.letters
+        ]
+        conditions = self.system.velocity_conditions()
+        zero = dict.fromkeys(known, sp.S.Zero)
+        conditions = [with_zeros(c, zero) for c in conditions]
+        return self._make("velocity", unknowns, conditions, targets, ())
+
+    def _sought_speeds(self) -> list[sp.Symbol]:
+        return [s for s in self.system.scene.ledger.sought if s not in self.value.values]
+
+    def accelerations(self, targets: set[sp.Symbol]) -> Stage:
+        """Accelerations and pushes."""
+        unknowns, conditions = acceleration_unknowns(self.system), self.system.acceleration_conditions()
+        return self._make("acceleration", unknowns, conditions, targets, self.families)
+
+    def _make(
+        self,
+        level: str,
+        unknowns: list[sp.Symbol],
+        conditions: list[Condition],
+        targets: set[sp.Symbol],
+        families: tuple[Family, ...],
+    ) -> Stage:
+        offers, candidates, zero = self._offers(unknowns, conditions, targets, families)
+        columns = offers.numbers
+        index = {x: j for j, x in enumerate(columns.unknowns)}
+        wanted = sum(1 << index[t] for t in targets if t in index)
+        planner = Planner(candidates)
+        fixed = planner.determined(rank([scaled(row) for row in offers.base_rows()], len(columns.unknowns)))
+        missing = [t for t in targets if t in index and not fixed & (1 << index[t])]
+        wanted &= ~sum(1 << index[t] for t in missing)
+        planner.fixed = fixed
+        if offers.families and self.constructed:
+            wanted_columns = [index[t] for t in targets if t in index and t not in missing]
+            extra, seed = adjoint_candidates(offers, wanted_columns)
+            candidates += extra
+            planner = Planner(candidates, 0, (seed, self._motion_bits(index)), fixed)
+        elif offers.singles:
+            inside = sum_masks(candidate.mask for candidate in candidates)
+            planner = Planner(candidates, 0, (inside, self._motion_bits(index)), fixed)
+        plan = planner.plan(wanted) or Plan(())
+        writer = Writer(self.system, columns, self.next_number)
+        numbered = [tuple(writer.write(e) for e in block.equations) for block in plan.blocks]
+        for body in dict.fromkeys(b for ws in numbered for w in ws for b in w.bodies) if self.whole else ():
+            writer.acceleration(body)
+        explicit = {line.symbol: line.expression for line in writer.lines}
+        ledger = self.system.scene.ledger
+        fresh = partial(ledger.fresh, unit="1")
+        algebra = Algebra(self.value, explicit, self.symbolic, frozenset(columns.unknowns), fresh)
+        blocks = tuple(algebra.solve(b, w, columns.unknowns) for b, w in zip(plan.blocks, numbered, strict=True))
+        self.next_number = writer.next_number
+        return Stage(
+            level,
+            plan,
+            blocks,
+            tuple(writer.lines),
+            dict(writer.centres),
+            tuple(zero),
+            tuple(missing),
+            algebra,
+            writer.named,
+        )
+
+    def _motion_bits(self, index: dict[sp.Symbol, int]) -> int:
+        """All accelerations: the equations without any reaction often determine them on their own."""
+        return sum(1 << index[s] for s in self.system.tree.acceleration_unknowns() if s in index)
+
+    def _offers(
+        self,
+        unknowns: list[sp.Symbol],
+        conditions: list[Condition],
+        targets: set[sp.Symbol],
+        families: tuple[Family, ...],
+    ) -> tuple[Offers, list[Candidate], list[sp.Symbol]]:
+        """All candidates; unknowns that an equation of their own says are zero leave first."""
+        zero: list[sp.Symbol] = []
+        columns = Numbers(tuple(unknowns), frozenset(unknowns), self.value)
+        while True:
+            offers = Offers(self.system, columns, conditions, families)
+            offers.constructed = self.constructed
+            found = offers.all()
+            single = {c.mask for c in found if c.mask.bit_count() == 1 and not c.row[-1]}
+            idle = {columns.unknowns[mask.bit_length() - 1] for mask in single} - targets
+            if not idle:
+                return offers, found, zero
+            zero += sorted(idle, key=lambda s: s.name)
+            self.value = self.value.extended({s: Decimal(0) for s in idle})
+            columns = columns.without(idle, self.value)
+
+
+def with_zeros(condition: Condition, known: dict[sp.Symbol, sp.Expr]) -> Condition:
+    """A condition with known zeros put in."""
+    if not known:
+        return condition
+    residual = condition.residual
+    if isinstance(residual, Vec):
+        return replace(condition, residual=Vec(residual.x.xreplace(known), residual.y.xreplace(known)))
+    return replace(condition, residual=sp.sympify(residual).xreplace(known))
+
+
+def acceleration_unknowns(system: System) -> list[sp.Symbol]:
+    """Accelerations along the tree, second rates of coordinates, pushes that follow no law, sought loads."""
+    ledger = system.scene.ledger
+    followers = {law.push for law in system.laws}
+    seconds = [a for _, a in system.scene.evaluator.motions.values() if isinstance(a, sp.Symbol)]
+    pushes = [system.symbols[p.name] for p in system.pushes if p.name not in followers]
+    found = [*system.tree.acceleration_unknowns(), *seconds, *pushes]
+    return [*found, *(s for s in ledger.sought if s not in found)]
+
+
+def needed(exprs: list[sp.Expr], symbols: set[sp.Symbol]) -> set[sp.Symbol]:
+    """Which of the symbols occur."""
+    return {s for e in exprs if mentions(e, symbols) for s in e.free_symbols if s in symbols}

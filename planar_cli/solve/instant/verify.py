@@ -1,0 +1,81 @@
+"""Checks of a finished instant: its own equations at sixty digits, the independent multibody road, the tests of its
+modes.
+"""
+
+from __future__ import annotations
+
+from decimal import Decimal
+
+import sympy as sp
+
+from planar_cli.equation.exact import ZERO, Unvalued, Valuation
+from planar_cli.equation.kinetics import body_residuals
+from planar_cli.equation.system import System
+from planar_cli.errors import Diagnostic, Undecided
+from planar_cli.records import record
+from planar_cli.solve.instant.instant import Trial
+from planar_cli.solve.instant.study import Outcome
+from planar_cli.solve.instant.worked import Worked, unknowns_of
+from planar_cli.solve.multibody.motion import Agreement, second_road
+
+AGREE = Decimal("1e-20")
+TINY_SHARE = Decimal("1e-12")
+
+
+class Disagreement(Undecided):
+    """Two roads to the same answer differ: the solution is not to be trusted, and is not shown as solved."""
+
+    def __init__(self, message: str, diagnostics: tuple[Diagnostic, ...] = ()) -> None:
+        self.diagnostics = diagnostics
+        super().__init__(message)
+
+
+@record
+class Checks:
+    """`equations`: how many were put in; `residual`: the largest remainder relative to its terms; `agreement`: of the
+    second road.
+    """
+
+    equations: int
+    residual: Decimal
+    agreement: Agreement
+
+    def report(self) -> dict[str, object]:
+        """For the document and the JSON: the phrases, and the digits to which the two roads agree."""
+        noun = "equation" if self.equations == 1 else "equations"
+        lines = [
+            f"residuals 0 in {self.equations} {noun}",
+            f"multibody solution agrees to {self.agreement.digits} digits",
+        ]
+        return {"lines": lines, "digits": self.agreement.digits}
+
+
+def verify(trial: Trial, solved: dict[sp.Symbol, Decimal]) -> Checks:
+    """All equations of the instant at the solution, and the scene assembled anew. Disagreement: they do not fit."""
+    system, outcome = trial.system, trial.outcomes[0]
+    numbers = outcome.value.extended({**unknowns_of(system, outcome), **solved})
+    count, residual = residuals(system, numbers, outcome)
+    agreement = second_road(system, Worked.of_solution(system, outcome, solved))
+    if residual > AGREE:
+        raise Disagreement(f"the solution leaves a remainder of {residual:.3g} in its own equations")
+    if not agreement.holds:
+        raise Disagreement("the multibody solution differs: " + "; ".join(agreement.disagreements))
+    return Checks(count, residual, agreement)
+
+
+def residuals(system: System, numbers: Valuation, outcome: Outcome) -> tuple[int, Decimal]:
+    """How many equations the instant has, and the largest remainder relative to the size of its terms."""
+    exprs = [e for c in system.acceleration_conditions() for e in c.rows()]
+    exprs += [e for c in system.velocity_conditions() for e in c.rows()]
+    if any(b.mass != 0 for b in system.scene.bodies.values()) or system.wrenches:
+        for body in system.scene.bodies:
+            exprs += body_residuals(system, body)[: 3 if system.scene.rigid(body) else 2]
+    found: list[tuple[Decimal, Decimal]] = []
+    for expr in exprs:
+        try:
+            found.append((abs(numbers(expr)), numbers.size(expr)))
+        except Unvalued:
+            continue
+    # An equation all of whose terms have cancelled is measured against the others.
+    floor = max((size for _, size in found), default=ZERO) * TINY_SHARE
+    return len(found), max((value / max(size, floor) for value, size in found if value), default=ZERO)

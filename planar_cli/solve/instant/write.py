@@ -1,0 +1,384 @@
+"""Planned candidates as equations in symbols: each with its left and right side, its law, its words and its source."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from decimal import Decimal
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.equation.conditions import Condition
+from planar_cli.equation.motion import Motion
+from planar_cli.equation.plain import longer, rounded_inside, tidy, trigonometric
+from planar_cli.equation.system import System
+from planar_cli.principles.base import Single
+from planar_cli.problem.facts import Wrench
+from planar_cli.problem.geometry import Vec
+from planar_cli.solve.instant.candidates import Candidate, Choice
+from planar_cli.solve.instant.numbers import Numbers
+from planar_cli.solve.instant.offers import line_of
+from planar_cli.solve.instant.plan import bits
+from planar_cli.solve.instant.written import Explicit, Written
+
+LETTERS = "CKQSWZHJ"
+SMALL = Decimal("1e-30")
+MOST_READ = 60
+"""A premise of more operations than this is not told."""
+LONGEST = 8
+"""A coefficient of more operations than this is printed as a number."""
+
+
+@dataclass(slots=True)
+class Writer:
+    """Writes the equations of one stage; numbers run through the whole solution.
+
+    `lines`: explicit lines made on the way, in order. `centres`: constructed moment centres by name.
+    """
+
+    system: System
+    numbers: Numbers
+    next_number: int = 1
+    allowed: set[sp.Symbol] = field(default_factory=set)
+    lines: list[Explicit] = field(default_factory=list)
+    centres: dict[str, tuple[Vec, tuple[sp.Symbol, ...]]] = field(default_factory=dict)
+    named: dict[str, list[tuple[Vec, sp.Expr]]] = field(default_factory=dict)
+
+    def number(self) -> int:
+        self.next_number += 1
+        return self.next_number - 1
+
+    # --- numbers behind symbols --------------------------------------------------------------------------------------
+
+    def vanishes(self, expr: sp.Expr) -> bool:
+        """Is a form in the unknowns zero, coefficient by coefficient?"""
+        return expr == 0 or not any(self.numbers.row(expr))
+
+    def settled(self, expr: sp.Expr) -> sp.Expr:
+        """The expression without unknowns whose coefficients cancel."""
+        form = self.numbers.form(expr)
+        terms = [c * x for x, c in form.terms.items() if self.numbers.value(c) and not self.numbers.value.is_zero(c)]
+        constant = form.constant
+        if constant.is_Add:
+            constant = sp.Add(*(a for a in constant.args if not self.numbers.value.is_zero(a)))
+        if constant != 0 and self.numbers.value.is_zero(constant):
+            constant = sp.S.Zero
+        return sp.Add(*terms, constant)
+
+    @property
+    def plain(self) -> bool:
+        """May long coefficients be given as numbers? Not where letters stay, or where they hold what is sought."""
+        return not self.system.scene.ledger.symbolic and len(self.numbers.linear) == len(self.numbers.unknowns)
+
+    def short(self, coefficient: sp.Expr) -> sp.Expr:
+        """A coefficient in its plainest form; a long one as a number."""
+        found = tidy(coefficient)
+        if self.plain and not found.is_number and (longer(found, LONGEST) or rounded_inside(found)):
+            return exact_number(self.numbers.value(found))
+        return found
+
+    def shortened(self, expr: sp.Expr) -> sp.Expr:
+        """A known side: powers of speeds stay visible, their long coefficients become numbers."""
+        if not self.plain or not longer(expr, LONGEST):
+            return tidy(expr)
+        speeds = set(self.system.tree.velocity_unknowns())
+        parts: dict[sp.Expr, list[sp.Expr]] = {}
+        for term in sp.Add.make_args(sp.expand(expr)):
+            kept, rest = sp.S.One, term
+            if speeds & term.free_symbols:
+                rest, kept = term.as_independent(*speeds)
+            parts.setdefault(kept, []).append(rest)
+        values = {kept: self.numbers.value(sp.Add(*rest)) for kept, rest in parts.items()}
+        floor = max((abs(v) for v in values.values()), default=Decimal(0)) * SMALL
+        return sp.Add(*(self.short(sp.Add(*rest)) * kept for kept, rest in parts.items() if abs(values[kept]) > floor))
+
+    # --- accelerations of mass centres -------------------------------------------------------------------------------
+
+    def acceleration(self, body: str) -> list[tuple[Vec, sp.Expr]]:
+        """The acceleration of a mass centre as (direction, component) pairs; long components get a name and a line."""
+        if body not in self.named:
+            self.named[body] = self._name_acceleration(body)
+        return self.named[body]
+
+    def _name_acceleration(self, body: str) -> list[tuple[Vec, sp.Expr]]:
+        motion = self.motion
+        a = motion.acceleration(self.system.scene.center(body), body)
+        x, y = self.settled(a.x), self.settled(a.y)
+        if x == 0 and y == 0:
+            return []
+        axes = [(Vec(sp.S.One, sp.S.Zero), x, "x"), (Vec(sp.S.Zero, sp.S.One), y, "y")]
+        axes = [axis for axis in axes if axis[1] != 0]
+        if len(axes) == 1:
+            return [(axes[0][0], self._component(body, axes[0][1], ""))]
+        for tangent in self._tangents(body):
+            if self.vanishes(a.cross(tangent)):
+                return [(tangent, self._component(body, self._along(a, tangent), ""))]
+        parts = self._vector_parts(x, y)
+        if len(parts) <= 3:
+            return parts
+        return [(direction, self._component(body, expr, suffix)) for direction, expr, suffix in axes]
+
+    def _vector_parts(self, x: sp.Expr, y: sp.Expr) -> list[tuple[Vec, sp.Expr]]:
+        """An acceleration as vectors drawn one by one: a part for each unknown (a slide, the tangential part r α), and
+        what is known (the normal parts r ω²).
+        """
+        form_x, form_y = self.numbers.form(x), self.numbers.form(y)
+        parts = [
+            (Vec(form_x.terms.get(unknown, sp.S.Zero), form_y.terms.get(unknown, sp.S.Zero)), unknown)
+            for unknown in dict.fromkeys((*form_x.terms, *form_y.terms))
+        ]
+        if form_x.constant != 0 or form_y.constant != 0:
+            parts.append(self._normal_part(Vec(form_x.constant, form_y.constant)))
+        return [self._unit_part(Vec(self.short(v.x), self.short(v.y)) if size != 1 else v, size) for v, size in parts]
+
+    def _normal_part(self, v: Vec) -> tuple[Vec, sp.Expr]:
+        """The part that velocities make; ω² is taken out where it is the only one."""
+        speeds = set(self.system.tree.velocity_unknowns()) & (v.x.free_symbols | v.y.free_symbols)
+        if len(speeds) == 1:
+            square = next(iter(speeds)) ** 2
+            arm = Vec(sp.cancel(v.x / square), sp.cancel(v.y / square))
+            if not speeds & (arm.x.free_symbols | arm.y.free_symbols):
+                return arm, square
+        return Vec(self.shortened(v.x), self.shortened(v.y)), sp.S.One
+
+    def _unit_part(self, v: Vec, size: sp.Expr) -> tuple[Vec, sp.Expr]:
+        known = size != 1 and not v.x.has(sp.Add) and not v.y.has(sp.Add)
+        length = self.system.scene.length(v) if known else None
+        if length is None or longer(length, 4):
+            return v, size
+        return Vec(tidy(v.x / length), tidy(v.y / length)), length * size
+
+    def _along(self, a: Vec, tangent: Vec) -> sp.Expr:
+        """a · t where a is parallel to t."""
+        along = self.settled(a.dot(tangent))
+        form = self.numbers.form(along)
+        return sp.Add(
+            *(trigonometric(sp.expand(c)) * x for x, c in form.terms.items()), trigonometric(sp.expand(form.constant))
+        )
+
+    def _tangents(self, body: str) -> list[Vec]:
+        found = []
+        for mode in self.system.modes.values():
+            for j in mode.facts.joinings:
+                if body in (j.mover, j.base) and j.path is not None and j.path.curvature == 0:
+                    found.append(j.path.tangent)
+                if body in (j.mover, j.base) and j.rolling is not None:
+                    found.append(j.rolling.tangent)
+        return found
+
+    def _component(self, body: str, expr: sp.Expr, axis: str) -> sp.Expr:
+        if expr.is_Symbol or (-expr).is_Symbol:
+            return expr
+        scene = self.system.scene
+        name = scene.bodies[body].center_name
+        stem = f"a_{name}" if name else f"a_{body}"
+        where = f" along {axis}" if axis else ""
+        form = self.numbers.form(expr)
+        expr = sp.Add(*(self.short(c) * x for x, c in form.terms.items()), self.shortened(form.constant))
+        symbol = scene.ledger.once(stem + axis, "m/s^2", expr)
+        self.lines.append(
+            Explicit(self.number(), symbol, expr, f"acceleration of {name or 'the mass centre of ' + body}{where}")
+        )
+        return symbol
+
+    @property
+    def motion(self) -> Motion:
+        assert self.system.motion is not None
+        return self.system.motion
+
+    # --- kinetics ----------------------------------------------------------------------------------------------------
+
+    def write(self, candidate: Candidate) -> Written:
+        """The equation of a candidate; unknowns that it frees itself of are not written."""
+        self.allowed = {self.numbers.unknowns[j] for j in bits(candidate.mask)}
+        if candidate.single is not None:
+            return self._single(candidate.single)
+        if candidate.condition is not None:
+            return self._relation(candidate.condition, candidate.choice)
+        assert candidate.choice is not None
+        if candidate.choice.moment:
+            return self._moment(candidate.bodies, candidate.choice)
+        return self._force(candidate.bodies, candidate.choice)
+
+    def _single(self, single: Single) -> Written:
+        """An equation that a principle offers as a whole; premises too long to read are left out."""
+        left, right = (self._one_side(e) for e in (single.left, single.right))
+        premises = tuple(p for p in single.premises if not longer(p.formula, MOST_READ))
+        number, lead, words = self.number(), single.lead, single.words
+        return Written(number, "single", (), lead, words, left, right, "kinetics", premises=premises)
+
+    def _one_side(self, expr: sp.Expr) -> sp.Expr:
+        """With short coefficients, without unknowns of which it is free."""
+        form = self.numbers.form(expr)
+        terms = [self.short(c) * x for x, c in form.terms.items() if not self.numbers.value.is_zero(c)]
+        constant = form.constant
+        return sp.Add(*terms, sp.S.Zero if self.vanishes(constant) else self.shortened(constant))
+
+    def _force(self, bodies: tuple[str, ...], choice: Choice) -> Written:
+        d = choice.vector
+        left = self._loads(bodies, lambda point, force, couple: force.dot(d) if force is not None else sp.S.Zero)
+        right = []
+        for body in bodies:
+            mass = self.system.scene.bodies[body].mass
+            if mass != 0:
+                right += [
+                    mass * component * self.short(direction.dot(d)) for direction, component in self.acceleration(body)
+                ]
+        written = self._written("force", bodies, choice.name, choice.words, left, self.kept_lines(right))
+        return replace(written, along=(d.x, d.y))
+
+    def _moment(self, bodies: tuple[str, ...], choice: Choice) -> Written:
+        center, name = self._centre(bodies, choice)
+
+        def moment(point: Vec, force: Vec | None, couple: Any) -> sp.Expr:
+            turning = (point - center).cross(force) if force is not None else sp.S.Zero
+            return turning + couple
+
+        left = self._loads(bodies, moment)
+        right: list[sp.Expr] = []
+        for body in bodies:
+            right += self._inertia_terms(body, center, name, alone=len(bodies) == 1)
+        return self._written("moment", bodies, name, choice.words, left, self.kept_lines(right))
+
+    def _inertia_terms(self, body: str, center: Vec, name: str, alone: bool) -> list[sp.Expr]:
+        """m a_G × arm + I α; I_C α where C is a fixed point of the body."""
+        model = self.system.scene.bodies[body]
+        alpha = self.motion.accelerations[body].angular if model.rigid else sp.S.Zero
+        if alone and model.rigid and alpha != 0 and model.mass != 0 and self._fixed(body, center):
+            return [self._inertia_about(body, center, name) * alpha]
+        terms = [] if model.inertia == 0 or alpha == 0 else [model.inertia * alpha]
+        if model.mass != 0:
+            arm = model.center - center
+            terms += [
+                model.mass * component * self.short(arm.cross(direction))
+                for direction, component in self.acceleration(body)
+            ]
+        return terms
+
+    def _fixed(self, body: str, center: Vec) -> bool:
+        a = self.motion.acceleration(center, body)
+        return self.vanishes(a.x) and self.vanishes(a.y)
+
+    def _inertia_about(self, body: str, center: Vec, name: str) -> sp.Expr:
+        """I_G + m d², named."""
+        model = self.system.scene.bodies[body]
+        arm = model.center - center
+        square = trigonometric(tidy(arm.dot(arm)))
+        if square == 0:
+            return model.inertia
+        title = f"moment of inertia of {body} about {name}, parallel axes"
+        known = next((s for s, t in self.system.scene.ledger.titles.items() if t == title), None)
+        if known is not None:
+            return known
+        whole = model.inertia + model.mass * square
+        return self.system.scene.ledger.define(f"I_{name}", whole, "kg*m^2", title, positive=True)
+
+    def _centre(self, bodies: tuple[str, ...], choice: Choice) -> tuple[Vec, str]:
+        if choice.name:
+            return choice.vector, choice.name
+        place = choice.vector
+        if choice.through:
+            (p, d), (q, e) = (line_of(self.system, self.numbers, bodies, s) for s in choice.through)
+            place = p + d * (tidy((q - p).cross(e)) / tidy(d.cross(e)))
+        ledger = self.system.scene.ledger
+        place = Vec(tidy(place.x), tidy(place.y))
+        for name, (known, _) in self.centres.items():
+            if all(self.numbers.value.is_zero(getattr(known, axis) - getattr(place, axis)) for axis in ("x", "y")):
+                return known, name
+        name = next(
+            letter
+            for letter in (*LETTERS, *(f"C_{i}" for i in range(99)))
+            if letter not in self.system.scene.points and letter not in ledger.symbols and letter not in self.centres
+        )
+        place = Vec(self._short(place.x), self._short(place.y))
+        self.centres[name] = (place, choice.through)
+        return place, name
+
+    def _short(self, expr: sp.Expr) -> sp.Expr:
+        if not longer(expr, 5) or not self.plain:
+            return expr
+        return exact_number(self.numbers.value(expr))
+
+    def _loads(self, bodies: tuple[str, ...], part: Any) -> list[sp.Expr]:
+        """Every outer force and couple of a group, taken by `part`."""
+        assert self.system.reactions is not None
+        terms = [self._load_term(wrench, part) for wrench in self.system.wrenches if wrench.body in bodies]
+        pulled: dict[frozenset[sp.Symbol], list[sp.Expr]] = {}
+        for push, expr in self.system.reactions.pushes:
+            inside = [a for a in push.actions if a.body in bodies]
+            if inside:
+                term = expr * self.short(sp.Add(*(part(a.point, a.force, a.couple) for a in inside)))
+                pulled.setdefault(frozenset(expr.free_symbols & set(self.numbers.unknowns)), []).append(term)
+        for together in pulled.values():
+            # A slipping contact is one line of action: its parts count together.
+            if not self.vanishes(sp.Add(*together)):
+                terms += together
+        return self.kept_lines(terms)
+
+    def _load_term(self, wrench: Wrench, part: Any) -> sp.Expr:
+        """What a load contributes: its magnitude times a short coefficient."""
+        if wrench.magnitude != 0 and wrench.force is not None and wrench.couple == 0:
+            direction = Vec(sp.cancel(wrench.force.x / wrench.magnitude), sp.cancel(wrench.force.y / wrench.magnitude))
+            if not (direction.x.free_symbols | direction.y.free_symbols) & wrench.magnitude.free_symbols:
+                return wrench.magnitude * self.short(part(wrench.point, direction, 0))
+        return tidy(part(wrench.point, wrench.force, wrench.couple))
+
+    def kept_lines(self, terms: list[sp.Expr]) -> list[sp.Expr]:
+        """Drop terms that vanish; explicit lines count with what they stand for."""
+        inside = {line.symbol: line.expression for line in self.lines}
+        return [t for t in terms if t != 0 and not self.vanishes(t.xreplace(inside))]
+
+    def _without_cancelled(self, sides: tuple[list[sp.Expr], list[sp.Expr]]) -> tuple[list[sp.Expr], list[sp.Expr]]:
+        """Terms of unknowns that the equation is free of are left out, where they cancel among themselves."""
+        inside = {line.symbol: line.expression for line in self.lines}
+        foreign = set(self.numbers.unknowns) - self.allowed
+
+        def cancelled(term: sp.Expr) -> bool:
+            held = term.xreplace(inside).free_symbols & set(self.numbers.unknowns)
+            return bool(held) and held <= foreign
+
+        rest = sp.Add(*(t for t in sides[0] if cancelled(t)), *(-t for t in sides[1] if cancelled(t))).xreplace(inside)
+        if rest != 0 and any(abs(c) > SMALL for c in self.numbers.row(rest)):
+            return sides
+        return [t for t in sides[0] if not cancelled(t)], [t for t in sides[1] if not cancelled(t)]
+
+    def _written(
+        self, law: str, bodies: tuple[str, ...], lead: str, words: str, left: list[sp.Expr], right: list[sp.Expr]
+    ) -> Written:
+        left, right = self._without_cancelled((left, right))
+        return Written(self.number(), law, bodies, lead, words, sp.Add(*left), sp.Add(*right), "kinetics")
+
+    # --- relations ---------------------------------------------------------------------------------------------------
+
+    def _relation(self, condition: Condition, choice: Choice | None) -> Written:
+        if isinstance(condition.residual, Vec):
+            assert choice is not None
+            residual = condition.residual.dot(choice.vector)
+            words = f"{condition.text}, {choice.words}" if condition.kind != "closure" else choice.words
+        else:
+            residual, words = condition.residual, ""
+        residual = self.settled(residual)
+        form = self.numbers.form(residual)
+        left = [self.short(c) * x for x, c in form.terms.items()]
+        right = -self.shortened(form.constant)
+        if len(left) == 2 and right == 0:
+            left, right = [left[0]], -left[1]
+        if not left:
+            left, right = self._apart(residual)
+        datum = condition.kind == "given" and len(form.terms) == 1 and sp.Add(*left).is_Symbol
+        return Written(
+            self.number(), "relation", (), condition.text, words, sp.Add(*left), right, condition.kind, datum
+        )
+
+    def _apart(self, residual: sp.Expr) -> tuple[list[sp.Expr], sp.Expr]:
+        """What holds unknowns on the left, the rest on the right, where none of them enters linearly."""
+        unknowns = set(self.numbers.unknowns)
+        parts = sp.Add.make_args(self.shortened(residual))
+        left = [p for p in parts if p.free_symbols & unknowns]
+        sense = -1 if left and all(p.could_extract_minus_sign() for p in left) else 1
+        return [sense * p for p in left], -sense * sp.Add(*(p for p in parts if not p.free_symbols & unknowns))
+
+
+def exact_number(value: Decimal) -> sp.Expr:
+    """All digits of a value as a rational."""
+    return sp.Rational(str(value))

@@ -1,0 +1,123 @@
+"""A motion over time from the problem to its answers."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.equation.exact import Unvalued
+from planar_cli.problem.scene import Problem
+from planar_cli.solve.between.agreement import compared
+from planar_cli.solve.between.answers import Answering, closed_formula
+from planar_cli.solve.between.asked_finds import asked_letters
+from planar_cli.solve.between.assumptions import presumed
+from planar_cli.solve.between.by_numbers import ByNumbers, by_numbers
+from planar_cli.solve.between.complete import completed
+from planar_cli.solve.between.derivation import Route
+from planar_cli.solve.between.independence import rests_on
+from planar_cli.solve.between.masses import demand_mass
+from planar_cli.solve.between.methods import by_method, demand_reached
+from planar_cli.solve.between.motion_trace import motion_trace
+from planar_cli.solve.between.reached import reaching
+from planar_cli.solve.between.route import Router
+from planar_cli.solve.between.solved_motion import SolvedMotion
+from planar_cli.solve.between.stated_motion import StatedMotion
+from planar_cli.solve.between.throughout import Throughout
+from planar_cli.solve.curves.formulas import at_given_time
+from planar_cli.solve.diagnosis.motions import missing
+from planar_cli.solve.following.mode_search import ModeSearch
+from planar_cli.solve.following.turns import count_turns
+from planar_cli.solve.impulsive.checks import blow_checks
+from planar_cli.solve.instant.finish import not_reached
+from planar_cli.solve.passages import Tale
+from planar_cli.solve.regimes.mode_sequence import Workshop
+from planar_cli.solve.regimes.regime_sequence import RegimeSequence
+from planar_cli.solve.solution import InstantSolution
+from planar_cli.solve.solved_problem import PartSolution
+
+
+def solve_course(
+    problem: Problem, case: str, units: dict[str, str], earlier: Mapping[str, Any], trial: Mapping[str, float]
+) -> PartSolution:
+    """All finds of a problem whose states follow each other in time. `trial`: numbers of sought constants [SI] with
+    which the motion passes all states, where they are known beforehand.
+    """
+    workshop = Workshop(earlier)
+    solved = reaching(problem, lambda p: ModeSearch(p, workshop, units=units, trial=trial).run())
+    try:
+        part = _told(solved, case)
+    except Unvalued as error:
+        raise missing(solved.course) or error from error
+    curves = part.tale.passages if part.tale is not None else ()
+    tale = at_given_time(problem, solved.course.distinct_regimes(), curves)
+    return part if tale is None else replace(part, tale=tale)
+
+
+def _told(solved: SolvedMotion, case: str) -> PartSolution:
+    """The answers of a motion, and the way to them. Unvalued: something that is asked is open."""
+    found = completed(solved)
+    count_turns(found)
+    course = found.course
+    demand_mass(course, found.value)
+    _demand_told(course)
+    router, route = _route(found)
+    begun = router.route(course.first.letters.values())
+    start = {s: closed_formula(s, begun, course.symbolic) for s in course.first.letters.values()}
+    throughout = Throughout(course, found.followed, found.value, start)
+    assumed = presumed(found, (route, begun))
+    found = replace(found, checks=(*found.checks, *blow_checks(found), *compared(found)))
+    answering = Answering(course, route, found.value, found.spans, throughout)
+    answers = tuple(answering.answer(a) for a in found.finds)
+    instants = _instants(course)
+    passages = tuple(a.passage for a in answers if a.passage is not None)
+    tale = Tale(passages, whole=False) if passages else None
+    trace = motion_trace(found, route, answers, assumed, instants)
+    return PartSolution(case, instants, tuple(a.found for a in answers), trace, tale)
+
+
+def _route(found: SolvedMotion) -> tuple[Router, Route]:
+    """The way to what is asked, by the method of the file, and who plans it."""
+    course, method = found.course, found.course.problem.method
+    unknowns = course.chain().unknowns
+    allowed = by_method(course.equations, method)
+    steps = tuple(s for s in found.branch.steps if len(by_method(s.equations, method)) == len(s.equations))
+    lettered = rests_on(course, found.value)
+    followed = ByNumbers() if lettered else by_numbers(course, found.guessed, found.value)
+    follows = method is None or method in course.between.integrating
+    by_steps = followed if follows else None
+    natural = course.natural(unknowns)
+    router = Router(allowed, unknowns, found.value, course.symbolic, steps, by_steps, natural)
+    wanted = _in_order(course, asked_letters(found.finds) & unknowns)
+    route = router.route(wanted)
+    if method is not None:
+        free = Router(course.equations, unknowns, found.value, course.symbolic, found.branch.steps, followed, natural)
+        demand_reached(course.problem, follows, route, wanted, lambda: free.route(wanted))
+    return router, route
+
+
+def _demand_told(course: StatedMotion) -> None:
+    """FileProblem: the principle that was named does not tell a force that the file states or asks for."""
+    for regime in course.distinct_regimes():
+        said = {s for e in course.said.get(id(regime), ()) for s in sp.sympify(e).free_symbols}
+        missing = [s.name for s in regime.general.unreached if s in said]
+        if missing:
+            raise not_reached(course.problem.method, missing, course.problem.find[0].mark)
+
+
+def _instants(course: RegimeSequence) -> tuple[InstantSolution, ...]:
+    """The general positions of the regimes in which time passes; in a file of blows alone the one before the first."""
+    regimes = course.distinct_regimes()
+    for regime in regimes:
+        if regime.general.solution is not None:
+            regime.general.solution.quiet = not regime.runs
+    running = [r for r in regimes if r.runs] or regimes[:1]
+    return tuple(r.general.solution for r in running if r.general.solution is not None)
+
+
+def _in_order(course: RegimeSequence, targets: set[sp.Symbol]) -> list[sp.Symbol]:
+    """Letters state by state, as a reader goes through the motion; what is sought comes first."""
+    place = {own: i for i, stop in enumerate(course.stops.values(), 1) for own in stop.letters.values()}
+    return sorted(targets, key=lambda s: (place.get(s, 0), s.name))

@@ -1,0 +1,315 @@
+"""A scene in a general position: which coordinates vary, which speeds are free, and all else in terms of them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from decimal import Decimal
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.equation.displaced import Displacer
+from planar_cli.equation.displacement import Coordinate, CoordinateNames, Displacement
+from planar_cli.equation.exact import Valuation
+from planar_cli.equation.motion import Tree
+from planar_cli.equation.quantities import Quantities
+from planar_cli.equation.sample import anywhere
+from planar_cli.equation.scales import Scales
+from planar_cli.equation.setup import Course, Setup
+from planar_cli.equation.system import Statements
+from planar_cli.problem.scene import Problem
+from planar_cli.solve.instant.finish import Finisher, unreached
+from planar_cli.solve.instant.instant import Instant, Trial
+from planar_cli.solve.instant.stages import Stage, acceleration_unknowns, needed
+from planar_cli.solve.instant.study import Velocities, solve_velocities
+from planar_cli.solve.principled import usual
+from planar_cli.solve.regimes.constraints import Constraint, constraints_of, drawn_starts, project
+from planar_cli.solve.regimes.drawing import beside, ranges
+from planar_cli.solve.regimes.places import held_places
+from planar_cli.solve.regimes.separation import Parted, parted_joints, parted_modes
+from planar_cli.solve.solution import InstantSolution
+
+IN_LOOPS = 150
+"""Where loops close, longer formulas are followed in numbers only, and left as they come."""
+
+
+@dataclass(slots=True)
+class General:
+    """One choice of modes in a general position."""
+
+    instant: Instant
+    choice: tuple[int, ...]
+    coordinates: tuple[Coordinate, ...]
+    """What varies."""
+    free: tuple[sp.Symbol, ...]
+    """The velocity unknowns that nothing else fixes; they are letters."""
+    trial: Trial
+    """The choice solved for draws of all letters."""
+    quantities: Quantities
+    position: Course
+    """How the scene is displaced."""
+    constraints: tuple[Constraint, ...]
+    kept: tuple[Constraint, ...]
+    """What joints that act only for some time keep as it was."""
+    parted: tuple[Parted, ...] = ()
+    """Joints that hold nothing here."""
+    resting: tuple[sp.Symbol, ...] = ()
+    """Free speeds that stay zero."""
+    finisher: Finisher | None = None
+    stages: list[Stage] = field(default_factory=list)
+    solution: InstantSolution | None = None
+    """How the accelerations are found, by the principle of the file, once they are."""
+    unreached: tuple[sp.Symbol, ...] = ()
+    """What that does not tell."""
+    closed_forms: dict[sp.Expr, sp.Expr] = field(default_factory=dict)
+
+    @property
+    def displacement(self) -> Displacement:
+        """Where every body is, by the coordinates."""
+        assert self.position.displacement is not None
+        return self.position.displacement
+
+    @property
+    def time(self) -> sp.Symbol:
+        return self.instant.scene.ledger.symbols["t"]
+
+    def rate_of(self, speed: sp.Symbol) -> sp.Expr:
+        """The acceleration unknown that goes with a velocity unknown."""
+        own = self.trial.system.rates().get(speed)
+        if own is not None:
+            return own
+        return next(a for r, a in self.instant.scene.evaluator.motions.values() if r == speed and a is not None)
+
+    def unique(self, expr: sp.Expr) -> bool:
+        """Are all pushes in an expression determined?"""
+        solved = self.trial.outcomes[0].solved if self.trial.outcomes else None
+        columns = self.trial.outcomes[0].assembly.columns if self.trial.outcomes else {}
+        names = [n for n, s in self.trial.system.symbols.items() if s in expr.free_symbols and n in columns]
+        return solved is None or all(solved.unique(columns[n]) for n in names)
+
+    def demand_unique(self, exprs: Iterable[sp.Expr]) -> None:
+        """NoSolution: pushes in these expressions are not determined."""
+        unknowns = set(acceleration_unknowns(self.trial.system))
+        maker = Finisher(self.instant, self.trial, (), {})
+        maker.demand_unique(needed(list(exprs), unknowns), self.instant.scene.problem.find)
+
+    def impossible(self, state: Mapping[sp.Symbol, Decimal], known: Valuation) -> str:
+        """Why no distribution of what is not unique satisfies every test in a state; "" when one does. `state`: by the
+        letters, `known`: numbers of everything else.
+        """
+        draws = self.instant.scene.valuations[0]
+        here = draws.extended({**known.values, **state})
+        given = {u: state.get(u, Decimal(0)) for u in (*self.free, *self.resting)}
+        trial = self.instant.try_choice(self.choice, (here,), given=given)
+        failed = trial.outcomes[0].failed if trial.outcomes else ()
+        return next((test.words for test, number in failed if number is None), "")
+
+    def _finisher(self) -> Finisher:
+        finisher = Finisher(self.instant, self.trial, (), {})
+        finisher.letters = frozenset(self.free)
+        finisher.coordinates = self.coordinates
+        if self.constraints:
+            finisher.most = IN_LOOPS
+        return finisher
+
+    def govern(self, exprs: Iterable[sp.Expr]) -> None:
+        """Work out everything that these expressions need."""
+        finisher = self._finisher()
+        wanted = list(exprs)
+        self.solution, self.stages, _ = finisher.work(wanted, self.instant.scene.problem.find)
+        self.unreached = tuple(unreached(self.stages, wanted))
+        if self.unreached:
+            # What the principle of the file does not tell must be known all the same; what it tells is told by it.
+            finisher = self._finisher()
+            finisher.principle = usual()
+            _, self.stages, _ = finisher.work(wanted, self.instant.scene.problem.find)
+        self.finisher = finisher
+
+    def closed(self, expr: sp.Expr) -> sp.Expr:
+        """An expression of the instant in coordinates, free speeds, t and the names of the file."""
+        if expr not in self.closed_forms:
+            assert self.finisher is not None
+            self.closed_forms[expr] = self.finisher.closed(expr, self.stages)
+        return self.closed_forms[expr]
+
+    @property
+    def value(self) -> Valuation:
+        return self.trial.outcomes[0].value
+
+
+def drawn_instant(problem: Problem, always: tuple[Any, ...], earlier: Mapping[str, Any]) -> Instant:
+    """The scene as drawn, its coordinates left as letters."""
+    return Instant(Setup(problem, Statements.of(always, ()), earlier, True, Course(None, {})))
+
+
+def make_general(
+    problem: Problem,
+    always: tuple[Any, ...],
+    earlier: Mapping[str, Any],
+    drawn: Instant,
+    choice: tuple[int, ...],
+    resting: frozenset[str],
+    made: CoordinateNames,
+    sides: Mapping[str, int],
+) -> General:
+    """The scene in a general position, for one choice of modes. `resting`: names of free speeds that stay zero; `made`:
+    symbols of coordinates of the same problem by name, which are the same in every choice of modes; `sides`: on which
+    sides places are from which distances are measured.
+    """
+    still: frozenset[str] = frozenset()
+    while True:
+        displacement = displaced(drawn, choice, still, made)
+        found = _general(problem, always, earlier, drawn, choice, displacement, resting, made, sides)
+        velocities = found.trial.velocities
+        if _idle(displacement, velocities) - still and loosened(drawn, choice) != choice:
+            # What friction holds here may have come to another place before.
+            system = found.instant.system(loosened(drawn, choice))
+            velocities = (*velocities, solve_velocities(system, found.instant.scene.valuations[0], False))
+        idle = _idle(displacement, velocities)
+        if not idle - still:
+            return found
+        still |= idle
+
+
+def _idle(displacement: Displacement, velocities: Sequence[Velocities]) -> frozenset[str]:
+    """Speeds of coordinates that are zero in all of these velocities."""
+    return frozenset(
+        c.speed.name
+        for c in displacement.coordinates
+        if c.drawn is not None and c.extra == 0 and all(not v.values.get(c.speed, Decimal(1)) for v in velocities)
+    )
+
+
+def _general(
+    problem: Problem,
+    always: tuple[Any, ...],
+    earlier: Mapping[str, Any],
+    drawn: Instant,
+    choice: tuple[int, ...],
+    displacement: Displacement,
+    resting: frozenset[str],
+    made: CoordinateNames,
+    sides: Mapping[str, int],
+) -> General:
+    user, scales = _user_coordinates(drawn, made), drawn.scene.ledger.scales
+    every = constraints_of(drawn, loosened(drawn, choice), displacement, (*user, *displacement.coordinates))
+    constraints = tuple(c for c in every if c.kind != "kept")
+    kept = tuple(c for c in every if c.kind == "kept")
+    loose = parted_modes(drawn, choice)
+    near, projector = beside(drawn, displacement), _projector(constraints, displacement, user, scales)
+    course = Course(displacement, ranges(drawn, displacement), projector, loose, near)
+    setup = Setup(problem, Statements.of(always, ()), earlier, True, course)
+    setup.scene.sides = sides
+    instant = Instant(setup)
+    system = instant.system(choice)
+    held = held_places(instant.setup, system.quantities_of(system.first, None))
+    if held:
+        constraints = (*constraints, *held)
+        user = _user_coordinates(instant, made)
+        instant.scene.ledger.project = _projector(constraints, displacement, user, scales)
+        instant.scene.forget_valuations()
+    valuations = instant.scene.valuations
+    found = solve_velocities(system, valuations[0], False)
+    independent = _independent(found, system.tree.velocity_unknowns(), displacement)
+    ordinary = instant.scene.ledger.natural
+    given = {s: anywhere(i) * ordinary(s) for i, s in enumerate(independent)}
+    given |= {s: Decimal(0) for s in independent if s.name in resting}
+    rests = tuple(s for s in independent if s.name in resting)
+    independent = tuple(s for s in independent if s.name not in resting)
+    trial = instant.try_choice(choice, valuations, given=given)
+    if trial.objection == "contradiction" and instant.add_drivers():
+        trial = instant.try_choice(choice, valuations, given=given)
+    quantities = trial.system.quantities() if trial.outcomes else trial.system.quantities_of(trial.system.first, None)
+    coordinates = (*_user_coordinates(instant, made), *displacement.coordinates)
+    parted = parted_joints(drawn, choice, displacement, coordinates, quantities.motion) if loose else ()
+    place = (quantities, course, constraints, kept, parted, rests)
+    return General(instant, choice, coordinates, independent, trial, *place)
+
+
+def _independent(found: Velocities, tree: tuple[sp.Symbol, ...], displacement: Displacement) -> tuple[sp.Symbol, ...]:
+    """As many velocity unknowns as there are freedoms, which fix all others: rates of the file's own coordinates first,
+    then those of the coordinates that we made; of these angular speeds first, as slides stand still at dead centres.
+    """
+    vectors = [dict(v) for v in found.loose.values()]
+    columns = list(dict.fromkeys(x for v in vectors for x in v))
+    ours = {c.speed: c.unit for c in displacement.coordinates}
+    columns.sort(key=lambda x: (x in tree, x not in ours, ours.get(x) != "rad"))
+    chosen: list[sp.Symbol] = []
+    for column in columns:
+        pivot = max(vectors, key=lambda v: abs(v.get(column, Decimal(0))), default=None)
+        if pivot is None or abs(pivot.get(column, Decimal(0))) < Decimal("1e-30"):
+            continue
+        chosen.append(column)
+        vectors = [v for v in vectors if v is not pivot]
+        for v in vectors:
+            factor = v.get(column, Decimal(0)) / pivot[column]
+            for x, number in pivot.items():
+                v[x] = v.get(x, Decimal(0)) - factor * number
+    return tuple(chosen)
+
+
+def _projector(
+    constraints: tuple[Constraint, ...], displacement: Displacement, user: tuple[Coordinate, ...], scales: Scales
+) -> Callable[[Valuation], Mapping[sp.Symbol, Decimal]] | None:
+    if not constraints:
+        return None
+    coordinates = (*user, *displacement.coordinates)
+    inside = set().union(*(c.residual.free_symbols for c in constraints))
+    unknowns = tuple(c.symbol for c in coordinates if c.symbol in inside)
+    starts = [c for c in coordinates if c.start in inside]
+
+    def place(value: Valuation) -> Mapping[sp.Symbol, Decimal]:
+        drawn = drawn_starts(starts, scales)
+        return {**drawn, **project(constraints, unknowns, value.extended(drawn))}
+
+    return place
+
+
+def loosened(drawn: Instant, choice: tuple[int, ...]) -> tuple[int, ...]:
+    """The choice of modes by which places are described: what sticks here may have slid before."""
+    found = []
+    for (_, modes), i in zip(drawn.modes, choice, strict=True):
+        slips = [j for j, mode in enumerate(modes) if mode.name == "slip"]
+        found.append(slips[0] if modes[i].name == "stick" and slips else i)
+    return tuple(found)
+
+
+def loose_tree(drawn: Instant, choice: tuple[int, ...]) -> Tree:
+    """The tree along which places are described: of the joints that hold all the time, one for all spans."""
+    modes = drawn.system(loosened(drawn, choice)).modes
+    lasting = {joint.name for joint, _ in drawn.modes if joint.during is None}
+    return drawn.builder.build(j for name, mode in modes.items() if name in lasting for j in mode.facts.joinings)
+
+
+def displaced(drawn: Instant, choice: tuple[int, ...], still: frozenset[str], made: CoordinateNames) -> Displacement:
+    """All bodies of the drawn scene along the tree of this choice of modes."""
+    tree, scene = loose_tree(drawn, choice), drawn.scene
+    coordinates = set(scene.ledger.coordinates)
+    formula = frozenset(
+        name
+        for name, body in scene.bodies.items()
+        if (body.center.x.free_symbols | body.center.y.free_symbols | body.theta.free_symbols) & coordinates
+    )
+    joints = {j.name: j for j in drawn.joints}
+
+    def surface_of(joint: str) -> str:
+        found = joints.get(joint)
+        names = [getattr(found, "along", None), *getattr(found, "between", ())]
+        names = [getattr(n, "name", n) for n in names]
+        return next((n for n in names if isinstance(n, str) and n in scene.surfaces), "")
+
+    return Displacer(scene, tree, surface_of, scene.ledger.symbols["t"], formula, still, made).run()
+
+
+def _user_coordinates(instant: Instant, made: CoordinateNames) -> tuple[Coordinate, ...]:
+    """The coordinates of the file that vary freely: not those that are given as functions of time."""
+    ledger = instant.scene.ledger
+    found = []
+    for symbol in ledger.coordinates:
+        rate = instant.scene.evaluator.motions[symbol][0]
+        if symbol in ledger.letters and isinstance(rate, sp.Symbol):
+            unit = "rad" if ledger.units[symbol].angle else ledger.units[symbol].text
+            start = made.start(ledger, symbol, ledger.units[symbol].text)
+            found.append(Coordinate(symbol, start, unit, None, rate, sp.S.One, symbol.name, "", unit))
+    return tuple(found)

@@ -1,0 +1,73 @@
+"""Relations of `motion` about places: they hold in every position, `theta(crank) = w*t`, and tell places over time."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+import sympy as sp
+
+from planar_cli.equation.conditions import POSITION, order, vector_or_jet
+from planar_cli.equation.plain import simplified
+from planar_cli.equation.quantities import Quantities
+from planar_cli.equation.setup import Setup
+from planar_cli.problem.expression import Part, Quantity, Relation
+from planar_cli.problem.geometry import Vec
+from planar_cli.solve.regimes.constraints import Constraint
+
+
+def held_places(setup: Setup, quantities: Quantities) -> tuple[Constraint, ...]:
+    """Every relation about places that holds all the time, as a residual in coordinates and t."""
+    names = {s.name for s in setup.ledger.coordinates}
+    relations = [
+        r
+        for r, always in setup.statements.relations
+        if always and r not in setup.settled and order(r, names) == POSITION
+    ]
+    sizes = {key: r for r in relations if (key := _part_of(r, "mag")) is not None}
+    found: list[Constraint] = []
+    for relation in relations:
+        turned = _part_of(relation, "angle")
+        if turned in sizes and _part_of(relation, "mag") is None:
+            continue
+        paired = next((r for r in relations if _part_of(relation, "mag") == _part_of(r, "angle") is not None), None)
+        for residual in _residuals(relation, paired, quantities):
+            expr = simplified(residual)
+            if expr != 0 and expr.free_symbols:
+                text = relation.text if paired is None else f"{relation.text}, {paired.text}"
+                found.append(Constraint(expr, text, "", "motion"))
+    return tuple(found)
+
+
+def _part_of(relation: Relation, kind: str) -> tuple[str, tuple[str, ...]] | None:
+    """Of which vector the left side is this part."""
+    q = relation.left
+    if isinstance(q, Quantity) and q.at is None and [p.kind for p in q.parts] == [kind]:
+        return q.word, q.things
+    return None
+
+
+def _whole(relation: Relation, quantities: Quantities) -> Vec:
+    """The vector of which the left side is a part, as values."""
+    assert isinstance(relation.left, Quantity)
+    found = quantities.any(replace(relation.left, parts=tuple[Part, ...]()))
+    assert isinstance(found, Vec)
+    return Vec(found.x.value, found.y.value)
+
+
+def _residuals(relation: Relation, paired: Relation | None, quantities: Quantities) -> Iterator[sp.Expr]:
+    """Size and direction together give both components; a direction alone leaves the part across it zero."""
+    right = vector_or_jet(relation.right, quantities, quantities.evaluator)
+    if paired is not None:
+        angle = quantities.evaluator.value(paired.right)
+        vector = _whole(relation, quantities)
+        yield vector.x - right.value * sp.cos(angle)
+        yield vector.y - right.value * sp.sin(angle)
+    elif _part_of(relation, "angle") is not None:
+        vector = _whole(relation, quantities)
+        yield vector.y * sp.cos(right.value) - vector.x * sp.sin(right.value)
+    else:
+        left = vector_or_jet(relation.left, quantities, quantities.evaluator)
+        difference = left - right
+        for part in (difference.x, difference.y) if isinstance(difference, Vec) else (difference,):
+            yield part.value

@@ -1,0 +1,71 @@
+"""Functions of place and time of which a given expression is the rate, and speeds with a sign."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from planar_cli.calculus.antiderivative import antiderivative
+from planar_cli.equation.plain import derivative, longer, simplified
+from planar_cli.solve.regimes.regime import Regime
+
+LONG = 400
+
+
+def potential(rate: sp.Expr, regime: Regime) -> sp.Expr | None:
+    """G(t, q) with dG/dt = rate along every motion of the regime; None: none was found.
+
+    The rate must be linear in the free speeds u: Σ A(q) u + B(t). One coordinate after the other is integrated, and
+    what is left must vanish at last.
+    """
+    rest = simplified(sp.expand(rate))
+    if rest == 0:
+        return sp.S.Zero
+    if longer(rest, LONG):
+        return None
+    total = sp.S.Zero
+    for c in regime.coordinates:
+        pace = regime.rates[c.symbol]
+        slope = _along(rest, c.symbol, pace, regime)
+        if slope is None or slope == 0:
+            continue
+        part = antiderivative(slope, c.symbol)
+        if part is None:
+            continue
+        total += part
+        change = sum((derivative(part, q) * r for q, r in regime.rates.items()), derivative(part, regime.time))
+        rest = simplified(sp.expand(rest - change))
+        if rest == 0:
+            return total
+    if rest.free_symbols & set(regime.letters) <= {regime.time}:
+        part = antiderivative(rest, regime.time)
+        return None if part is None else total + part
+    return None
+
+
+def _along(rest: sp.Expr, q: sp.Symbol, pace: sp.Expr, regime: Regime) -> sp.Expr | None:
+    """The factor A of rest = A dq/dt + …"""
+    speeds = [u for u in regime.free if pace.has(u)]
+    if not speeds:
+        if pace == 0 or pace.has(q) or not rest.has(q):
+            return None
+        own = rest.xreplace(dict.fromkeys(regime.free, sp.S.Zero))
+        return None if own.free_symbols & set(regime.letters) - {q} else simplified(own / pace)
+    u = speeds[0]
+    slope = simplified(derivative(rest, u))
+    if slope.has(*regime.free):
+        return None
+    ratio = simplified(slope / derivative(pace, u))
+    return None if ratio.has(*regime.free) else ratio
+
+
+def signed_speed(vx: sp.Expr, vy: sp.Expr, regime: Regime) -> tuple[sp.Expr, bool]:
+    """The speed of a point, with a sign where one formula carries it (true): along x, along y, or with one freedom."""
+    vx, vy = simplified(vx), simplified(vy)
+    if vx == 0 or vy == 0:
+        return vx + vy, True
+    square = simplified(sp.expand(vx**2 + vy**2))
+    for u in regime.free:
+        rest = simplified(square / u**2)
+        if not rest.has(*regime.free):
+            return u * sp.sqrt(sp.factor(rest)), True
+    return sp.sqrt(square), False

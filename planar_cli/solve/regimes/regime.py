@@ -1,0 +1,289 @@
+"""One regime of a motion: a general position in one choice of modes, with the rates of everything that varies.
+
+What moves is described by the coordinates q and the free speeds u; every other quantity is a formula in them and t:
+
+    dq/dt = R(t, q, u)        du/dt = f(t, q, u)        dX/dt = ∂X/∂t + Σ ∂X/∂q R + Σ ∂X/∂u f
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, field
+from decimal import Decimal
+from itertools import islice
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.calculus.first import polish, roots
+from planar_cli.equation.displacement import Coordinate
+from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.equation.plain import derivative, longer, simplified
+from planar_cli.equation.sample import anywhere
+from planar_cli.equation.trigonometry import put_together
+from planar_cli.errors import NoValue
+from planar_cli.problem.facts import Test
+from planar_cli.records import record
+from planar_cli.solve.instant.locked import LOCKED
+from planar_cli.solve.regimes.energy import balance_of
+from planar_cli.solve.regimes.general import General, loose_tree
+from planar_cli.solve.regimes.opening import Gap, gaps_of
+from planar_cli.solve.regimes.speed_transfer import edges_of, transferred_speed
+
+MOST_CORNERS = 200
+LONGEST = 150
+"""A formula with more operations is not simplified."""
+
+
+@record
+class Watch:
+    """A test of the assumed modes as a formula: it must stay positive (or not negative)."""
+
+    test: Test
+    expr: sp.Expr
+
+
+@dataclass(slots=True)
+class Regime:
+    """What acts in one choice of modes, worked out for what is stated and asked in it."""
+
+    general: General
+    ways: Mapping[str, int] = field(default_factory=dict)
+    """The signs of free speeds by name, where a law asks for them; then it is written for this way."""
+    exprs: list[sp.Expr] = field(default_factory=list)
+    """What it was worked out for."""
+    rates: dict[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    """Of coordinates, closed formulas."""
+    accelerations: dict[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    """Of free speeds, closed formulas."""
+    watches: tuple[Watch, ...] = ()
+    """What must hold."""
+    sided: dict[str, tuple[int, sp.Expr]] = field(default_factory=dict)
+    """Places on one side of that from which their distance is measured, by name."""
+    slips: tuple[sp.Expr, ...] = ()
+    """Speeds of slip, positive the way that is assumed."""
+    gaps: tuple[Gap, ...] = ()
+    """What has parted."""
+    balance: tuple[sp.Expr, sp.Expr] | None = None
+    """Kinetic energy and power, of one freedom."""
+    runs: bool = False
+    """Does time pass in it? Else it only tells velocities at a blow."""
+    loose: bool = False
+    """Do tests of modes hold pushes that are not determined?"""
+    undetermined: list[sp.Expr] = field(default_factory=list)
+    """What is needed and rests on such."""
+
+    @property
+    def time(self) -> sp.Symbol:
+        return self.general.time
+
+    @property
+    def coordinates(self) -> tuple[Coordinate, ...]:
+        return self.general.coordinates
+
+    @property
+    def free(self) -> tuple[sp.Symbol, ...]:
+        return self.general.free
+
+    @property
+    def letters(self) -> tuple[sp.Symbol, ...]:
+        """t, all coordinates, all free speeds."""
+        return (self.time, *(c.symbol for c in self.coordinates), *self.free)
+
+    def work(self, exprs: Iterable[sp.Expr], runs: bool = True) -> None:
+        """Work out rates and accelerations, and whatever these expressions need. `runs`: does time pass in it?"""
+        general = self.general
+        rates = {c.symbol: self._rate(c) for c in general.coordinates}
+        wanted = [e for e in exprs if e not in self.exprs]
+        if self.rates and not wanted and (self.runs or not runs):
+            return
+        self.runs = runs = self.runs or runs
+        accelerations = {u: general.rate_of(u) for u in general.free} if runs else {}
+        watches, slips = (self._watches(), self._sliding()) if runs else ((), [])
+        self.balance = balance_of(general) if runs else None
+        self.exprs += wanted
+        general.closed_forms.clear()
+        every = [
+            *rates.values(),
+            *accelerations.values(),
+            *(w.expr for w in watches),
+            *slips,
+            *(self.balance or ()),
+            *(opening for p in general.parted for _, opening in p.openings),
+            *self.exprs,
+        ]
+        self.undetermined = [e for e in every if not general.unique(e)]
+        general.govern(e for e in every if e not in self.undetermined)
+        self.rates = {s: self._regular(self.closed(e)) for s, e in rates.items()}
+        self.accelerations = {u: self._regular(self.closed(e)) for u, e in accelerations.items()}
+        told = self.told
+        self.watches = tuple(w for w in (Watch(w.test, self.closed(w.expr)) for w in watches) if told(w.expr))
+        self.slips = tuple(e for e in map(self.closed, slips) if told(e))
+        scene = self.general.instant.scene
+        # Formulas in letters are for the side that is drawn; whether it is left depends on the letters.
+        sided = scene.sided if runs and not scene.problem.symbols else {}
+        self.sided = {key: (way, self.closed(way * e)) for key, (way, e) in sided.items()}
+        self.gaps = tuple(gaps_of(general, self.rates, self.closed)) if runs else ()
+
+    def _regular(self, expr: sp.Expr) -> sp.Expr:
+        """A formula simplified where it has no value as drawn, as 0/0 may be taken out of it."""
+        if not expr.free_symbols & set(self.letters) or longer(expr, LONGEST):
+            return expr
+        base = self.general.instant.scene.valuations[0]
+        drawn = {c.symbol: base(c.drawn) if c.drawn is not None else Decimal(0) for c in self.coordinates}
+        ordinary = self.general.instant.scene.ledger.natural
+        drawn |= {u: anywhere(i) * ordinary(u) for i, u in enumerate(self.free)}
+        try:
+            base.extended(drawn)(expr)
+        except Unvalued:
+            return expr
+        except NoValue:
+            return simplified(put_together(expr))
+        return expr
+
+    def _rate(self, c: Coordinate) -> sp.Expr:
+        """The rate of a coordinate; of a speed that this regime does not have, what its motion makes of it."""
+        general = self.general
+        tree = general.trial.system.tree
+        known = {s.name for s in tree.velocity_unknowns()}
+        rates = (r for r, _ in general.instant.scene.evaluator.motions.values() if isinstance(r, sp.Symbol))
+        known |= {r.name for r in rates}
+        if c.speed.name in known:
+            return c.rate
+        edges = edges_of(loose_tree(general.instant, general.choice))
+        motion, scene = general.quantities.motion, general.instant.scene
+        inside: dict[sp.Symbol, sp.Expr] = {}
+        for s in c.rate.free_symbols:
+            if s.name not in known and s in edges:
+                inside[s] = transferred_speed(s, edges[s], motion, scene) or sp.S.Zero
+        return c.rate.xreplace({c.speed: sp.S.Zero, **inside})
+
+    def told(self, expr: sp.Expr) -> bool:
+        """Is everything in a closed formula known once the letters are? Where nothing has mass, forces are not."""
+        pushes = set(self.general.trial.system.symbols.values())
+        return not expr.free_symbols & (pushes - set(self.general.instant.scene.ledger.letters))
+
+    def moves(self) -> bool:
+        """Do the velocities hold together, so that there is a motion at all?"""
+        return self.general.trial.system.reactions is not None
+
+    def moved(self) -> str:
+        """What speaks against this regime in any position: contradicting equations; "" when nothing does."""
+        objection = self.general.trial.objection
+        return objection if objection in ("contradiction", "velocities", LOCKED) else ""
+
+    def closed(self, expr: sp.Expr) -> sp.Expr:
+        """An expression of the instant as a formula in t, coordinates and free speeds."""
+        return one_way(self.general.closed(expr), self.going())
+
+    def going(self) -> dict[sp.Symbol, int]:
+        """The free speeds whose sign is assumed."""
+        return {u: self.ways[u.name] for u in self.free if u.name in self.ways}
+
+    def derivative(self, expr: sp.Expr) -> sp.Expr:
+        """The rate of a closed formula."""
+        parts = [derivative(expr, self.time)]
+        parts += [derivative(expr, q) * r for q, r in self.rates.items() if q in expr.free_symbols]
+        parts += [derivative(expr, u) * f for u, f in self.accelerations.items() if u in expr.free_symbols]
+        return simplified(sp.Add(*parts))
+
+    def _watches(self) -> tuple[Watch, ...]:
+        """The tests of pushes in the assumed modes, where they are unique."""
+        system = self.general.trial.system
+        found = []
+        self.loose = False
+        assert system.reactions is not None
+        values = {p.name: e for p, e in system.reactions.pushes}
+        for mode in system.modes.values():
+            for test in mode.tests:
+                if test.within or test.row is not None or test.joining is not None:
+                    continue
+                parts = [factor * values[name] for name, factor in test.pushes if name in values]
+                expr = sp.sympify(sp.Add(*parts, test.constant))
+                if expr != 0 and not self.general.unique(expr):
+                    self.loose = True
+                elif expr != 0:
+                    found.append(Watch(test, expr))
+        return tuple(found)
+
+    def _sliding(self) -> list[sp.Expr]:
+        """Speeds of slip of the contacts that slip; none may change its sign."""
+        system = self.general.trial.system
+        assert system.motion is not None
+        return [
+            system.motion.row_velocity(mode.sliding) * mode.direction
+            for mode in system.modes.values()
+            if mode.sliding is not None and mode.direction
+        ]
+
+
+def one_way(expr: sp.Expr, ways: Mapping[sp.Symbol, int]) -> sp.Expr:
+    """A formula in which signs and sizes of speeds are written for the way in which these go."""
+    if not ways:
+        return expr
+    inside: dict[sp.Expr, sp.Expr] = {}
+    for atom in expr.atoms(sp.sign, sp.Abs):
+        for u, way in ways.items():
+            ratio = simplified(atom.args[0] / u)
+            if u not in ratio.free_symbols:
+                sign = way * sp.sign(ratio)
+                inside[atom] = sign if isinstance(atom, sp.sign) else sign * atom.args[0]
+    return simplified(expr.xreplace(inside)) if inside else expr
+
+
+def corners(regime: Regime, value: Valuation, since: Decimal, until: Decimal | None = None) -> list[Decimal]:
+    """Times at which the rates of a regime have corners: where the lines of a table meet, and after `since` where what
+    stands between the bars of an absolute value, or in a sign, vanishes.
+    """
+    exprs = [*regime.rates.values(), *regime.accelerations.values()]
+    conditions = {c for e in exprs for p in e.atoms(sp.Piecewise) for c in p.atoms(sp.core.relational.Relational)}
+    found = {value(c.rhs) for c in conditions if c.lhs == regime.time and not c.rhs.free_symbols & set(regime.letters)}
+    barred = {a.args[0] for e in exprs for a in e.atoms(sp.Abs, sp.sign)}
+    for inside in sorted(barred, key=sp.default_sort_key):
+        if inside.free_symbols & set(regime.letters) == {regime.time}:
+            found |= set(_changes(inside, regime.time, value, since, until))
+    return sorted(found)
+
+
+def _changes(expr: sp.Expr, time: sp.Symbol, value: Valuation, since: Decimal, until: Decimal | None) -> list[Decimal]:
+    """The first times after `since` at which a function of time alone changes its sign, also for as long again beyond
+    `until`: a step may go beyond it.
+    """
+    g = number_function([expr], [time], value)
+    here = decimal_function(expr, [time], value)
+    end = None if until is None else float(until + (until - since))
+    found: list[Decimal] = []
+    with suppress(NoValue):
+        changes = (r for r in roots(lambda t: g(t)[0], float(since), end) if r.kind == "crossing")
+        found.extend(polish(here, Decimal(r.low), Decimal(r.high)) for r in islice(changes, MOST_CORNERS))
+    return found
+
+
+def number_function(
+    exprs: Sequence[sp.Expr], letters: Sequence[sp.Symbol], value: Valuation
+) -> Callable[..., list[float]]:
+    """Machine numbers of expressions as a function of letters; everything else takes its value."""
+    inside = {}
+    names = set(letters)
+    exprs = [sp.sympify(e) for e in exprs]
+    for s in set().union(*(e.free_symbols for e in exprs)) - names if exprs else ():
+        inside[s] = sp.Float(str(value(s)), 17)
+    made: Any = sp.lambdify(list(letters), [e.xreplace(inside) for e in exprs], modules="math")
+
+    def call(*arguments: float) -> list[float]:
+        try:
+            return [float(x) for x in made(*arguments)]
+        except (ValueError, ZeroDivisionError, OverflowError) as error:
+            raise NoValue("a formula has no real value here") from error
+
+    return call
+
+
+def decimal_function(expr: sp.Expr, letters: Sequence[sp.Symbol], value: Valuation) -> Callable[..., Decimal]:
+    """The same to all certain digits."""
+
+    def call(*arguments: Decimal) -> Decimal:
+        return value.extended(dict(zip(letters, arguments, strict=True)))(expr)
+
+    return call
