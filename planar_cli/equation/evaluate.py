@@ -10,19 +10,17 @@ import sympy as sp
 from planar_cli.equation.jets import Jet, constant
 from planar_cli.equation.ledger import Ledger, exact
 from planar_cli.errors import Mark, refuse
+from planar_cli.problem.evaluation import evaluated
 from planar_cli.problem.expression import (
     Binary,
     Function,
-    Grouped,
     Name,
-    Negate,
     Number,
     Quantity,
     Scaled,
     Side,
-    Word,
 )
-from planar_cli.problem.no_number import mode_misplaced, quantity_misplaced, state_misplaced
+from planar_cli.problem.no_number import quantity_misplaced, state_misplaced
 from planar_cli.records import record
 from planar_cli.units import parse_unit
 
@@ -70,36 +68,26 @@ class Evaluator:
 
     def jet(self, side: Side) -> Jet:
         """The value with its derivatives."""
-        match side:
-            case Number():
-                return constant(side.sense * exact(side.value, parse_unit(side.unit) if side.unit else None))
-            case Scaled():
-                unit = parse_unit(side.unit)
-                return self.jet(side.operand) * constant(side.sense * exact(_ONE, unit))
-            case Name():
-                return (
-                    self._name(side) if side.at is None else self._elsewhere(side.at, Name(side.name, None, side.mark))
-                )
-            case Negate():
-                return -self.jet(side.operand)
-            case Binary():
-                return self._binary(side)
-            case Function():
-                return self._function(side)
-            case Grouped():
-                return self._elsewhere(side.at, side.operand)
-            case Quantity():
-                return self.quantity(side)
-            case Word():
-                raise mode_misplaced(side.mark, side.word)
-        raise TypeError(type(side).__name__)
+        found: Jet = evaluated(side, self)
+        return found
 
-    def _elsewhere(self, state: str, side: Side) -> Jet:
+    # --- the numbers of which formulas are made (problem/evaluation.py) ----------------------------------------------
+
+    def number(self, number: Number) -> Jet:
+        return constant(number.sense * exact(number.value, parse_unit(number.unit) if number.unit else None))
+
+    def scaled(self, side: Scaled) -> Jet:
+        return self.jet(side.operand) * constant(side.sense * exact(_ONE, parse_unit(side.unit)))
+
+    def asked(self, quantity: Quantity) -> Jet:
+        return self.quantity(quantity)
+
+    def at(self, state: str, side: Side) -> Jet:
         if self.at_state is None:
             raise state_misplaced(side.mark)
         return self.at_state(state)(side)
 
-    def _name(self, name: Name) -> Jet:
+    def named(self, name: Name) -> Jet:
         if name.name == "pi":
             return constant(sp.pi)
         if name.name == "infinity":
@@ -112,7 +100,7 @@ class Evaluator:
         rate, second = self.motions.get(symbol, (sp.S.Zero, sp.S.Zero))
         return Jet(symbol, rate, second)
 
-    def _binary(self, side: Binary) -> Jet:
+    def combined(self, side: Binary) -> Jet:
         left, right = self.jet(side.left), self.jet(side.right)
         if side.operator == "+":
             return left + right
@@ -130,11 +118,8 @@ class Evaluator:
             raise refuse(side.mark, "PL505", "division by zero")
         return left.power(right.value)
 
-    def _function(self, side: Function) -> Jet:
-        argument = Function(side.name, side.argument, None, side.mark)
-        if side.at is not None:
-            return self._elsewhere(side.at, argument)
-        return self.jet(side.argument).through(FUNCTIONS[side.name])
+    def called(self, function: Function) -> Jet:
+        return self.jet(function.argument).through(FUNCTIONS[function.name])
 
 
 _ONE = Fraction(1)

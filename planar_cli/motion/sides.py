@@ -9,19 +9,17 @@ from fractions import Fraction
 
 from planar_cli.errors import FileProblem, Mark, refuse
 from planar_cli.motion.terms import Graph, Term
+from planar_cli.problem.evaluation import evaluated
 from planar_cli.problem.expression import (
     Binary,
     Function,
-    Grouped,
     Name,
-    Negate,
     Number,
     Quantity,
     Scaled,
     Side,
-    Word,
 )
-from planar_cli.problem.no_number import mode_misplaced, quantity_misplaced, state_misplaced
+from planar_cli.problem.no_number import quantity_misplaced, state_misplaced
 from planar_cli.problem.scene import Problem
 from planar_cli.problem.walk import Tree, walk
 from planar_cli.records import record
@@ -109,30 +107,22 @@ class Sides:
 
     def value(self, side: Side) -> Term:
         """The value of a side."""
-        match side:
-            case Number():
-                return self.graph.number(side.sense * _written(side.value, side.unit))
-            case Scaled():
-                return self.value(side.operand) * (side.sense * _written(Fraction(1), side.unit))
-            case Name():
-                bare = Name(side.name, None, side.mark)
-                return self._name(side) if side.at is None else self.at(side.at, bare)
-            case Negate():
-                return -self.value(side.operand)
-            case Binary():
-                return self._binary(side)
-            case Function():
-                bare_function = Function(side.name, side.argument, None, side.mark)
-                if side.at is not None:
-                    return self.at(side.at, bare_function)
-                return self.graph.call(side.name, self.value(side.argument))
-            case Grouped():
-                return self.at(side.at, side.operand)
-            case Quantity():
-                return self.quantity(side)
-            case Word():
-                raise mode_misplaced(side.mark, side.word)
-        raise TypeError(type(side).__name__)
+        found: Term = evaluated(side, self)
+        return found
+
+    # --- the numbers of which formulas are made (problem/evaluation.py) ----------------------------------------------
+
+    def number(self, number: Number) -> Term:
+        return self.graph.number(number.sense * _written(number.value, number.unit))
+
+    def scaled(self, side: Scaled) -> Term:
+        return self.value(side.operand) * (side.sense * _written(Fraction(1), side.unit))
+
+    def called(self, function: Function) -> Term:
+        return self.graph.call(function.name, self.value(function.argument))
+
+    def asked(self, quantity: Quantity) -> Term:
+        return self.quantity(quantity)
 
     def at(self, state: str, side: Side) -> Term:
         """What stands before an `@`."""
@@ -140,7 +130,7 @@ class Sides:
             raise state_misplaced(side.mark)
         return self.elsewhere(state, side)
 
-    def _name(self, name: Name) -> Term:
+    def named(self, name: Name) -> Term:
         if name.name in self.variables:
             return self.variables[name.name]
         if name.name in ("pi", "infinity"):
@@ -150,7 +140,7 @@ class Sides:
             raise refuse(name.mark, "PL504", f"{name.name} has no value here", hint)
         return self.constants.term(name, self)
 
-    def _binary(self, side: Binary) -> Term:
+    def combined(self, side: Binary) -> Term:
         left, right = self.value(side.left), self.value(side.right)
         match side.operator:
             case "+":
