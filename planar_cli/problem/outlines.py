@@ -48,6 +48,9 @@ class Outlined(Protocol):
     def length(self, v: Vec) -> Any: ...
     def sign(self, expr: Any) -> int: ...
     def is_zero(self, expr: Any) -> bool: ...
+    def as_drawn(self, expr: Any) -> Any:
+        """An expression of a general position where the file draws it."""
+
     def vanishes(self, expr: Any) -> bool: ...
 
 
@@ -92,7 +95,7 @@ def _surface(scene: Outlined, surface: Surface, point: Vec, mark: Mark) -> Outli
     if isinstance(shape, Line):
         tangent = scene.surface_direction(surface)
         off = (point - scene.carried(body, shape.through)).cross(tangent)
-        _demand_on(scene.is_zero(off), surface, mark, "let the line go `through:` it")
+        _demand_on(scene.is_zero(scene.as_drawn(off)), surface, mark, "let the line go `through:` it")
         return Outline("straight", body, tangent, drift=_drift(scene, surface, tangent))
     if isinstance(shape, Circle):
         center, radius = scene.carried(body, shape.center), scene.value(shape.radius)
