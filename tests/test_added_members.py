@@ -76,7 +76,7 @@ MESH = '''
 
     @dataclass(frozen=True, slots=True, kw_only=True)
     class Mesh(Joint):
-        """Two wheels of a train turn in a given ratio."""
+        """Two wheels of a train turn in a given ratio; the housing on the ground takes what their couples leave."""
 
         kind: ClassVar[str] = "mesh"
 
@@ -86,7 +86,8 @@ MESH = '''
         def modes(self, scene: Setting) -> tuple[Mode, ...]:
             (a, b), ratio = self.between, scene.value(self.ratio)
             row = Row(self.name, f"{a} and {b} turn together", spins=((a, 1), (b, -ratio)))
-            actions = (Action(a, scene.center(a), None, 1), Action(b, scene.center(b), None, -ratio))
+            wheels = (Action(a, scene.center(a), None, 1), Action(b, scene.center(b), None, -ratio))
+            actions = (*wheels, Action("ground", scene.center(b), None, ratio - 1))
             push = Push(f"M_{self.name}", "couple", self.name, self.name, actions, "N*m")
             return (Mode("", "", Facts(rows=(row,), pushes=(push,))),)
 

@@ -174,6 +174,9 @@ class SceneStages:
         """What acts between some states only."""
         self.laws: list[Law] = [law for law in scene.problem.motion if law.during is not None]
         """What `motion` prescribes between some states only."""
+        bodies = scene.problem.bodies
+        self.heavy = any(b.mass is not None or b.weight is not None or b.any_mass for b in bodies)
+        """Has anything mass?"""
         self._made: dict[tuple[bool, ...], SceneAutomaton] = {}
 
     def begin(self, t: float, y: Sequence[float]) -> None:
@@ -230,7 +233,9 @@ class SceneStages:
         if member.during is None:
             return True
         start, end = member.during
-        return start in reached and end not in reached
+        # A law that ends with the last state is the last that is known of what has no mass.
+        lasts = isinstance(member, Law) and not self.heavy and end == self.scene.problem.states[-1].name
+        return start in reached and (lasts or end not in reached)
 
 
 def stages_of(

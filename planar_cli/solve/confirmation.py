@@ -39,6 +39,8 @@ DIFFERS = 30.0
 """Numbers that are apart by less than so many estimated errors do not differ."""
 BEYOND = 0.01
 """A motion is followed this part of its time beyond the last state."""
+TOUCHING = 3e-6
+"""What comes and goes within this part of the time is one touch: the root of some roundings."""
 FAINT = 1e-9
 """Speeds below this part of their scale may be the rounding of rest."""
 DIFFERENT = "PL720"
@@ -138,6 +140,8 @@ def _not_followed(problem: Problem, taken: Taken) -> str:
         for node in (n for r in state.relations for n in walk(r)):
             if isinstance(node, Quantity) and isinstance(node.at, tuple):
                 return f"state {state.name} is told by a quantity over a span, which is not looked for step by step"
+            if isinstance(node, Quantity) and node.word in NOT_FOLLOWED:
+                return f"state {state.name} is told by {node.word}(…), which no motion has"
     names = [s.name for s in (*problem.symbols, *problem.unknowns)]
     without = [n for n in names if n not in taken.letters]
     return f"no number tells {', '.join(without)}" if without else ""
@@ -222,6 +226,10 @@ class _Compared:
         if agrees:
             return Seen(f.name)
         states = [s for s in self._states(what) if s in self.moments]
+        about = any(isinstance(n, Quantity) and n.word == "reached" for n in walk(what))
+        barely = next(filter(None, map(self._barely, states)), "") if about else ""
+        if barely:
+            return Seen(f.name, barely)
         where = ", ".join(f"state {s} at t = {self.moments[s].t:.9g} s" for s in states)
         return Seen(f.name, "", other, found, where)
 
@@ -292,7 +300,7 @@ class _Compared:
         if self.problem.method not in (None, "newton"):
             return f"{self.problem.method} relates states also where no motion joins them: state {state} is not reached"
         for name in [s.name for s in self.problem.states]:
-            words = self._never(name)
+            words = self._never(name) or self._barely(name)
             if words:
                 return words
             if name == state:
@@ -304,6 +312,22 @@ class _Compared:
         at = self.instance.taken.times.get(state, trajectory.t1)
         if self._faint(self.other.run.prepared.start.y) or self._faint(trajectory.at(min(at, trajectory.t1))):
             return f"before state {state} speeds are lost in rounding"
+        return ""
+
+    def _barely(self, name: str) -> str:
+        """Is a state only just touched, so that machine numbers do not tell whether it is met at all?"""
+        run = self.other.run
+        reached = next((e for e in run.trajectory.events if e.name == name), None)
+        crossing = next((e.crossing for e in run.schedule.events if e.name == name), None)
+        if reached is None or crossing is None or not run.trajectory.segments:
+            return ""
+        segments = run.trajectory.segments
+        before = reached.t - TOUCHING * (run.trajectory.t1 - segments[0].t0)
+        segment = segments[min(reached.segment, len(segments) - 1)]
+        here = crossing.value(segment.regime, segment.choice, before, run.trajectory.at(before))
+        # What crosses is off by the way that it goes in this time, what only touches by the square of that.
+        if before > segments[0].t0 and abs(here) < TOUCHING**1.5 * crossing.scale:
+            return f"state {name} is only just met: machine numbers do not tell whether it is passed"
         return ""
 
     def _faint(self, y: Sequence[float]) -> bool:
