@@ -227,8 +227,7 @@ class _Compared:
             return Seen(f.name)
         states = [s for s in self._states(what) if s in self.moments]
         about = any(isinstance(n, Quantity) and n.word == "reached" for n in walk(what))
-        barely = next(filter(None, map(self._barely, states)), "") if about else ""
-        if barely:
+        if about and (barely := next(filter(None, map(self._barely, states)), "")):
             return Seen(f.name, barely)
         where = ", ".join(f"state {s} at t = {self.moments[s].t:.9g} s" for s in states)
         return Seen(f.name, "", other, found, where)
@@ -316,15 +315,14 @@ class _Compared:
 
     def _barely(self, name: str) -> str:
         """Is a state only just touched, so that machine numbers do not tell whether it is met at all?"""
-        run = self.other.run
-        reached = next((e for e in run.trajectory.events if e.name == name), None)
-        crossing = next((e.crossing for e in run.schedule.events if e.name == name), None)
-        if reached is None or crossing is None or not run.trajectory.segments:
+        trajectory, segments = self.other.run.trajectory, self.other.run.trajectory.segments
+        reached = next((e for e in trajectory.events if e.name == name), None)
+        crossing = next((e.crossing for e in self.other.run.schedule.events if e.name == name), None)
+        if reached is None or crossing is None or not segments:
             return ""
-        segments = run.trajectory.segments
-        before = reached.t - TOUCHING * (run.trajectory.t1 - segments[0].t0)
+        before = reached.t - TOUCHING * (trajectory.t1 - segments[0].t0)
         segment = segments[min(reached.segment, len(segments) - 1)]
-        here = crossing.value(segment.regime, segment.choice, before, run.trajectory.at(before))
+        here = crossing.value(segment.regime, segment.choice, before, trajectory.at(before))
         # What crosses is off by the way that it goes in this time, what only touches by the square of that.
         if before > segments[0].t0 and abs(here) < TOUCHING**1.5 * crossing.scale:
             return f"state {name} is only just met: machine numbers do not tell whether it is passed"
