@@ -30,6 +30,10 @@ def model_of(path: Path) -> Model | None:
         return None
 
 
+ALL_BUT_SINGULAR = {"cables-almost-in-line"}
+"""Files whose drawing is so nearly singular that a random motion is not certain to fulfil the constraints."""
+
+
 def moving(model: Model, regime: Regime, seed: str) -> tuple[float, list[float]]:
     """A state in which everything moves that can."""
     draw = random.Random(seed)
@@ -39,6 +43,7 @@ def moving(model: Model, regime: Regime, seed: str) -> tuple[float, list[float]]
     state = regime.project(t, [*y[:half], *speeds])
     # Where the drawing is all but singular, only rest is certain to fulfil the constraints.
     fits = max(map(abs, regime.residuals(t, state)), default=0.0) < 1e-12
+    assert fits or seed in ALL_BUT_SINGULAR, seed
     return t, state if fits else y
 
 

@@ -21,6 +21,11 @@ from planar_cli.solve.run import solve_problem
 HEADINGS = ["Meaning", "YAML", "Equations", "Signs", "Valid when", "Reference"]
 MEMBERS = [(shelf, kind) for shelf in ("joints", "loads") for kind in members(shelf)]
 PRINCIPLES = sorted(members("principles"))
+IN_LANGUAGE = {
+    "joints": "pin weld guide link rolling belt contact flat rope impact",
+    "loads": "weight force torque spring damper drag impulse stream",
+}
+"""What a problem file may name."""
 
 
 def example(kind: str) -> Problem:
@@ -34,6 +39,12 @@ def example(kind: str) -> Problem:
 
 def member(shelf: str, kind: str) -> Any:
     return members(shelf)[kind]
+
+
+@pytest.mark.parametrize(("shelf", "kinds"), IN_LANGUAGE.items())
+def test_all_of_the_language_is_there(shelf: str, kinds: str) -> None:
+    """A member may be added without a word here; none of these may be missing."""
+    assert set(kinds.split()) <= set(members(shelf))
 
 
 @pytest.mark.parametrize("shelf", ["joints", "loads", "principles"])

@@ -33,6 +33,11 @@ class Earlier:
     unit: str
 
 
+def numbers_of(earlier: Mapping[str, Earlier]) -> dict[str, float]:
+    """Numbers of earlier finds [SI]; those in letters have none."""
+    return {name: float(known.value) for name, known in earlier.items() if known.value.is_number}
+
+
 @record
 class Course:
     """A scene in a general position: how it is displaced (None: as drawn), within which ranges letters are drawn or

@@ -17,7 +17,6 @@ from planar_cli.registry import members
 
 SPANNED = frozenset("work impulse heat path_length mean count".split())
 STATED = frozenset("reached period frequency stable".split())
-TIMELESS = frozenset("path hodograph".split()) | STATED
 
 
 OWN = "own"

@@ -11,7 +11,7 @@ import sympy as sp
 from sympy.core.random import seed
 
 from planar_cli.equation.exact import Unvalued
-from planar_cli.equation.setup import Earlier, first_unit
+from planar_cli.equation.setup import Earlier, first_unit, numbers_of
 from planar_cli.equation.system import System
 from planar_cli.errors import FileProblem, Mark, NoSolution, NotReached, Undecided, refuse
 from planar_cli.problem.scene import Find, Problem
@@ -80,7 +80,7 @@ def _by(problem: Problem, method: str | None) -> Problem:
 
 def _part(problem: Problem, case: str, units: dict[str, str], earlier: dict[str, Earlier]) -> PartSolution:
     """One part; what is not decided otherwise is read off the motion, if there is one."""
-    numbers = {name: float(known.value) for name, known in earlier.items() if known.value.is_number}
+    numbers = numbers_of(earlier)
     if not problem.states[1:]:
         return _confirmed(problem, _derived(problem, case, units, earlier), numbers)
     from planar_cli.solve.followed import (

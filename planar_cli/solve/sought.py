@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
-from planar_cli.equation.setup import Earlier
+from planar_cli.equation.setup import Earlier, numbers_of
 from planar_cli.errors import Diagnostic, NoSolution, PlanarError, Undecided
 from planar_cli.problem.scene import Problem
 from planar_cli.simulate.shooting import shooting
@@ -48,8 +48,3 @@ def by_motion(
     if not can_be_followed(replace(problem, unknowns=())):
         return None
     return followed_part(problem, case, {**numbers_of(earlier), **trial}, units)
-
-
-def numbers_of(earlier: Mapping[str, Earlier]) -> dict[str, float]:
-    """Numbers of earlier finds."""
-    return {name: float(known.value) for name, known in earlier.items() if known.value.is_number}
