@@ -53,6 +53,9 @@ class Law:
     def project(self, t: float, y: Sequence[float]) -> list[float]:
         return self.mend(t, y)
 
+    def reduced(self, t: float, y: Sequence[float]) -> None:
+        return None
+
     def energy(self, t: float, y: Sequence[float]) -> float:
         return self.stored(t, y)
 

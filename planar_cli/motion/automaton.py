@@ -10,6 +10,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Protocol
 
 from planar_cli.motion.impact import Struck
+from planar_cli.motion.reduced import Reduced
 from planar_cli.problem.facts import Mode
 from planar_cli.records import record
 
@@ -70,6 +71,9 @@ class Regime(Protocol):
 
     def project(self, t: float, y: Sequence[float]) -> list[float]:
         """The nearest state that the joints of this regime allow, in places and velocities."""
+
+    def reduced(self, t: float, y: Sequence[float]) -> Reduced | None:
+        """The same with the independent coordinates alone; None where that does not serve in this state."""
 
     def energy(self, t: float, y: Sequence[float]) -> float:
         """Kinetic energy and potentials [J]."""

@@ -23,6 +23,7 @@ from itertools import pairwise
 
 from planar_cli.integrators.base import EPSILON, Counts, Integrator, Rates, Setting, Step, Vector
 from planar_cli.motion.crossings import BAND, Crossing, Sentinel, Watch
+from planar_cli.motion.reduced import Reduced
 from planar_cli.records import record
 from planar_cli.registry import member
 
@@ -111,19 +112,21 @@ def drive(
     band: float = BAND,
     on_step: Callable[[Step], None] | None = None,
     counts: Counts | None = None,
+    reduced: Reduced | None = None,
 ) -> Run:
     """Follow y' = f(t, y) from t0 to t1, or to the first crossing of a watched value.
 
     `kind`: a member of the shelf of integrators, or `auto`. `band`: the part of its scale below which a watched value
-    is zero. `on_step` sees every step. The work is added to `counts`. Raises StepTooSmall.
+    is zero. `on_step` sees every step. The work is added to `counts`. `reduced`: the same rates with independent
+    coordinates alone, which are integrated then. Raises StepTooSmall.
     """
     y, steps, counts = list(y0), list[Step](), Counts() if counts is None else counts
     sentinel = Sentinel(watch, band) if watch is not None and watch.scales else None
     crossings = sentinel.at_start(t0, y) if sentinel is not None else []
     if setting.longest == math.inf:
         setting = replace(setting, longest=abs(t1 - t0) / FEWEST or math.inf)
-    followed = _Followed(kind, setting, counts)
-    for rates, start, end in _legs(f, t0, t1, breakpoints):
+    followed = _Followed(kind, setting, counts, reduced)
+    for rates, start, end in _legs(f if reduced is None else reduced.rates, t0, t1, breakpoints):
         if crossings:
             break
         for step in followed.steps(rates, start, y, end):
@@ -144,8 +147,8 @@ def drive(
 class _Followed:
     """The steps of a run, from the explicit method as long as that is reasonable."""
 
-    def __init__(self, kind: str, setting: Setting, counts: Counts) -> None:
-        self.choosing = kind == AUTOMATIC
+    def __init__(self, kind: str, setting: Setting, counts: Counts, reduced: Reduced | None) -> None:
+        self.choosing, self.reduced = kind == AUTOMATIC, reduced
         self.kind = EXPLICIT if self.choosing else kind
         self.setting, self.counts = setting, counts
         self.changed: Changed | None = None
@@ -167,7 +170,10 @@ class _Followed:
         """The steps of one method."""
         integrator: Integrator = member("integrators", kind)()
         integrator.counts = self.counts
-        return integrator.steps(f, t0, y0, t1, setting)
+        if self.reduced is None:
+            return integrator.steps(f, t0, y0, t1, setting)
+        part = self.reduced
+        return map(part.step, integrator.steps(f, t0, part.part(y0), t1, part.setting(setting)))
 
     def _stiff(self, step: Step, t1: float) -> bool:
         """Is the rest of the leg better left to the implicit method?"""

@@ -209,6 +209,7 @@ class Follower:
                 band=self._band(regime),
                 on_step=seen,
                 counts=counts,
+                reduced=regime.reduced(self.t, self.y),
             )
         finally:
             self.work = self.work.more(counts)
@@ -244,9 +245,8 @@ class Follower:
 
     def _rests(self, regime: Regime) -> bool:
         """Do neither places nor velocities change now?"""
-        span = self.automaton.time_scale
-        rates = regime.rates(self.t, self.y)
-        return all(abs(r) * span <= RESTING * s for r, s in zip(rates, self.automaton.scale, strict=True))
+        rates, scene = regime.rates(self.t, self.y), self.automaton
+        return all(abs(r) * scene.time_scale <= RESTING * s for r, s in zip(rates, scene.scale, strict=True))
 
     def _stay(self, regime: Regime, end: float) -> None:
         """At rest with nothing that varies in time: the state stays as it is, exactly."""

@@ -51,31 +51,28 @@ class Layout:
     """From a body's mass centre to a place."""
     drawn: tuple[float, ...]
     """Coordinates from which a configuration is sought: as drawn, and anywhere for what the drawing leaves open."""
+    count: int = field(init=False)
+    """How many coordinates there are."""
     numbers: Mapping[Term, int] = field(init=False)
     """The number of a coordinate."""
+    coordinates: tuple[Term, ...] = field(init=False)
+    """The first half of the state."""
+    speeds: tuple[Term, ...] = field(init=False)
+    """The second half of the state."""
+    state: tuple[Term, ...] = field(init=False)
+    """All variables in the order of the state."""
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "numbers", {s.coordinate: i for i, s in enumerate(self.slots)})
-
-    @property
-    def count(self) -> int:
-        """How many coordinates there are."""
-        return len(self.slots)
-
-    @property
-    def coordinates(self) -> tuple[Term, ...]:
-        """The first half of the state."""
-        return tuple(s.coordinate for s in self.slots)
-
-    @property
-    def speeds(self) -> tuple[Term, ...]:
-        """The second half of the state."""
-        return tuple(s.rate for s in self.slots)
-
-    @property
-    def state(self) -> tuple[Term, ...]:
-        """All variables in the order of the state."""
-        return (*self.coordinates, *self.speeds)
+        coordinates, speeds = tuple(s.coordinate for s in self.slots), tuple(s.rate for s in self.slots)
+        known = {
+            "count": len(self.slots),
+            "numbers": {q: i for i, q in enumerate(coordinates)},
+            "coordinates": coordinates,
+            "speeds": speeds,
+            "state": (*coordinates, *speeds),
+        }
+        for name, value in known.items():
+            object.__setattr__(self, name, value)
 
     def rates(self, accelerations: Mapping[Term, Term] | None = None) -> dict[Term, Term]:
         """The rate of every variable; that of the rates, if it is not given, 0."""

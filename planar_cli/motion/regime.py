@@ -18,8 +18,9 @@ from planar_cli.motion.held import Held, add
 from planar_cli.motion.layout import Column, Layout
 from planar_cli.motion.project import Projector
 from planar_cli.motion.rank import Independent
+from planar_cli.motion.reduced import Reduced, told
 from planar_cli.motion.replacing import replaced
-from planar_cli.motion.routine import Routine, System, Unknowns
+from planar_cli.motion.routine import Routine, System, Unknowns, View
 from planar_cli.motion.scales import Scales
 from planar_cli.motion.source import Code, Singular, compiled
 from planar_cli.motion.terms import Term, ordered
@@ -90,6 +91,26 @@ class Regime:
         half = self.layout.count
         found[:half] = y[half:]
         return found
+
+    @cached_property
+    def _reduced(self) -> Reduced | None:
+        kept = [self.constraints[number] for number in self._numbers]
+        given = told(self.layout, kept)
+        if not given or len(given) == self.layout.count:
+            return None
+        sizes = [self.parts.scales.length if s.kind in ("x", "y") else 1.0 for s in self.layout.slots]
+        scale = [*sizes, *(size / self.parts.scales.time for size in sizes)]
+        return Reduced(self.layout, given, len(given) < len(kept), scale, self._part, self.rates)
+
+    def _part(self, view: View, numbers: Sequence[int]) -> Routine:
+        """The rates of some coordinates and their accelerations."""
+        speeds = [self.layout.speeds[i] for i in numbers]
+        return Routine(self._system, lambda u: [*speeds, *(u[0][i] for i in numbers)], view=view)
+
+    def reduced(self, t: float, y: Sequence[float]) -> Reduced | None:
+        """The same with the independent coordinates alone; None where that does not serve in this state."""
+        found = self._reduced
+        return found if found is not None and found.fits(t, y) else None
 
     def forces(self, t: float, y: Sequence[float]) -> list[float]:
         """The pushes, in the order of `reactions` [N or N m]."""

@@ -14,8 +14,9 @@ from planar_cli.motion.dense import DEPENDENT, Matrix, constrained, least_square
 from planar_cli.motion.elimination import SHRUNK, SMALL_PIVOT, chosen, factor
 from planar_cli.motion.layout import Layout
 from planar_cli.motion.pivots import Order
-from planar_cli.motion.source import Code, Singular, compiled
+from planar_cli.motion.source import Code, Function, Singular, compiled
 from planar_cli.motion.terms import Term
+from planar_cli.records import record
 
 MOST_ORDERS = 6
 """So many orders of pivots are kept, and so often another one is sought in vain."""
@@ -30,6 +31,20 @@ Right = Callable[[Unknowns], Sequence[Term]]
 """A right side, from the unknowns of those before."""
 Neighbour = Callable[[float, Sequence[float], int], tuple[float, list[float]]]
 """A state some steps before (< 0) or after the given one, on the way that its velocities go. Raises Singular."""
+Whole = Callable[[float, Sequence[float]], list[float]]
+"""From the time and a part of the state to all of it."""
+
+
+@record
+class View:
+    """The part of a state from which the rest follows."""
+
+    inputs: tuple[Term, ...]
+    """Coordinates and rates that are independent."""
+    given: Mapping[Term, Term]
+    """The others, as terms of these."""
+    whole: Whole
+    """From (t, part) to the state."""
 
 
 class System:
@@ -70,14 +85,17 @@ class System:
         """Does an order leave out a constraint: is what it says of the forces lost in rounding?"""
         return any(row >= self.layout.count for row in self.orders[index].rows)
 
-    def code(self, index: int, outputs: Outputs) -> Code:
-        """The outputs by one of the orders."""
+    def code(self, index: int, outputs: Outputs, view: View | None = None) -> Code:
+        """The outputs by one of the orders; `view`: from a part of the state."""
         layout = self.layout
         factored = factor(layout.graph, self.rows, self.orders[index])
         found: list[Sequence[Term]] = []
         for right in self.rights:
             found.append(factored.solve(right(found)))
-        return compiled(outputs(found), layout.state, layout.time, factored.checks(self.small))
+        checks = factored.checks(self.small)
+        if view is None:
+            return compiled(outputs(found), layout.state, layout.time, checks)
+        return compiled(outputs(found), view.inputs, layout.time, checks, view.given)
 
     def by_rank(self, t: float, y: Sequence[float], dependent: float) -> list[float]:
         """The unknowns of all right sides, one after the other, in the sense of least squares."""
@@ -127,11 +145,19 @@ def _whole(matrix: Matrix, right: Sequence[float], count: int, dependent: float)
 class Routine:
     """One function of time and state."""
 
-    def __init__(self, system: System, outputs: Outputs, neighbour: Neighbour | None = None) -> None:
-        """`neighbour`: where the outputs near a singular position are taken from; None: they are found by rank."""
-        self.system, self.outputs, self.neighbour = system, outputs, neighbour
+    def __init__(
+        self, system: System, outputs: Outputs, neighbour: Neighbour | None = None, view: View | None = None
+    ) -> None:
+        """`neighbour`: where the outputs near a singular position are taken from; None: they are found by rank.
+
+        `view`: states are given by this part of them, in `regular`.
+        """
+        self.system, self.outputs, self.neighbour, self.view = system, outputs, neighbour, view
         self.codes: list[Code] = []
         """By the orders of the system, as far as they have been needed."""
+        self._serve: list[Function] = []
+        """Of those the functions that lose nothing, as far as they have been needed."""
+        self._looked = 0
         self._from_unknowns: Code | None = None
 
     def __call__(self, t: float, y: Sequence[float]) -> list[float]:
@@ -156,21 +182,29 @@ class Routine:
     def code(self, index: int) -> Code:
         """The function by one of the orders of pivots."""
         while len(self.codes) <= index:
-            self.codes.append(self.system.code(len(self.codes), self.outputs))
+            self.codes.append(self.system.code(len(self.codes), self.outputs, self.view))
         return self.codes[index]
 
     def regular(self, t: float, y: Sequence[float]) -> list[float]:
         """The outputs by one of the orders; raises Singular where none serves."""
-        for index in range(len(self.system.orders)):
-            if self.system.loses(index):
-                continue
+        for function in self._serve:
             try:
-                return self.code(index).function(t, y)
+                return function(t, y)
             except (Singular, ZeroDivisionError):
                 continue
-        if self.system.another(t, y):
-            return self.regular(t, y)
+        while self._looked < len(self.system.orders) or self.system.another(t, self._whole(t, y)):
+            index, self._looked = self._looked, self._looked + 1
+            if self.system.loses(index):
+                continue
+            self._serve.append(self.code(index).function)
+            try:
+                return self._serve[-1](t, y)
+            except (Singular, ZeroDivisionError):
+                continue
         raise Singular
+
+    def _whole(self, t: float, y: Sequence[float]) -> Sequence[float]:
+        return y if self.view is None else self.view.whole(t, y)
 
     def _continued(self, neighbour: Neighbour, t: float, y: Sequence[float]) -> list[float]:
         """The outputs through a singular position, from both sides of it."""

@@ -7,7 +7,8 @@ of the graph is done once. Constants are written as they are.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from types import MappingProxyType
 
 from planar_cli.errors import PlanarError
 from planar_cli.motion.terms import Term, ordered
@@ -20,6 +21,9 @@ SUM, PRODUCT, ATOM = 1, 2, 4
 
 Function = Callable[[float, Sequence[float]], list[float]]
 """f(t, y)."""
+
+
+NOTHING: Mapping[Term, Term] = MappingProxyType({})
 
 
 class Singular(PlanarError):
@@ -47,23 +51,37 @@ class Code:
 
 
 def compiled(
-    outputs: Sequence[Term], inputs: Sequence[Term], time: Term | None = None, checks: Iterable[Check] = ()
+    outputs: Sequence[Term],
+    inputs: Sequence[Term],
+    time: Term | None = None,
+    checks: Iterable[Check] = (),
+    given: Mapping[Term, Term] = NOTHING,
 ) -> Code:
     """The function f(t, y) that returns the outputs as a list; y holds the inputs in their order.
 
-    It raises `Singular` where a check fails. Every variable in the outputs must be an input or the time.
+    It raises `Singular` where a check fails. Every variable in the outputs must be an input, the time, or one of
+    `given`: variables that are computed first, each from inputs and the time.
     """
-    return _Writer(outputs, inputs, time, {c.term: c.least for c in checks}).code()
+    return _Writer(outputs, inputs, time, {c.term: c.least for c in checks}, given).code()
 
 
 class _Writer:
     """The text of one function, as it grows."""
 
     def __init__(
-        self, outputs: Sequence[Term], inputs: Sequence[Term], time: Term | None, checks: dict[Term, float]
+        self,
+        outputs: Sequence[Term],
+        inputs: Sequence[Term],
+        time: Term | None,
+        checks: dict[Term, float],
+        given: Mapping[Term, Term],
     ) -> None:
-        self.outputs, self.inputs, self.checks = outputs, inputs, checks
+        self.outputs, self.inputs, self.checks, self.given = outputs, inputs, checks, given
         self.order = ordered([*outputs, *checks])
+        if given:
+            first = ordered([given[t] for t in self.order if t in given])
+            known = set(first)
+            self.order = [*first, *(t for t in self.order if t not in known)]
         self.text: dict[Term, str] = {}
         self.binds: dict[Term, int] = {}
         self.depth: dict[Term, int] = {}
@@ -82,6 +100,9 @@ class _Writer:
             self._check(term)
         for term in self.order:
             if term in self.text:
+                continue
+            if term in self.given:
+                self._same(term, self.given[term])
                 continue
             if term.op == "number":
                 self._atom(term, repr(term.value))
@@ -105,13 +126,17 @@ class _Writer:
         return Code(function, text, self.operations)
 
     def _uses(self) -> dict[Term, int]:
-        uses = dict.fromkeys(self.order, 0)
+        uses, given = dict.fromkeys(self.order, 0), self.given
         for term in self.order:
             for arg in term.args:
-                uses[arg] += 1
+                uses[given.get(arg, arg)] += 1
         for term in self.outputs:
-            uses[term] += 1
+            uses[given.get(term, term)] += 1
         return uses
+
+    def _same(self, term: Term, other: Term) -> None:
+        """A term that is written like another."""
+        self.text[term], self.binds[term], self.depth[term] = self.text[other], self.binds[other], self.depth[other]
 
     def _atom(self, term: Term, text: str) -> None:
         self.text[term], self.binds[term], self.depth[term] = text, ATOM, 0

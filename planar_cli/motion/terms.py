@@ -8,7 +8,7 @@ object, which is all the common subexpression elimination that is needed. SymPy 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from operator import attrgetter
 
@@ -245,8 +245,7 @@ class Graph:
 
     def gradient(self, term: Term) -> dict[Term, Term]:
         """∂term/∂variable for every variable in it."""
-        weights: dict[Term, Term] = {term: self.number(1.0)}
-        found: dict[Term, Term] = {}
+        weights, found = {term: self.number(1.0)}, dict[Term, Term]()
         for t in reversed(ordered([term])):
             weight = weights.pop(t, None)
             if weight is None or (weight.constant and weight.value == 0):
@@ -262,9 +261,12 @@ class Graph:
 
     def rate(self, term: Term, rates: Mapping[Term, Term]) -> Term:
         """The time derivative, with those of the variables (left out: 0)."""
-        zero = self.number(0.0)
-        found: dict[Term, Term] = {}
-        for t in ordered([term]):
+        return self.rates([term], rates)[0]
+
+    def rates(self, terms: Sequence[Term], rates: Mapping[Term, Term]) -> list[Term]:
+        """The time derivatives of many terms, with those of the variables (left out: 0)."""
+        zero, found = self.number(0.0), dict[Term, Term]()
+        for t in ordered(terms):
             if t.op == "variable":
                 found[t] = rates.get(t, zero)
                 continue
@@ -274,7 +276,7 @@ class Graph:
                     if found[arg] is not zero:
                         total = self.add(total, self.multiply(slope, found[arg]))
             found[t] = total
-        return found[term]
+        return [found[t] for t in terms]
 
     def _slopes(self, t: Term) -> tuple[Term, ...]:
         """∂t/∂arg for each of its operands."""

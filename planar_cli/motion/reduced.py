@@ -1,0 +1,164 @@
+"""What of the state has to be integrated: coordinates that joints make of the others are computed from these.
+
+A pin on a rod tells both coordinates of its centre from its angle, as a rolling wheel's place follows from its turn:
+wherever a coordinate enters a relation of places with a constant coefficient, and all others in it are known before, it
+is solved for. An open chain so keeps its joints to rounding at every instant, inside a step too; of a mechanism in
+loops only the relations that close them are left to the projection. The integrator has that much less to carry along.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Mapping, Sequence
+from dataclasses import replace
+
+from planar_cli.integrators.base import Project, Rates, Setting, Step
+from planar_cli.motion.constraints import Constraint
+from planar_cli.motion.layout import Layout
+from planar_cli.motion.replacing import replaced
+from planar_cli.motion.routine import Routine, View
+from planar_cli.motion.source import Code, Singular, compiled
+from planar_cli.motion.terms import Term
+
+SLIGHT = 1e-3
+"""A coefficient below this part of the largest of its relation solves for nothing."""
+MISSED = 1e-9
+"""A state that misses its joints by more than this part of the scales is not reduced."""
+
+
+def told(layout: Layout, constraints: Sequence[Constraint]) -> dict[int, Term]:
+    """Coordinates by number, as terms of those that are left and of the time: angles first, then places."""
+    found: dict[int, Term] = {}
+    angles = {i for i, s in enumerate(layout.slots) if s.kind == "theta"}
+    placed = [c for c in constraints if c.place is not None]
+    turning = [c for c in placed if angles.issuperset(c.row) and all(t.constant for t in c.row.values())]
+    _solve(layout, turning, angles, found)
+    _solve(layout, [c for c in placed if c not in turning], set(range(layout.count)) - angles, found)
+    return found
+
+
+def _solve(layout: Layout, constraints: Sequence[Constraint], among: Collection[int], found: dict[int, Term]) -> None:
+    """Solve each relation for the only one of these coordinates that no other has told; what stays open is told."""
+    open_, waiting = set(among), list(constraints)
+    while waiting:
+        left: list[Constraint] = []
+        for constraint in waiting:
+            unknown = [i for i in constraint.row if i in open_]
+            if len(unknown) > 1:
+                left.append(constraint)
+            elif unknown:
+                open_.remove(unknown[0])
+                if _solves(constraint, unknown[0]):
+                    found[unknown[0]] = _solution(layout, constraint, unknown[0], found)
+        if len(left) == len(waiting):
+            # Several bodies hang together freely: one of them is told by nothing.
+            unknown = [i for i in left[0].row if i in open_]
+            best = max(unknown, key=lambda i: (_solves(left[0], i), -i))
+            open_ -= set(unknown) - {best}
+        waiting = left
+
+
+def _solves(constraint: Constraint, i: int) -> bool:
+    """Is a coordinate's coefficient constant, and not slight?"""
+    row = constraint.row
+    return row[i].constant and abs(row[i].value) >= SLIGHT * max(abs(t.value) for t in row.values() if t.constant)
+
+
+def _solution(layout: Layout, constraint: Constraint, i: int, found: Mapping[int, Term]) -> Term:
+    assert constraint.place is not None
+    coordinates = layout.coordinates
+    by = {coordinates[j]: found[j] for j in constraint.row if j in found}
+    rest = replaced(constraint.place, {**by, coordinates[i]: layout.graph.number(0.0)})
+    return rest * (-1.0 / constraint.row[i].value)
+
+
+class Reduced:
+    """A regime as the integrator sees it: the independent coordinates and their rates."""
+
+    def __init__(
+        self,
+        layout: Layout,
+        given: Mapping[int, Term],
+        loops: bool,
+        scale: Sequence[float],
+        rates: Callable[[View, Sequence[int]], Routine],
+        whole_rates: Rates,
+    ) -> None:
+        """`given`: what `told` has found. `loops`: is something left to the projection? `rates`: from a view of the
+        state to a routine for the accelerations of some coordinates; `whole_rates`: the rates of a whole state.
+        """
+        self.layout, self.given, self.loops, self.scale = layout, given, loops, scale
+        self.whole_rates = whole_rates
+        count = layout.count
+        self.free = tuple(i for i in range(count) if i not in given)
+        self._places = (*self.free, *(count + i for i in self.free))
+        """Where the independent ones stand in the state."""
+        slots, graph = layout.slots, layout.graph
+        one = {layout.time: graph.number(1.0)}
+        terms = list(given.values())
+        self._speeds = graph.rates(terms, one | {slots[i].coordinate: slots[i].rate for i in self.free})
+        known = {slots[i].coordinate: t for i, t in given.items()}
+        known |= {slots[i].rate: t for i, t in zip(given, self._speeds, strict=True)}
+        self._known = known
+        self.inputs = (*(slots[i].coordinate for i in self.free), *(slots[i].rate for i in self.free))
+        self._accelerations = rates(View(self.inputs, known, self.whole), self.free)
+        self._whole: Code | None = None
+        self._both: Code | None = None
+
+    def part(self, y: Sequence[float]) -> list[float]:
+        """The independent numbers of a state."""
+        return [y[i] for i in self._places]
+
+    def whole(self, t: float, z: Sequence[float]) -> list[float]:
+        """The state of which these are the independent numbers."""
+        if self._whole is None:
+            outputs = [self._known.get(v, v) for v in self.layout.state]
+            self._whole = compiled(outputs, self.inputs, self.layout.time)
+        return self._whole.function(t, z)
+
+    def rates(self, t: float, z: Sequence[float]) -> list[float]:
+        """z'."""
+        try:
+            return self._accelerations.regular(t, z)
+        except Singular:
+            return self.part(self.whole_rates(t, self.whole(t, z)))
+
+    def fits(self, t: float, y: Sequence[float]) -> bool:
+        """Do the independent numbers of a state tell the others?"""
+        there = self.whole(t, self.part(y))
+        return all(abs(a - b) <= MISSED * s for a, b, s in zip(there, y, self.scale, strict=True))
+
+    def setting(self, setting: Setting) -> Setting:
+        """The same of the independent numbers."""
+        return replace(setting, scale=self.part(setting.scale), project=self._projected(setting.project))
+
+    def _projected(self, project: Project | None) -> Project | None:
+        if project is None or not self.loops:
+            return None
+        return lambda t, z: self.part(project(t, self.whole(t, z)))
+
+    def step(self, step: Step) -> Step:
+        """A step of the whole state."""
+        inside = step.inside
+        y0, r0 = self._at(step.t0, step.y0, step.r0)
+        y1, r1 = self._at(step.t1, step.y1, step.r1)
+        return Step(step.t0, y0, r0, step.t1, y1, r1, lambda t: self.whole(t, inside(t)), step.error, step.fastest)
+
+    def _at(self, t: float, z: Sequence[float], r: Sequence[float]) -> tuple[list[float], list[float]]:
+        """State and rates."""
+        if self._both is None:
+            self._both = self._states_and_rates()
+        half = self.layout.count
+        found = self._both.function(t, [*z, *r[len(self.free) :]])
+        return found[: 2 * half], found[half:]
+
+    def _states_and_rates(self) -> Code:
+        """The state, and behind it the accelerations."""
+        layout, graph = self.layout, self.layout.graph
+        first = len(graph.names)
+        seconds = {i: graph.variable(f"second{first}_{i}", 0.0) for i in self.free}
+        slots = layout.slots
+        rates = {slots[i].coordinate: slots[i].rate for i in self.free} | {slots[i].rate: a for i, a in seconds.items()}
+        given = graph.rates(self._speeds, {layout.time: graph.number(1.0), **rates})
+        known = seconds | dict(zip(self.given, given, strict=True))
+        outputs = [*(self._known.get(v, v) for v in layout.state), *(known[i] for i in range(layout.count))]
+        return compiled(outputs, (*self.inputs, *seconds.values()), layout.time)
