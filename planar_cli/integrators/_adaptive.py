@@ -87,7 +87,7 @@ class Adaptive(Integrator):
         control.h = setting.step or setting.first or self._first(f, t0, y, rates, t1, setting)
         method.begin(t, y, rates)
         while t != t1:
-            span = control.span(t, t1)
+            span = control.span(t, y, t1)
             new, error = method.trial(span, control.again)
             if not (error <= 1.0 or control.fixed):
                 control.rejected(t, y, abs(span), error)
@@ -127,15 +127,16 @@ class _Control:
 
     def __init__(self, method: Method, setting: Setting, counts: Counts, t0: float, t1: float) -> None:
         self.method, self.counts = method, counts
-        self.fixed, self.longest, self.most_steps = setting.step is not None, setting.longest, setting.most_steps
+        self.fixed, self.setting, self.most_steps = setting.step is not None, setting, setting.most_steps
         self.t0 = t0
         self.h, self.run, self.direction = 0.0, abs(t1 - t0), math.copysign(1.0, t1 - t0)
         self.again, self.calmed = True, False
         self.done = 0
 
-    def span(self, t: float, t1: float) -> float:
+    def span(self, t: float, y: Vector, t1: float) -> float:
         """The step to try, with its sign: the last three are made even, so that no crumb remains at the end."""
-        left, h = abs(t1 - t), min(self.h, self.longest)
+        longest = self.setting.longest if self.fixed else self.setting.longest_from(y)
+        left, h = abs(t1 - t), min(self.h, longest)
         return self.direction * (h if left > 3.0 * h else left / max(1, math.ceil(left / h - 1e-6)))
 
     def rejected(self, t: float, y: Vector, tried: float, error: float) -> None:

@@ -41,7 +41,7 @@ class FromSciPy(Integrator):
             return f(t, z.tolist())
 
         allowed = [setting.tolerance * s for s in setting.scale]
-        longest = min(setting.longest, setting.step or setting.longest)
+        longest = min(setting.longest_from(y), setting.step or setting.longest)
         options = {"rtol": SMALLEST, "atol": allowed, "max_step": longest}
         if setting.first is not None:
             options["first_step"] = min(setting.first, abs(t1 - t0), longest)
@@ -49,7 +49,10 @@ class FromSciPy(Integrator):
         before = f(t0, list(y))
         counts.evaluations += 1
         while solver.status == "running":
-            t, message = float(solver.t), solver.step()
+            t = float(solver.t)
+            if setting.limit is not None:
+                solver.max_step = min(setting.longest_from(y), setting.step or setting.longest)
+            message = solver.step()
             if solver.status == "failed" or counts.steps > setting.most_steps:
                 raise StepTooSmall(
                     f"SciPy's {self.method} gave up at t = {t:.9g} s ({message or 'too many steps'})", t, y

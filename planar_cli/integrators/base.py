@@ -27,6 +27,8 @@ Rates = Callable[[float, Vector], Vector]
 """f(t, y): the rates of all components."""
 Project = Callable[[float, Vector], Vector]
 """The state brought back onto the constraints."""
+Limit = Callable[[Vector], float]
+"""From a state to the longest step."""
 
 EPSILON = 2.0**-52
 ROUNDING = 8 * EPSILON
@@ -102,10 +104,16 @@ class Setting:
     """The first step to try."""
     longest: float = math.inf
     """No step is longer."""
+    limit: Limit | None = None
+    """Nor is one that begins in a state longer than this tells; fixed steps are not asked."""
     project: Project | None = None
     """Applied to the end of every accepted step."""
     most_steps: int = MOST_STEPS
     """When to give up."""
+
+    def longest_from(self, y: Vector) -> float:
+        """The longest step from a state."""
+        return self.longest if self.limit is None else min(self.longest, self.limit(y))
 
     def weights(self, y: Sequence[float]) -> Vector:
         """1 / the error allowed, for each component."""

@@ -8,6 +8,7 @@ loops only the relations that close them are left to the projection. The integra
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import replace
 
@@ -21,6 +22,9 @@ from planar_cli.motion.terms import Term
 
 SLIGHT = 1e-3
 """A coefficient below this part of the largest of its relation solves for nothing."""
+TURN = 1.5
+"""No step turns anything by more than this [rad], as far as its beginning tells: what goes round is followed round,
+though its angle may change in the simplest way."""
 MISSED = 1e-9
 """A state that misses its joints by more than this part of the scales is not reduced."""
 
@@ -93,6 +97,9 @@ class Reduced:
         self._places = (*self.free, *(count + i for i in self.free))
         """Where the independent ones stand in the state."""
         slots, graph = layout.slots, layout.graph
+        turns = [k for k, i in enumerate(self.free) if slots[i].kind == "theta"]
+        self._turning = [len(self.free) + k for k in turns]
+        """Where the rates of angles stand among them."""
         one = {layout.time: graph.number(1.0)}
         terms = list(given.values())
         self._speeds = graph.rates(terms, one | {slots[i].coordinate: slots[i].rate for i in self.free})
@@ -129,7 +136,13 @@ class Reduced:
 
     def setting(self, setting: Setting) -> Setting:
         """The same of the independent numbers."""
-        return replace(setting, scale=self.part(setting.scale), project=self._projected(setting.project))
+        scale, project = self.part(setting.scale), self._projected(setting.project)
+        return replace(setting, scale=scale, project=project, limit=self._longest if self._turning else None)
+
+    def _longest(self, z: Sequence[float]) -> float:
+        """The longest step."""
+        fastest = max([abs(z[i]) for i in self._turning])
+        return TURN / fastest if fastest else math.inf
 
     def _projected(self, project: Project | None) -> Project | None:
         if project is None or not self.loops:
