@@ -13,6 +13,7 @@ from planar_cli.calculus.deciding import confirmed, sign, vanishes
 from planar_cli.calculus.forcing import particular
 from planar_cli.calculus.pieces import pieces
 from planar_cli.equation.exact import Valuation
+from planar_cli.equation.expansion import expanded
 from planar_cli.equation.plain import MANY, longer, simplified
 
 DEPTH = 5
@@ -89,7 +90,7 @@ def _single(f: sp.Expr, x: sp.Symbol, value: Valuation | None, depth: int) -> sp
     if found is None:
         found = _root_of_quadratic(f, x, value)
     if found is None:
-        apart = sp.expand(f)
+        apart = expanded(f)
         found = _sum(apart.args, x, value, depth - 1) if apart.is_Add else None
     return _substituted(f, x, value, depth) if found is None else found
 

@@ -14,6 +14,7 @@ from planar_cli.calculus.antiderivative import definite
 from planar_cli.calculus.deciding import confirmed, sign
 from planar_cli.calculus.spans import bound
 from planar_cli.equation.exact import Valuation
+from planar_cli.equation.expansion import expanded
 from planar_cli.equation.plain import simplified
 from planar_cli.records import record
 
@@ -61,7 +62,7 @@ def _moves(found: Separated, f: sp.Expr, x: sp.Symbol, tau: sp.Symbol, value: Va
 
 
 def _by_class(f: sp.Expr, x: sp.Symbol, x0: sp.Symbol, tau: sp.Symbol, value: Valuation | None) -> Separated:
-    own = sp.expand(f)
+    own = expanded(f)
     if own.is_polynomial(x) and sp.degree(own, x) <= 2:
         by = sp.Poly(own, x)
         a, b, c = (by.coeff_monomial(x**k) for k in range(3))

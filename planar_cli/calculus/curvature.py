@@ -12,12 +12,13 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.calculus.curve_plain import plainer, rationally
+from planar_cli.equation.expansion import expanded
 from planar_cli.equation.plain import MANY, longer
 
 
 def _ratio(above: sp.Expr, square: sp.Expr) -> sp.Expr:
     """above/square^(3/2), tidied; a square that is a perfect one gives its root."""
-    above, square = plainer(sp.expand(above)), plainer(square)
+    above, square = plainer(expanded(above)), plainer(square)
     root = sp.sqrt(square if longer(square, MANY) else rationally(sp.factor, square))
     return plainer(plainer(above / square) / root)
 

@@ -12,6 +12,7 @@ from planar_cli.calculus.curve_plain import plainer
 from planar_cli.calculus.curve_polar import inverted
 from planar_cli.calculus.curve_waves import eliminated
 from planar_cli.calculus.curve_words import CURVE, HYPERBOLA, LINE, PARABOLA, Curve, Step
+from planar_cli.equation.expansion import expanded
 from planar_cli.equation.plain import MANY, longer
 
 HIGHEST_POWER = 6
@@ -34,7 +35,7 @@ def straight(plane: Plane) -> Curve | None:
     slope = _constant(dy / dx, p)
     if slope.has(p):
         return None
-    rest = _constant(sp.expand(y - slope * x), p)
+    rest = _constant(expanded(y - slope * x), p)
     if rest.has(p):
         return None
     equation = sloping(plane, slope, rest)
@@ -88,13 +89,13 @@ def by_solving(plane: Plane, simple: bool) -> Curve | None:
 
 def _put_in(second: sp.Expr, p: sp.Symbol, known: sp.Symbol, first: sp.Expr, solution: sp.Expr) -> sp.Expr | None:
     """The other coordinate with p put in; powers of (x - x_0) kept together where x_0 is a letter."""
-    whole = sp.expand(second)
-    if whole.is_polynomial(p) and sp.expand(first).is_polynomial(p) and sp.degree(sp.expand(first), p) == 1:
-        size, start = sp.Poly(sp.expand(first), p).all_coeffs()
+    whole = expanded(second)
+    if whole.is_polynomial(p) and expanded(first).is_polynomial(p) and sp.degree(expanded(first), p) == 1:
+        size, start = sp.Poly(expanded(first), p).all_coeffs()
         base = known - plainer(start)
         terms = [plainer(c / size**n) * base**n for (n,), c in sp.Poly(whole, p).terms()]
         right = sp.Add(*terms)
-        return right if start.free_symbols else sp.expand(right)
+        return right if start.free_symbols else expanded(right)
     right = second.xreplace({p: solution})
     if right.has(p) or longer(right, 3 * MANY):
         return None
@@ -104,7 +105,7 @@ def _put_in(second: sp.Expr, p: sp.Symbol, known: sp.Symbol, first: sp.Expr, sol
 def _named(plane: Plane, known: sp.Symbol, other: sp.Symbol, right: sp.Expr) -> Curve:
     """The kind of y = f(x), in the form of a conic if it is one."""
     equation = _equal(other, right)
-    polynomial = sp.expand(right)
+    polynomial = expanded(right)
     if polynomial.is_polynomial(known):
         degree = sp.degree(polynomial, known)
         return Curve({1: LINE, 2: PARABOLA}.get(int(degree), CURVE), equation)
@@ -135,13 +136,13 @@ def _without_roots(expr: sp.Expr, known: sp.Symbol) -> sp.Expr | None:
         inside = max(roots, key=lambda q: (sp.count_ops(q), str(q)))
         root = sp.Dummy("q")
         own = [q for q in expr.atoms(sp.Pow) if q.base == inside and q.exp.is_Rational and q.exp.q == 2]
-        flat = sp.expand(sp.fraction(sp.together(expr.xreplace({q: root ** (2 * q.exp) for q in own})))[0])
+        flat = expanded(sp.fraction(sp.together(expr.xreplace({q: root ** (2 * q.exp) for q in own})))[0])
         if not flat.is_polynomial(root):
             return None
         parts = [sp.S.Zero, sp.S.Zero]
         for (n,), c in sp.Poly(flat, root).terms():
             parts[n % 2] += c * inside ** (n // 2)
-        expr = sp.expand(parts[0] ** 2 - parts[1] ** 2 * inside)
+        expr = expanded(parts[0] ** 2 - parts[1] ** 2 * inside)
     return None
 
 
@@ -150,7 +151,7 @@ def by_powers(plane: Plane) -> Curve | None:
     p = plane.trial.parameter
     rows = []
     for axis, place in ((plane.x, plane.path[0]), (plane.y, plane.path[1])):
-        start, moving = sp.expand(place).as_independent(p, as_Add=True)
+        start, moving = expanded(place).as_independent(p, as_Add=True)
         size, shape = moving.as_independent(p, as_Add=False)
         base, power = shape.as_base_exp()
         if base != p or not power.is_Rational:
@@ -187,7 +188,7 @@ def by_resultant(plane: Plane) -> Curve | None:
         squared = _without_roots(axis - place, p)
         if squared is None:
             return None
-        side = sp.expand(sp.fraction(sp.together(squared))[0])
+        side = expanded(sp.fraction(sp.together(squared))[0])
         if not side.is_polynomial(p) or sp.degree(side, p) > HIGHEST_POWER:
             return None
         sides.append(side)
@@ -205,7 +206,7 @@ def in_exponential(plane: Plane) -> tuple[Plane, sp.Expr] | None:
     found = {f for e in path for f in e.atoms(sp.exp) if f.has(p)}
     if not found:
         return None
-    parts = {f: sp.expand(f.args[0]).as_independent(p, as_Add=True) for f in found}
+    parts = {f: expanded(f.args[0]).as_independent(p, as_Add=True) for f in found}
     first = next(iter(sorted((m for _, m in parts.values()), key=lambda m: (sp.count_ops(m), str(m)))))
     ratios = {f: sp.cancel(m / first) for f, (_, m) in parts.items()}
     if not all(r.is_Rational for r in ratios.values()):
@@ -213,8 +214,8 @@ def in_exponential(plane: Plane) -> tuple[Plane, sp.Expr] | None:
     share = sp.gcd_list(list(ratios.values()))
     e = sp.Dummy("E", positive=True)
     into = {f: sp.exp(parts[f][0]) * e ** (ratios[f] / share) for f in found}
-    new = tuple(sp.expand(x.xreplace(into)) for x in path)
+    new = tuple(expanded(x.xreplace(into)) for x in path)
     if any(x.has(p) for x in new):
         return None
     trial = plane.trial.over(e)
-    return Plane(plane.x, plane.y, (new[0], new[1]), trial), sp.exp(sp.expand(first * share))
+    return Plane(plane.x, plane.y, (new[0], new[1]), trial), sp.exp(expanded(first * share))

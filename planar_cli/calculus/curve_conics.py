@@ -14,6 +14,7 @@ import sympy as sp
 from planar_cli.calculus.curve_plain import hidden, plainer, rationally
 from planar_cli.calculus.curve_trial import Trial
 from planar_cli.calculus.curve_words import CIRCLE, CONIC, ELLIPSE, HYPERBOLA, LINE, PARABOLA, Curve
+from planar_cli.equation.expansion import expanded
 from planar_cli.equation.plain import MANY, longer, operations
 from planar_cli.records import record
 
@@ -58,7 +59,7 @@ def sloping(plane: Plane, slope: sp.Expr, rest: sp.Expr) -> sp.Eq:
 
 def polynomial_terms(expr: sp.Expr, x: sp.Symbol, y: sp.Symbol, trial: Trial) -> dict[tuple[int, int], sp.Expr] | None:
     """The coefficients by powers of x and y, those that vanish left out; None if it is no polynomial."""
-    whole = sp.expand(expr)
+    whole = expanded(expr)
     if not whole.is_polynomial(x, y):
         return None
     terms = {(int(m[0]), int(m[1])): plainer(c) for m, c in sp.Poly(whole, x, y).terms()}

@@ -13,6 +13,7 @@ from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.expansion import expanded
 from planar_cli.equation.plain import longer, operations
 
 LONG = 100
@@ -69,14 +70,14 @@ def _plainer(expr: sp.Expr) -> sp.Expr:
     if len(flat.free_symbols) > MANY_LETTERS:
         return expr
     shown = {letter: _inner(e) for letter, e in shown.items()}
-    forms = [sp.expand(flat), flat]
+    forms = [expanded(flat), flat]
     if operations(flat) > FEW:
         whole = sp.cancel(flat)
-        forms += [sp.expand(whole), whole, *_quotients(whole, shown)]
+        forms += [expanded(whole), whole, *_quotients(whole, shown)]
         forms = [*forms, *(sp.factor_terms(f) for f in forms), sp.together(flat)]
     found = [_with_tan(f.xreplace(shown)) for f in dict.fromkeys(forms)]
     best = min(found, key=_effort)
-    return sp.radsimp(sp.expand(best)) if best.is_number and not longer(best, FEW_OF_NUMBERS) else best
+    return sp.radsimp(expanded(best)) if best.is_number and not longer(best, FEW_OF_NUMBERS) else best
 
 
 def _quotients(whole: sp.Expr, shown: dict[sp.Symbol, sp.Expr]) -> list[sp.Expr]:
@@ -91,7 +92,7 @@ def _quotients(whole: sp.Expr, shown: dict[sp.Symbol, sp.Expr]) -> list[sp.Expr]
     for top in tops:
         for bottom in bottoms:
             quotient = top / bottom if bottom.is_number else sp.cancel(top / bottom)
-            forms += [sp.expand(quotient), quotient]
+            forms += [expanded(quotient), quotient]
     return forms
 
 
@@ -124,11 +125,11 @@ def _ones(flat: sp.Expr, shown: dict[sp.Symbol, sp.Expr]) -> list[sp.Expr]:
 
 
 def _lowered(flat: sp.Expr, high: sp.Symbol, other: sp.Symbol) -> sp.Expr:
-    whole = sp.expand(flat)
+    whole = expanded(flat)
     poly = sp.Poly(whole, high)
     if poly.degree() < 2:
         return whole
-    return sp.expand(sum(c * (1 - other**2) ** (n // 2) * high ** (n % 2) for (n,), c in poly.terms()))
+    return expanded(sum(c * (1 - other**2) ** (n // 2) * high ** (n % 2) for (n,), c in poly.terms()))
 
 
 def _with_tan(expr: sp.Expr) -> sp.Expr:

@@ -13,6 +13,7 @@ from planar_cli.calculus.curve_conics import Plane, root_of
 from planar_cli.calculus.curve_plain import plainer
 from planar_cli.calculus.curve_waves import Waves, linear, without_tan
 from planar_cli.calculus.curve_words import CURVE, Curve, Step
+from planar_cli.equation.expansion import expanded
 from planar_cli.equation.plain import MANY, longer, operations
 
 HALF_ARCH = (0.02, 3.12)
@@ -83,14 +84,14 @@ def wheel_on_wheel(plane: Plane) -> str | None:
     hypotrochoid; epi- if both turn the same way.
     """
     p, trial = plane.trial.parameter, plane.trial
-    x, y = (sp.expand(e) for e in plane.path)
+    x, y = (expanded(e) for e in plane.path)
     angles = sorted({f.args[0] for f in (x + y).atoms(sp.sin, sp.cos) if f.has(p)}, key=str)
     if len(angles) != 2:
         return None
     turns: list[tuple[int, sp.Expr]] = []
     for u in angles:
         (a, b), (c, d) = ((e.coeff(sp.cos(u)), e.coeff(sp.sin(u))) for e in (x, y))
-        x, y = (sp.expand(e - m * sp.cos(u) - n * sp.sin(u)) for e, m, n in ((x, a, b), (y, c, d)))
+        x, y = (expanded(e - m * sp.cos(u) - n * sp.sin(u)) for e, m, n in ((x, a, b), (y, c, d)))
         rate = sp.diff(u, p)
         sense = trial.sign((a * d - b * c) * rate) if not any(e.has(p) for e in (a, b, c, d, rate)) else None
         if not sense or not trial.zero(a**2 + b**2 - c**2 - d**2) or not trial.zero(a * b + c * d):
@@ -106,12 +107,12 @@ def lissajous(plane: Plane) -> str | None:
     """The name of two oscillations along the axes, each of one frequency."""
     p = plane.trial.parameter
     for e in plane.path:
-        whole = sp.expand(e)
+        whole = expanded(e)
         angles = {f.args[0] for f in whole.atoms(sp.sin, sp.cos) if f.has(p)}
         if len(angles) != 1 or sp.diff(next(iter(angles)), p).has(p):
             return None
         u = next(iter(angles))
-        rest = sp.expand(whole - whole.coeff(sp.cos(u)) * sp.cos(u) - whole.coeff(sp.sin(u)) * sp.sin(u))
+        rest = expanded(whole - whole.coeff(sp.cos(u)) * sp.cos(u) - whole.coeff(sp.sin(u)) * sp.sin(u))
         if rest.has(p):
             return None
     return "Lissajous figure"
@@ -124,7 +125,7 @@ def _advance(expr: sp.Expr, angle: sp.Expr, p: sp.Symbol) -> tuple[sp.Expr, sp.E
     rate = plainer(sp.diff(expr, p) / sp.diff(angle, p))
     if rate.has(p):
         return None
-    rest = plainer(sp.expand(expr - rate * angle))
+    rest = plainer(expanded(expr - rate * angle))
     return None if rest.has(p) else (rest, rate)
 
 
@@ -152,7 +153,7 @@ def _half_arch(
     v = sp.Dummy("v", positive=True)
     cosine = plainer((y - base) / swing)
     size = sp.sqrt(plainer(sine**2))
-    root = sp.sqrt(sp.expand(plainer(size**2) - plainer(sine**2 / swing**2) * sp.expand((y - base) ** 2)))
+    root = sp.sqrt(expanded(plainer(size**2) - plainer(sine**2 / swing**2) * expanded((y - base) ** 2)))
     direction = plane.trial.sign(sine)
     if direction is None:
         return None
@@ -179,7 +180,7 @@ def _around(plane: Plane, angle: sp.Expr, names: tuple[str, str]) -> Curve | Non
     p, (x, y) = plane.trial.parameter, plane.path
     distance = plainer(x / sp.cos(angle))
     if distance.has(sp.cos(angle)) or longer(distance, MANY):
-        other = plainer(sp.expand(x * sp.cos(angle)) + sp.expand(y * sp.sin(angle)))
+        other = plainer(expanded(x * sp.cos(angle)) + expanded(y * sp.sin(angle)))
         distance = min(distance, other, key=operations)
     used = {s.name for s in plane.trial.free}
     r, theta = (_free(name, used) for name in names)
@@ -210,7 +211,7 @@ def _free(name: str, used: set[str]) -> sp.Symbol:
 
 def inverted(expr: sp.Expr, p: sp.Symbol, to: sp.Expr) -> tuple[sp.Expr, tuple[float, float], str] | None:
     """p from expr = to, where expr is k + a p^n or k + a exp(b p); for which values of p, in numbers and in words."""
-    constant, moving = sp.expand(expr).as_independent(p, as_Add=True)
+    constant, moving = expanded(expr).as_independent(p, as_Add=True)
     size, shape = moving.as_independent(p, as_Add=False)
     everywhere = (-2.7, 2.7)
     left = plainer((to - constant) / size)
@@ -219,7 +220,7 @@ def inverted(expr: sp.Expr, p: sp.Symbol, to: sp.Expr) -> tuple[sp.Expr, tuple[f
     if shape.is_Pow and shape.base == p and not shape.exp.has(p):
         return left ** (1 / shape.exp), (0.0, 2.7), f"for {p} ≥ 0"
     if isinstance(shape, sp.exp):
-        start, rate = sp.expand(shape.args[0]).as_independent(p, as_Add=True)
+        start, rate = expanded(shape.args[0]).as_independent(p, as_Add=True)
         rate = rate / p
         if not rate.has(p):
             return plainer((sp.log(left) - start) / rate), everywhere, ""
@@ -228,7 +229,7 @@ def inverted(expr: sp.Expr, p: sp.Symbol, to: sp.Expr) -> tuple[sp.Expr, tuple[f
 
 def _spiral(right: sp.Expr, theta: sp.Symbol) -> str:
     """The name of r = f(θ)."""
-    constant, moving = sp.expand(right).as_independent(theta, as_Add=True)
+    constant, moving = expanded(right).as_independent(theta, as_Add=True)
     shape = moving.as_independent(theta, as_Add=False)[1]
     if shape == theta:
         return "Archimedean spiral"

@@ -20,6 +20,7 @@ from planar_cli.calculus.curve_conics import (
 )
 from planar_cli.calculus.curve_plain import hidden, plainer
 from planar_cli.calculus.curve_words import CURVE, ELLIPSE, PARABOLA, Curve, Step
+from planar_cli.equation.expansion import expanded
 from planar_cli.equation.plain import MANY, longer
 from planar_cli.records import record
 
@@ -81,7 +82,7 @@ def _base(arguments: list[sp.Expr], p: sp.Symbol) -> tuple[sp.Expr, dict[sp.Expr
     """The angle u of which all arguments are whole multiples, up to constants; and those multiples and constants."""
     if not arguments:
         return None
-    parts = {a: sp.expand(a).as_independent(p, as_Add=True) for a in arguments}
+    parts = {a: expanded(a).as_independent(p, as_Add=True) for a in arguments}
     first = parts[arguments[0]][1]
     ratios = {a: sp.cancel(moving / first) for a, (_, moving) in parts.items()}
     if not all(r.is_Rational for r in ratios.values()):
@@ -92,8 +93,8 @@ def _base(arguments: list[sp.Expr], p: sp.Symbol) -> tuple[sp.Expr, dict[sp.Expr
         return None
     single = next((a for a in arguments if whole[a] == 1), None)
     phase = parts[single][0] if single is not None else sp.S.Zero
-    angle = single if single is not None else sp.expand(first * shared)
-    return angle, {a: (n, sp.expand(parts[a][0] - n * phase)) for a, n in whole.items()}
+    angle = single if single is not None else expanded(first * shared)
+    return angle, {a: (n, expanded(parts[a][0] - n * phase)) for a, n in whole.items()}
 
 
 def reduced(expr: sp.Expr) -> sp.Expr:
@@ -119,7 +120,7 @@ def _lowered(expr: sp.Expr, high: sp.Symbol, other: sp.Symbol) -> sp.Expr:
     poly = sp.Poly(expr, high)
     if poly.degree() < 2:
         return expr
-    return sp.expand(sum(c * (1 - other**2) ** (k // 2) * high ** (k % 2) for (k,), c in poly.terms()))
+    return expanded(sum(c * (1 - other**2) ** (k // 2) * high ** (k % 2) for (k,), c in poly.terms()))
 
 
 def halved(waves: Waves, trial: Any) -> Waves:
@@ -142,7 +143,7 @@ def halved(waves: Waves, trial: Any) -> Waves:
         for t in tones
         if t is not None
     )
-    return Waves(reduced(sp.sympify(x)), reduced(sp.sympify(y)), sp.expand(step * waves.angle))
+    return Waves(reduced(sp.sympify(x)), reduced(sp.sympify(y)), expanded(step * waves.angle))
 
 
 def _tones(expr: sp.Expr, trial: Any) -> dict[int, tuple[sp.Expr, sp.Expr]] | None:
@@ -154,12 +155,12 @@ def _tones(expr: sp.Expr, trial: Any) -> dict[int, tuple[sp.Expr, sp.Expr]] | No
     top = poly.total_degree()
     if top > HIGHEST:
         return None
-    whole = sp.expand(z**top * poly.as_expr().xreplace({C: (z + 1 / z) / 2, S: (z - 1 / z) / (2 * sp.I)}))
+    whole = expanded(z**top * poly.as_expr().xreplace({C: (z + 1 / z) / 2, S: (z - 1 / z) / (2 * sp.I)}))
     by = {m[0] - top: c for m, c in sp.Poly(whole, z).terms()}
     tones = {}
     for n in range(top + 1):
         plus, minus = by.get(n, sp.S.Zero), by.get(-n, sp.S.Zero)
-        pair = (plus, sp.S.Zero) if n == 0 else (sp.expand(plus + minus), sp.expand(sp.I * (plus - minus)))
+        pair = (plus, sp.S.Zero) if n == 0 else (expanded(plus + minus), expanded(sp.I * (plus - minus)))
         if not all(trial.zero(e) for e in pair):
             tones[n] = pair
     return tones
@@ -167,7 +168,7 @@ def _tones(expr: sp.Expr, trial: Any) -> dict[int, tuple[sp.Expr, sp.Expr]] | No
 
 def linear(expr: sp.Expr) -> tuple[sp.Expr, sp.Expr, sp.Expr] | None:
     """(k, a, b) of k + a c + b s, where it is linear in c and s."""
-    whole = sp.expand(expr)
+    whole = expanded(expr)
     if not whole.is_polynomial(C, S):
         return None
     poly = sp.Poly(whole, C, S)
@@ -184,7 +185,7 @@ def ellipse(plane: Plane, waves: Waves) -> Curve | None:
         return None
     (k, a, b), (m, c, d) = one, two
     middle = plainer(k), plainer(m)
-    right = waves.back(sp.expand(a * C + b * S)), waves.back(sp.expand(c * C + d * S))
+    right = waves.back(expanded(a * C + b * S)), waves.back(expanded(c * C + d * S))
     steps: list[Step] = [("", _equal(plane.x - middle[0], right[0])), ("", _equal(plane.y - middle[1], right[1]))]
     p2, q2, mixed = plainer(a**2 + b**2), plainer(c**2 + d**2), plainer(a * c + b * d)
     if plane.trial.zero(mixed):
@@ -221,7 +222,7 @@ def rational(plane: Plane, waves: Waves) -> Curve | None:
             return None
         rows.append(row)
     (k, a, b), (m, c, d) = rows
-    area = sp.expand(a * d - b * c)
+    area = expanded(a * d - b * c)
     if plane.trial.zero(area.xreplace({plane.x: sp.Rational(3, 7), plane.y: sp.Rational(5, 11)})):
         return None
     cosine, sine = plainer((b * m - d * k) / area), plainer((c * k - a * m) / area)
@@ -260,7 +261,7 @@ def _put_in(plane: Plane, waves: Waves, what: tuple[Any, ...], steps: tuple[Step
     written = waves.back(clean)
     if written != (plane.path[1] if other == plane.y else plane.path[0]):
         steps += (("", _equal(other, written)),)
-    right = sp.expand(clean.xreplace({wave: value}))
+    right = expanded(clean.xreplace({wave: value}))
     if right.is_polynomial(known):
         right = sp.Add(*(plainer(c) * known**n for (n,), c in sp.Poly(right, known).terms()))
     kind = PARABOLA if right.is_polynomial(known) and sp.degree(right, known) == 2 else CURVE
@@ -273,18 +274,18 @@ def _put_in(plane: Plane, waves: Waves, what: tuple[Any, ...], steps: tuple[Step
 def _squared(plane: Plane, waves: Waves, what: tuple[Any, ...], steps: tuple[Step, ...]) -> Curve | None:
     """The other coordinate f + g·(the other wave), f and g known by now: squared with cos² + sin² = 1."""
     other, clean, wave, third, value = what
-    whole = sp.expand(clean) if clean.is_polynomial(C, S) else clean
+    whole = expanded(clean) if clean.is_polynomial(C, S) else clean
     if not whole.is_polynomial(third) or sp.degree(whole, third) != 1 or whole.has(plane.trial.parameter):
         return None
     poly = sp.Poly(whole, third)
     f, g = (poly.coeff_monomial(m).xreplace({wave: value}) for m in (1, third))
     right = g**2 * (1 - value**2)
-    square = _equal((other - f) ** 2, min((_product(g**2, 1 - value**2), sp.expand(right)), key=sp.count_ops))
+    square = _equal((other - f) ** 2, min((_product(g**2, 1 - value**2), expanded(right)), key=sp.count_ops))
     word = sp.sin(waves.angle) if third is S else sp.cos(waves.angle)
     steps += (("", _equal(word, (other - f) / g)),)
     found = None
     if not longer(square.lhs, MANY) and (square.lhs - square.rhs).is_rational_function(plane.x, plane.y):
-        found = of_polynomial(plane, sp.expand(square.lhs - square.rhs))
+        found = of_polynomial(plane, expanded(square.lhs - square.rhs))
     found = found if found is not None and found.kind != CURVE else Curve(CURVE, square)
     return replace(found, steps=(*steps, (SQUARED, found.equation)))
 
@@ -301,7 +302,7 @@ def resultant(plane: Plane, waves: Waves) -> Curve | None:
     for e in (waves.x, waves.y):
         if not e.is_polynomial(C, S) or e.has(plane.trial.parameter) or longer(e, MANY):
             return None
-        polys.append(sp.Poly(sp.expand(e), S))
+        polys.append(sp.Poly(expanded(e), S))
     (p1, q1), (p2, q2) = ((p.coeff_monomial(1), p.coeff_monomial(S)) for p in polys)
     if q1 == 0 and q2 == 0:
         one, two = plane.x - p1, plane.y - p2
@@ -323,7 +324,7 @@ def resultant(plane: Plane, waves: Waves) -> Curve | None:
 
 def eliminated(plane: Plane, one: sp.Expr, two: sp.Expr, unknown: sp.Symbol) -> Curve | None:
     """The resultant of two polynomials in one unknown, where it is not too large."""
-    one, two = sp.expand(one), sp.expand(two)
+    one, two = expanded(one), expanded(two)
     if not (one.is_polynomial(unknown) and two.is_polynomial(unknown)):
         return None
     degrees = sp.degree(one, unknown), sp.degree(two, unknown)

@@ -14,6 +14,7 @@ import sympy as sp
 
 from planar_cli.calculus.deciding import vanishes
 from planar_cli.equation.exact import Valuation
+from planar_cli.equation.expansion import expanded
 from planar_cli.equation.plain import MANY, longer, simplified
 from planar_cli.records import record
 
@@ -68,7 +69,7 @@ def split(forcing: sp.Expr, t: sp.Symbol) -> tuple[Forcing, ...] | None:
     trigonometric = [f for f in moving if f.func is not sp.exp]
     found: dict[tuple[sp.Expr, sp.Expr, bool], list[sp.Expr]] = {}
     back = {d: f for f, d in letters.items()}
-    for term in sp.Add.make_args(sp.expand(inside)):
+    for term in sp.Add.make_args(expanded(inside)):
         rest, own = term.as_independent(t, *back, as_Add=False)
         powers = own.as_powers_dict()
         growth = sp.Add(*(n * back[d].args[0] for d, n in powers.items() if d in back and back[d].func is sp.exp))

@@ -17,6 +17,7 @@ from planar_cli.calculus.forcing import particular
 from planar_cli.calculus.linear_laws import linear
 from planar_cli.calculus.spans import Moment, Span, bound, integral, span
 from planar_cli.equation.exact import Valuation
+from planar_cli.equation.expansion import expanded
 from planar_cli.equation.plain import simplified
 
 __all__ = ["Moment", "Span", "relations"]
@@ -64,7 +65,7 @@ def _given_speed(f: sp.Expr, start: Moment, end: Moment, value: Valuation | None
     slope = sp.diff(f, end.q)
     if slope.has(end.t, end.q):
         return ()
-    formula = _forced(simplified(slope), sp.expand(f - slope * end.q), (start.t, start.q), (end.t, end.q), value)
+    formula = _forced(simplified(slope), expanded(f - slope * end.q), (start.t, start.q), (end.t, end.q), value)
     if formula is None:
         return ()
     return own, span("q(t)", "linear: the root of λ + c = 0 and a particular solution", end.q - formula, None, formula)
@@ -130,7 +131,7 @@ def _given_acceleration(
     stiffness, damping = -sp.diff(law, end.q), -sp.diff(law, end.v)
     if not stiffness.has(end.t, end.q, end.v) and not damping.has(end.t, end.q, end.v):
         w2, c = simplified(stiffness), simplified(damping)
-        rest = simplified(sp.expand(law + w2 * end.q + c * end.v))
+        rest = simplified(expanded(law + w2 * end.q + c * end.v))
         found = linear(w2, c, rest, start, end, value, where)
     if by_place and not by_time:
         timed = not lean or not any(s.kind == "q(t)" for s in found)
@@ -278,7 +279,7 @@ def _durations(square: sp.Expr, start: Moment, end: Moment, value: Valuation | N
 def _arc(square: sp.Expr, start: Moment, end: Moment, value: Valuation | None) -> sp.Expr | None:
     """∫ dq/sqrt(v²(q)) for a v² of second degree: an arcsine or a logarithm."""
     x = bound(end.q)
-    own = sp.expand(square)
+    own = expanded(square)
     if not own.is_polynomial(end.q) or sp.degree(own, end.q) != 2:
         return None
     first = sp.Dummy("first", positive=True)
@@ -293,11 +294,11 @@ def _squared(
 ) -> tuple[Span, ...]:
     """a = g(q) + c v² with a constant c: v dv = a dq is linear in v², d(v²)/dq = 2 g + 2 c v²."""
     square = sp.Dummy("v2")
-    flat = sp.expand(a).subs(end.v**2, square)
+    flat = expanded(a).subs(end.v**2, square)
     c = sp.diff(flat, square)
     if flat.has(end.v, end.t) or c.has(end.q, square) or vanishes(c):
         return ()
-    rest = sp.expand(flat - c * square)
+    rest = expanded(flat - c * square)
     formula = _forced(2 * c, 2 * rest, (start.q, start.v**2), (end.q, square), value)
     if formula is None:
         return ()

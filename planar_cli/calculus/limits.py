@@ -5,6 +5,7 @@ from __future__ import annotations
 import sympy as sp
 
 from planar_cli.equation.exact import Valuation
+from planar_cli.equation.expansion import expanded
 
 
 def limit(expr: sp.Expr, letter: sp.Symbol, value: Valuation) -> sp.Expr | None:
@@ -15,9 +16,9 @@ def limit(expr: sp.Expr, letter: sp.Symbol, value: Valuation) -> sp.Expr | None:
     if letter not in expr.free_symbols:
         return expr
     if expr.is_Add:
-        parts = [limit(a, letter, value) for a in sp.expand(expr).args] if sp.expand(expr).is_Add else None
+        parts = [limit(a, letter, value) for a in expanded(expr).args] if expanded(expr).is_Add else None
         if parts is None:
-            return limit(sp.expand(expr), letter, value)
+            return limit(expanded(expr), letter, value)
         return None if any(p is None for p in parts) else sp.Add(*parts)
     return _product(expr, letter, value)
 
@@ -64,7 +65,7 @@ def _growth(factor: sp.Expr, letter: sp.Symbol, value: Valuation) -> tuple[sp.Ex
     if base == letter:
         return zero, exponent, one
     if isinstance(base, sp.tanh | sp.atan):
-        slope = sp.expand(base.args[0]).coeff(letter, 1)
+        slope = expanded(base.args[0]).coeff(letter, 1)
         sense = _sign(slope, value)
         bound = one if isinstance(base, sp.tanh) else sp.pi / 2
         return None if not sense else (zero, zero, (sense * bound) ** exponent)
@@ -80,11 +81,11 @@ def _growth(factor: sp.Expr, letter: sp.Symbol, value: Valuation) -> tuple[sp.Ex
 
 
 def _exponential(argument: sp.Expr, letter: sp.Symbol) -> tuple[sp.Expr, sp.Expr, sp.Expr] | None:
-    whole = sp.expand(argument)
+    whole = expanded(argument)
     if not whole.is_polynomial(letter) or sp.degree(whole, letter) != 1:
         return None
     slope = whole.coeff(letter, 1)
-    return slope, sp.S.Zero, sp.exp(sp.expand(whole - slope * letter))
+    return slope, sp.S.Zero, sp.exp(expanded(whole - slope * letter))
 
 
 def _polynomial(base: sp.Expr, letter: sp.Symbol, exponent: sp.Expr) -> tuple[sp.Expr, sp.Expr, sp.Expr] | None:

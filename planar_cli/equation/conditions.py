@@ -12,6 +12,7 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.evaluate import Evaluator
+from planar_cli.equation.expansion import expanded
 from planar_cli.equation.jets import Jet, constant
 from planar_cli.equation.motion import Motion, Tree
 from planar_cli.equation.plain import simplified
@@ -180,7 +181,7 @@ def _rooted(item: VectorStatement, read: Callable[[Side], Any], scene: Scene) ->
         return None
     u = inside[0]
     along = Vec(*(sp.diff(p.value, u) for p in (v.x, v.y)))
-    if any(sp.expand(p.value - e * u) != 0 for p, e in ((v.x, along.x), (v.y, along.y))):
+    if any(expanded(p.value - e * u) != 0 for p, e in ((v.x, along.x), (v.y, along.y))):
         return None
     length = simplified(sp.sqrt(simplified(along.dot(along))))
     found: Jet = Jet(length * u * (scene.sign(factors[u]) or 1), None, None) - read(item.size)

@@ -10,6 +10,8 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.evaluate import demand_time
+from planar_cli.equation.expansion import expanded
+from planar_cli.equation.factoring import factored
 from planar_cli.equation.motion import Motion
 from planar_cli.equation.plain import MANY, longer, operations, simplified
 from planar_cli.equation.quantities import quantities_of
@@ -61,7 +63,7 @@ class Moving:
         square = simplified(root**2)
         plain = sp.sqrt(square)
         if not plain.atoms(sp.Abs) and square.is_Add:
-            whole = sp.sqrt(sp.factor(square))
+            whole = sp.sqrt(factored(square))
             plain = whole if whole.atoms(sp.Abs) else plain
         sides = plain.atoms(sp.Abs)
         if sides:
@@ -76,7 +78,7 @@ class Moving:
         if len(speeds) == 1:
             u = speeds[0]
             along = Vec(sp.diff(velocity.x, u), sp.diff(velocity.y, u))
-            if all(sp.expand(p - e * u) == 0 for p, e in ((velocity.x, along.x), (velocity.y, along.y))):
+            if all(expanded(p - e * u) == 0 for p, e in ((velocity.x, along.x), (velocity.y, along.y))):
                 found: Vec = -along * (sp.sign(u) * size / sp.sqrt(simplified(along.dot(along))))
                 return found
         return Vec(*(-p * (size / sp.sqrt(simplified(velocity.dot(velocity)))) for p in (velocity.x, velocity.y)))

@@ -11,6 +11,8 @@ from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.expansion import expanded
+from planar_cli.equation.factoring import factored
 from planar_cli.equation.trigonometry import put_together
 
 MANY = 60
@@ -30,8 +32,44 @@ _KEPT = 50_000
 
 @lru_cache(maxsize=_KEPT)
 def operations(expr: sp.Expr) -> int:
-    """How many operations an expression has."""
+    """How many operations an expression has: as SymPy's `count_ops` counts them, part by part, each remembered."""
+    if expr.is_Rational:
+        return int(expr.p < 0) + int(expr.q != 1)
+    if not expr.args or not isinstance(expr, sp.Expr):
+        return 0 if expr.is_Symbol else int(sp.count_ops(expr))
+    if expr.is_Mul:
+        return _of_product(expr)
+    if expr.is_Add:
+        signs = [_negative(t) for t in expr.args]
+        terms = sum(operations(-t if negative else t) for t, negative in zip(expr.args, signs, strict=True))
+        return terms + len(signs) - 1 + int(all(signs))
+    if expr.is_Pow and expr.exp == -1:
+        return 1 + operations(expr.base)
+    if expr.is_Pow or (isinstance(expr, sp.Function) and not expr.is_Piecewise):
+        return 1 + sum(operations(a) for a in expr.args)
     return int(sp.count_ops(expr))
+
+
+def _negative(expr: sp.Expr) -> bool:
+    """Does a minus sign stand before it?"""
+    first = expr.args[0] if expr.is_Mul else expr
+    return bool(first.is_Number and first.is_negative)
+
+
+def _of_product(product: sp.Expr) -> int:
+    """The operations of a product: its sign, the fraction stroke, and what stands above and below it."""
+    sign = int(_negative(product))
+    if sign:
+        product = product.as_two_terms()[1] if product.args[0] == -1 else -product
+    above, below = sp.fraction(product)
+    if above.is_Integer:
+        return sign + 1 + int(above.p < 0) + operations(below)
+    if below != 1:
+        return sign + 1 + operations(above) + (0 if below.is_Integer else operations(below))
+    if not (product.is_Mul or product.is_Add):
+        return sign + operations(product)
+    # Of a sum with a minus sign before it SymPy counts the terms only.
+    return sign + sum(operations(a) for a in product.args) + (len(product.args) - 1 if product.is_Mul else 0)
 
 
 def longer(expr: sp.Expr, limit: int) -> bool:
@@ -83,13 +121,11 @@ def derivative(expr: sp.Expr, x: sp.Symbol) -> sp.Expr:
 
 
 @lru_cache(maxsize=_KEPT)
-def trigonometric(expr: sp.Expr, expanded: bool = False) -> sp.Expr:
-    """Angles put together where sines and cosines multiply each other; sin² + cos² = 1 goes first. `expanded`: is it
-    multiplied out already?
-    """
+def trigonometric(expr: sp.Expr) -> sp.Expr:
+    """Angles put together where sines and cosines multiply each other; sin² + cos² = 1 goes first."""
     if _degree(expr) < 2:
         return expr
-    short = _with_one(expr, expanded)
+    short = _with_one(expr)
     return short if _degree(short) < 2 or longer(short, MANY) else put_together(short)
 
 
@@ -108,19 +144,14 @@ def _degree(expr: sp.Expr) -> int:
     return max((_degree(a) for a in expr.args), default=0)
 
 
-@lru_cache(maxsize=_KEPT)
-def _expanded(expr: sp.Expr) -> sp.Expr:
-    return sp.expand(expr)
-
-
-def _with_one(expr: sp.Expr, expanded: bool = False) -> sp.Expr:
+def _with_one(expr: sp.Expr) -> sp.Expr:
     """sin² = 1 - cos² put in, or the other way round, where that makes it shorter."""
-    whole = expr if expanded else _expanded(expr)
+    whole = expanded(expr)
     forms = [expr]
     for function, other in ((sp.sin, sp.cos), (sp.cos, sp.sin)):
         squares = [p for p in whole.atoms(sp.Pow) if isinstance(p.base, function) and p.exp == 2]
         if squares:
-            forms.append(sp.expand(whole.xreplace({p: 1 - other(p.base.args[0]) ** 2 for p in squares})))
+            forms.append(expanded(whole.xreplace({p: 1 - other(p.base.args[0]) ** 2 for p in squares})))
     return min(forms, key=operations)
 
 
@@ -133,10 +164,10 @@ def simplified(expr: Any) -> sp.Expr:
 def _simplified(expr: sp.Expr) -> sp.Expr:
     if not expr.args:
         return expr
-    whole = _expanded(expr)
+    whole = expanded(expr)
     forms = [expr, whole]
     if _degree(expr) >= 2:
-        forms += [trigonometric(f, f == whole) for f in {expr, min(forms, key=_effort)}]
+        forms += [trigonometric(f) for f in {expr, min(forms, key=_effort)}]
     best = min(forms, key=_effort)
     if operations(best) <= FEW:
         return best
@@ -145,7 +176,7 @@ def _simplified(expr: sp.Expr) -> sp.Expr:
     if _degree(cancelled) >= 2:
         forms.append(trigonometric(cancelled))
     best = min(forms, key=_effort)
-    last = [sp.signsimp(best), sp.factor_terms(best), _joined(best, combine="exp", deep=True), best]
+    last = [sp.signsimp(best), sp.factor_terms(best), _joined(best, deep=True), best]
     if expr.is_number:
         last += [sp.radsimp(best), sp.sqrtdenest(best)]
     # Of forms that read equally well, the factored one comes before the others.
@@ -177,15 +208,37 @@ def _refuted(expr: sp.Expr) -> bool:
     return False
 
 
-def _joined(expr: sp.Expr, **how: Any) -> sp.Expr:
-    """`powsimp` where there is something for it: roots and exponentials, or factors that differ in their sign alone."""
-    if any(not p.exp.is_Integer for p in expr.atoms(sp.Pow, sp.exp)):
-        return sp.powsimp(expr, **how)
-    for product in expr.atoms(sp.Mul):
-        sums = {a.base if a.is_Pow else a for a in product.args if a.is_Add or (a.is_Pow and a.base.is_Add)}
-        if len(sums) > 1 and any(-s in sums for s in sums):
-            return sp.powsimp(expr, **how)
-    return expr
+def _joined(expr: sp.Expr, deep: bool = False) -> sp.Expr:
+    """`powsimp` where there is something for it. `deep`: also inside functions and roots, exponents only."""
+    if not _to_join(expr, deep):
+        return sp.Add(*(_with_number_inside(t) for t in sp.Add.make_args(expr)))
+    return sp.powsimp(expr, combine="exp", deep=True) if deep else sp.powsimp(expr)
+
+
+def _to_join(expr: sp.Expr, deep: bool) -> bool:
+    """Are there powers that could become one? Roots of different sums under one exponent only without `deep`."""
+    products = expr.atoms(sp.Mul) if deep else (t for t in sp.Add.make_args(expr) if t.is_Mul)
+    return any(_powers_to_join(p, 1 if not deep else len(p.args)) for p in products) or expr.has(sp.exp)
+
+
+def _powers_to_join(product: sp.Expr, most: int) -> bool:
+    """Has a product more roots than so many, one of a product, a letter as exponent, or factors that differ in their
+    sign alone?
+    """
+    roots = [f for f in product.args if f.is_Pow and not f.exp.is_Integer]
+    if len(roots) > most or any(f.base.is_Mul or not f.exp.is_Rational for f in roots):
+        return True
+    sums = {a.base if a.is_Pow else a for a in product.args if a.is_Add or (a.is_Pow and a.base.is_Add)}
+    return len(sums) > 1 and any(-s in sums for s in sums)
+
+
+def _with_number_inside(term: sp.Expr) -> sp.Expr:
+    """A number that stands before a sum alone goes into it: (2 a + 2 b)/(2 c) is (a + b)/c."""
+    number, rest = term.as_coeff_Mul(rational=True)
+    whole = [f for f in sp.Mul.make_args(rest) if not f.is_Pow]
+    if number == 1 or len(whole) != 1 or not whole[0].is_Add:
+        return term
+    return sp.Mul(sp.Mul(number, whole[0]), *(f for f in sp.Mul.make_args(rest) if f.is_Pow))
 
 
 def with_short_roots(expr: sp.Expr) -> sp.Expr:
@@ -194,8 +247,8 @@ def with_short_roots(expr: sp.Expr) -> sp.Expr:
     sums = [p for p in expr.atoms(sp.Pow) if p.exp in half and p.base.has(sp.Add) and p.free_symbols]
     if not sums or any(longer(p, SOME) for p in sums):
         return expr
-    rooted = expr.xreplace({p: sp.factor(p.base) ** p.exp for p in sums})
-    return min((expr, simplified(rooted), sp.powsimp(sp.factor(rooted))), key=_beside_roots)
+    rooted = expr.xreplace({p: factored(p.base) ** p.exp for p in sums})
+    return min((expr, simplified(rooted), sp.powsimp(factored(rooted))), key=_beside_roots)
 
 
 def _beside_roots(expr: sp.Expr) -> int:
@@ -203,6 +256,7 @@ def _beside_roots(expr: sp.Expr) -> int:
     return operations(expr.xreplace({p: sp.Integer(2) for p in expr.atoms(sp.Pow) if p.is_number}))
 
 
+@lru_cache(maxsize=_KEPT)
 def _effort(expr: sp.Expr) -> int:
     """What an expression costs its reader: its operations, more for fractions inside a denominator and -a - b."""
     reversed_signs = sum(all(a.could_extract_minus_sign() for a in s.args) for s in expr.atoms(sp.Add))

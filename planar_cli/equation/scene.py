@@ -14,6 +14,8 @@ from planar_cli.equation.curves import bend_at, carrier_pose
 from planar_cli.equation.decided import Decided
 from planar_cli.equation.displacement import Displacement
 from planar_cli.equation.evaluate import Evaluator
+from planar_cli.equation.expansion import expanded
+from planar_cli.equation.factoring import factored
 from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.places import Jets, at_relations
 from planar_cli.equation.plain import longer, trigonometric
@@ -213,13 +215,13 @@ class Scene(Decided):
                 return self.on_side(sp.sympify(one), self.sign(one) or 1)
         square = v.dot(v)
         simple = (
-            trigonometric(sp.expand(square))
+            trigonometric(expanded(square))
             if square.has(sp.cos, sp.sin)
-            else sp.expand(square)
+            else expanded(square)
             if not square.is_number
             else square
         )
-        root = sp.sqrt(sp.factor(simple) if simple.free_symbols else simple)
+        root = sp.sqrt(factored(simple) if simple.free_symbols else simple)
         # A length along a slanting line is a difference of places, on the side where it is drawn.
         inside = {a: self.on_side(a.args[0], self.sign(a.args[0]) or 1) for a in root.atoms(sp.Abs)}
         return root.xreplace(inside) if inside else root

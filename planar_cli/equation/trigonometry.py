@@ -35,6 +35,8 @@ from sympy.simplify.fu import (
     TRmorrie,
 )
 
+from planar_cli.equation.factoring import factored
+
 KEPT = 20_000
 """So many parts are remembered."""
 Step = Callable[[sp.Expr], sp.Expr]
@@ -131,14 +133,9 @@ def _cost(expr: sp.Expr) -> tuple[int, ...]:
 
 
 @lru_cache(maxsize=KEPT)
-def _factored(expr: sp.Expr) -> sp.Expr:
-    return sp.factor(expr)
-
-
-@lru_cache(maxsize=KEPT)
 def _reduced(expr: sp.Expr) -> sp.Expr:
     """Factored, with common factors of numerator and denominator gone."""
-    return expr if _factored(expr) == expr else _factored(expr.normal())
+    return expr if factored(expr) == expr else factored(expr.normal())
 
 
 @lru_cache(maxsize=KEPT)
@@ -151,13 +148,35 @@ def _plainest(expr: sp.Expr, *steps: Step) -> sp.Expr:
     return min((expr, *(step(expr) for step in steps)), key=_cost)
 
 
+def _alone(expr: sp.Expr) -> bool:
+    """Does each term hold one sine or cosine at most, of angles that no identity relates, not twice an angle either?"""
+    functions = expr.atoms(TrigonometricFunction)
+    return (
+        all(isinstance(f, sp.sin | sp.cos) and f.args[0].as_coeff_Mul()[0] % 2 for f in functions)
+        and all(_degree(t) < 2 for t in sp.Add.make_args(expr))
+        and _unrelated({f.args[0] for f in functions})
+    )
+
+
+def _degree(expr: sp.Expr) -> int:
+    """How many functions of angles are multiplied or divided by each other at most."""
+    if expr.is_Pow:
+        return _degree(expr.base) * abs(int(expr.exp)) if expr.exp.is_Integer else 2 * _degree(expr.base)
+    if expr.is_Mul:
+        return sum(_degree(a) for a in expr.args)
+    return int(isinstance(expr, TrigonometricFunction)) or max((_degree(a) for a in expr.args), default=0)
+
+
 @lru_cache(maxsize=KEPT)
 def _worked(whole: sp.Expr) -> sp.Expr:
     """A part taken through all steps; as it was, where these make it no plainer."""
-    expr = _factored(TR12(TR1(TR3(whole))))
+    if _alone(whole):
+        plain = sp.expand_mul(_plainest(factored(whole), _expanded))
+        return min((whole, _plainest(plain, sp.factor_terms)), key=_cost)
+    expr = factored(TR12(TR1(TR3(whole))))
     expr = TR2i(_plainest(TR2(expr), _expanded))
     expr = TR6(TR11(TR10(TR5(TR14(_reduced(expr))))))
-    expr = TRmorrie(TR10i(_plainest(TR14(_factored(expr)), _expanded)))
+    expr = TRmorrie(TR10i(_plainest(TR14(factored(expr)), _expanded)))
     expr = _plainest(_plainest(expr, TR8), lambda e: TR2i(TR2(e)))
     expr = min((sp.expand_mul(f(expr)) for f in (TR5, TR15)), key=_cost)
     expr = min((sp.expand_mul(f(expr)) for f in (TR6, TR16)), key=_cost)

@@ -7,6 +7,7 @@ from typing import ClassVar, final
 
 import sympy as sp
 
+from planar_cli.equation.expansion import expanded
 from planar_cli.equation.plain import simplified
 from planar_cli.equation.scene import Scene
 from planar_cli.principles._bodies import body_families
@@ -93,12 +94,12 @@ def _balances(position: Position) -> Iterator[Balance]:
             continue
         outer = [w for w in acting if w.body in group]
         for d, arrow in ((Vec(sp.S.One, sp.S.Zero), "→ "), (Vec(sp.S.Zero, sp.S.One), "↑ ")):
-            rate = sp.expand(sp.Add(*(w.force.dot(d) for w in outer if w.force is not None)))
+            rate = expanded(sp.Add(*(w.force.dot(d) for w in outer if w.force is not None)))
             if not rate.free_symbols & loose:
                 yield from _balance(group, _linear(position, group, d), rate, arrow, "")
         centres = {**fixed, **(_own_points(position, group[0]) if len(group) == 1 else {})}
         for name, center in centres.items():
-            rate = simplified(sp.expand(sp.Add(*(_moment(w, center) for w in outer))))
+            rate = simplified(expanded(sp.Add(*(_moment(w, center) for w in outer))))
             if not rate.free_symbols & loose:
                 yield from _balance(group, _angular(position, group, center), rate, "↺ ", name)
 

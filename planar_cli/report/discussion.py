@@ -6,6 +6,7 @@ from decimal import Decimal
 
 import sympy as sp
 
+from planar_cli.equation.expansion import expanded
 from planar_cli.equation.plain import longer
 from planar_cli.report.blocks import Line, Math, Name, Relation, Value, line
 from planar_cli.report.words import Phrases
@@ -34,7 +35,7 @@ def _sign_change(answer: Found, phrases: Phrases) -> Line | None:
     if longer(expr, LONGEST):
         return None
     numerator = sp.fraction(sp.together(expr))[0]
-    factors = [f for f in sp.Mul.make_args(sp.factor_terms(sp.expand(numerator))) if f.is_Add]
+    factors = [f for f in sp.Mul.make_args(sp.factor_terms(expanded(numerator))) if f.is_Add]
     if not factors:
         return None
     turning = factors[-1]

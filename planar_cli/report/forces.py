@@ -7,6 +7,7 @@ from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.factoring import factored
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.loads.base import Load
 from planar_cli.problem.acting import kind_of
@@ -128,5 +129,5 @@ def _size(direction: Any, phrases: Phrases) -> sp.Expr:
     if square == 1 or abs(phrases.value(square) - 1) < Decimal("1e-30"):
         return sp.S.One
     if phrases.symbolic:
-        return sp.sqrt(sp.factor(simplified(square)))
+        return sp.sqrt(factored(simplified(square)))
     return sp.Rational(str(phrases.value(square).sqrt()))

@@ -10,6 +10,7 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.exact import Sample
+from planar_cli.equation.expansion import expanded
 from planar_cli.equation.ledger import Kind, display
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.problem.check_dimensions import Kinds
@@ -225,7 +226,7 @@ class MotionTelling:
         """Does the relation itself give its unknown?"""
         result = leg.results[0]
         if (e.kind == "link" or e.is_datum) and result.formula is not None:
-            return bool(sp.expand(e.residual - (result.unknown - result.formula)) == 0) or e.kind == "link"
+            return bool(expanded(e.residual - (result.unknown - result.formula)) == 0) or e.kind == "link"
         return e.span is not None and e.span.explicit is not None and self._letter(e) == leg.results[0].unknown
 
     def _law(self, e: Relation) -> Iterator[Block]:

@@ -7,6 +7,7 @@ from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.expansion import expanded
 from planar_cli.equation.plain import longer
 from planar_cli.report.blocks import Note, line
 from planar_cli.report.words import Phrases
@@ -27,7 +28,7 @@ def presumed_notes(part: PartSolution, phrases: Phrases) -> Iterator[Note]:
 
 def _above_zero(expr: Any) -> sp.Expr:
     """A sum that is positive as one side greater than the other."""
-    terms = sp.Add.make_args(sp.expand(expr))
+    terms = sp.Add.make_args(expanded(expr))
     left = sp.Add(*(t for t in terms if not t.could_extract_minus_sign()))
     right = sp.Add(*(-t for t in terms if t.could_extract_minus_sign()))
     return sp.StrictGreaterThan(left, right, evaluate=False)

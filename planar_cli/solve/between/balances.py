@@ -12,6 +12,7 @@ from itertools import pairwise
 
 import sympy as sp
 
+from planar_cli.equation.expansion import expanded
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.principles.base import Balance
 from planar_cli.records import record
@@ -91,7 +92,7 @@ def closed_balances(regime: Regime, offered: Sequence[Offered]) -> list[Closed]:
         closed = _closed(regime, one)
         if closed is None:
             continue
-        law = sp.expand(closed.total - sp.Add(*(f for _, f in closed.functions)))
+        law = expanded(closed.total - sp.Add(*(f for _, f in closed.functions)))
         others = [x for principle, x in seen if principle == one.principle and not longer(x, COMPARED)]
         if any(not (law / x).free_symbols & set(regime.letters) for x in others):
             continue
@@ -173,7 +174,7 @@ def _equation(
     told = StateBalance(law, start, stop, start.at(first.total), stop.at(last.total), brought, amounts)
     residual = told.after - told.before - told.gain
     # What is told in one line is one sum, in which like terms meet.
-    residual = residual if law.letter else sp.expand(residual)
+    residual = residual if law.letter else expanded(residual)
     if law.timeless and residual.free_symbols & {s.t for s in stops}:
         return
     if residual.free_symbols & set(stop.letters.values()):

@@ -11,6 +11,8 @@ import sympy as sp
 from sympy.simplify.fu import TR8
 
 from planar_cli.equation.exact import PI, Valuation
+from planar_cli.equation.expansion import expanded
+from planar_cli.equation.factoring import factored
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.errors import Undecided
 from planar_cli.solve.instant.roots import Root, real_roots
@@ -42,7 +44,7 @@ def _factors(numerator: sp.Expr, x: sp.Symbol) -> list[sp.Expr]:
     inside = {}
     if len(_kernels(numerator, x)) > 1 or numerator.is_Mul:
         inside = {a: sp.expand_trig(a) for a in numerator.atoms(sp.sin, sp.cos) if x in a.free_symbols}
-    product = sp.factor(numerator.xreplace(inside))
+    product = factored(numerator.xreplace(inside))
     return [f.base if f.is_Pow else f for f in sp.Mul.make_args(product) if x in f.free_symbols]
 
 
@@ -73,7 +75,7 @@ def _of_factor(numerator: sp.Expr, x: sp.Symbol, value: Valuation, truth: Decima
 
 def _summed(numerator: sp.Expr) -> sp.Expr:
     """Products of sines and cosines as sums."""
-    return sp.expand(TR8(sp.expand(numerator))) if not longer(numerator, LONGEST) else numerator
+    return expanded(TR8(expanded(numerator))) if not longer(numerator, LONGEST) else numerator
 
 
 def _without_tangents(numerator: sp.Expr, x: sp.Symbol) -> sp.Expr:
@@ -89,7 +91,7 @@ def _kernels(expr: sp.Expr, x: sp.Symbol) -> set[sp.Expr]:
     found: set[sp.Expr] = set()
     for atom in expr.atoms(sp.sin, sp.cos, sp.tan):
         if x in atom.free_symbols:
-            found.add(sp.expand(atom.args[0]))
+            found.add(expanded(atom.args[0]))
     for atom in expr.atoms(sp.exp, sp.log):
         if x in atom.free_symbols:
             found.add(atom)
@@ -118,11 +120,11 @@ def _one_function(numerator: sp.Expr, x: sp.Symbol, kernel: sp.Expr, value: Valu
 def _rooted(numerator: sp.Expr, x: sp.Symbol, kernel: sp.Pow, value: Valuation, symbolic: bool) -> list[Root]:
     """One square root: isolated and squared; what does not satisfy the equation itself leaves."""
     y = sp.Dummy("y", nonnegative=True)
-    flat = sp.expand(numerator.xreplace({kernel: y}).subs(kernel, y))
+    flat = expanded(numerator.xreplace({kernel: y}).subs(kernel, y))
     if not flat.is_polynomial(y) or sp.degree(flat, y) != 1:
         return []
     slope, rest = flat.coeff(y, 1), flat.coeff(y, 0)
-    squared = sp.expand(slope**2 * kernel.base - rest**2)
+    squared = expanded(slope**2 * kernel.base - rest**2)
     if not squared.is_polynomial(x):
         return []
     found = []
@@ -143,7 +145,7 @@ def _angle(
         return []
     u = sp.Dummy("u", real=True)
     flat = numerator.replace(
-        lambda e: isinstance(e, sp.sin | sp.cos | sp.tan) and sp.expand(e.args[0] - argument) == 0, lambda e: e.func(u)
+        lambda e: isinstance(e, sp.sin | sp.cos | sp.tan) and expanded(e.args[0] - argument) == 0, lambda e: e.func(u)
     )
     if x in flat.free_symbols:
         return []

@@ -13,6 +13,7 @@ import sympy as sp
 
 from planar_cli.equation.arrows import vector_arrow
 from planar_cli.equation.exact import Valuation
+from planar_cli.equation.expansion import expanded
 from planar_cli.equation.form import Nonlinear, linear_form
 from planar_cli.equation.plain import identically_zero
 from planar_cli.principles.base import Balance, Impulses
@@ -46,7 +47,7 @@ def impulse_equations(
             if w.law in ("force", "moment"):
                 told = _integrated(offer, letter_of, regime, w, explicit, a, b)
                 if told is not None:
-                    residual = sp.expand(told.after - told.before - told.gain)
+                    residual = expanded(told.after - told.before - told.gain)
                     whose = frozenset((principle,))
                     yield Equation(
                         residual,
@@ -75,7 +76,7 @@ def _integrated(
     pushes = {system.symbols[p.name]: p for p in system.pushes}
     sides = [e.xreplace(dict(explicit)) for e in (w.left, w.right)]
     try:
-        forces, inertia = (linear_form(sp.expand(e), {*rates, *pushes}) for e in sides)
+        forces, inertia = (linear_form(expanded(e), {*rates, *pushes}) for e in sides)
     except Nonlinear:
         return None
     varying = set(regime.letters)

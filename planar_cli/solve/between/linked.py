@@ -9,6 +9,7 @@ from collections.abc import Iterator, Sequence
 
 import sympy as sp
 
+from planar_cli.equation.expansion import expanded
 from planar_cli.equation.form import Nonlinear, linear_form
 from planar_cli.equation.plain import letters, longer, tidy
 from planar_cli.records import record
@@ -32,7 +33,7 @@ def linked_blocks(
     equations: Sequence[Equation], unknowns: frozenset[sp.Symbol], times: Sequence[sp.Symbol]
 ) -> Iterator[Block]:
     """Blocks that are left when unknowns are expressed by others, the smallest first."""
-    pool = [Reduced(sp.expand(e.residual), frozenset([i])) for i, e in enumerate(equations)]
+    pool = [Reduced(expanded(e.residual), frozenset([i])) for i, e in enumerate(equations)]
     left = set(unknowns)
     seen: set[tuple[int, ...]] = set()
     while True:
@@ -54,7 +55,7 @@ def linked_blocks(
 def _put(p: Reduced, x: sp.Symbol, formula: sp.Expr, by: Reduced) -> Reduced:
     if x not in letters(p.residual):
         return p
-    return Reduced(tidy(sp.expand(p.residual.xreplace({x: formula}))), p.members | by.members)
+    return Reduced(tidy(expanded(p.residual.xreplace({x: formula}))), p.members | by.members)
 
 
 def _next(

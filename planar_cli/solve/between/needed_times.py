@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
+from planar_cli.equation.expansion import expanded
 from planar_cli.solve.between.asked_finds import AskedFind, asked_letters
 from planar_cli.solve.between.motion_equations import MotionEquations
 from planar_cli.solve.between.stated_motion import StatedMotion
@@ -49,4 +50,4 @@ def needed_letters(course: StatedMotion, finds: tuple[AskedFind, ...]) -> set[sp
 
 def _same_time(e: Equation, instants: dict[sp.Symbol, sp.Symbol]) -> bool:
     """Does it say no more than that a blow takes no time?"""
-    return e.kind == "link" and any(sp.expand(e.residual - (t - s)) == 0 for t, s in instants.items())
+    return e.kind == "link" and any(expanded(e.residual - (t - s)) == 0 for t, s in instants.items())

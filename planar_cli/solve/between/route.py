@@ -16,6 +16,7 @@ from decimal import Decimal
 import sympy as sp
 
 from planar_cli.equation.exact import Valuation
+from planar_cli.equation.expansion import expanded
 from planar_cli.equation.plain import derivative, letters, longer, simplified
 from planar_cli.errors import Undecided
 from planar_cli.solve.between.by_numbers import ByNumbers
@@ -361,7 +362,7 @@ def _linear_step(
             if value.known(rate) is None or value.is_zero(rate):
                 continue
             formula = simplified(-(residual - rate * x).expand() / rate) if not longer(residual, most) else None
-            formula = -sp.expand(residual - rate * x) / rate if formula is None else formula
+            formula = -expanded(residual - rate * x) / rate if formula is None else formula
             found.append((int(sp.count_ops(formula)), index, x, formula))
     if not found:
         return None

@@ -14,6 +14,7 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.conditions import vector_or_jet
+from planar_cli.equation.factoring import factored
 from planar_cli.equation.plain import longer, rounded_inside, simplified
 from planar_cli.equation.quantities import Quantities
 from planar_cli.equation.system import mode_of
@@ -290,7 +291,7 @@ def _is_root(e: sp.Expr) -> bool:
 
 def _square_rooted(e: sp.Expr) -> sp.Expr:
     """√(a²) as |a|."""
-    root = sp.sqrt(sp.factor(e.base))
+    root = sp.sqrt(factored(e.base))
     return root ** (2 * e.exp) if not any(_is_root(p) for p in root.atoms(sp.Pow)) else e
 
 

@@ -14,6 +14,7 @@ import sympy as sp
 from planar_cli.calculus.curve_words import CIRCLE, POINT, Curve
 from planar_cli.calculus.curves import curve_of
 from planar_cli.equation.exact import Valuation
+from planar_cli.equation.expansion import expanded
 from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.plain import simplified
 from planar_cli.errors import refuse
@@ -252,7 +253,7 @@ class CurveReader:
         for axis, own, expr in zip(axes, (place.x, place.y), (exprs.x, exprs.y), strict=True):
             known = functions.found.get(own) if isinstance(own, sp.Symbol) else None
             words = known.words if known is not None and known.expr == expr else ""
-            line = sp.expand(expr) if expr.is_polynomial(self.regime.time) else expr
+            line = expanded(expr) if expr.is_polynomial(self.regime.time) else expr
             shown.append(Row(words, sp.Eq(sp.Symbol(axis, real=True), line, evaluate=False)))
         steps = [Row(w, e) for w, e in curve.steps if not any(_same(e, s.line) for s in shown)]
         return (*rows, *shown) if curve.kind == POINT else (*rows, *shown, *steps)
@@ -282,4 +283,4 @@ def _apart(single: Single | list[sp.Symbol], axes: tuple[str, str], ledger: Ledg
 
 def _same(step: object, shown: sp.Eq) -> bool:
     """Is a step a line that is shown already?"""
-    return isinstance(step, sp.Eq) and step.lhs == shown.lhs and sp.expand(step.rhs - shown.rhs) == 0
+    return isinstance(step, sp.Eq) and step.lhs == shown.lhs and expanded(step.rhs - shown.rhs) == 0

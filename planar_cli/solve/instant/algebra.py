@@ -12,6 +12,7 @@ from decimal import Decimal
 import sympy as sp
 
 from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.equation.factoring import factored
 from planar_cli.equation.form import Nonlinear, linear_form
 from planar_cli.equation.plain import longer, tidy
 from planar_cli.records import record
@@ -143,7 +144,7 @@ class Algebra:
                 break
             residual = residual.xreplace(inside)
         form = linear_form(residual, set(order))
-        return sp.Add(sp.factor(form.constant), *(sp.factor(c) * x for x, c in form.terms.items()))
+        return sp.Add(factored(form.constant), *(factored(c) * x for x, c in form.terms.items()))
 
     def _letters_of(self, exprs: list[sp.Expr]) -> set[sp.Symbol]:
         """The letters in which coefficients are written."""

@@ -14,6 +14,7 @@ from itertools import combinations
 import sympy as sp
 
 from planar_cli.equation.exact import Valuation
+from planar_cli.equation.expansion import expanded
 from planar_cli.equation.form import Form, Nonlinear, linear_form
 from planar_cli.equation.plain import longer, tidy
 from planar_cli.records import record
@@ -75,7 +76,7 @@ def _even(pool: list[Pending], candidates: Iterable[sp.Symbol]) -> Step | None:
     """A letter that is positive, such as a time since the start, and enters by its square alone."""
     for x in candidates:
         square = sp.Dummy("x2", positive=True)
-        flat = [sp.expand(p.residual).subs(x**4, square**2).subs(x**2, square) for p in pool]
+        flat = [expanded(p.residual).subs(x**4, square**2).subs(x**2, square) for p in pool]
         if any(x in f.free_symbols for f in flat):
             continue
         for i, f in enumerate(flat):
@@ -112,7 +113,7 @@ def _linear(
 
 def _form(residual: sp.Expr, x: sp.Symbol) -> Form | None:
     """A residual taken apart by one unknown; None where that enters nonlinearly."""
-    for written in (residual, sp.expand(residual)):
+    for written in (residual, expanded(residual)):
         try:
             return linear_form(written, {x})
         except Nonlinear:
@@ -146,7 +147,7 @@ def _circle(
             formula = sp.atan2(sine, cosine)
             others = [p for n, p in enumerate(pool) if n not in (i, j)]
             rest = [Pending(tidy(o.residual.xreplace({x: formula})), o.numbers) for o in others]
-            return Step(Line(x, formula, None, numbers), [Pending(tidy(sp.expand(circle)), numbers), *rest])
+            return Step(Line(x, formula, None, numbers), [Pending(tidy(expanded(circle)), numbers), *rest])
     return None
 
 
@@ -168,7 +169,7 @@ def subtracted(
             leads = [_square(pool[n].residual, x, left) for n in (i, j)]
             if leads[0] is None or leads[1] is None:
                 continue
-            less = tidy(sp.expand(leads[1] * pool[i].residual - leads[0] * pool[j].residual))
+            less = tidy(expanded(leads[1] * pool[i].residual - leads[0] * pool[j].residual))
             made = Pending(less, (*pool[i].numbers, *pool[j].numbers))
             if _linear([made], left, left, value, True) is not None or (any_alone and alone([made], left) is not None):
                 return [*(p for n, p in enumerate(pool) if n != j), made]
@@ -177,10 +178,10 @@ def subtracted(
 
 def _square(residual: sp.Expr, x: sp.Symbol, left: Sequence[sp.Symbol]) -> sp.Expr | None:
     """The factor of x² in a quadratic equation, when it holds no other unknown."""
-    expanded = sp.expand(residual)
-    if not expanded.is_polynomial(x) or sp.degree(expanded, x) != 2:
+    whole = expanded(residual)
+    if not whole.is_polynomial(x) or sp.degree(whole, x) != 2:
         return None
-    lead = expanded.coeff(x, 2)
+    lead = whole.coeff(x, 2)
     return None if any(s in lead.free_symbols for s in left) else lead
 
 
@@ -192,12 +193,12 @@ def _resultant(pool: list[Pending], left: Sequence[sp.Symbol], value: Valuation)
             continue
         for x in inside:
             y = next(s for s in inside if s != x)
-            one, other = (sp.expand(pool[n].residual) for n in (i, j))
+            one, other = (expanded(pool[n].residual) for n in (i, j))
             if not (one.is_polynomial(x, y) and other.is_polynomial(x, y)):
                 continue
             if sp.total_degree(one, x, y) * sp.total_degree(other, x, y) > HIGHEST or longer(one * other, 200):
                 continue
-            found = sp.expand(sp.resultant(one, other, x))
+            found = expanded(sp.resultant(one, other, x))
             if found != 0 and y in found.free_symbols and not any(p.residual == found for p in pool):
                 numbers = tuple(dict.fromkeys((*pool[i].numbers, *pool[j].numbers)))
                 return [Pending(found, numbers), *pool]

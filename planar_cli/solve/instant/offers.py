@@ -16,6 +16,7 @@ import sympy as sp
 
 from planar_cli.equation.conditions import Condition
 from planar_cli.equation.exact import CERTAIN, ONE, ZERO
+from planar_cli.equation.expansion import expanded
 from planar_cli.equation.plain import longer, tidy
 from planar_cli.equation.system import System
 from planar_cli.principles.base import BodyFamily, Family, Single
@@ -100,7 +101,7 @@ class Offers:
             row = combine((x, y), (-y[j], x[j]))
             if (across.x.free_symbols | across.y.free_symbols) & self._bent:
                 # What multiplies holds unknowns itself: slopes are those of the product.
-                row = list(self.numbers.row(tidy(sp.expand(residual.dot(across)))))
+                row = list(self.numbers.row(tidy(expanded(residual.dot(across)))))
             row[j] = ZERO
             words = f"so that {symbol.name} drops out"
             choice = Choice(False, partial(self._direction, across), words, (symbol,))

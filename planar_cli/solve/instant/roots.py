@@ -14,6 +14,8 @@ import mpmath
 import sympy as sp
 
 from planar_cli.equation.exact import DIGITS, PI, Valuation
+from planar_cli.equation.expansion import expanded
+from planar_cli.equation.factoring import factored
 from planar_cli.errors import NoValue, Undecided
 from planar_cli.records import record
 
@@ -52,7 +54,7 @@ def real_roots(expr: sp.Expr, x: sp.Symbol, value: Valuation, symbolic: bool, an
 
 def linear_or_square_roots(expr: sp.Expr, x: sp.Symbol) -> list[sp.Expr]:
     """Short closed roots in x: where x enters linearly, or only as its square."""
-    numerator = sp.expand(expr)
+    numerator = expanded(expr)
     if not numerator.is_polynomial(x):
         return []
     by = {m[0]: c for m, c in sp.Poly(numerator, x).terms()}
@@ -133,7 +135,7 @@ def _closed(numerator: sp.Expr, x: sp.Symbol, value: Valuation) -> list[sp.Expr]
 
 def _by_factors(numerator: sp.Expr, x: sp.Symbol, value: Valuation) -> list[sp.Expr]:
     """The roots of every factor, sin x and cos x of sin x cos x; nothing unless all are closed."""
-    factors = [f.base if f.is_Pow and f.exp.is_positive else f for f in sp.Mul.make_args(sp.factor(numerator))]
+    factors = [f.base if f.is_Pow and f.exp.is_positive else f for f in sp.Mul.make_args(factored(numerator))]
     factors = [f for f in factors if x in f.free_symbols]
     if len(factors) < 2 and numerator in factors:
         return []

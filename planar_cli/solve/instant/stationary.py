@@ -14,6 +14,7 @@ import sympy as sp
 
 from planar_cli.equation.conditions import Condition
 from planar_cli.equation.exact import Unvalued, Valuation
+from planar_cli.equation.factoring import factored
 from planar_cli.equation.form import Nonlinear, linear_form
 from planar_cli.equation.kinetics import body_residuals
 from planar_cli.errors import NoValue, Undecided
@@ -95,7 +96,7 @@ def stationary_of(seeker: Seeker, extreme: Extreme, side: sp.Expr) -> Stationary
         )
     except Undecided:
         return None
-    factors = [f for f in sp.Mul.make_args(sp.factor(condition)) if f.free_symbols & set(letters)]
+    factors = [f for f in sp.Mul.make_args(factored(condition)) if f.free_symbols & set(letters)]
     slope = sp.Mul(*factors)
     if not slope.free_symbols & sought:
         return None

@@ -10,6 +10,8 @@ from collections.abc import Iterable
 
 import sympy as sp
 
+from planar_cli.equation.expansion import expanded
+from planar_cli.equation.factoring import factored
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.errors import Undecided
 
@@ -33,7 +35,7 @@ def eliminated(
                 continue
             slope = sp.diff(residual, x)
             formula = simplified(x - residual / slope) if not longer(residual, LONGEST) else x - residual / slope
-            formula = sp.expand(formula) if x in formula.free_symbols else formula
+            formula = expanded(formula) if x in formula.free_symbols else formula
             pool.pop(index)
             pool = [_put(p, x, formula) for p in pool]
             objective = _put(objective, x, formula)
@@ -93,7 +95,7 @@ def _without_data(
 def _proper(residual: sp.Expr, unknowns: frozenset[sp.Symbol]) -> sp.Expr:
     """The factor of an equation that really relates unknowns: t (a t - b) = 0 at a later time."""
     numerator = sp.fraction(sp.together(residual))[0]
-    factors = [f for f in sp.Mul.make_args(sp.factor_terms(sp.factor(numerator))) if f.free_symbols & unknowns]
+    factors = [f for f in sp.Mul.make_args(sp.factor_terms(factored(numerator))) if f.free_symbols & unknowns]
     proper = [f for f in factors if not f.is_Symbol and not (f.is_Pow and f.base.is_Symbol)]
     return sp.Mul(*proper) if proper and len(proper) < len(factors) else residual
 

@@ -9,6 +9,7 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.conditions import Condition
+from planar_cli.equation.expansion import expanded
 from planar_cli.equation.motion import Motion
 from planar_cli.equation.plain import longer, rounded_inside, tidy, trigonometric
 from planar_cli.equation.system import System
@@ -83,7 +84,7 @@ class Writer:
             return tidy(expr)
         speeds = set(self.system.tree.velocity_unknowns())
         parts: dict[sp.Expr, list[sp.Expr]] = {}
-        for term in sp.Add.make_args(sp.expand(expr)):
+        for term in sp.Add.make_args(expanded(expr)):
             kept, rest = sp.S.One, term
             if speeds & term.free_symbols:
                 rest, kept = term.as_independent(*speeds)
@@ -153,7 +154,7 @@ class Writer:
         along = self.settled(a.dot(tangent))
         form = self.numbers.form(along)
         return sp.Add(
-            *(trigonometric(sp.expand(c)) * x for x, c in form.terms.items()), trigonometric(sp.expand(form.constant))
+            *(trigonometric(expanded(c)) * x for x, c in form.terms.items()), trigonometric(expanded(form.constant))
         )
 
     def _tangents(self, body: str) -> list[Vec]:

@@ -15,6 +15,7 @@ from planar_cli.calculus.laws import Moment, Span, relations
 from planar_cli.calculus.limits import limit
 from planar_cli.equation.displacement import Coordinate
 from planar_cli.equation.exact import Valuation
+from planar_cli.equation.expansion import expanded
 from planar_cli.equation.ledger import Kind
 from planar_cli.equation.plain import identically_zero, longer, simplified
 from planar_cli.errors import NOWHERE, Mark
@@ -147,7 +148,7 @@ def _masters(regime: Regime) -> dict[sp.Symbol, sp.Symbol]:
 
 def _link(regime: Regime, c: Coordinate, masters: Mapping[sp.Symbol, sp.Symbol]) -> Link | None:
     """Constant ratios to the rates of the masters, and a drift that depends on time alone."""
-    rate = sp.expand(regime.rates[c.symbol])
+    rate = expanded(regime.rates[c.symbol])
     varying = set(regime.letters)
     factors: dict[sp.Symbol, sp.Expr] = {}
     for u in regime.free:
@@ -160,7 +161,7 @@ def _link(regime: Regime, c: Coordinate, masters: Mapping[sp.Symbol, sp.Symbol])
         if ratio.free_symbols & varying:
             return None
         factors[masters[u]] = ratio
-        rate = sp.expand(rate - part * u)
+        rate = expanded(rate - part * u)
     if rate.free_symbols & (varying - {regime.time}):
         return None
     return Link(c, factors, simplified(rate))
@@ -263,7 +264,7 @@ def link_equations(laws: Laws, since: Stop, stop: Stop, regime: Regime) -> Itera
         drift: sp.Expr = sp.S.Zero
         if link.drift != 0:
             x = sp.Dummy("t", real=True)
-            body = sp.integrate(sp.expand(link.drift.xreplace({time: x})), x)
+            body = sp.integrate(expanded(link.drift.xreplace({time: x})), x)
             drift = body.xreplace({x: stop.letters[time]}) - body.xreplace({x: since.letters[time]})
         residual = stop.letters[q] - since.letters[q] - sp.Add(*parts) - drift
         words = f"{link.coordinate.words} follows"

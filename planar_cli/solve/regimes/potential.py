@@ -5,6 +5,8 @@ from __future__ import annotations
 import sympy as sp
 
 from planar_cli.calculus.antiderivative import antiderivative
+from planar_cli.equation.expansion import expanded
+from planar_cli.equation.factoring import factored
 from planar_cli.equation.plain import derivative, longer, simplified
 from planar_cli.solve.regimes.regime import Regime
 
@@ -17,7 +19,7 @@ def potential(rate: sp.Expr, regime: Regime) -> sp.Expr | None:
     The rate must be linear in the free speeds u: Σ A(q) u + B(t). One coordinate after the other is integrated, and
     what is left must vanish at last.
     """
-    rest = simplified(sp.expand(rate))
+    rest = simplified(expanded(rate))
     if rest == 0:
         return sp.S.Zero
     if longer(rest, LONG):
@@ -33,7 +35,7 @@ def potential(rate: sp.Expr, regime: Regime) -> sp.Expr | None:
             continue
         total += part
         change = sum((derivative(part, q) * r for q, r in regime.rates.items()), derivative(part, regime.time))
-        rest = simplified(sp.expand(rest - change))
+        rest = simplified(expanded(rest - change))
         if rest == 0:
             return total
     if rest.free_symbols & set(regime.letters) <= {regime.time}:
@@ -63,9 +65,9 @@ def signed_speed(vx: sp.Expr, vy: sp.Expr, regime: Regime) -> tuple[sp.Expr, boo
     vx, vy = simplified(vx), simplified(vy)
     if vx == 0 or vy == 0:
         return vx + vy, True
-    square = simplified(sp.expand(vx**2 + vy**2))
+    square = simplified(expanded(vx**2 + vy**2))
     for u in regime.free:
         rest = simplified(square / u**2)
         if not rest.has(*regime.free):
-            return u * sp.sqrt(sp.factor(rest)), True
+            return u * sp.sqrt(factored(rest)), True
     return sp.sqrt(square), False

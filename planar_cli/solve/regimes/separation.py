@@ -9,6 +9,7 @@ from __future__ import annotations
 import sympy as sp
 
 from planar_cli.equation.displacement import Coordinate, Displacement
+from planar_cli.equation.expansion import expanded
 from planar_cli.equation.motion import Motion
 from planar_cli.problem.facts import Mode
 from planar_cli.records import record
@@ -64,4 +65,4 @@ def _opening(mode: Mode, motion: Motion) -> sp.Expr:
         if a.force is not None:
             power += a.force.dot(motion.velocity(a.point, a.body))
         power += a.couple * motion.velocities[a.body].angular
-    return sp.expand(power)
+    return expanded(power)
