@@ -56,6 +56,12 @@ def antiderivative(f: sp.Expr, x: sp.Symbol, value: Valuation | None = None) -> 
     return found
 
 
+def where_real(found: sp.Expr, value: Valuation) -> sp.Expr:
+    """An antiderivative with ln(-u) instead of ln(u) where u is negative: the derivative is the same."""
+    turned = {p: sp.log(-p.args[0]) for p in found.atoms(sp.log) if sign(p.args[0], value) == -1}
+    return found.xreplace(turned)
+
+
 def _find(f: sp.Expr, x: sp.Symbol, value: Valuation | None, depth: int) -> sp.Expr | None:
     if not f.has(x):
         return f * x

@@ -14,7 +14,7 @@ from typing import Any
 
 import mpmath
 
-from planar_cli.errors import NoValue
+from planar_cli.errors import NotReached, NoValue
 
 Mpf = Any
 """mpmath.mpf: the package carries no types."""
@@ -29,7 +29,7 @@ ROUNDED = 10
 """Places that differ by no more than so many of their last digits are one place."""
 
 
-class Unsettled(ArithmeticError):
+class Unsettled(NotReached):
     """The rule does not settle."""
 
 

@@ -20,7 +20,7 @@ from itertools import pairwise
 import mpmath
 import sympy as sp
 
-from planar_cli.calculus.antiderivative import definite
+from planar_cli.calculus.antiderivative import definite, where_real
 from planar_cli.calculus.first import all_roots
 from planar_cli.calculus.polish import polish
 from planar_cli.equation.exact import Valuation
@@ -144,7 +144,7 @@ class SpanSolver:
         """∫ rate dt between two states of a segment."""
         ta, tb = self.value(p.t), self.value(r.t)
         number, how = self._number(rate, segment, ta, tb)
-        g = potential(rate, segment.regime)
+        g = _potential(rate, segment, ta, tb)
         if g is not None:
             return Piece(*_ends(p, r), rate, "difference", number, r.at(g) - p.at(g), g)
         over = segment.over_time(rate)
@@ -157,7 +157,7 @@ class SpanSolver:
         """∫ rate dt between two times, and how it was done."""
         if ta == tb:
             return Decimal(0), "difference"
-        g = potential(rate, segment.regime)
+        g = _potential(rate, segment, ta, tb)
         if g is not None:
             return segment.number(g, tb) - segment.number(g, ta), "difference"
         over = segment.over_time(rate)
@@ -215,6 +215,12 @@ class SpanSolver:
 def _size(g: Callable[[float], float], segment: ExactSegment) -> float:
     span = float(segment.t1 - segment.t0)
     return max(abs(g(float(segment.t0) + span * k / 7)) for k in range(8))
+
+
+def _potential(rate: sp.Expr, segment: ExactSegment, ta: Decimal, tb: Decimal) -> sp.Expr | None:
+    """The function of place and time of which this is the rate, real between two times; None: none was found."""
+    g = potential(rate, segment.regime)
+    return None if g is None else where_real(g, segment.value.extended(segment.at((ta + tb) / 2)))
 
 
 def _ends(since: Stop, until: Stop) -> tuple[str, str, tuple[sp.Symbol, sp.Symbol]]:

@@ -128,12 +128,17 @@ def _open_impact(course: StatedMotion, loose: Collection[sp.Symbol]) -> NoSoluti
 
 
 def demand_told(course: MotionEquations, finds: tuple[AskedFind, ...], told: Collection[sp.Symbol]) -> None:
-    """NoSolution: letters that are asked for are not told, because a datum is missing."""
-    letters = asked_letters(finds)
-    if letters & course.chain().unknowns - set(told):
-        wrong = missing(course)
-        if wrong is not None:
-            raise wrong
+    """NoSolution: letters that are asked for are not told, because a datum is missing. Undecided: nothing is missing,
+    but no formula leads to them.
+    """
+    untold = asked_letters(finds) & course.chain().unknowns - set(told)
+    if untold:
+        mark = course.problem.find[0].mark
+        names = ", ".join(sorted(s.name for s in untold))
+        raise missing(course) or Undecided(
+            f"{mark.file}:{mark.line}: not decided, no formula leads from what is known to {names}; it may help to "
+            "give numbers for letters, or to ask for less of the motion"
+        )
 
 
 def _mark_of(course: RegimeSequence, sought: sp.Symbol) -> Mark:
@@ -215,8 +220,10 @@ def _short(number: Decimal) -> str:
 
 
 def clash(course: MotionEquations, equations: Iterable[Equation]) -> NoSolution | None:
-    """Statements of which any one may go, and then there is a motion; None: no single one stands in the way."""
-    equations = list(equations)
+    """Statements of which any one may go, and then there is a motion; None: no single one stands in the way. Equations
+    that hold an integral tell the time of a way; each trial of a root of theirs would be a quadrature.
+    """
+    equations = [e for e in equations if not e.residual.has(sp.Integral)]
     stated = [
         e for e in equations if e.kind == "given" and e.mark != NOWHERE and e.residual.free_symbols != {course.first.t}
     ]

@@ -49,6 +49,43 @@ class AfterTree(TreeBuilder):
         return before, found
 
 
+class StruckSetup(Setup):
+    """Names and scene of a blow. `arriving`: the letters of the velocities before it, with their units; `rates`: letters
+    of the rates of the file's coordinates after it, by those of their rates; `mark`: ends the names of its own.
+    """
+
+    def __init__(
+        self,
+        problem: Problem,
+        statements: Statements,
+        earlier: Mapping[str, Any],
+        position: Position,
+        arriving: Mapping[sp.Symbol, str],
+        rates: Mapping[sp.Symbol, sp.Symbol],
+        mark: str,
+    ) -> None:
+        self._arriving, self._rates, self._mark = arriving, rates, mark
+        super().__init__(problem, statements, earlier, True, position, StruckScene)
+
+    def _open_course(self, course: Position) -> None:
+        """Velocities after the blow stand for accelerations from here on, so also in formulas of places."""
+        super()._open_course(course)
+        ledger = self.ledger
+        for symbol, unit in self._arriving.items():
+            ledger.letters.append(symbol)
+            ledger.adopt(symbol, parse_unit(unit), Role(Kind.STATE))
+        for q in ledger.coordinates:
+            rate, _ = self.motions[q]
+            if isinstance(rate, sp.Symbol):
+                role = Role(Kind.SPEED, q)
+                after = self._rates.get(rate) or ledger.fresh(
+                    f"{rate.name}{self._mark}", ledger.units[rate].text, role=role
+                )
+                self.motions[q] = (rate, after)
+            else:
+                self.motions[q] = (sp.S.Zero, rate)
+
+
 class Struck(Instant):
     """The scene in a blow. `known`: letters of the velocities after it by what they are; `mark`: ends the names of its
     own.
@@ -90,19 +127,7 @@ def struck_instant(
     demanded = tuple(d for s in always for d in _after(s, coordinates))
     level = replace(problem, plane="horizontal")
     statements = Statements.of((), (*demanded, AtRest(None, "", problem.bodies[0].mark)))
-    setup = Setup(level, statements, earlier, True, position, StruckScene)
-    ledger = setup.ledger
-    for symbol, unit in arriving.items():
-        ledger.letters.append(symbol)
-        ledger.adopt(symbol, parse_unit(unit), Role(Kind.STATE))
-    for q in ledger.coordinates:
-        rate, _ = setup.motions[q]
-        if isinstance(rate, sp.Symbol):
-            role = Role(Kind.SPEED, q)
-            after = rates.get(rate) or ledger.fresh(f"{rate.name}{mark}", ledger.units[rate].text, role=role)
-            setup.motions[q] = (rate, after)
-        else:
-            setup.motions[q] = (sp.S.Zero, rate)
+    setup = StruckSetup(level, statements, earlier, position, arriving, rates, mark)
     scene = setup.scene
     assert isinstance(scene, StruckScene)
     scene.before = {b: Twist(scene.center(b), v, spin) for b, (v, spin) in before.items()}
