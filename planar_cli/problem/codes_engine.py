@@ -35,8 +35,8 @@ _ENGINE = {
         "`given`."
     ),
     "PL706": (
-        "Bodies strike each other, and what follows is open, because the impact has no coefficient of restitution. "
-        "Write `restitution: 0.5`."
+        "Bodies strike each other, and what follows is open, because the impact has no coefficient of restitution, or "
+        "because bodies that have parted meet again and no impact is there. Write `restitution: 0.5`."
     ),
     "PL707": (
         "How far these two bodies are apart cannot be followed over time: their outlines can meet in ways that are "

@@ -32,6 +32,8 @@ from planar_cli.solve.solution import Found, InstantSolution
 from planar_cli.solve.solved_problem import PartSolution, Solution
 from planar_cli.solve.states import solve_states, stand_at_states
 
+NO_MOTION = frozenset(("PL620", "PL621", "PL622"))
+"""Verdicts that a motion which is followed to all states refutes."""
 SEED = 1
 """SymPy factors and tests for zero at places that it draws: the same ones each time, so that a file takes the same way
 in the same time whenever it is solved, and whatever was solved before it.
@@ -108,13 +110,19 @@ def _part(problem: Problem, case: str, units: dict[str, str], earlier: dict[str,
     except (Undecided, NoSolution) as error:
         if problem.unknowns:
             return _confirmed(problem, _shot(problem, case, units, earlier, error), numbers)
-        # Where the modes change in ways that no equation tells, as from blow to blow, it is only followed.
-        by_steps = isinstance(error, Undecided) or told_by_modes(problem)
+        # Where the modes change in ways that no equation tells, as from blow to blow, it is only followed. And that no
+        # motion comes to a state does not stand against one that does.
+        by_steps = isinstance(error, Undecided) or told_by_modes(problem) or _denies_motion(error)
         part = followed_part(problem, case, numbers, units) if by_steps and can_be_followed(problem) else None
         if part is None:
             raise
         return part
     return _confirmed(problem, derived, numbers)
+
+
+def _denies_motion(error: NoSolution) -> bool:
+    """Does it say that there is no motion, or none that comes to some state?"""
+    return any(d.code in NO_MOTION for d in error.diagnostics)
 
 
 def _shot(

@@ -268,7 +268,7 @@ def meets_again(course: RegimeSequence, ends: Ends) -> NoSolution:
     state = course.states[ends.stretch + 1]
     text = f"before state {state.name}, at t = {ends.time:.4g} s, `{ends.words}` ends with a blow: it meets again"
     hint = "a state `just after` it and an `impact` tell what comes of it; else ask for nothing later"
-    return _wrong(state.mark, "PL622", text, hint)
+    return _wrong(state.mark, "PL706", text, hint)
 
 
 def _hint(course: MotionEquations, followed: Followed, stop: Stop, value: Valuation) -> str:

@@ -40,7 +40,7 @@ def ranges(drawn: Instant, displacement: Displacement) -> dict[str, Range]:
             continue
         found[c.symbol.name] = _beside(value(c.drawn), size if c.unit == "m" else Decimal(1))
     for symbol in drawn.scene.ledger.coordinates:
-        own = _stated(drawn, symbol, value)
+        own = _stated(drawn, symbol, value, size)
         if own is not None:
             found[symbol.name] = own
     acting = _while_tables_act(drawn, value)
@@ -81,13 +81,17 @@ def _beside(at: Decimal, reach: Decimal) -> Range:
     return at + reach * NEAR, at + reach * FAR
 
 
-def _stated(drawn: Instant, symbol: sp.Symbol, value: Valuation) -> Range | None:
-    """Beside the first value that a state gives, else between its bounds; None: states say nothing in numbers."""
+def _stated(drawn: Instant, symbol: sp.Symbol, value: Valuation, size: Decimal) -> Range | None:
+    """Beside the first value that a state gives, a zero last, else between its bounds; None: states say nothing in
+    numbers. `size`: of the scene [m], for what lies beside the origin of a length.
+    """
     low: Decimal | None = None
     high: Decimal | None = None
+    zero = False
     for operator, number in _bounds(drawn, symbol, value):
         if operator == "=":
             if not number:
+                zero = True
                 continue
             reach = abs(number) if drawn.scene.ledger.units[symbol].text not in ("rad", "deg", "rev") else Decimal(1)
             return _beside(number, reach)
@@ -101,7 +105,7 @@ def _stated(drawn: Instant, symbol: sp.Symbol, value: Valuation) -> Range | None
         return low + max(abs(low), Decimal(1)) * NEAR, low + max(abs(low), Decimal(1))
     if high is not None:
         return high - max(abs(high), Decimal(1)), high - max(abs(high), Decimal(1)) * NEAR
-    return None
+    return _beside(Decimal(0), size) if zero and drawn.scene.ledger.units[symbol].dimension == LENGTH else None
 
 
 def _bounds(drawn: Instant, symbol: sp.Symbol, value: Valuation) -> Iterator[tuple[str, Decimal]]:
