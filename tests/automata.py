@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 
+from planar_cli.integrators.base import Step
 from planar_cli.motion.automaton import Choice
 from planar_cli.motion.impact import Struck, StruckContact
 from planar_cli.problem.facts import Facts, Mode
@@ -106,7 +107,7 @@ class Scene:
     def prepare(self, choice: Choice, t: float, y: Sequence[float]) -> None:
         pass
 
-    def note(self, t: float, y: Sequence[float]) -> None:
+    def note(self, t: float, y: Sequence[float], step: Step | None = None) -> None:
         pass
 
     def struck(

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from typing import Protocol
 
+from planar_cli.integrators.base import Step
 from planar_cli.motion.impact import Struck
 from planar_cli.motion.reduced import Reduced
 from planar_cli.problem.facts import Mode
@@ -133,8 +134,8 @@ class Automaton(Protocol):
     def prepare(self, choice: Choice, t: float, y: Sequence[float]) -> None:
         """Modes are about to be chosen: what sticks in this choice would slide as it is pushed."""
 
-    def note(self, t: float, y: Sequence[float]) -> None:
-        """A state has been reached: angles that go on over many turns count from it."""
+    def note(self, t: float, y: Sequence[float], step: Step | None = None) -> None:
+        """A state has been reached: angles that go on over many turns count from it, and along a `step` from it."""
 
     def struck(
         self, choice: Choice, t: float, y: Sequence[float], near: float, forced: bool = False, drawn: bool = False

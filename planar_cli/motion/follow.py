@@ -191,7 +191,7 @@ class Follower:
         def seen(step: Step) -> None:
             taken.append(step)
             # What is watched within the step counts from its beginning: what slides may turn round in it.
-            self.automaton.note(step.t0, step.y0)
+            self.automaton.note(step.t0, step.y0, step)
             if self.progress is not None:
                 self.progress(step.t1)
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from bisect import bisect_right
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from itertools import pairwise
@@ -33,18 +34,46 @@ FUNCTIONS: dict[str, Callable[..., float]] = {
 class Turning:
     """An angle that goes on over many turns: the direction of (x, y) that is nearest to the last one noted.
 
-    Whoever follows a motion notes the angle at the end of every step, which turns it by less than half a turn.
+    Whoever follows a motion notes the angle at the end of every step, which turns it by less than half a turn. An angle
+    that the steps do not follow, as no equation of motion holds it, may turn further in one of them: it is asked for
+    with the time, and noted all along the way.
     """
 
     start: float
     """In the reference configuration [rad]."""
     last: float
     """As last noted [rad]."""
+    times: list[float] = field(default_factory=list)
+    """When it was noted along the way [s], ascending."""
+    angles: list[float] = field(default_factory=list)
+    """What it was then [rad]."""
 
-    def at(self, y: float, x: float) -> float:
-        """The angle [rad]."""
-        found = math.atan2(y, x)
-        return found + math.tau * round((self.last - found) / math.tau)
+    def at(self, y: float, x: float, t: float | None = None) -> float:
+        """The angle [rad], at a time of the way [s]."""
+        found, near = math.atan2(y, x), self.last if t is None else self._near(t)
+        return found + math.tau * round((near - found) / math.tau)
+
+    def note(self, t: float, angle: float) -> None:
+        """It has come to this."""
+        self.last = angle
+        if not self.times or t > self.times[-1]:
+            self.times.append(t)
+            self.angles.append(angle)
+
+    def begin(self) -> None:
+        """Nothing has been noted yet."""
+        self.last = self.start
+        self.times.clear()
+        self.angles.clear()
+
+    def _near(self, t: float) -> float:
+        """About what it is at a time: straight between and beyond the times that were noted."""
+        times, angles = self.times, self.angles
+        if len(times) < 2:
+            return angles[0] if times else self.last
+        k = min(max(bisect_right(times, t), 1), len(times) - 1)
+        share = (t - times[k - 1]) / (times[k] - times[k - 1])
+        return angles[k - 1] + share * (angles[k] - angles[k - 1])
 
 
 @dataclass(slots=True)

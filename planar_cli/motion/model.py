@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 
+from planar_cli.integrators.base import Step
 from planar_cli.joints.base import Joint
 from planar_cli.loads.base import Load, mode_key
 from planar_cli.motion.constraints import Constraint, coefficients, of_places
@@ -26,6 +27,8 @@ from planar_cli.problem.scene import GROUND
 Choice = tuple[int, ...]
 """For every joint (and load) of `Model.choices`, in its order, the index of its mode."""
 Member = Joint | Load
+MOST_TURNED = 1e5
+"""Of a step that turns a body further than that [rad] turns are no longer counted one by one."""
 ANYWHERE = (0.6, 0.8)
 """From where a particle is sought whose place is open, in parts of the scene's extent: no special place."""
 
@@ -95,23 +98,56 @@ class Model:
             self._regimes[choice] = self._made(choice)
         return self._regimes[choice]
 
-    def note(self, t: float, y: Sequence[float]) -> None:
-        """Angles that go on over many turns and directions of sliding count from this state."""
-        turned = self.graph.turned
-        if turned:
-            if self._turnings is None or self._turned < len(turned):
-                self._turnings = compiled(list(turned.values()), self.layout.state, self.layout.time)
-                self._turned = len(turned)
-            for name, angle in zip(turned, self._turnings.function(t, y), strict=True):
-                self.graph.turnings[name].last = angle
+    def note(self, t: float, y: Sequence[float], step: Step | None = None) -> None:
+        """Angles that go on over many turns and directions of sliding count from this state; along a `step` from it,
+        turns are counted.
+        """
+        for name, angle in self._angles(t, y):
+            self.graph.turnings[name].note(t, angle)
+        if step is not None:
+            self.wind(self.between(step))
         self.skids.note(t, y)
         self.scene.facings.note(self.layout.state, self.layout.time, t, y)
+
+    def wind(self, way: Iterable[tuple[float, Sequence[float]]]) -> None:
+        """Note turns on a way alone; the others still count from where they did."""
+        turnings = self.graph.turnings
+        last = {name: turning.last for name, turning in turnings.items()}
+        for t, y in way if last else ():
+            for name, angle in self._angles(t, y):
+                turnings[name].note(t, angle)
+        for name, angle in last.items():
+            turnings[name].last = angle
+
+    def between(self, step: Step) -> Iterator[tuple[float, Sequence[float]]]:
+        """Times and states of a step, its end last, so close that no body turns further than a radian in between."""
+        pieces = self.pieces(step)
+        for k in range(1, pieces):
+            t = step.t0 + (step.t1 - step.t0) * k / pieces
+            yield t, step.at(t)
+        yield step.t1, step.y1
+
+    def pieces(self, step: Step) -> int:
+        """In how many parts no body turns further than a radian."""
+        turns = [self.layout.count + i for i, slot in enumerate(self.layout.slots) if slot.kind == "theta"]
+        fastest = max((max(abs(step.y0[i]), abs(step.y1[i])) for i in turns), default=0.0)
+        return 1 + int(min(fastest * abs(step.t1 - step.t0), MOST_TURNED))
+
+    def _angles(self, t: float, y: Sequence[float]) -> Iterable[tuple[str, float]]:
+        """The angles that go on over many turns, by their names in the code."""
+        turned = self.graph.turned
+        if not turned:
+            return ()
+        if self._turnings is None or self._turned < len(turned):
+            self._turnings = compiled(list(turned.values()), self.layout.state, self.layout.time)
+            self._turned = len(turned)
+        return zip(turned, self._turnings.function(t, y), strict=True)
 
     def begin(self) -> None:
         """Forget what was noted: a motion begins anew."""
         self.scene.facings.begin()
         for turning in self.graph.turnings.values():
-            turning.last = turning.start
+            turning.begin()
         for sliding in self.skids.slidings.values():
             sliding.x = sliding.y = 0.0
 

@@ -262,7 +262,7 @@ class Quantities:
             case "angle":
                 # The direction of a place counts its turns.
                 x, y = graph.of(v.x), graph.of(v.y)
-                return graph.turning(y, x, 0.0) if q.word == "r" else graph.call("atan2", y, x)
+                return graph.turning(y, x, 0.0, self.scene.time) if q.word == "r" else graph.call("atan2", y, x)
             case "along" | "r":
                 return graph.of(v.dot(self._direction(part, q)))
             case "across" | "theta":

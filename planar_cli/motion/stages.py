@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 
+from planar_cli.integrators.base import Step
 from planar_cli.motion.automaton import Choice, Outside, Start
 from planar_cli.motion.constraints import Constraint
 from planar_cli.motion.dense import null_space
@@ -125,9 +126,9 @@ class SceneAutomaton:
             if found:
                 sliding.note(-found.get("x", 0.0), -found.get("y", 0.0))
 
-    def note(self, t: float, y: Sequence[float]) -> None:
+    def note(self, t: float, y: Sequence[float], step: Step | None = None) -> None:
         """Angles that go on over many turns and directions of sliding count from this state."""
-        self.model.note(t, y)
+        self.model.note(t, y, step)
 
     def struck(
         self, choice: Choice, t: float, y: Sequence[float], near: float, forced: bool = False, drawn: bool = False

@@ -222,15 +222,16 @@ class Graph:
         self.tables[f"{name}_slope"] = self.tables[name].slopes()
         return name
 
-    def turning(self, y: Term, x: Term, drawn: float | None = None) -> Term:
+    def turning(self, y: Term, x: Term, drawn: float | None = None, time: Term | None = None) -> Term:
         """The direction of (x, y) as an angle that goes on over many turns, counted from the angle `drawn`.
 
-        Left out, from that of the reference configuration: it is zero there.
+        Left out, from that of the reference configuration: it is zero there. `time`: of one that the equations of
+        motion do not hold, so that steps may turn it far.
         """
         name = f"turn{len(self.turnings)}"
         start = math.atan2(y.value, x.value)
         self.turnings[name] = Turning(start, start)
-        self.turned[name] = self.call(name, y, x)
+        self.turned[name] = self.call(name, y, x, *(() if time is None else (time,)))
         return self.turned[name] - (start if drawn is None else drawn)
 
     def function(self, name: str) -> Callable[..., float]:
@@ -293,9 +294,9 @@ class Graph:
             case "**", (a, b):
                 slope = self.power(a, b - one) * b
                 return slope, self.number(0.0) if b.constant else t * self.call("log", a)
-            case name, (y, x) if name == "atan2" or name in self.turnings:
+            case name, (y, x, *rest) if name == "atan2" or name in self.turnings:
                 square = x * x + y * y
-                return x / square, -y / square
+                return x / square, -y / square, *(self.number(0.0) for _ in rest)
             case name, (a,):
                 return (self._slope(name, a, t),)
         raise TypeError(t.op)

@@ -7,6 +7,7 @@ reached.
 from __future__ import annotations
 
 import math
+from bisect import bisect_right
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import TypeVar
@@ -90,7 +91,7 @@ class Measures:
         """A number, or the two components of a vector, in SI units. Undecided: it has no value there."""
         regime, y = moment.instant(what)
         function = self.function(what, regime)
-        self._wind(moment.t)
+        self.wind(moment.t)
         try:
             return tuple(function(moment.t, y))
         except OUTSIDE as outside:
@@ -98,16 +99,16 @@ class Measures:
             text = f"this has no value at t = {moment.t:.9g} s ({outside})"
             raise Undecided(f"{mark.file}:{mark.line}: {text}") from outside
 
-    def _wind(self, time: float) -> None:
+    def wind(self, time: float) -> None:
         """Count turns from the beginning to a moment; while the motion is being followed they are at hand."""
         turns = len(self.model.graph.turned)
         if self.way and turns and self._wound != (time, turns):
             self._wound = time, turns
             self.model.begin()
-            for t, y in self.way:
-                if t > time:
-                    break
+            k = bisect_right(self.way, time, key=lambda noted: noted[0])
+            for t, y in self.way[:k]:
                 self.model.note(t, y)
+            self.model.wind(self.way[k:])
 
     def number(self, what: Side, moment: Moment) -> float:
         """A number."""
@@ -256,13 +257,12 @@ def moments_of(
     return found
 
 
-def way_of(trajectory: Trajectory) -> Iterator[tuple[float, Sequence[float]]]:
-    """The states at the beginning of every segment and at the end of every step."""
+def way_of(trajectory: Trajectory, model: Model) -> Iterator[tuple[float, Sequence[float]]]:
+    """The states at the beginning of every segment and along every step, close enough to count turns."""
     for segment in trajectory.segments:
         yield segment.t0, segment.start
         for step in segment.steps:
-            if step.t1 <= segment.t1:
-                yield step.t1, step.y1
+            yield from ((t, y) for t, y in model.between(step) if t <= segment.t1)
 
 
 def _mark(side: Side) -> Mark:

@@ -280,7 +280,7 @@ def _followed(scene: Prepared, settings: Settings, shift: float, known: _Known) 
     if free:
         trajectory = _as_far(trajectory)
     seconds = time.perf_counter() - began
-    measures.way = tuple(way_of(trajectory))
+    measures.way = tuple(way_of(trajectory, model))
     measures.moments |= moments_of(trajectory, measures.moments, settled)
     demand_agreement(problem, measures)
     return Run(scene, problem, model, measures, schedule, trajectory, settings, until, seconds)

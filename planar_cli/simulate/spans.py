@@ -61,10 +61,11 @@ class Stretch:
             inside = None if note is None or step is None else partial(note, (a + b) / 2, step.at((a + b) / 2))
             yield Piece(along if inside is None else partial(_noted, inside, along), a, b)
 
-    def looks(self) -> Iterator[float]:
-        """Times close enough to see what comes to hold."""
-        for a, b, _ in self.pieces():
-            yield from (a + (b - a) * i / LOOKS for i in range(LOOKS))
+    def looks(self, close: Callable[[Step], int]) -> Iterator[float]:
+        """Times close enough to see what comes to hold; `close` tells in how many parts of a step no body turns far."""
+        for a, b, step in self.pieces():
+            number = LOOKS if step is None else LOOKS * close(step)
+            yield from (a + (b - a) * i / number for i in range(number))
         yield self.t1
 
 
@@ -147,6 +148,7 @@ class Spans:
             regime = stretch.segment.regime
             assert isinstance(regime, Regime)
             pieces += stretch.parts(self.measures.routine("span", q, regime, made), note)
+        self.measures.wind(t1)
         return integral(pieces) or (0.0,)
 
     # --- integrands --------------------------------------------------------------------------------------------------
@@ -211,7 +213,9 @@ class Spans:
         for stretch in self.stretches(t0, t1):
             regime = stretch.segment.regime
             assert isinstance(regime, Regime)
-            found.part(_within(self.measures.gap(relation, regime), stretch.segment), stretch.looks())
+            gap = self.measures.gap(relation, regime)
+            self.measures.wind(t1)
+            found.part(_within(gap, stretch.segment), stretch.looks(self.measures.model.pieces))
         return found.number
 
 

@@ -50,8 +50,8 @@ class AfterTree(TreeBuilder):
 
 
 class StruckSetup(Setup):
-    """Names and scene of a blow. `arriving`: the letters of the velocities before it, with their units; `rates`: letters
-    of the rates of the file's coordinates after it, by those of their rates; `mark`: ends the names of its own.
+    """Names and scene of a blow. `arriving`: the letters of the velocities before it, with their units; `rates`: what
+    stands for the rates of the file's coordinates after it, by these rates; `mark`: ends the names of its own.
     """
 
     def __init__(
