@@ -11,6 +11,7 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
+from itertools import pairwise
 
 from planar_cli.errors import Diagnostic, FileProblem, Undecided
 from planar_cli.integrators.base import Step
@@ -33,6 +34,8 @@ LOOKS, NEAR = 8, 1e-8
 """A step is looked at so often for what comes to hold in it; below this part of its scale a gap is zero."""
 Function = Callable[[float, Sequence[float]], Sequence[float]]
 Note = Callable[[float, Sequence[float]], None]
+Close = Callable[[Step], int]
+"""In how many parts of a step no body turns far."""
 
 
 @record
@@ -52,17 +55,19 @@ class Stretch:
             if b > a:
                 yield a, b, step
 
-    def parts(self, of: Function, note: Note | None) -> Iterator[Piece]:
+    def parts(self, of: Function, note: Note | None, close: Close) -> Iterator[Piece]:
         """What is to be integrated from step to step; without a step the state stays as it is. `note` is told a state
         inside the step first: that of the directions in which things slide.
         """
         for a, b, step in self.pieces():
             along = partial(_along, of, step, self.segment.start)
             inside = None if note is None or step is None else partial(note, (a + b) / 2, step.at((a + b) / 2))
-            yield Piece(along if inside is None else partial(_noted, inside, along), a, b)
+            ends = [a + (b - a) * i / close(step) for i in range(close(step))] if step is not None else [a]
+            for start, end in pairwise([*ends, b]):
+                yield Piece(along if inside is None else partial(_noted, inside, along), start, end)
 
-    def looks(self, close: Callable[[Step], int]) -> Iterator[float]:
-        """Times close enough to see what comes to hold; `close` tells in how many parts of a step no body turns far."""
+    def looks(self, close: Close) -> Iterator[float]:
+        """Times close enough to see what comes to hold."""
         for a, b, step in self.pieces():
             number = LOOKS if step is None else LOOKS * close(step)
             yield from (a + (b - a) * i / number for i in range(number))
@@ -143,11 +148,11 @@ class Spans:
     ) -> tuple[float, ...]:
         pieces: list[Piece] = []
         skids = self.measures.model.skids
-        note = skids.note if skids.slidings else None
+        note, close = skids.note if skids.slidings else None, self.measures.model.pieces
         for stretch in self.stretches(t0, t1):
             regime = stretch.segment.regime
             assert isinstance(regime, Regime)
-            pieces += stretch.parts(self.measures.routine("span", q, regime, made), note)
+            pieces += stretch.parts(self.measures.routine("span", q, regime, made), note, close)
         self.measures.wind(t1)
         return integral(pieces) or (0.0,)
 

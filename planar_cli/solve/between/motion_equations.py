@@ -7,6 +7,7 @@ from decimal import Decimal
 
 import sympy as sp
 
+from planar_cli.problem.scene import Round
 from planar_cli.records import record
 from planar_cli.solve.between.chain import Chain
 from planar_cli.solve.between.extremes import stationary
@@ -153,10 +154,25 @@ def _beginning(motion: StatedMotion) -> list[Equation]:
         return []
     first = motion.first
     placed = {x for d in motion.placed[first.name] for x in d.residual.free_symbols} - {first.t}
+    placed |= _unseen(motion) & {x for d in motion.demands[first.name] for x in d.residual.free_symbols}
     found = [e for e in drawn_equations(motion.regimes[0], first) if not e.residual.free_symbols & placed]
     later = [*motion.regimes, motion.beyond] if motion.beyond is not None else motion.regimes
     found += list(later_equations(later, first, motion.transfer(motion.regimes[0])))
     return found + list(loop_equations(motion.readers[first.name].regime, first, first))
+
+
+def _unseen(motion: StatedMotion) -> set[sp.Symbol]:
+    """Angles in the first state that no drawing shows: of round bodies that carry nothing but their centre."""
+    scene = motion.regimes[0].general.instant.scene
+    carrying = {s.body for s in scene.problem.surfaces}
+    marks = {b.name: {p for p, names in scene.owners.items() if b.name in names} for b in scene.problem.bodies}
+    plain = {
+        b.name
+        for b in scene.problem.bodies
+        if isinstance(b.shape, Round) and marks[b.name] <= {b.shape.center} and b.name not in carrying
+    }
+    letters = motion.first.letters
+    return {letters[c.symbol] for c in motion.regimes[0].coordinates if c.unit == "rad" and c.body in plain}
 
 
 def _moving(motion: StatedMotion) -> list[Equation]:
