@@ -163,7 +163,8 @@ class Timetable:
             rates = regime.rates(t, y)
             return sum(y[count + n] * rates[count + n] / model.scale[count + n] ** 2 for n in numbers)
 
-        return Crossing(rate, 1.0 / model.time_scale, 1)
+        # Where a resistance stays until then, it only touches zero.
+        return Crossing(rate, 1.0 / model.time_scale, 0)
 
     def _still(self, body: str | None, mark: Mark) -> Condition:
         """A body, or everything, at rest."""
