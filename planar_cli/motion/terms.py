@@ -223,10 +223,8 @@ class Graph:
         return name
 
     def turning(self, y: Term, x: Term, drawn: float | None = None, time: Term | None = None) -> Term:
-        """The direction of (x, y) as an angle that goes on over many turns, counted from the angle `drawn`.
-
-        Left out, from that of the reference configuration: it is zero there. `time`: of one that the equations of
-        motion do not hold, so that steps may turn it far.
+        """The direction of (x, y) as an angle that goes on over many turns, counted from the angle `drawn`; left out,
+        from the reference configuration. `time`: of one in no equation of motion, which a step may turn far.
         """
         name = f"turn{len(self.turnings)}"
         start = math.atan2(y.value, x.value)
