@@ -7,6 +7,8 @@ import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from planar_cli.equation.cancelling import cancelled
+from planar_cli.equation.common_factors import factor_terms, together
 from planar_cli.equation.expansion import expanded
 from planar_cli.equation.factoring import factored
 from planar_cli.equation.plain import identically_zero, operations
@@ -131,3 +133,43 @@ def test_operations_are_counted_as_sympy_counts(expr: sp.Expr) -> None:
 def test_what_only_a_common_denominator_shows_to_be_zero() -> None:
     assert identically_zero(u / (u + v) + v / (u + v) - 1)
     assert not identically_zero(u / (u + v) + v / (u + v) - 2)
+
+
+SHARED = [
+    m * u + m * v,
+    2 * m * u / 3 - 4 * m * v / 9,
+    -m * u - k,
+    u / 2 + 1,
+    (2 * u + 4 * v) ** 3 * m + (u + 2 * v) * k,
+    m / (k + n) + u / (k * (k + n)) - 1,
+    sp.sqrt(2 * m * u**2 + 4 * m * v**2) / (2 * k) + sp.sqrt(k) * m,
+    m * sp.sin(2 * u + 2 * v) + m * sp.cos(u) / k,
+    1 / (1 / m + 1 / k),
+    sp.exp(-(u + 2)) * m + m,
+    sp.Piecewise((m * u + m, u > 0), (v, True)),
+    1.5 * u + 3.0 * m * u,
+    sp.Abs(sp.sqrt(2 * m * k * (u**2 + 1))) + sp.S(1) / 2,
+]
+
+
+@pytest.mark.parametrize("expr", [*SHARED, *FACTORED])
+def test_common_factors_and_fractions_are_what_sympy_finds(expr: sp.Expr) -> None:
+    assert factor_terms(expr) == sp.factor_terms(expr)
+    assert together(expr) == sp.together(expr)
+    assert cancelled(expr) == sp.cancel(expr)
+
+
+@given(sums(2))
+@settings(max_examples=60)
+def test_common_factors_and_fractions_of_any_expression(expr: sp.Expr) -> None:
+    if not expr.has(sp.nan, sp.zoo):
+        assert factor_terms(expr) == sp.factor_terms(expr)
+        assert together(expr) == sp.together(expr)
+        assert same(cancelled(expr), expr)
+
+
+def test_roots_below_the_stroke_are_no_letters_of_their_own() -> None:
+    """SymPy brings the square of a root above the stroke, and what was one fraction becomes many terms."""
+    root = sp.sqrt(m**2 + 2 * m * n * sp.sin(u) - 2 * n**2 * sp.cos(u) + 2 * n**2)
+    whole = k * (m**2 * sp.cos(u) / (n * root) + m * sp.sin(u) / root - m * sp.cos(u) / n - sp.sin(u))
+    assert operations(cancelled(whole)) < operations(sp.cancel(whole)) / 2

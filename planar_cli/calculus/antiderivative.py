@@ -12,6 +12,7 @@ import sympy as sp
 from planar_cli.calculus.deciding import confirmed, sign, vanishes
 from planar_cli.calculus.forcing import particular
 from planar_cli.calculus.pieces import pieces
+from planar_cli.equation.cancelling import cancelled
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.expansion import expanded
 from planar_cli.equation.plain import MANY, longer, simplified
@@ -125,7 +126,7 @@ def _rational(f: sp.Expr, x: sp.Symbol, value: Valuation | None, depth: int) -> 
     """Rational functions: polynomial part, then partial fractions down to linear and quadratic denominators."""
     if not f.is_rational_function(x):
         return None
-    above, below = (sp.Poly(p, x) for p in sp.fraction(sp.cancel(f)))
+    above, below = (sp.Poly(p, x) for p in sp.fraction(cancelled(f)))
     if below.degree() > HIGHEST_BELOW or below.degree() == 0:
         return _sum(sp.Add.make_args((above.as_expr() / below.as_expr()).expand()), x, value, depth - 1)
     if above.degree() >= below.degree():
@@ -207,7 +208,7 @@ def _substituted(f: sp.Expr, x: sp.Symbol, value: Valuation | None, depth: int) 
             by = sp.Poly(u, x)
             g = g.subs(x**2, (u_new - by.coeff_monomial(1)) / by.coeff_monomial(x**2))
         if g.has(x):
-            g = sp.cancel(g) if g.is_rational_function(x, u_new) else g
+            g = cancelled(g) if g.is_rational_function(x, u_new) else g
         if not g.has(x):
             found = _find(g, u_new, value, depth - 1)
             if found is not None:

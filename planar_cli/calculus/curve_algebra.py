@@ -12,6 +12,8 @@ from planar_cli.calculus.curve_plain import plainer
 from planar_cli.calculus.curve_polar import inverted
 from planar_cli.calculus.curve_waves import eliminated
 from planar_cli.calculus.curve_words import CURVE, HYPERBOLA, LINE, PARABOLA, Curve, Step
+from planar_cli.equation.cancelling import cancelled
+from planar_cli.equation.common_factors import together
 from planar_cli.equation.expansion import expanded
 from planar_cli.equation.plain import MANY, longer
 
@@ -136,7 +138,7 @@ def _without_roots(expr: sp.Expr, known: sp.Symbol) -> sp.Expr | None:
         inside = max(roots, key=lambda q: (sp.count_ops(q), str(q)))
         root = sp.Dummy("q")
         own = [q for q in expr.atoms(sp.Pow) if q.base == inside and q.exp.is_Rational and q.exp.q == 2]
-        flat = expanded(sp.fraction(sp.together(expr.xreplace({q: root ** (2 * q.exp) for q in own})))[0])
+        flat = expanded(sp.fraction(together(expr.xreplace({q: root ** (2 * q.exp) for q in own})))[0])
         if not flat.is_polynomial(root):
             return None
         parts = [sp.S.Zero, sp.S.Zero]
@@ -188,7 +190,7 @@ def by_resultant(plane: Plane) -> Curve | None:
         squared = _without_roots(axis - place, p)
         if squared is None:
             return None
-        side = expanded(sp.fraction(sp.together(squared))[0])
+        side = expanded(sp.fraction(together(squared))[0])
         if not side.is_polynomial(p) or sp.degree(side, p) > HIGHEST_POWER:
             return None
         sides.append(side)
@@ -208,7 +210,7 @@ def in_exponential(plane: Plane) -> tuple[Plane, sp.Expr] | None:
         return None
     parts = {f: expanded(f.args[0]).as_independent(p, as_Add=True) for f in found}
     first = next(iter(sorted((m for _, m in parts.values()), key=lambda m: (sp.count_ops(m), str(m)))))
-    ratios = {f: sp.cancel(m / first) for f, (_, m) in parts.items()}
+    ratios = {f: cancelled(m / first) for f, (_, m) in parts.items()}
     if not all(r.is_Rational for r in ratios.values()):
         return None
     share = sp.gcd_list(list(ratios.values()))

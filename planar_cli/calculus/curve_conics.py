@@ -14,6 +14,8 @@ import sympy as sp
 from planar_cli.calculus.curve_plain import hidden, plainer, rationally
 from planar_cli.calculus.curve_trial import Trial
 from planar_cli.calculus.curve_words import CIRCLE, CONIC, ELLIPSE, HYPERBOLA, LINE, PARABOLA, Curve
+from planar_cli.equation.cancelling import cancelled
+from planar_cli.equation.common_factors import together
 from planar_cli.equation.expansion import expanded
 from planar_cli.equation.plain import MANY, longer, operations
 from planar_cli.records import record
@@ -161,21 +163,21 @@ def polynomial_equation(
 def _cleared(terms: dict[tuple[int, int], sp.Expr]) -> dict[tuple[int, int], sp.Expr]:
     """Fractions and common factors taken out of coefficients."""
     flat, shown = hidden(terms.values())
-    parts = [sp.fraction(sp.cancel(c)) for c in flat]
+    parts = [sp.fraction(cancelled(c)) for c in flat]
     below = sp.lcm_list([under for _, under in parts])
-    cleared = [sp.cancel(above * below / under) for above, under in parts]
+    cleared = [cancelled(above * below / under) for above, under in parts]
     common = sp.gcd_list(cleared)
     lead = max(range(len(cleared)), key=list(terms).__getitem__)
-    if sp.cancel(cleared[lead] / common).xreplace(shown).could_extract_minus_sign():
+    if cancelled(cleared[lead] / common).xreplace(shown).could_extract_minus_sign():
         common = -common
-    return {m: plainer(sp.cancel(c / common).xreplace(shown)) for m, c in zip(terms, cleared, strict=True)}
+    return {m: plainer(cancelled(c / common).xreplace(shown)) for m, c in zip(terms, cleared, strict=True)}
 
 
 def of_polynomial(plane: Plane, expr: sp.Expr) -> Curve | None:
     """The curve of a polynomial equation expr = 0 in the axes: the factor that holds along the path, well written."""
     x, y, trial = plane.x, plane.y, plane.trial
     flat, shown = hidden([expr])
-    numerator = sp.fraction(sp.together(flat[0]))[0].xreplace(shown)
+    numerator = sp.fraction(together(flat[0]))[0].xreplace(shown)
     terms = polynomial_terms(numerator, x, y, trial)
     if not terms:
         return None

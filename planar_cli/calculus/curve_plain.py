@@ -13,6 +13,8 @@ from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.cancelling import cancelled
+from planar_cli.equation.common_factors import factor_terms, together
 from planar_cli.equation.expansion import expanded
 from planar_cli.equation.plain import longer, operations
 
@@ -72,9 +74,9 @@ def _plainer(expr: sp.Expr) -> sp.Expr:
     shown = {letter: _inner(e) for letter, e in shown.items()}
     forms = [expanded(flat), flat]
     if operations(flat) > FEW:
-        whole = sp.cancel(flat)
+        whole = cancelled(flat)
         forms += [expanded(whole), whole, *_quotients(whole, shown)]
-        forms = [*forms, *(sp.factor_terms(f) for f in forms), sp.together(flat)]
+        forms = [*forms, *(factor_terms(f) for f in forms), together(flat)]
     found = [_with_tan(f.xreplace(shown)) for f in dict.fromkeys(forms)]
     best = min(found, key=_effort)
     return sp.radsimp(expanded(best)) if best.is_number and not longer(best, FEW_OF_NUMBERS) else best
@@ -91,7 +93,7 @@ def _quotients(whole: sp.Expr, shown: dict[sp.Symbol, sp.Expr]) -> list[sp.Expr]
     forms = []
     for top in tops:
         for bottom in bottoms:
-            quotient = top / bottom if bottom.is_number else sp.cancel(top / bottom)
+            quotient = top / bottom if bottom.is_number else cancelled(top / bottom)
             forms += [expanded(quotient), quotient]
     return forms
 

@@ -20,6 +20,8 @@ from planar_cli.calculus.curve_conics import (
 )
 from planar_cli.calculus.curve_plain import hidden, plainer
 from planar_cli.calculus.curve_words import CURVE, ELLIPSE, PARABOLA, Curve, Step
+from planar_cli.equation.cancelling import cancelled
+from planar_cli.equation.common_factors import factor_terms, together
 from planar_cli.equation.expansion import expanded
 from planar_cli.equation.plain import MANY, longer
 from planar_cli.records import record
@@ -84,7 +86,7 @@ def _base(arguments: list[sp.Expr], p: sp.Symbol) -> tuple[sp.Expr, dict[sp.Expr
         return None
     parts = {a: expanded(a).as_independent(p, as_Add=True) for a in arguments}
     first = parts[arguments[0]][1]
-    ratios = {a: sp.cancel(moving / first) for a, (_, moving) in parts.items()}
+    ratios = {a: cancelled(moving / first) for a, (_, moving) in parts.items()}
     if not all(r.is_Rational for r in ratios.values()):
         return None
     shared = sp.gcd_list(list(ratios.values()))
@@ -216,7 +218,7 @@ def rational(plane: Plane, waves: Waves) -> Curve | None:
     """Quotients linear in cos u and sin u, as in r = l/(1 + e cos u): solved for both, squared and added."""
     rows = []
     for axis, expr in ((plane.x, waves.x), (plane.y, waves.y)):
-        above, below = sp.fraction(sp.together(expr))
+        above, below = sp.fraction(together(expr))
         row = linear(axis * below - above) if below.has(C, S) or above.has(C, S) else None
         if row is None or any(e.has(plane.trial.parameter) for e in row):
             return None
@@ -292,8 +294,8 @@ def _squared(plane: Plane, waves: Waves, what: tuple[Any, ...], steps: tuple[Ste
 
 def _product(one: sp.Expr, two: sp.Expr) -> sp.Expr:
     """A product with each factor over its own denominator; no third factor from a difference of squares."""
-    (above, below), (more, under) = (sp.fraction(sp.together(e)) for e in (one, two))
-    return sp.factor_terms(above / (below * under)) * more
+    (above, below), (more, under) = (sp.fraction(together(e)) for e in (one, two))
+    return factor_terms(above / (below * under)) * more
 
 
 def resultant(plane: Plane, waves: Waves) -> Curve | None:

@@ -16,6 +16,7 @@ from planar_cli.calculus.deciding import confirmed, sign, vanishes
 from planar_cli.calculus.forcing import particular
 from planar_cli.calculus.linear_laws import linear
 from planar_cli.calculus.spans import Moment, Span, bound, integral, span
+from planar_cli.equation.common_factors import factor_terms
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.expansion import expanded
 from planar_cli.equation.plain import simplified
@@ -309,7 +310,7 @@ def _product(
     a: sp.Expr, start: Moment, end: Moment, value: Valuation | None, where: tuple[sp.Expr, ...]
 ) -> tuple[Span, ...]:
     """a = g(q) h(v) or g(t) h(v): separated, v dv/h = g dq or dv/h = g dt."""
-    other, speed = sp.factor_terms(a).as_independent(end.v, as_Add=False)
+    other, speed = factor_terms(a).as_independent(end.v, as_Add=False)
     letters = [(y0, y) for y0, y in ((start.q, end.q), (start.t, end.t)) if other.has(y)]
     if len(letters) != 1 or speed.has(end.q, end.t) or speed == 1:
         return ()

@@ -21,6 +21,7 @@ import sympy as sp
 from sympy.core.mul import _keep_coeff
 from sympy.polys.rings import PolyRing
 
+from planar_cli.equation.common_factors import together
 from planar_cli.equation.expansion import expanded
 
 Monomial = tuple[int, ...]
@@ -37,7 +38,7 @@ _KEPT = 20_000
 def factored(expr: sp.Expr) -> sp.Expr:
     """One fraction of products of irreducible factors over the rational numbers."""
     number, factors = sp.S.One, dict[sp.Expr, sp.Expr]()
-    for base, power in _parts(sp.together(expr)):
+    for base, power in _parts(together(expr)):
         if base.is_Number and power.is_Integer:
             number *= base**power
             continue

@@ -11,6 +11,8 @@ from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.cancelling import cancelled
+from planar_cli.equation.common_factors import factor_terms, together
 from planar_cli.equation.expansion import expanded
 from planar_cli.equation.factoring import factored
 from planar_cli.equation.trigonometry import put_together
@@ -171,12 +173,12 @@ def _simplified(expr: sp.Expr) -> sp.Expr:
     best = min(forms, key=_effort)
     if operations(best) <= FEW:
         return best
-    cancelled = sp.cancel(_joined(best))
-    forms += [cancelled, sp.together(best)]
-    if _degree(cancelled) >= 2:
-        forms.append(trigonometric(cancelled))
+    quotient = cancelled(_joined(best))
+    forms += [quotient, together(best)]
+    if _degree(quotient) >= 2:
+        forms.append(trigonometric(quotient))
     best = min(forms, key=_effort)
-    last = [sp.signsimp(best), sp.factor_terms(best), _joined(best, deep=True), best]
+    last = [sp.signsimp(best), factor_terms(best), _joined(best, deep=True), best]
     if expr.is_number:
         last += [sp.radsimp(best), sp.sqrtdenest(best)]
     # Of forms that read equally well, the factored one comes before the others.
@@ -288,9 +290,9 @@ def _tidied(expr: sp.Expr) -> sp.Expr:
         return expr
     if _degree(expr) >= 2 and longer(expr, SOME):
         expr = _with_one(expr)
-    found = sp.factor_terms(expr)
+    found = factor_terms(expr)
     if not longer(expr, SOME) and not expr.is_polynomial(*expr.free_symbols):
-        trial = trigonometric(expr) if expr.has(sp.sin, sp.cos) else sp.cancel(sp.together(expr))
+        trial = trigonometric(expr) if expr.has(sp.sin, sp.cos) else cancelled(together(expr))
         if operations(trial) < operations(found):
             found = trial
     return found

@@ -35,6 +35,7 @@ from sympy.simplify.fu import (
     TRmorrie,
 )
 
+from planar_cli.equation.common_factors import factor_terms
 from planar_cli.equation.factoring import factored
 
 KEPT = 20_000
@@ -71,7 +72,8 @@ def _part(expr: sp.Expr) -> sp.Expr:
 def _as_letters(expr: sp.Expr) -> sp.Expr:
     """The part with letters for what need not be looked into."""
     if not _rational(expr):
-        return _worked(expr)
+        # What stands inside a root or another function has been seen to; a root may be one of factors.
+        return _worked(expr) if isinstance(expr, TrigonometricFunction) else _plainest(expr, factored)
     letters: dict[sp.Expr, sp.Symbol] = {k: _letter(k) for k in _kernels(expr)}
     plain = expr.xreplace(letters)
     if plain.has(TrigonometricFunction):
@@ -172,7 +174,7 @@ def _worked(whole: sp.Expr) -> sp.Expr:
     """A part taken through all steps; as it was, where these make it no plainer."""
     if _alone(whole):
         plain = sp.expand_mul(_plainest(factored(whole), _expanded))
-        return min((whole, _plainest(plain, sp.factor_terms)), key=_cost)
+        return min((whole, _plainest(plain, factor_terms)), key=_cost)
     expr = factored(TR12(TR1(TR3(whole))))
     expr = TR2i(_plainest(TR2(expr), _expanded))
     expr = TR6(TR11(TR10(TR5(TR14(_reduced(expr))))))
@@ -182,5 +184,5 @@ def _worked(whole: sp.Expr) -> sp.Expr:
     expr = min((sp.expand_mul(f(expr)) for f in (TR6, TR16)), key=_cost)
     expr = _plainest(TR111(expr), TR2i)
     expr = _plainest(expr, lambda e: sp.expand_mul(TR22(e)))
-    expr = _plainest(TR2i(TR2(TR1(expr))), lambda e: sp.factor_terms(TR12(e)))
+    expr = _plainest(TR2i(TR2(TR1(expr))), lambda e: factor_terms(TR12(e)))
     return min((whole, expr), key=_cost)

@@ -6,6 +6,7 @@ from decimal import Decimal
 
 import sympy as sp
 
+from planar_cli.equation.common_factors import factor_terms, together
 from planar_cli.equation.expansion import expanded
 from planar_cli.equation.plain import longer
 from planar_cli.report.blocks import Line, Math, Name, Relation, Value, line
@@ -34,8 +35,8 @@ def _sign_change(answer: Found, phrases: Phrases) -> Line | None:
     expr = (answer.expressions or (sp.S.Zero,))[0]
     if longer(expr, LONGEST):
         return None
-    numerator = sp.fraction(sp.together(expr))[0]
-    factors = [f for f in sp.Mul.make_args(sp.factor_terms(expanded(numerator))) if f.is_Add]
+    numerator = sp.fraction(together(expr))[0]
+    factors = [f for f in sp.Mul.make_args(factor_terms(expanded(numerator))) if f.is_Add]
     if not factors:
         return None
     turning = factors[-1]

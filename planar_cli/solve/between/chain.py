@@ -15,6 +15,7 @@ import sympy as sp
 
 from planar_cli.calculus.first import roots
 from planar_cli.calculus.polish import polish
+from planar_cli.equation.common_factors import together
 from planar_cli.equation.exact import PI, Unvalued, Valuation
 from planar_cli.equation.plain import letters
 from planar_cli.equation.scales import slack_of
@@ -131,9 +132,9 @@ class Chain:
             yield Branch(values, formulas, steps, ())
             return
         tried = False
-        for block, together in itertools.chain(self._blocks(rest), self._linked(rest)):
+        for block, sought in itertools.chain(self._blocks(rest), self._linked(rest)):
             try:
-                found = list(self._solve(block, together, values, formulas))
+                found = list(self._solve(block, sought, values, formulas))
             except Undecided:
                 continue
             if self.truth and not found:
@@ -361,7 +362,7 @@ class Chain:
 
 def _closed_roots(residual: sp.Expr, x: sp.Symbol, here: Valuation, symbolic: bool) -> list[Root] | None:
     """Roots in closed form, or of a polynomial; None where they must be looked for."""
-    numerator = sp.fraction(sp.together(residual))[0]
+    numerator = sp.fraction(together(residual))[0]
     inside = {s: here(s) for s in numerator.free_symbols if s != x and s in here.values}
     if not numerator.is_polynomial(x):
         flat = numerator.xreplace({s: sp.Rational(str(v)) for s, v in inside.items()})

@@ -10,6 +10,7 @@ from decimal import Decimal
 import sympy as sp
 from sympy.simplify.fu import TR8
 
+from planar_cli.equation.common_factors import together
 from planar_cli.equation.exact import PI, Valuation
 from planar_cli.equation.expansion import expanded
 from planar_cli.equation.factoring import factored
@@ -23,7 +24,7 @@ LONGEST = 60
 
 def closed_roots(residual: sp.Expr, x: sp.Symbol, value: Valuation, truth: Decimal, symbolic: bool) -> list[Root]:
     """The roots that have a closed form; of periodic ones those next to the true value and in the first turns."""
-    numerator = sp.fraction(sp.together(residual))[0] if not residual.has(sp.Integral) else residual
+    numerator = sp.fraction(together(residual))[0] if not residual.has(sp.Integral) else residual
     if numerator.is_polynomial(x):
         return _tidied(real_roots(residual, x, value, symbolic, False), value)
     numerator = _without_tangents(numerator, x)
@@ -81,7 +82,7 @@ def _summed(numerator: sp.Expr) -> sp.Expr:
 def _without_tangents(numerator: sp.Expr, x: sp.Symbol) -> sp.Expr:
     """Tangents of x as sines over cosines, without fractions."""
     tangents = {a: sp.sin(a.args[0]) / sp.cos(a.args[0]) for a in numerator.atoms(sp.tan) if x in a.free_symbols}
-    return sp.fraction(sp.together(numerator.xreplace(tangents)))[0] if tangents else numerator
+    return sp.fraction(together(numerator.xreplace(tangents)))[0] if tangents else numerator
 
 
 def _kernels(expr: sp.Expr, x: sp.Symbol) -> set[sp.Expr]:

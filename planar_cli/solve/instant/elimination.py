@@ -13,6 +13,7 @@ from itertools import combinations
 
 import sympy as sp
 
+from planar_cli.equation.common_factors import together
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.expansion import expanded
 from planar_cli.equation.form import Form, Nonlinear, linear_form
@@ -142,7 +143,7 @@ def _circle(
             if whole == 0 or (not any(u in whole.free_symbols for u in left) and value.is_zero(whole)):
                 continue
             cosine, sine = tidy((b1 * c2 - b2 * c1) / whole), tidy((a2 * c1 - a1 * c2) / whole)
-            circle = sp.fraction(sp.together(cosine**2 + sine**2 - 1))[0]
+            circle = sp.fraction(together(cosine**2 + sine**2 - 1))[0]
             numbers = tuple(dict.fromkeys((*pool[i].numbers, *pool[j].numbers)))
             formula = sp.atan2(sine, cosine)
             others = [p for n, p in enumerate(pool) if n not in (i, j)]

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping
 
 import sympy as sp
 
+from planar_cli.equation.common_factors import factor_terms
 from planar_cli.equation.conditions import vector_or_jet
 from planar_cli.equation.displacement import Coordinate
 from planar_cli.equation.exact import Sample, Valuation
@@ -280,7 +281,7 @@ class Finisher:
         if expr.is_number or expr.is_Symbol or longer(expr, self.most):
             return expr
         if not self.symbolic:
-            return expr if longer(expr, 199) else sp.factor_terms(expr)
+            return expr if longer(expr, 199) else factor_terms(expr)
         return simplified(expr)
 
 

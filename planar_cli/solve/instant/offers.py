@@ -14,6 +14,7 @@ from functools import cached_property, partial
 
 import sympy as sp
 
+from planar_cli.equation.cancelling import cancelled
 from planar_cli.equation.conditions import Condition
 from planar_cli.equation.exact import CERTAIN, ONE, ZERO
 from planar_cli.equation.expansion import expanded
@@ -118,7 +119,7 @@ class Offers:
         length = self.scene.length(across)
         if longer(length, 4):
             return across
-        return Vec(*(sp.cancel(p) if p.free_symbols else p for p in (across.x / length, across.y / length)))
+        return Vec(*(cancelled(p) if p.free_symbols else p for p in (across.x / length, across.y / length)))
 
     # --- groups of bodies --------------------------------------------------------------------------------------------
 

@@ -13,6 +13,8 @@ from decimal import Decimal
 import mpmath
 import sympy as sp
 
+from planar_cli.equation.cancelling import cancelled
+from planar_cli.equation.common_factors import together
 from planar_cli.equation.exact import DIGITS, PI, Valuation
 from planar_cli.equation.expansion import expanded
 from planar_cli.equation.factoring import factored
@@ -35,7 +37,7 @@ def real_roots(expr: sp.Expr, x: sp.Symbol, value: Valuation, symbolic: bool, an
     """The real roots of expr = 0, sorted; an angle lies in (-180°, 180°]."""
     # An integrand stays as it is: put over one denominator, its value takes ten times as long.
     held = {i: sp.Dummy("i", real=True) for i in expr.atoms(sp.Integral)}
-    numerator = sp.fraction(sp.together(expr.xreplace(held)))[0].xreplace({d: i for i, d in held.items()})
+    numerator = sp.fraction(together(expr.xreplace(held)))[0].xreplace({d: i for i, d in held.items()})
     closed = _closed(numerator, x, value)
     if closed:
         found = [Root(e, v) for e in closed if (v := _real(e, value)) is not None]
@@ -59,9 +61,9 @@ def linear_or_square_roots(expr: sp.Expr, x: sp.Symbol) -> list[sp.Expr]:
         return []
     by = {m[0]: c for m, c in sp.Poly(numerator, x).terms()}
     if set(by) == {0, 1}:
-        return [sp.cancel(-by[0] / by[1])]
+        return [cancelled(-by[0] / by[1])]
     if set(by) == {0, 2}:
-        return [sp.sqrt(sp.cancel(-by[0] / by[2]))]
+        return [sp.sqrt(cancelled(-by[0] / by[2]))]
     return []
 
 
@@ -105,7 +107,7 @@ def _closed(numerator: sp.Expr, x: sp.Symbol, value: Valuation) -> list[sp.Expr]
         if degree == 1:
             return [*zero, -by[0] / by[1]]
         if set(by) == {0, 2}:
-            root = sp.sqrt(sp.cancel(-by[0] / by[2]))
+            root = sp.sqrt(cancelled(-by[0] / by[2]))
             return [*zero, root, -root]
         if degree == 2:
             a, b, c = by[2], by.get(1, sp.S.Zero), by.get(0, sp.S.Zero)
@@ -121,13 +123,13 @@ def _closed(numerator: sp.Expr, x: sp.Symbol, value: Valuation) -> list[sp.Expr]
         return _by_factors(numerator, x, value)
     a, b, k = poly.coeff_monomial(c), poly.coeff_monomial(s), poly.coeff_monomial(1)
     if k == 0:
-        base = sp.atan(sp.cancel(-a / b)) if b != 0 else sp.pi / 2
+        base = sp.atan(cancelled(-a / b)) if b != 0 else sp.pi / 2
         return [base, base + sp.pi]
     if a == 0:
-        first = sp.asin(sp.cancel(-k / b))
+        first = sp.asin(cancelled(-k / b))
         return [first, sp.pi - first]
     if b == 0:
-        first = sp.acos(sp.cancel(-k / a))
+        first = sp.acos(cancelled(-k / a))
         return [first, -first]
     lead, swing = sp.atan2(b, a), sp.acos(-k / sp.sqrt(a**2 + b**2))
     return [lead + swing, lead - swing]
@@ -174,10 +176,10 @@ def _half_angle(numbers: sp.Expr, x: sp.Symbol) -> list[Decimal] | None:
         if numbers.has(sp.tan)
         else sp.expand_trig(numbers)
     )
-    flat = sp.fraction(sp.together(flat.subs({sp.sin(x): s, sp.cos(x): c})))[0]
+    flat = sp.fraction(together(flat.subs({sp.sin(x): s, sp.cos(x): c})))[0]
     if flat.has(x) or not flat.is_polynomial(s, c):
         return None
-    rational = sp.fraction(sp.together(flat.subs({s: 2 * u / (1 + u**2), c: (1 - u**2) / (1 + u**2)})))[0]
+    rational = sp.fraction(together(flat.subs({s: 2 * u / (1 + u**2), c: (1 - u**2) / (1 + u**2)})))[0]
     poly = sp.Poly(rational, u)
     with mpmath.workdps(DIGITS + 5):
         found = [Decimal(mpmath.nstr(2 * mpmath.atan(mpmath.mpf(str(r))), DIGITS)) for r in _polynomial_roots(poly)]

@@ -10,6 +10,7 @@ from collections.abc import Iterable
 
 import sympy as sp
 
+from planar_cli.equation.common_factors import factor_terms, together
 from planar_cli.equation.expansion import expanded
 from planar_cli.equation.factoring import factored
 from planar_cli.equation.plain import longer, simplified
@@ -94,8 +95,8 @@ def _without_data(
 
 def _proper(residual: sp.Expr, unknowns: frozenset[sp.Symbol]) -> sp.Expr:
     """The factor of an equation that really relates unknowns: t (a t - b) = 0 at a later time."""
-    numerator = sp.fraction(sp.together(residual))[0]
-    factors = [f for f in sp.Mul.make_args(sp.factor_terms(factored(numerator))) if f.free_symbols & unknowns]
+    numerator = sp.fraction(together(residual))[0]
+    factors = [f for f in sp.Mul.make_args(factor_terms(factored(numerator))) if f.free_symbols & unknowns]
     proper = [f for f in factors if not f.is_Symbol and not (f.is_Pow and f.base.is_Symbol)]
     return sp.Mul(*proper) if proper and len(proper) < len(factors) else residual
 

@@ -8,6 +8,7 @@ from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.cancelling import cancelled
 from planar_cli.equation.conditions import Condition
 from planar_cli.equation.expansion import expanded
 from planar_cli.equation.motion import Motion
@@ -137,7 +138,7 @@ class Writer:
         speeds = set(self.system.tree.velocity_unknowns()) & (v.x.free_symbols | v.y.free_symbols)
         if len(speeds) == 1:
             square = next(iter(speeds)) ** 2
-            arm = Vec(sp.cancel(v.x / square), sp.cancel(v.y / square))
+            arm = Vec(cancelled(v.x / square), cancelled(v.y / square))
             if not speeds & (arm.x.free_symbols | arm.y.free_symbols):
                 return arm, square
         return Vec(self.shortened(v.x), self.shortened(v.y)), sp.S.One
@@ -319,7 +320,7 @@ class Writer:
     def _load_term(self, wrench: Wrench, part: Any) -> sp.Expr:
         """What a load contributes: its magnitude times a short coefficient."""
         if wrench.magnitude != 0 and wrench.force is not None and wrench.couple == 0:
-            direction = Vec(sp.cancel(wrench.force.x / wrench.magnitude), sp.cancel(wrench.force.y / wrench.magnitude))
+            direction = Vec(cancelled(wrench.force.x / wrench.magnitude), cancelled(wrench.force.y / wrench.magnitude))
             if not (direction.x.free_symbols | direction.y.free_symbols) & wrench.magnitude.free_symbols:
                 return wrench.magnitude * self.short(part(wrench.point, direction, 0))
         return tidy(part(wrench.point, wrench.force, wrench.couple))
@@ -334,14 +335,14 @@ class Writer:
         inside = {line.symbol: line.expression for line in self.lines}
         foreign = set(self.numbers.unknowns) - self.allowed
 
-        def cancelled(term: sp.Expr) -> bool:
+        def gone(term: sp.Expr) -> bool:
             held = term.xreplace(inside).free_symbols & set(self.numbers.unknowns)
             return bool(held) and held <= foreign
 
-        rest = sp.Add(*(t for t in sides[0] if cancelled(t)), *(-t for t in sides[1] if cancelled(t))).xreplace(inside)
+        rest = sp.Add(*(t for t in sides[0] if gone(t)), *(-t for t in sides[1] if gone(t))).xreplace(inside)
         if rest != 0 and any(abs(c) > SMALL for c in self.numbers.row(rest)):
             return sides
-        return [t for t in sides[0] if not cancelled(t)], [t for t in sides[1] if not cancelled(t)]
+        return [t for t in sides[0] if not gone(t)], [t for t in sides[1] if not gone(t)]
 
     def _written(
         self, law: str, bodies: tuple[str, ...], lead: str, words: str, left: list[sp.Expr], right: list[sp.Expr]
