@@ -11,9 +11,13 @@ import pytest
 from answered import assert_close
 
 from planar_cli.errors import FileProblem
+from planar_cli.motion.model import Model
+from planar_cli.motion.scene import MovingScene
 from planar_cli.problem.structure import load_text
 from planar_cli.registry import extended, members
 from planar_cli.report.effects import effects
+from planar_cli.simulate.effects import ledger
+from planar_cli.simulate.run import Settings, Simulation, simulate
 from planar_cli.solve.compare import compare_methods
 from planar_cli.solve.run import solve_problem
 from planar_cli.solve.solved_problem import Solution
@@ -323,3 +327,79 @@ def test_a_principle_that_has_only_a_name_answers_nothing(put: Put) -> None:
     put("principles", "least", NAMED_ONLY)
     with pytest.raises(FileProblem, match="method least: it offers no equation"):
         solution_of(FALLING + "instant: [at rest]\nmethod: least\nfind: {alpha: alpha(rod)}\n")
+
+
+# --- what is followed ------------------------------------------------------------------------------------------------
+
+HEUN = '''
+    """Heun's method."""
+
+    from __future__ import annotations
+
+    from typing import ClassVar, final
+
+    from planar_cli.integrators._fixed import EqualSteps
+    from planar_cli.integrators.base import Rates, Vector
+
+
+    @final
+    class Heun(EqualSteps):
+        """Heun's method of order 2, with equal steps."""
+
+        kind: ClassVar[str] = "heun"
+        order: ClassVar[int] = 2
+        cost: ClassVar[int] = 1
+
+        def advance(self, f: Rates, t: float, y: Vector, r: Vector, h: float) -> Vector:
+            after = f(t + h, [v + h * k for v, k in zip(y, r, strict=True)])
+            return [v + h / 2 * (k + m) for v, k, m in zip(y, r, after, strict=True)]
+'''
+SWINGING = FALLING + "states: {1: [t = 0, at rest], 2: [t = 0.5 s]}\nfind: {w: omega(rod) @ 2}\n"
+
+
+def followed(text: str, settings: Settings | None = None) -> Simulation:
+    problem, wrong = load_text(text)
+    assert problem is not None, wrong
+    return simulate(problem, settings or Settings())
+
+
+def code_of(text: str) -> str:
+    """The straight-line code of a scene's rates."""
+    problem, wrong = load_text(text)
+    assert problem is not None, wrong
+    return Model(MovingScene(problem)).regime().source
+
+
+def test_an_added_load_is_followed(put: Put) -> None:
+    put("loads", "magnet", MAGNET)
+    found = followed(PULLED + "states: {1: [at rest], 2: [x(b) = 0.5 m]}\nfind: {v: v(b).mag @ 2}\n")
+    assert found.answers[0].values[0] == pytest.approx(2.0**0.5, rel=1e-8)
+    entries, absent = ledger(found.run.problem)
+    assert "magnetic force" in [e.words for e in entries]
+    assert "drag" in absent
+
+
+def test_an_added_joint_is_followed(put: Put) -> None:
+    put("joints", "mesh", MESH)
+    states = "states: {1: [at rest], 2: [theta(one) = 3 rad]}\nfind: {w: omega(two) @ 2, M: moment(teeth/one) @ 2}\n"
+    speed, couple = (a.values[0] for a in followed(TRAIN + states).answers)
+    assert speed == pytest.approx(-((60 / 11) ** 0.5), rel=1e-8)
+    assert couple == pytest.approx(80 / 11 - 10, rel=1e-8)
+
+
+def test_an_added_integrator_follows(put: Put) -> None:
+    truth = followed(SWINGING).answers[0].values[0]
+    put("integrators", "heun", HEUN)
+    errors = [
+        abs(followed(SWINGING, Settings(integrator="heun", step=step, check=False)).answers[0].values[0] - truth)
+        for step in (0.001, 0.0005)
+    ]
+    assert errors[0] / errors[1] == pytest.approx(4, rel=0.1)
+
+
+def test_added_members_change_no_other_scene(put: Put) -> None:
+    """The code of a scene is made of what its own bodies, joints and loads emit."""
+    before = code_of(SWINGING)
+    put("loads", "magnet", MAGNET)
+    put("joints", "mesh", MESH)
+    assert code_of(SWINGING) == before
