@@ -31,7 +31,7 @@ class Quantities:
     """The second derivative behind each rate of the state; empty where they are not known yet."""
     reactions: Reactions | None = None
     """What joints and loads do; None where it is not known yet."""
-    elsewhere: Callable[[str, Side], Term] | None = None
+    elsewhere: Callable[[str, Side], Term | Vec] | None = None
     """What stands before `@ state`; None: nothing may."""
 
     @property
@@ -55,7 +55,8 @@ class Quantities:
             raise refuse(q.mark, "PL590", f"{q.word}(…) belongs to a motion over time", hint)
         if q.at is not None:
             assert isinstance(q.at, str)
-            return self.sides.at(q.at, replace(q, at=None))
+            bare = replace(q, at=None)
+            return self.sides.at(q.at, bare) if self.elsewhere is None else self.elsewhere(q.at, bare)
         found: Term | Vec = _ASKED[q.word](self, q)
         for part in q.parts:
             if not isinstance(found, Vec):

@@ -19,6 +19,7 @@ from planar_cli.problem.expression import (
     Scaled,
     Side,
 )
+from planar_cli.problem.geometry import Vec
 from planar_cli.problem.no_number import quantity_misplaced, state_misplaced
 from planar_cli.problem.scene import Problem
 from planar_cli.problem.walk import Tree, walk
@@ -99,7 +100,7 @@ class Sides:
     variables: Mapping[str, Term]
     """Time `t`, coordinates, and variables of curves; they go before constants."""
     quantity: Callable[[Quantity], Term] = no_quantity
-    elsewhere: Callable[[str, Side], Term] | None = None
+    elsewhere: Callable[[str, Side], Term | Vec] | None = None
 
     def with_variables(self, more: Mapping[str, Term]) -> Sides:
         """The same with other or more variables."""
@@ -128,7 +129,10 @@ class Sides:
         """What stands before an `@`."""
         if self.elsewhere is None:
             raise state_misplaced(side.mark)
-        return self.elsewhere(state, side)
+        found = self.elsewhere(state, side)
+        if isinstance(found, Vec):
+            raise refuse(side.mark, "PL550", "this is a vector", "ask for a part: .x .y .mag .angle")
+        return found
 
     def named(self, name: Name) -> Term:
         if name.name in self.variables:

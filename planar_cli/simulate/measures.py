@@ -185,8 +185,9 @@ class Measures:
         reactions = Reactions(pushes, regime.parts.wrenches, names, graph.number(0.0))
         scene = model.scene
 
-        def numbers(state: str, side: Side) -> Term:
-            return graph.number(self.elsewhere(state, side)[0])
+        def numbers(state: str, side: Side) -> Term | Vec:
+            parts = [graph.number(v) for v in self.elsewhere(state, side)]
+            return Vec(*parts) if len(parts) > 1 else parts[0]
 
         return Quantities(scene, scene.stored_energy, accelerations, reactions, numbers)
 
