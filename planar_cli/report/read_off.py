@@ -16,6 +16,8 @@ from planar_cli.simulate.table import table_of
 from planar_cli.units import pretty_unit
 
 ROWS = 9
+NOISE = 10.0
+"""What is below so many tolerances beside the usual size of its column is the rounding of zero."""
 
 
 def phrases_without_letters(figures: int) -> Phrases:
@@ -51,12 +53,13 @@ def read_off_blocks(motion: Simulation, figures: int) -> Iterator[Block]:
 def _table(motion: Simulation, figures: int) -> Table:
     found = table_of(motion.run, (), (), ROWS)
     heads = [f"{n} in {pretty_unit(u)}" if u != "1" else n for n, u in zip(found.names, found.units, strict=True)]
-    rows = [tuple(_cell(v, figures) for v in row) for row in found.rows]
+    least = [NOISE * motion.run.settings.tolerance * size for size in found.sizes]
+    rows = [tuple(_cell(v, s, figures) for v, s in zip(row, least, strict=True)) for row in found.rows]
     return Table(tuple(line(h) for h in heads), tuple(rows))
 
 
-def _cell(value: float, figures: int) -> Line:
-    return line(Value(Decimal(repr(value)), "", figures))
+def _cell(value: float, least: float, figures: int) -> Line:
+    return line(Value(Decimal(repr(value)) if abs(value) > least else Decimal(0), "", figures))
 
 
 def read_off_checks(motion: Simulation) -> Iterator[Check]:

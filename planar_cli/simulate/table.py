@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 
 from planar_cli.errors import Mark
@@ -72,8 +73,9 @@ def _row(run: Run, columns: Sequence[Column], t: float) -> Iterator[float]:
     assert isinstance(regime, Regime)
     yield t
     for column in columns:
-        factor = in_si(column.unit)
-        yield from (v / factor for v in run.measures.function(column.side, regime)(t, y))
+        factor, function = in_si(column.unit), run.measures.function(column.side, regime)
+        run.measures.wind(math.inf)
+        yield from (v / factor for v in function(t, y))
 
 
 def _columns(problem: Problem, asked: Sequence[Find]) -> tuple[Column, ...]:
