@@ -137,3 +137,33 @@ def test_what_has_no_value_is_said(tmp_path: Path) -> None:
     for answer in simulated(scene, Settings(estimate=False)).answers:
         assert answer.values == ()
         assert "no value" in answer.why
+
+
+RESISTED = """\
+title: Crate against a resistance that stays the same until it rests
+plane: vertical
+points: {P: [0, 0]}
+bodies: {crate: {particle: P, mass: 10 kg}}
+joints:
+  - guide: {body: crate, along: 0 deg}
+loads:
+  - drag: {body: crate, magnitude: 20 N, name: rubbing}
+states:
+  0: [t = 0, v(crate).x = 4 m/s]
+  1: [crate at rest]
+"""
+
+
+def test_a_resistance_that_does_not_vanish_at_rest_leads_to_rest_and_no_further() -> None:
+    """At rest such a load says nothing: there it may be anything up to its size."""
+    asked = "find: {t: t @ 1, d: x(crate) @ 1}\n"
+    problem, wrong = load_text(RESISTED + asked)
+    assert problem is not None, wrong
+    found = simulate(problem, Settings(), {})
+    assert [a.values[0] for a in found.answers] == pytest.approx([2.0, 4.0], rel=1e-8)
+    problem, wrong = load_text(RESISTED + "  2: [t = 3 s]\n" + asked)
+    assert problem is not None, wrong
+    outcome = simulate(problem, Settings(), {}).run.trajectory.outcome
+    assert outcome.refused
+    assert "does not vanish at rest" in outcome.words
+    assert outcome.t == pytest.approx(2.0, rel=1e-8)

@@ -19,8 +19,8 @@ from planar_cli.motion.regime import Parts, Regime
 from planar_cli.motion.scales import Scales, scales_of
 from planar_cli.motion.scene import MovingScene
 from planar_cli.motion.source import Code, compiled
-from planar_cli.motion.terms import Term
-from planar_cli.problem.facts import Facts, Mode, Wrench
+from planar_cli.motion.terms import Term, evaluate
+from planar_cli.problem.facts import Facts, Mode, Skid, Wrench
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
 
@@ -29,6 +29,8 @@ Choice = tuple[int, ...]
 Member = Joint | Load
 MOST_TURNED = 1e5
 """Of a step that turns a body further than that [rad] turns are no longer counted one by one."""
+STILL = 1e-12
+"""A resistance that is below this part of the force scale at rest vanishes there."""
 ANYWHERE = (0.6, 0.8)
 """From where a particle is sought whose place is open, in parts of the scene's extent: no special place."""
 
@@ -244,6 +246,7 @@ class Model:
             speeds = tuple(self.skids.speed(s) for s in mode.facts.skids)
             found += Watch(self.layout, self.scales, self.scene, name, mode, speeds, gap).measured()
         found += self._masses()
+        found += self._resistances()
         return tuple(replace(m, guard=replace(m.guard, index=i)) for i, m in enumerate(found))
 
     def _masses(self) -> list[Measured]:
@@ -253,6 +256,21 @@ class Model:
             if not place.mass.constant:
                 guard = Guard(name, "mass", f"{name} has mass", True, self.scales.mass, 0)
                 found.append(Measured(guard, place.mass))
+        return found
+
+    def _resistances(self) -> list[Measured]:
+        """Bodies go on moving against loads that oppose the velocity and do not vanish with it: at rest they are none,
+        and just before as large as ever.
+        """
+        found = []
+        still = dict.fromkeys(self.layout.speeds, 0.0)
+        for load, wrenches in self.wrenches.items():
+            for w in wrenches if load.opposes else ():
+                (size,) = evaluate([self.graph.of(w.magnitude)], still)
+                if not abs(size) <= STILL * self.scales.force:
+                    speed = self.skids.speed(Skid(load.name, w.body, GROUND, w.point, w.magnitude))
+                    words = f"{w.body} moves against {load.name}, which does not vanish at rest"
+                    found.append(Measured(Guard(load.name, "moves", words, False, self.scales.speed, 0), speed))
         return found
 
     def gap(self, joint: Joint, mode: Mode) -> Term:
