@@ -6,13 +6,13 @@ import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 
-from planar_cli.integrators.base import Counts, Setting
+from planar_cli.integrators.base import Counts, Setting, Step
+from planar_cli.motion.drive import drive
 from planar_cli.motion.model import Model
 from planar_cli.motion.regime import Regime
 from planar_cli.motion.scene import MovingScene
 from planar_cli.motion.start import start_of
 from planar_cli.problem.structure import load
-from planar_cli.registry import members
 
 
 def model_of(text: str) -> Model:
@@ -82,13 +82,16 @@ class Followed:
 def followed(model: Model, until: float, tolerance: float) -> Followed:
     """The motion from the start of the file in the natural regime."""
     regime, start = model.regime(), start_of(model)
-    integrator = members("integrators")["dop853"]()
     setting = Setting(scale=model.scale, tolerance=tolerance, project=regime.project)
-    state, first = list(start.state), regime.energy(start.time, start.state)
+    first = regime.energy(start.time, start.state)
     energy = drift = 0.0
-    for step in integrator.steps(regime.rates, start.time, state, until, setting):
-        state = step.y1
-        model.note(step.t1, state)
-        energy = max(energy, abs(regime.energy(step.t1, state) - first))
-        drift = max([drift, *map(abs, regime.residuals(step.t1, state))])
-    return Followed(regime, until, state, integrator.counts, energy, drift)
+
+    def seen(step: Step) -> None:
+        nonlocal energy, drift
+        model.note(step.t1, step.y1)
+        energy = max(energy, abs(regime.energy(step.t1, step.y1) - first))
+        drift = max([drift, *map(abs, regime.residuals(step.t1, step.y1))])
+
+    part = regime.reduced(start.time, start.state)
+    run = drive(regime.rates, start.time, start.state, until, setting, kind="dop853", on_step=seen, reduced=part)
+    return Followed(regime, until, run.y1, run.counts, energy, drift)

@@ -61,7 +61,7 @@ def reduced(model: Model) -> tuple[Reduced, float, list[float]]:
 def test_places_follow_from_angles_wherever_bodies_hang_together(text: str, independent: int, loops: bool) -> None:
     found, t, y = reduced(model_of(text))
     assert len(found.free) == independent
-    assert found.loops == loops
+    assert (found.loops > 0) == loops
     assert found.whole(t, found.part(y)) == pytest.approx(y, abs=1e-13)
 
 

@@ -82,6 +82,8 @@ class Step:
     """The estimated error in parts of what the tolerance allows in one step; 0 where there is no estimate."""
     fastest: float = 0.0
     """An estimate [1/s] of how fast the fastest motion goes; 0 where it was not measured."""
+    supplied: float = 0.0
+    """The energy that its end was given so that none is lost [J]."""
 
     def at(self, t: float) -> Vector:
         """The state at a time in the step; its ends are exact."""

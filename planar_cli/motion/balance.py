@@ -92,7 +92,8 @@ def balance_of(
     note(t1, y1)
     after, new = regime.energy(t1, y1), regime.momentum(t1, y1)
     scale = max(abs(after - before), work.sizes[0], swing, least)
-    left = after - before - work.sums[0]
+    # What was put right is not hidden from the check.
+    left = after - before - work.sums[0] - sum(step.supplied for step in steps)
     if outside is None:
         return Balance(left, scale, (), ())
     off = tuple(b - a - s for a, b, s in zip(old, new, impulse.sums, strict=True))

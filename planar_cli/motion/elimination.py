@@ -7,13 +7,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from planar_cli.motion.pivots import Order, order
+from planar_cli.motion.pivots import CANCELLED, Order, order
 from planar_cli.motion.source import Check
 from planar_cli.motion.terms import Graph, Term, evaluate
 from planar_cli.records import record
 
-SMALL_PIVOT = 1e-8
-"""A pivot that shrinks below this part of its parts no longer serves, if it was larger where the order was chosen."""
+SMALL_PIVOT = 1e-5
+"""A pivot that shrinks below this part of its parts no longer serves, if it was larger where the order was chosen: as
+much as it is small, accelerations magnify by what states inside a step miss the joints."""
 SHRUNK = 1e-2
 """A pivot that is small everywhere no longer serves below this part of what it was where the order was chosen."""
 LEAST_PIVOT = 1e-12
@@ -69,14 +70,17 @@ class Factored:
         return tuple(found)
 
 
-def chosen(rows: Rows, values: Mapping[Term, float] | None = None) -> Order:
-    """The order of pivots from the numbers of the reference configuration, or from other values of the variables."""
+def chosen(rows: Rows, values: Mapping[Term, float] | None = None, cancelled: float = CANCELLED) -> Order:
+    """The order of pivots from the numbers of the reference configuration, or from other values of the variables.
+
+    `cancelled`: smaller parts of what they are the difference of are no pivots.
+    """
     entries = [(i, j, t) for i, row in enumerate(rows) for j, t in row.items()]
     numbers = [t.value for _, _, t in entries] if values is None else evaluate((t for _, _, t in entries), values)
     found: list[dict[int, tuple[float, bool]]] = [{} for _ in rows]
     for (i, j, t), number in zip(entries, numbers, strict=True):
         found[i][j] = (number, not t.constant)
-    return order(found)
+    return order(found, cancelled)
 
 
 def factor(graph: Graph, rows: Rows, by: Order | None = None) -> Factored:

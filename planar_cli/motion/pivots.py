@@ -73,9 +73,12 @@ class Entry:
         """The part of it that is constant."""
 
 
-def order(rows: Sequence[Mapping[int, tuple[float, bool]]]) -> Order:
-    """The order for a square system: for every equation its coefficients by unknown, and whether they vary."""
-    return _Chooser(rows).order()
+def order(rows: Sequence[Mapping[int, tuple[float, bool]]], cancelled: float = CANCELLED) -> Order:
+    """The order for a square system: for every equation its coefficients by unknown, and whether they vary.
+
+    `cancelled`: pivots below this part of the terms that they are the difference of are not taken.
+    """
+    return _Chooser(rows, cancelled).order()
 
 
 def scales(rows: Sequence[Mapping[int, float]], count: int) -> tuple[list[float], list[float]]:
@@ -98,8 +101,8 @@ def scales(rows: Sequence[Mapping[int, float]], count: int) -> tuple[list[float]
 class _Chooser:
     """The system in numbers, as it is eliminated."""
 
-    def __init__(self, rows: Sequence[Mapping[int, tuple[float, bool]]]) -> None:
-        count = len(rows)
+    def __init__(self, rows: Sequence[Mapping[int, tuple[float, bool]]], cancelled: float) -> None:
+        count, self.cancelled = len(rows), cancelled
         self.left, self.right = scales([{j: v for j, (v, _) in row.items()} for row in rows], count)
         self.rows: list[dict[int, Entry]] = []
         self.columns: list[set[int]] = [set() for _ in range(count)]
@@ -167,7 +170,7 @@ class _Chooser:
 
     def _acceptable(self, i: int, j: int) -> bool:
         entry = self.rows[i].get(j)
-        if entry is None or abs(entry.value) <= CANCELLED * entry.size:
+        if entry is None or abs(entry.value) <= self.cancelled * entry.size:
             return False
         passing = i == j and i not in self.firm and abs(entry.fixed) < LASTING * abs(entry.value)
         if passing and any(k in self.firm for k in self.rows[i]):

@@ -100,7 +100,8 @@ class Regime:
             return None
         sizes = [self.parts.scales.length if s.kind in ("x", "y") else 1.0 for s in self.layout.slots]
         scale = [*sizes, *(size / self.parts.scales.time for size in sizes)]
-        return Reduced(self.layout, given, len(given) < len(kept), scale, self._part, self.rates)
+        energies = (self._kinetic(), self.parts.potential) if self.conservative else None
+        return Reduced(self.layout, given, len(kept) - len(given), scale, self._part, self.rates, energies)
 
     def _part(self, view: View, numbers: Sequence[int]) -> Routine:
         """The rates of some coordinates and their accelerations."""
@@ -303,11 +304,15 @@ class Regime:
             self._kinetics = compiled(self._measured(), self.layout.state, self.layout.time)
         return self._kinetics.function(t, y)
 
+    def _kinetic(self) -> Term:
+        energy = self.layout.graph.number(0.0)
+        for slot in self.layout.slots:
+            energy = energy + slot.mass * slot.rate * slot.rate * 0.5
+        return energy
+
     def _measured(self) -> list[Term]:
         layout, graph = self.layout, self.layout.graph
-        energy = self.parts.potential
-        for slot in layout.slots:
-            energy = energy + slot.mass * slot.rate * slot.rate * 0.5
+        energy = self.parts.potential + self._kinetic()
         px, py, angular = (graph.number(0.0) for _ in range(3))
         for frame in layout.frames.values():
             x, y = layout.slots[frame.x], layout.slots[frame.y]

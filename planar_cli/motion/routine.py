@@ -20,8 +20,10 @@ from planar_cli.records import record
 
 MOST_ORDERS = 6
 """So many orders of pivots are kept, and so often another one is sought in vain."""
-WEIGHTS = ((-2, -1 / 6), (-1, 4 / 6), (1, 4 / 6), (2, -1 / 6))
-"""The value at 0 of the cubic through the values at these places: exact up to the fourth order of their distance."""
+CLEAR = 100.0
+"""Pivots of another order are larger by this factor than what no longer serves, if there are such."""
+WEIGHTS = tuple((s * k, w) for k, w in ((1, 0.8), (2, -0.4), (3, 4 / 35), (4, -1 / 70)) for s in (-1, 1))
+"""The value at 0 of the polynomial through the values at these places: exact up to the eighth order of distances."""
 
 Unknowns = Sequence[Sequence[Term]]
 """For every right side the unknowns."""
@@ -73,7 +75,10 @@ class System:
         """Add an order of pivots for this state; False where that would not help."""
         if len(self.orders) >= MOST_ORDERS or self._vain >= MOST_ORDERS:
             return False
-        found, first = chosen(self.rows, self.layout.values(t, y)), self.orders[0]
+        values, first = self.layout.values(t, y), self.orders[0]
+        found = chosen(self.rows, values, CLEAR * self.small)
+        if len(found.rows) > len(first.rows):
+            found = chosen(self.rows, values)
         singular = len(found.rows) > len(first.rows) or found.least < min(self.small, SHRUNK * first.least)
         if singular or any(found.places == order.places for order in self.orders):
             self._vain += 1
