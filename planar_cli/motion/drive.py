@@ -172,9 +172,7 @@ class _Followed:
         integrator.counts = self.counts
         if self.reduced is None:
             return integrator.steps(f, t0, y0, t1, setting)
-        part = self.reduced
-        z0 = part.part(y0)
-        return map(part.step, integrator.steps(f, t0, z0, t1, part.setting(setting, t0, z0)))
+        return self.reduced.steps(integrator, f, t0, y0, t1, setting)
 
     def _stiff(self, step: Step, t1: float) -> bool:
         """Is the rest of the leg better left to the implicit method?"""

@@ -12,10 +12,10 @@ have it. (With more degrees of freedom it tells one direction of many, and true 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 
-from planar_cli.integrators.base import Project, Rates, Setting, Step
+from planar_cli.integrators.base import Integrator, Project, Rates, Setting, Step, StepTooSmall
 from planar_cli.motion.constraints import Constraint
 from planar_cli.motion.layout import Layout
 from planar_cli.motion.replacing import replaced
@@ -143,6 +143,17 @@ class Reduced:
         """Do the independent numbers of a state tell the others?"""
         there = self.whole(t, self.part(y))
         return all(abs(a - b) <= MISSED * s for a, b, s in zip(there, y, self.scale, strict=True))
+
+    def steps(
+        self, integrator: Integrator, f: Rates, t0: float, y0: Sequence[float], t1: float, setting: Setting
+    ) -> Iterator[Step]:
+        """The steps of the whole state that an integrator makes; `f`: `rates`, perhaps between two times only."""
+        z0 = self.part(y0)
+        try:
+            yield from map(self.step, integrator.steps(f, t0, z0, t1, self.setting(setting, t0, z0)))
+        except StepTooSmall as stuck:
+            stuck.y = self.whole(stuck.t, stuck.y)
+            raise
 
     def setting(self, setting: Setting, t: float, z: Sequence[float]) -> Setting:
         """The same of the independent numbers, for a motion from this start."""
