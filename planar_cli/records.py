@@ -1,8 +1,9 @@
 """Frozen dataclasses with slots that are cheap to define.
 
 `@dataclass(frozen=True, slots=True)` compiles six methods for each class, 0.45 ms at every start: with some hundreds of
-classes that is more than the rest of importing them. Here only `__init__` is compiled, and the others are shared. What
-comes out is a dataclass like any other for `fields`, `replace`, `match` and `pickle`.
+classes that is more than the rest of importing them. Here `__init__` alone is compiled, when the first object is made,
+and the others are shared. What comes out is a dataclass like any other for `fields`, `replace`, `match` and `pickle`:
+its fields are told by a twin that the standard library makes when they are first asked for.
 """
 
 from __future__ import annotations
@@ -21,38 +22,80 @@ def record(cls: type[T]) -> type[T]:
     if cls.__bases__ != (object,):
         # What a class inherits from others, the standard library sees to.
         return dataclass(frozen=True, slots=True)(cls)
-    own = set(cls.__dict__)
-    made: Any = dataclass(slots=True, init=False, repr=False, eq=False)(cls)
-    # Told only now: the methods of a class that is frozen from the start would be compiled for it alone.
-    made.__dataclass_params__.frozen = made.__dataclass_params__.eq = True
-    members = fields(made)
-    methods = {**SHARED, **_comparisons([f for f in members if f.compare]), "__init__": _init(made, members)}
-    for name, method in methods.items():
-        if name not in own:
-            setattr(made, name, method)
+    own = {k: v for k, v in cls.__dict__.items() if k not in ("__dict__", "__weakref__")}
+    members = {n: _field(own, n) for n, kind in own.get("__annotations__", {}).items() if not _of_class(kind)}
+    space: dict[str, Any] = {k: v for k, v in own.items() if k not in members}
+    space["__slots__"] = tuple(members)
+    space.setdefault("__match_args__", tuple(n for n, f in members.items() if f.init))
+    methods = {**SHARED, **_comparisons([n for n, f in members.items() if f.compare])}
+    made: Any = type(cls.__name__, (object,), {**methods, **space})
+    made.__qualname__ = cls.__qualname__
+    if "__init__" not in own:
+        made.__init__ = _first_time(made, members)
+    made.__dataclass_fields__ = _Told("__dataclass_fields__", made, cls)
+    made.__dataclass_params__ = _Told("__dataclass_params__", made, cls)
     ours: type[T] = made
     return ours
 
 
-def _init(cls: type, members: Sequence[Field[Any]]) -> Callable[..., None]:
+def _field(own: dict[str, Any], name: str) -> Field[Any]:
+    """What was written of a field."""
+    written = own.get(name, MISSING)
+    if isinstance(written, Field):
+        return written
+    plain: Field[Any] = field(default=written)
+    return plain
+
+
+def _of_class(kind: object) -> bool:
+    """Does an annotation tell something of the class, not a field?"""
+    return isinstance(kind, str) and kind.partition("[")[0].rpartition(".")[2] == "ClassVar"
+
+
+class _Told:
+    """What the standard library knows of a dataclass, when it is first asked for."""
+
+    def __init__(self, name: str, made: type, written: type) -> None:
+        self.name, self.made, self.written = name, made, written
+
+    def __get__(self, owner: object, kind: type | None = None) -> Any:
+        twin: Any = dataclass(init=False, repr=False, eq=False)(self.written)
+        # Told only now: the methods of a class that is frozen from the start would be compiled for it alone.
+        twin.__dataclass_params__.frozen = twin.__dataclass_params__.eq = True
+        for name in ("__dataclass_fields__", "__dataclass_params__"):
+            setattr(self.made, name, getattr(twin, name))
+        return getattr(twin, self.name)
+
+
+def _first_time(made: Any, members: dict[str, Field[Any]]) -> Callable[..., None]:
+    """`__init__`, which is compiled when it is first called."""
+
+    def initialize(self: Any, *args: Any, **named: Any) -> None:
+        made.__init__ = _init(made, members)
+        made.__init__(self, *args, **named)
+
+    return initialize
+
+
+def _init(cls: type, members: dict[str, Field[Any]]) -> Callable[..., None]:
     """`__init__` with the fields as parameters, in their order."""
     known: dict[str, Any] = {"_set": object.__setattr__, "_made": MISSING}
     parameters, lines = ["self"], []
-    for f in members:
+    for name, f in members.items():
         if not f.init:
             assert f.default is f.default_factory is MISSING, "what `__post_init__` makes has no default"
             continue
-        value = f.name
+        value = name
         if f.default is not MISSING:
-            known[f"_of_{f.name}"] = f.default
-            parameters.append(f"{f.name}=_of_{f.name}")
+            known[f"_of_{name}"] = f.default
+            parameters.append(f"{name}=_of_{name}")
         elif f.default_factory is not MISSING:
-            known[f"_of_{f.name}"] = f.default_factory
-            parameters.append(f"{f.name}=_made")
-            value = f"_of_{f.name}() if {f.name} is _made else {f.name}"
+            known[f"_of_{name}"] = f.default_factory
+            parameters.append(f"{name}=_made")
+            value = f"_of_{name}() if {name} is _made else {name}"
         else:
-            parameters.append(f.name)
-        lines.append(f" _set(self, {f.name!r}, {value})")
+            parameters.append(name)
+        lines.append(f" _set(self, {name!r}, {value})")
     if hasattr(cls, "__post_init__"):
         lines.append(" self.__post_init__()")
     exec(f"def __init__({', '.join(parameters)}):\n" + "\n".join(lines or [" pass"]), known)
@@ -61,9 +104,8 @@ def _init(cls: type, members: Sequence[Field[Any]]) -> Callable[..., None]:
     return made
 
 
-def _comparisons(members: Sequence[Field[Any]]) -> dict[str, Callable[..., Any]]:
+def _comparisons(names: Sequence[str]) -> dict[str, Callable[..., Any]]:
     """Two records are equal where they are of one class and all their fields are."""
-    names = [f.name for f in members]
     values: Callable[[object], tuple[Any, ...]] = attrgetter(*names) if len(names) > 1 else _each(names)
 
     def equal(self: object, other: object) -> bool:

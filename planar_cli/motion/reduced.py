@@ -21,13 +21,13 @@ from planar_cli.motion.layout import Layout
 from planar_cli.motion.replacing import replaced
 from planar_cli.motion.routine import Routine, View
 from planar_cli.motion.source import Code, Singular, compiled
-from planar_cli.motion.terms import Term
+from planar_cli.motion.terms import Term, ordered
 
 SLIGHT = 1e-3
 """A coefficient below this part of the largest of its relation solves for nothing."""
 TURN = 1.5
-"""No step turns anything by more than this [rad], as far as its beginning tells: what goes round is followed round,
-though its angle may change in the simplest way."""
+"""No step turns what carries places round by more than this [rad], as far as its beginning tells: they are followed
+round, though the angle may change in the simplest way."""
 SWIFT = 1e-3
 """What is missing of the energy is put right where it is less than this part of the kinetic energy."""
 MISSED = 1e-9
@@ -104,9 +104,10 @@ class Reduced:
         self._places = (*self.free, *(count + i for i in self.free))
         """Where the independent ones stand in the state."""
         slots, graph = layout.slots, layout.graph
-        turns = [k for k, i in enumerate(self.free) if slots[i].kind == "theta"]
+        round_ = {v for t in ordered(given.values()) if t.op in ("sin", "cos") for v in ordered(t.args)}
+        turns = [k for k, i in enumerate(self.free) if slots[i].kind == "theta" and slots[i].coordinate in round_]
         self._turning = [len(self.free) + k for k in turns]
-        """Where the rates of angles stand among them."""
+        """Where the rates of the angles with which places go round stand among them."""
         one = {layout.time: graph.number(1.0)}
         terms = list(given.values())
         self._speeds = graph.rates(terms, one | {slots[i].coordinate: slots[i].rate for i in self.free})
