@@ -203,3 +203,29 @@ def test_a_case_that_is_refused_does_not_keep_the_others_back(
     motions = json.loads(run(capsys, file, "--output", "json", status=3))["motions"]
     assert [("refused" in m, m["case"]) for m in motions] == [(False, ""), (True, "sought")]
     run(capsys, file, "--output", "npz", "-o", str(tmp_path / "motion.npz"), status=3)
+
+
+SWAYING = """\
+title: Block on a spring
+plane: horizontal
+given: {{m: 2 kg, k: 200 N/m, a: 0.1 m}}
+points: {{W: [-1 m, 0], P: [0.1 m, 0]}}
+bodies: {{block: {{particle: P, mass: m}}}}
+joints:
+  - guide: {{point: P, along: 0 deg, name: rail}}
+loads:
+  - spring: {{between: [W, P], stiffness: k, natural_length: 1 m, name: coil}}
+states:
+  1: [t = 0, at rest]
+  2: [t = {end!r} s]
+find: {{way: path_length(P) @ 1->2}}
+"""
+
+
+@pytest.mark.parametrize("past", [1e-7, 1e-4, 1e-3, 0.02, 0.1, 0.3])
+def test_the_length_of_a_way_there_and_back(past: float, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """x = a cos(10/s t) has come to its third turning and gone on for a little."""
+    end = (3 * math.pi + past) / 10
+    found = data(capsys, written(tmp_path, SWAYING.format(end=end)), "--tolerance", "1e-12")
+    way = 0.1 * (6 + 2 * math.sin(past / 2) ** 2)
+    assert found["answers"]["way"]["value"] == pytest.approx(way, rel=1e-11)

@@ -15,6 +15,7 @@ from itertools import pairwise
 
 from planar_cli.errors import Diagnostic, FileProblem, Undecided
 from planar_cli.integrators.base import Step
+from planar_cli.motion.crossings import root
 from planar_cli.motion.regime import Regime
 from planar_cli.motion.segment import Segment
 from planar_cli.motion.terms import Term
@@ -79,6 +80,24 @@ def _along(of: Function, step: Step | None, still: Sequence[float], t: float) ->
     return of(t, still if step is None else step.at(t))
 
 
+def _size(of: Callable[[float], Sequence[float]], t: float) -> tuple[float]:
+    """The size of a vector."""
+    return (math.hypot(*of(t)),)
+
+
+def _reversals(piece: Piece) -> Iterator[float]:
+    """When a velocity turns round within a piece: it goes through zero there, or nearly so."""
+    times = [piece.a + (piece.b - piece.a) * i / LOOKS for i in range(LOOKS)] + [piece.b]
+    for (a, before), (b, after) in pairwise((t, piece.of(t)) for t in times):
+        if sum(p * q for p, q in zip(before, after, strict=True)) < 0:
+            way = [q - p for p, q in zip(before, after, strict=True)]
+            yield root(partial(_part_along, way, piece.of), a, b)
+
+
+def _part_along(way: Sequence[float], of: Callable[[float], Sequence[float]], t: float) -> float:
+    return sum(v * w for v, w in zip(of(t), way, strict=True))
+
+
 def _noted(note: Callable[[], None], of: Callable[[float], Sequence[float]], t: float) -> Sequence[float]:
     note()
     return of(t)
@@ -127,7 +146,7 @@ class Spans:
             case "count":
                 return (float(self._count(q, t0, t1)),)
             case "path_length":
-                return self._integral(q, t0, t1, self._speed)
+                return self._length(q, t0, t1)
             case "impulse":
                 return self._impulse(q, t0, t1)
             case "work":
@@ -156,6 +175,18 @@ class Spans:
         self.measures.wind(t1)
         return integral(pieces) or (0.0,)
 
+    def _length(self, q: Quantity, t0: float, t1: float) -> tuple[float, ...]:
+        """∫ |v| dt, which has a corner wherever the velocity turns round."""
+        pieces: list[Piece] = []
+        for stretch in self.stretches(t0, t1):
+            regime = stretch.segment.regime
+            assert isinstance(regime, Regime)
+            velocity = self.measures.routine("velocity", q, regime, self._velocity)
+            for whole in stretch.parts(velocity, None):
+                ends = [whole.a, *_reversals(whole), whole.b]
+                pieces += [Piece(partial(_size, whole.of), a, b) for a, b in pairwise(ends)]
+        return integral(pieces) or (0.0,)
+
     # --- integrands --------------------------------------------------------------------------------------------------
 
     def _argument(self, q: Quantity, regime: Regime) -> list[Term]:
@@ -163,10 +194,8 @@ class Spans:
         assert not isinstance(q.argument, Relation)
         return self.measures.terms(q.argument, self.measures.quantities(regime))
 
-    def _speed(self, q: Quantity, regime: Regime) -> list[Term]:
-        found = self.measures.terms(replace(q, word="v", at=None, parts=()), self.measures.quantities(regime))
-        x, y = found
-        return [self.measures.model.graph.call("sqrt", x * x + y * y + math.ulp(0.0))]
+    def _velocity(self, q: Quantity, regime: Regime) -> list[Term]:
+        return self.measures.terms(replace(q, word="v", at=None, parts=()), self.measures.quantities(regime))
 
     def _power(self, q: Quantity, regime: Regime) -> list[Term]:
         return self.measures.terms(replace(q, word="power", at=None, parts=()), self.measures.quantities(regime))
