@@ -54,6 +54,9 @@ class Law:
     def project(self, t: float, y: Sequence[float]) -> list[float]:
         return self.mend(t, y)
 
+    def closed(self, t: float, y: Sequence[float]) -> list[float]:
+        return list(y)
+
     def reduced(self, t: float, y: Sequence[float]) -> None:
         return None
 

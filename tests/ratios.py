@@ -278,7 +278,7 @@ def drifts(run: Run) -> tuple[float, float, float]:
             ends = max([ends, *map(abs, regime.residuals(step.t1, step.y1))])
             for k in (1, 2, 3):
                 t = step.t0 + k / 4 * (step.t1 - step.t0)
-                inside = max([inside, *map(abs, regime.residuals(t, step.at(t)))])
+                inside = max([inside, *map(abs, regime.residuals(t, segment.at(t)))])
     return energy, ends, inside
 
 

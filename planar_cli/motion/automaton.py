@@ -73,6 +73,9 @@ class Regime(Protocol):
     def project(self, t: float, y: Sequence[float]) -> list[float]:
         """The nearest state that the joints of this regime allow, in places and velocities."""
 
+    def closed(self, t: float, y: Sequence[float]) -> list[float]:
+        """A state inside a step on the joints, which dense output keeps to the order of its error only."""
+
     def reduced(self, t: float, y: Sequence[float]) -> Reduced | None:
         """The same with the independent coordinates alone; None where that does not serve in this state."""
 

@@ -142,6 +142,11 @@ class Regime:
         """The nearest state, weighed by masses, that fulfils all constraints of places and velocities."""
         return self.projector.project(t, y)
 
+    def closed(self, t: float, y: Sequence[float]) -> list[float]:
+        """A state inside a step on the joints: where some close loops, it is only nearly there."""
+        open_chain = self._reduced is not None and not self._reduced.loops
+        return list(y) if open_chain or not self.constraints else self.project(t, y)
+
     def residuals(self, t: float, y: Sequence[float]) -> list[float]:
         """What is left of the constraints: of places, then of velocities, in parts of their scales."""
         return self.projector.residuals(t, y)

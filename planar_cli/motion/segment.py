@@ -36,4 +36,5 @@ class Segment:
         if t >= self.t1:
             return list(self.end)
         k = bisect_right(self.steps, t, key=lambda step: step.t1)
-        return self.steps[min(k, len(self.steps) - 1)].at(t)
+        step = self.steps[min(k, len(self.steps) - 1)]
+        return step.at(t) if t == step.t0 else self.regime.closed(t, step.at(t))
