@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import math
+from pathlib import Path
 
 import pytest
 from pinned import followed, four_bars, model_of, written
 
 from planar_cli.errors import FileProblem
 from planar_cli.motion.start import start_of
+from planar_cli.problem.structure import load
+from planar_cli.simulate.run import Settings, simulate
 
 ANGLES = {2: 31.7505971869861018, 10: 31.6217298227818727}
 """φ(10 s) of N four-bars, from an integration of their reduced equation with 50 digits."""
@@ -92,3 +95,35 @@ def test_a_parallelogram_keeps_its_branch_at_the_change_point() -> None:
     assert found.at("theta_AB") < -20
     assert found.at("theta_DC") - found.at("theta_AB") == pytest.approx(0.0, abs=1e-10)
     assert found.drift <= 1e-12
+
+
+SWINGING = """
+title: a rod swings down about a point off its centre
+plane: vertical
+given: {l: 1.76 m, d: 0.72 m}
+coordinates: {theta: deg}
+points:
+  O: [0, 0]
+  G: {from: O, distance: d, angle: theta - 90 deg}
+  A: {from: G, distance: l/2, angle: theta + 90 deg}
+  B: {from: G, distance: l/2, angle: theta - 90 deg}
+bodies: {rod: {rod: [A, B], mass: 1 kg, points: [O]}}
+joints:
+  - pin: {at: O, between: [ground, rod]}
+states:
+  1: [theta = 90 deg, at rest]
+  2: [theta = 0]
+find: {omega: omega(rod) @ 2}
+"""
+
+
+@pytest.mark.parametrize("tolerance", [1e-6, 1e-9, 1e-12])
+def test_where_a_place_does_not_tell_an_angle_its_rate_stays_as_it_is(tolerance: float, tmp_path: Path) -> None:
+    """As the rod hangs down, the height of its end does not tell how fast it turns."""
+    path = tmp_path / "scene.yaml"
+    path.write_text(SWINGING, encoding="utf-8")
+    problem, _, _ = load(str(path))
+    assert problem is not None
+    found = simulate(problem, Settings(tolerance=tolerance)).answers[0]
+    omega = -math.sqrt(24 * 9.81 * 0.72 / (1.76**2 + 12 * 0.72**2))
+    assert found.values[0] == pytest.approx(omega, rel=100 * tolerance)

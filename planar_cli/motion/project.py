@@ -48,6 +48,9 @@ class Projector:
         self.constraints = constraints
         self.kept, self.values = kept, values
         self.sizes = [self._size(c) for c in constraints]
+        self._placed = sum(c.place is not None for c in constraints)
+        lengths = [scales.length if slot.kind in ("x", "y") else 1.0 for slot in layout.slots]
+        self._scale = [*lengths, *(size / scales.time for size in lengths)]
         self._left: Code | None = None
         self._correct: Routine | None = None
 
@@ -76,7 +79,8 @@ class Projector:
                 return correction.regular(t, y)
             except Singular:
                 # Directions in which the constraints bend more than they slope are left as they are.
-                return correction.by_rank(t, y, max(DEPENDENT, BENT * math.sqrt(left)))
+                change = correction.by_rank(t, y, max(DEPENDENT, BENT * math.sqrt(left)))
+                return change if self._moved(change, y) <= math.sqrt(left) else [0.0] * len(change)
 
         return self._projected(t, y, correct)
 
@@ -113,14 +117,24 @@ class Projector:
 
     def _largest(self, residuals: Sequence[float], y: Sequence[float]) -> float:
         """The largest residual: places on the scale of the scene and of where it is, velocities on that of theirs."""
-        places = sum(c.place is not None for c in self.constraints)
+        places, rates = residuals[: self._placed], residuals[self._placed :]
+        far = max([abs(r) for r in places], default=0.0)
+        fast = max([abs(r) for r in rates], default=0.0)
+        if far <= ROUNDING and fast <= ROUNDING:
+            return max(far, fast)
+        farthest, fastest = self._extent(y)
+        return max(far / max(farthest, 1.0), fast / max(fastest, 1.0))
+
+    def _moved(self, change: Sequence[float], y: Sequence[float]) -> float:
+        """How large a correction is, on the same scales."""
+        (far, fast), (farthest, fastest) = self._extent(change), self._extent(y)
+        return max(far / max(farthest, 1.0), fast / max(fastest, 1.0))
+
+    def _extent(self, y: Sequence[float]) -> tuple[float, float]:
+        """The largest place and the largest speed, in parts of their scales."""
+        parts = [abs(v) / size for v, size in zip(y, self._scale, strict=True)]
         half = self.layout.count
-        far, fast = 1.0, 1.0
-        for slot, q, v in zip(self.layout.slots, y[:half], y[half:], strict=True):
-            size = self.scales.length if slot.kind in ("x", "y") else 1.0
-            far, fast = max(far, abs(q) / size), max(fast, abs(v) * self.scales.time / size)
-        largest = max((abs(r) / far for r in residuals[:places]), default=0.0)
-        return max([largest, *(abs(r) / fast for r in residuals[places:])])
+        return max(parts[:half], default=0.0), max(parts[half:], default=0.0)
 
     def _routine(self) -> Routine:
         """The corrections of all coordinates, then of all rates."""
