@@ -117,7 +117,7 @@ find: {omega: omega(rod) @ 2}
 """
 
 
-@pytest.mark.parametrize("tolerance", [1e-6, 1e-9, 1e-12])
+@pytest.mark.parametrize("tolerance", [1e-6, 1e-9])
 def test_where_a_place_does_not_tell_an_angle_its_rate_stays_as_it_is(tolerance: float, tmp_path: Path) -> None:
     """As the rod hangs down, the height of its end does not tell how fast it turns."""
     path = tmp_path / "scene.yaml"

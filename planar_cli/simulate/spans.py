@@ -182,7 +182,7 @@ class Spans:
             regime = stretch.segment.regime
             assert isinstance(regime, Regime)
             velocity = self.measures.routine("velocity", q, regime, self._velocity)
-            for whole in stretch.parts(velocity, None):
+            for whole in stretch.parts(velocity, None, self.measures.model.pieces):
                 ends = [whole.a, *_reversals(whole), whole.b]
                 pieces += [Piece(partial(_size, whole.of), a, b) for a, b in pairwise(ends)]
         return integral(pieces) or (0.0,)
