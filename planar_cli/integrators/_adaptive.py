@@ -26,8 +26,6 @@ RENEWED = 8
 STABLE, CALM = 5.0, 3.0
 """Where step · fastest is above the first, an explicit method makes errors grow from step to step, and an estimate that
 happens to be small means nothing: the step is tried again with the second."""
-REMEMBERED = 1e-4
-"""Errors of the step before below this part count as that."""
 ERRORLESS = 1e-9
 """Errors below this part of what is allowed are taken as that."""
 
@@ -44,9 +42,6 @@ class Method(ABC):
     """A step that could grow by less than that keeps its length."""
     power: ClassVar[float]
     """The error estimate goes with this power of the step."""
-    memory: ClassVar[float] = 0.0
-    """To which power the error of the step before counts, so that lengths settle with fewer rejections (E. Hairer, G.
-    Wanner, Solving Ordinary Differential Equations II, IV.2)."""
 
     @abstractmethod
     def begin(self, t: float, y: Vector, rates: Vector) -> None:
@@ -137,8 +132,6 @@ class _Control:
         self.h, self.run, self.direction = 0.0, abs(t1 - t0), math.copysign(1.0, t1 - t0)
         self.again, self.calmed = True, False
         self.done = 0
-        self.before = 1.0
-        """The error of the last step."""
 
     def span(self, t: float, y: Vector, t1: float) -> float:
         """The step to try, with its sign: the last three are made even, so that no crumb remains at the end."""
@@ -165,14 +158,11 @@ class _Control:
         method = self.method
         self.done += 1
         if not self.fixed:
-            small, memory = max(error, ERRORLESS), method.memory
-            factor = method.safety * small ** (0.2 * memory - method.power) * self.before**memory
-            factor = max(method.least, factor)
+            factor = max(method.least, method.safety * max(error, ERRORLESS) ** -method.power)
             factor = min(factor, 1.0 if self.again and self.done > 1 else method.most)
             self.h = made * (1.0 if 1.0 <= factor < method.keep else factor)
             if fastest * made > 0.5 * CALM and fastest * self.h > STABLE:
                 self.h = max(made, CALM / fastest)
-            self.before = max(small, REMEMBERED)
         self.again = self.calmed = False
         if self.done % RENEWED == 0:
             method.renew(y, (self.run - abs(t - self.t0)) / self.h)

@@ -54,11 +54,10 @@ class DormandPrince853(Adaptive):
 class _Steps(Method):
     """The steps of one run."""
 
-    safety: ClassVar[float] = 0.85
+    safety: ClassVar[float] = 0.8
     least: ClassVar[float] = 1 / 3
     most: ClassVar[float] = 6.0
     power: ClassVar[float] = 1 / 8
-    memory: ClassVar[float] = 0.04
 
     def __init__(self, f: Rates, setting: Setting, counts: Counts, y: Vector) -> None:
         self.f, self.setting, self.counts = f, setting, counts
