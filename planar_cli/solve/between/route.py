@@ -314,14 +314,27 @@ class Router:
         return DerivedStep(derivation, tuple(results), datum)
 
     def _by_squares(self, pool: list[sp.Expr], left: list[sp.Symbol]) -> list[Result]:
-        """Two equations in letters from which the square of one unknown goes by subtraction; empty: it does not."""
-        pair = [Pending(r, ()) for r in pool]
-        made = subtracted(pair, left, self.value, True) if self.symbolic and len(pool) == len(left) == 2 else None
+        """Two equations in letters from which the square of one unknown goes; empty: it does not."""
+        if not self.symbolic or not len(pool) == len(left) == 2:
+            return []
+        made = subtracted([Pending(r, ()) for r in pool], left, self.value, True)
         index = None if made is None else alone(made, left)
         if made is None or index is None:
-            return []
+            return self._square_put_in(pool, left)
         x, y = sorted(left, key=lambda s: s not in made[index].residual.free_symbols)
         return [self._single(made[index].residual, x), self._single(made[1 - index].residual, y)]
+
+    def _square_put_in(self, pool: list[sp.Expr], left: list[sp.Symbol]) -> list[Result]:
+        """The same where one unknown enters as its square alone: that is put into the other equation."""
+        for x, (first, second) in itertools.product(left, (pool, pool[::-1])):
+            square, other = _square(first, x), _square(second, x)
+            if square is None or other is None or self.value.is_zero(square[1]):
+                continue
+            (y,) = (s for s in left if s != x)
+            found = self._single(simplified(other[0] - other[1] * square[0] / square[1]), y)
+            if found.formula is not None:
+                return [found, self._single(first, x)]
+        return []
 
     def _single(self, residual: sp.Expr, x: sp.Symbol) -> Result:
         truth = self.value(x)
@@ -333,6 +346,14 @@ class Router:
         taken = next((r for r in roots if abs(r.value - truth) <= near), None)
         formula = None if taken is None else taken.expression
         return Result(x, formula, truth, tuple(roots))
+
+
+def _square(residual: sp.Expr, x: sp.Symbol) -> tuple[sp.Expr, sp.Expr] | None:
+    """What stands without x and with its square, if there is nothing else."""
+    if not residual.is_polynomial(x):
+        return None
+    found = {m[0]: c for m, c in sp.Poly(residual, x).terms()}
+    return (found.get(0, sp.S.Zero), found[2]) if {2} <= found.keys() <= {0, 2} else None
 
 
 def _determinant(rows: list[list[Decimal]]) -> Decimal:
