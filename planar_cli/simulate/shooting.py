@@ -13,7 +13,7 @@ from dataclasses import replace
 from itertools import pairwise
 
 from planar_cli.errors import PlanarError
-from planar_cli.problem.expression import Relation, Statement
+from planar_cli.problem.expression import Name, Relation, Statement
 from planar_cli.problem.scene import Problem, State, Symbol
 from planar_cli.records import record
 from planar_cli.simulate.run import Run, Settings, followed, prepared
@@ -24,6 +24,8 @@ DECADES, PER_DECADE = 4, 4
 """Within so many powers of ten about an ordinary size a constant is looked for, at so many values in each."""
 DEGREES = 5
 """An angle is looked for all round, in steps of so many degrees."""
+SHARES = 20
+"""A restitution is looked for from 0 to 1 in so many steps."""
 EDGE = 12
 """Where a state ceases to be reached, between two such values, is enclosed in so many steps."""
 TOLERANCE = 1e-11
@@ -99,6 +101,10 @@ def _values(problem: Problem, unknown: Symbol, known: Mapping[str, float]) -> It
         turn = [math.radians(d) for d in range(0, 181, DEGREES)]
         yield turn
         yield [-v for v in turn]
+        return
+    written = (getattr(joint, "restitution", None) for joint in problem.joints)
+    if any(isinstance(e, Name) and e.name == unknown.name for e in written):
+        yield [k / SHARES for k in range(SHARES + 1)]
         return
     scales = prepared(problem, {**known, unknown.name: 1.0}).model.scales
     d = unit.dimension

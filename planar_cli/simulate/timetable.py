@@ -157,11 +157,12 @@ class Timetable:
     def _slowest(self, body: str | None, mark: Mark) -> Crossing:
         """The rate of Σ (v/scale)²/2, which rises through zero where everything is slowest."""
         model = self.measures.model
-        numbers, count = self._moving(body, mark), model.layout.count
+        count, scale = model.layout.count, model.scale
+        weights = [(count + n, scale[count + n] ** -2) for n in self._moving(body, mark)]
 
         def rate(regime: AnyRegime, choice: Choice, t: float, y: Sequence[float]) -> float:
             rates = regime.rates(t, y)
-            return sum(y[count + n] * rates[count + n] / model.scale[count + n] ** 2 for n in numbers)
+            return sum(y[n] * rates[n] * weight for n, weight in weights)
 
         # Where a resistance stays until then, it only touches zero.
         return Crossing(rate, 1.0 / model.time_scale, 0)
@@ -169,10 +170,11 @@ class Timetable:
     def _still(self, body: str | None, mark: Mark) -> Condition:
         """A body, or everything, at rest."""
         model = self.measures.model
-        numbers, count = self._moving(body, mark), model.layout.count
+        count, scale = model.layout.count, model.scale
+        limits = [(count + n, NEAR * scale[count + n]) for n in self._moving(body, mark)]
 
         def still(regime: AnyRegime, choice: Choice, t: float, y: Sequence[float]) -> bool:
-            return all(abs(y[count + n]) <= NEAR * model.scale[count + n] for n in numbers)
+            return all(abs(y[n]) <= limit for n, limit in limits)
 
         return still
 
