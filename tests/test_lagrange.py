@@ -170,3 +170,27 @@ def test_a_limit_that_it_does_not_tell_is_not_taken() -> None:
     slow = replace(problem, find=problem.cases[0].problem.find, cases=(), instant=problem.cases[0].problem.instant)
     with pytest.raises(FileProblem, match="lagrange alone does not reach w_min"):
         solve_problem(slow, "lagrange")
+
+
+FOUR_BAR = """
+title: Four-bar linkage, the angle of its crank a coordinate
+plane: vertical
+given: {a: 0.2 m, b: 0.5 m, c: 0.4 m, d: 0.6 m}
+coordinates: {phi: rad}
+points: {O: [0, 0], C: [d, 0], A: {from: O, distance: a, angle: phi}, B: {distances: {A: b, C: c}, side: above}}
+bodies: {OA: {rod: [O, A], mass: 1 kg}, AB: {rod: [A, B], mass: 2.5 kg}, CB: {rod: [C, B], mass: 2 kg}}
+joints:
+  - pin: {at: O, between: [ground, OA]}
+  - pin: {at: A, between: [OA, AB]}
+  - pin: {at: B, between: [AB, CB]}
+  - pin: {at: C, between: [ground, CB]}
+loads: [torque: {body: OA, moment: 6 N*m}]
+instant: [phi = 60 deg, omega(OA) = 5 rad/s]
+find: {alpha: alpha(OA)}
+"""
+
+
+def test_a_long_equation_of_motion_is_not_multiplied_out() -> None:
+    """The same linkage as problems/plans/four-bar-free.yaml; multiplied out, its equation has some 10⁵ terms."""
+    (found,) = part_of(FOUR_BAR, "lagrange").found
+    assert_close(found, 40.1637, 5)

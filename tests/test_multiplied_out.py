@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 import sympy as sp
 from hypothesis import given, settings
@@ -9,9 +11,10 @@ from hypothesis import strategies as st
 
 from planar_cli.equation.cancelling import cancelled
 from planar_cli.equation.common_factors import factor_terms, together
-from planar_cli.equation.expansion import expanded
+from planar_cli.equation.expansion import expanded, wide
 from planar_cli.equation.factoring import factored
-from planar_cli.equation.plain import identically_zero, operations
+from planar_cli.equation.machine import compiled
+from planar_cli.equation.plain import identically_zero, letters, operations, replaced, simplified
 
 m, k, n = sp.symbols("m k n", positive=True)
 u, v, w = sp.symbols("u v w", real=True)
@@ -173,3 +176,56 @@ def test_roots_below_the_stroke_are_no_letters_of_their_own() -> None:
     root = sp.sqrt(m**2 + 2 * m * n * sp.sin(u) - 2 * n**2 * sp.cos(u) + 2 * n**2)
     whole = k * (m**2 * sp.cos(u) / (n * root) + m * sp.sin(u) / root - m * sp.cos(u) / n - sp.sin(u))
     assert operations(cancelled(whole)) < operations(sp.cancel(whole))
+
+
+# --- formulas put together of others ----------------------------------------------------------------------------------
+
+
+def nested(levels: int) -> sp.Expr:
+    """A formula with few distinct parts, which as a tree has 3 to the power of `levels` leaves."""
+    whole = u
+    for _ in range(levels):
+        whole = sp.sin(whole) / (1 + whole**2 * sp.cos(whole))
+    return whole
+
+
+def test_machine_code_has_the_values_of_the_formulas() -> None:
+    exprs = [
+        u**2 + v / 3,
+        sp.sqrt(m * k) / (m + k) ** 2,
+        (m + 1) ** (3 * HALF) * (u + 1) ** -3,
+        sp.sin(u) * sp.Abs(-v) + sp.sign(-v),
+        sp.atan2(u, v) + sp.pi,
+        m**u * sp.exp(-v) * sp.E,
+        sp.Max(u, v, 2),
+        sp.Piecewise((u, u > 0), (sp.sqrt(-u), True)),
+        sp.S(3),
+        w * u,
+    ]
+    place = {m: 1.3, k: 0.7, u: 0.4, v: -1.7, w: -2.5}
+    for group in (exprs, exprs[:7]):
+        numbers = compiled(group, [m, k, u, v], lambda s: place[s])(*(place[s] for s in (m, k, u, v)))
+        for expr, number in zip(group, numbers, strict=True):
+            assert number == pytest.approx(float(expr.subs(place)), rel=1e-14)
+
+
+def test_machine_code_of_nothing() -> None:
+    assert list(compiled([], [u])(1.0)) == []
+
+
+def test_what_occurs_many_times_is_worked_out_once() -> None:
+    whole = nested(40)
+    (number,) = compiled([whole], [u])(0.7)
+    again = 0.7
+    for _ in range(40):
+        again = math.sin(again) / (1 + again**2 * math.cos(again))
+    assert number == pytest.approx(again, rel=1e-12)
+    assert letters(whole) == {u}
+    assert letters(replaced(whole, {u: v + w})) == {v, w}
+
+
+def test_a_formula_that_would_fill_pages_is_left() -> None:
+    whole = sp.Mul(*(m + sp.Symbol(f"x_{i}", real=True) * sp.cos(u + i) for i in range(16)))
+    assert wide(whole)
+    assert simplified(whole) == whole
+    assert not wide((m + k * sp.cos(u)) ** 3 / (m + k))

@@ -18,8 +18,8 @@ from planar_cli.calculus.linear_laws import linear
 from planar_cli.calculus.spans import Moment, Span, bound, integral, span
 from planar_cli.equation.common_factors import factor_terms
 from planar_cli.equation.exact import Valuation
-from planar_cli.equation.expansion import expanded
-from planar_cli.equation.plain import simplified
+from planar_cli.equation.expansion import expanded, wide
+from planar_cli.equation.plain import parts_of, simplified
 
 __all__ = ["Moment", "Span", "relations"]
 
@@ -118,7 +118,9 @@ def _over_time(f: sp.Expr, start: Moment, end: Moment, value: Valuation | None) 
 def _given_acceleration(
     f: sp.Expr, start: Moment, end: Moment, value: Valuation | None, lean: bool
 ) -> tuple[Span, ...]:
-    """a = f(t, q, v): the class of the law decides."""
+    """a = f(t, q, v): the class of the law decides. What nobody would read through is of no class that has a name."""
+    if wide(f):
+        return ()
     directed = _directed(f, start, end, value)
     if directed is None:
         return () if f.has(end.t) else _at_rest(start, end)
@@ -148,7 +150,7 @@ def _directed(
     Without a known direction the law stays as it is; None: at rest, and it starts in neither direction.
     """
     v = end.v
-    if not any(a.has(v) for a in f.atoms(sp.Abs, sp.sign)):
+    if not any(isinstance(a, sp.Abs | sp.sign) and a.has(v) for a in parts_of([f])):
         return f, ()
     forward = sp.Dummy("v", positive=True)
     ways = {d: f.xreplace({v: d * forward}).xreplace({forward: d * v}) for d in (1, -1)}

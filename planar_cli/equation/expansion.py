@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from functools import lru_cache
+from math import comb, prod
 
 import sympy as sp
 from sympy.functions.elementary.trigonometric import InverseTrigonometricFunction, TrigonometricFunction
@@ -17,6 +18,8 @@ Powers = frozenset[tuple[sp.Expr, sp.Expr]]
 """A product without its number: (base, exponent) of each factor."""
 Terms = dict[Powers, sp.Expr]
 """A sum: its products and their numbers."""
+WIDEST = 20_000
+"""What would come to more terms than this, those above the fraction stroke times those below, is left as it is."""
 _KEPT = 50_000
 _ONE: Powers = frozenset()
 
@@ -24,6 +27,32 @@ _ONE: Powers = frozenset()
 def expanded(expr: sp.Expr) -> sp.Expr:
     """All products, and powers with whole exponents, multiplied out."""
     return _out(expr) if _plain(expr) else sp.expand(expr)
+
+
+def wide(expr: sp.Expr) -> bool:
+    """Would it come to so many terms that nobody would read them?"""
+    above, below = _spread(expr)
+    return above * below > WIDEST
+
+
+@lru_cache(maxsize=_KEPT)
+def _spread(expr: sp.Expr) -> tuple[int, int]:
+    """At most how many terms there would be above the fraction stroke, and below it; of what stands in roots and
+    functions, the most.
+    """
+    if not expr.args:
+        return 1, 1
+    parts = [_spread(a) for a in expr.args if isinstance(a, sp.Expr)]
+    if expr.is_Add:
+        return sum(above for above, _ in parts), max(below for _, below in parts)
+    if expr.is_Mul:
+        return prod(above for above, _ in parts), prod(below for _, below in parts)
+    if expr.is_Pow and expr.exp.is_Rational and abs(expr.exp) >= 1:
+        times = int(abs(expr.exp))
+        above, below = (comb(n + times - 1, times) for n in parts[0])
+        return (above, below) if expr.exp > 0 else (below, above)
+    widest = max((above * below for above, below in parts), default=1)
+    return (widest, 1) if widest > WIDEST else (1, 1)
 
 
 @lru_cache(maxsize=_KEPT)

@@ -27,8 +27,8 @@ from planar_cli.equation.expansion import expanded
 Monomial = tuple[int, ...]
 Terms = dict[Monomial, int]
 """A polynomial with whole coefficients: exponents of its letters -> coefficient."""
-_LONGEST = 60
-"""A polynomial of more terms that none of its letters decides is left as it is."""
+_LONGEST, _HIGHEST = 60, 12
+"""A polynomial of more terms, or of a higher degree, that none of its letters decides is left as it is."""
 _PLACES = ((2, 3, 5, 7, 11, 13, 17, 19), (3, 10, 4, 1, 9, 8, 6, 5), (29, 7, 12, 31, 5, 2, 21, 18))
 """Whole numbers put in for the letters, over and over, where a discriminant is looked at."""
 _KEPT = 20_000
@@ -138,7 +138,7 @@ def _irreducible(terms: Terms, gens: tuple[sp.Expr, ...]) -> Iterator[tuple[Term
 
 def _searched(terms: Terms, gens: tuple[sp.Expr, ...]) -> Iterator[tuple[Terms, int]]:
     """What SymPy finds."""
-    if len(terms) > _LONGEST:
+    if len(terms) > _LONGEST or max(max(m) for m in terms) > _HIGHEST:
         yield terms, 1
         return
     for factor, times in sp.Poly.from_dict(terms, *gens, domain=sp.ZZ).factor_list()[1]:

@@ -6,6 +6,7 @@ SymPy's own `simplify` brings in its physical units at the first call, which cos
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator, Mapping
 from functools import lru_cache
 from typing import Any
 
@@ -13,7 +14,7 @@ import sympy as sp
 
 from planar_cli.equation.cancelling import cancelled
 from planar_cli.equation.common_factors import factor_terms, together
-from planar_cli.equation.expansion import expanded
+from planar_cli.equation.expansion import expanded, wide
 from planar_cli.equation.factoring import factored
 from planar_cli.equation.trigonometry import put_together
 
@@ -96,8 +97,36 @@ def _surely_longer(expr: sp.Expr, limit: int) -> bool:
 
 @lru_cache(maxsize=_KEPT)
 def letters(expr: sp.Expr) -> frozenset[sp.Symbol]:
-    """The free symbols of an expression, which SymPy gathers anew each time it is asked."""
-    return frozenset(expr.free_symbols)
+    """The free symbols of an expression, which SymPy gathers anew each time it is asked, in each part each time."""
+    if not expr.args or not isinstance(expr, sp.Add | sp.Mul | sp.Pow | sp.Function):
+        return frozenset(expr.free_symbols)
+    return frozenset().union(*map(letters, expr.args))
+
+
+def parts_of(exprs: Iterable[sp.Basic]) -> Iterator[sp.Basic]:
+    """Every distinct part of expressions once, those inside it first. Formulas that were put together of others hold
+    the same parts many times over, which SymPy's traversals go through each time.
+    """
+    seen: set[sp.Basic] = set()
+    waiting: list[tuple[sp.Basic, bool]] = [(e, False) for e in reversed(list(exprs))]
+    while waiting:
+        part, ready = waiting.pop()
+        if ready:
+            yield part
+        elif part not in seen:
+            seen.add(part)
+            waiting.append((part, True))
+            waiting += [(a, False) for a in reversed(part.args)]
+
+
+def replaced(expr: sp.Expr, rule: Mapping[sp.Expr, sp.Expr]) -> sp.Expr:
+    """`xreplace`, each distinct part once."""
+    found: dict[sp.Basic, sp.Basic] = {}
+    for part in parts_of([expr]):
+        new = tuple(found[a] for a in part.args)
+        same = all(a is b for a, b in zip(new, part.args, strict=True))
+        found[part] = rule[part] if part in rule else part if same else part.func(*new)
+    return found[expr]
 
 
 @lru_cache(maxsize=_KEPT)
@@ -125,7 +154,7 @@ def derivative(expr: sp.Expr, x: sp.Symbol) -> sp.Expr:
 @lru_cache(maxsize=_KEPT)
 def trigonometric(expr: sp.Expr) -> sp.Expr:
     """Angles put together where sines and cosines multiply each other; sin² + cos² = 1 goes first."""
-    if _degree(expr) < 2:
+    if _degree(expr) < 2 or wide(expr):
         return expr
     short = _with_one(expr)
     return short if _degree(short) < 2 or longer(short, MANY) else put_together(short)
@@ -164,7 +193,7 @@ def simplified(expr: Any) -> sp.Expr:
 
 @lru_cache(maxsize=_KEPT)
 def _simplified(expr: sp.Expr) -> sp.Expr:
-    if not expr.args:
+    if not expr.args or wide(expr):
         return expr
     whole = expanded(expr)
     forms = [expr, whole]
@@ -286,7 +315,7 @@ def tidy(expr: Any) -> sp.Expr:
 
 @lru_cache(maxsize=_KEPT)
 def _tidied(expr: sp.Expr) -> sp.Expr:
-    if longer(expr, MANY) or rounded_inside(expr):
+    if longer(expr, MANY) or rounded_inside(expr) or wide(expr):
         return expr
     if _degree(expr) >= 2 and longer(expr, SOME):
         expr = _with_one(expr)

@@ -20,6 +20,7 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.exact import Valuation
+from planar_cli.equation.machine import compiled
 from planar_cli.equation.plain import derivative
 from planar_cli.errors import NoValue
 from planar_cli.problem.expression import Number, Scaled
@@ -193,7 +194,7 @@ def measured(
     fixed = set().union(*(e.free_symbols for e in exprs)) - set(here) if exprs else set()
     point = {**here, **{s: float(value(s)) for s in fixed}}
     letters = list(point)
-    made: Any = sp.lambdify(letters, exprs, modules="math")
+    made = compiled(exprs, letters)
     now = _called(made, list(point.values()))
     found = [abs(x) for x in now]
     parts = [0.0] * len(exprs)

@@ -11,6 +11,7 @@ import sympy as sp
 from planar_cli.calculus.first import Root, roots
 from planar_cli.calculus.flow import Flow
 from planar_cli.equation.exact import Valuation
+from planar_cli.equation.plain import parts_of
 from planar_cli.equation.scales import SLACK
 from planar_cli.errors import NoValue
 from planar_cli.records import record
@@ -120,7 +121,8 @@ def _drawn(regime: Regime, state: State, value: Valuation) -> float:
 def swing_of(regime: Regime, state: State, value: Valuation) -> float:
     """The shortest time in which a sine or an exponential of time in the laws of a regime changes."""
     exprs = [*regime.rates.values(), *regime.accelerations.values()]
-    waves = {a.args[0] for e in exprs for a in e.atoms(sp.sin, sp.cos, sp.tan, sp.exp) if regime.time in a.free_symbols}
+    known = (sp.sin, sp.cos, sp.tan, sp.exp)
+    waves = {a.args[0] for a in parts_of(exprs) if isinstance(a, known) and regime.time in a.free_symbols}
     paces = [sp.diff(w, regime.time) for w in waves]
     numbers = number_function(paces, regime.letters, value)(*(state[s] for s in regime.letters)) if paces else []
     return min((1 / abs(n) for n in numbers if n), default=math.inf)

@@ -10,7 +10,7 @@ from planar_cli.equation.common_factors import factor_terms
 from planar_cli.equation.conditions import vector_or_jet
 from planar_cli.equation.displacement import Coordinate
 from planar_cli.equation.exact import Sample, Valuation
-from planar_cli.equation.plain import letters, longer, rounded_inside, simplified
+from planar_cli.equation.plain import letters, longer, replaced, rounded_inside, simplified
 from planar_cli.equation.quantities import Quantities
 from planar_cli.equation.system import System, mode_of
 from planar_cli.errors import Diagnostic, FileProblem, Mark, NoSolution, refuse
@@ -271,7 +271,7 @@ class Finisher:
             inside |= {s: v for s in letters(expr) if (v := self.ledger.values.get(s)) is not None and v.free_symbols}
             if not inside:
                 break
-            expr = expr.xreplace(inside)
+            expr = replaced(expr, inside)
             # A long formula of one instant is not printed. Over a motion it must say all of it by its letters.
             if not self.coordinates and longer(expr, 4000 if self.symbolic else 4 * CLOSED_OPS):
                 return expr

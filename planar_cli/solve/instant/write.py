@@ -10,7 +10,7 @@ import sympy as sp
 
 from planar_cli.equation.cancelling import cancelled
 from planar_cli.equation.conditions import Condition
-from planar_cli.equation.expansion import expanded
+from planar_cli.equation.expansion import expanded, wide
 from planar_cli.equation.motion import Motion
 from planar_cli.equation.plain import longer, rounded_inside, tidy, trigonometric
 from planar_cli.equation.system import System
@@ -83,6 +83,8 @@ class Writer:
         """A known side: powers of speeds stay visible, their long coefficients become numbers."""
         if not self.plain or not longer(expr, LONGEST):
             return tidy(expr)
+        if wide(expr):
+            return exact_number(self.numbers.value(expr))
         speeds = set(self.system.tree.velocity_unknowns())
         parts: dict[sp.Expr, list[sp.Expr]] = {}
         for term in sp.Add.make_args(expanded(expr)):

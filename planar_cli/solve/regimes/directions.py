@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
+from planar_cli.equation.plain import parts_of
 from planar_cli.equation.scales import SLACK, Here
 from planar_cli.solve.regimes.regime import Regime
 
@@ -46,9 +47,5 @@ def becomes_negative(regime: Regime, expr: sp.Expr, here: Here) -> bool:
 
 def turning_speeds(regime: Regime) -> list[sp.Symbol]:
     """Free speeds whose size or sign stands in a law: the law reads otherwise when they turn round."""
-    found = []
-    for u in regime.free:
-        atoms = [a for f in regime.accelerations.values() for a in f.atoms(sp.Abs, sp.sign)]
-        if any(u in a.free_symbols for a in atoms):
-            found.append(u)
-    return found
+    sided = [a for a in parts_of(regime.accelerations.values()) if isinstance(a, sp.Abs | sp.sign)]
+    return [u for u in regime.free if any(u in a.free_symbols for a in sided)]

@@ -17,7 +17,7 @@ from planar_cli.equation.displacement import Coordinate
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.expansion import expanded
 from planar_cli.equation.ledger import Kind
-from planar_cli.equation.plain import identically_zero, longer, simplified
+from planar_cli.equation.plain import identically_zero, letters, longer, replaced, simplified
 from planar_cli.errors import NOWHERE, Mark
 from planar_cli.problem.expression import Name
 from planar_cli.records import record
@@ -177,15 +177,15 @@ def _second_order(
     start = start_of(regime.coordinates)
     for link in links:
         other = link.coordinate.symbol
-        if other in f.free_symbols and set(link.factors) == {symbol} and link.drift == 0:
+        if other in letters(f) and set(link.factors) == {symbol} and link.drift == 0:
             f = f.subs(other, start[other] + link.factors[symbol] * (symbol - start[symbol]))
     v = sp.Dummy("v", real=True)
-    f = f.xreplace({u: v / factor})
+    f = replaced(f, {u: v / factor})
     f = f if longer(f, LONGEST) else simplified(f)
-    if f.free_symbols & (set(regime.letters) - {regime.time, symbol}):
+    if letters(f) & (set(regime.letters) - {regime.time, symbol}):
         return None
     roles = regime.general.instant.scene.ledger.roles
-    if any(roles[s].kind is Kind.ACCELERATION for s in f.free_symbols if s in roles):
+    if any(roles[s].kind is Kind.ACCELERATION for s in letters(f) if s in roles):
         return None
     return Law(c, 2, f, v, u, factor, _effort(regime, f))
 
@@ -194,7 +194,7 @@ def _effort(regime: Regime, f: sp.Expr) -> float:
     """The equations of kinetics behind a law, and whether a force grows with time."""
     written = [w for stage in regime.general.stages for b in stage.blocks for w in b.equations]
     kinetic = sum(w.law in ("force", "moment") for w in written)
-    return PER_EQUATION * kinetic + (OVER_TIME if kinetic and regime.time in f.free_symbols else 0.0)
+    return PER_EQUATION * kinetic + (OVER_TIME if kinetic and regime.time in letters(f) else 0.0)
 
 
 # --- equations -------------------------------------------------------------------------------------------------------
@@ -211,8 +211,8 @@ def law_equations(laws: Laws, since: Stop, stop: Stop, regime: Regime, value: Va
         named = {v0: _speed(law, since), v1: _speed(law, stop)}
         plain = {k: v for k, v in named.items() if v.is_Symbol}
         start, end = (Moment(m.t, m.q, plain.get(m.v, m.v)) for m in (start, end))
-        f = law.f.xreplace({time: end.t, q: end.q, law.v: end.v})
-        f = f.xreplace({c.start: since.letters[c.symbol] for c in regime.coordinates})
+        f = replaced(law.f, {time: end.t, q: end.q, law.v: end.v})
+        f = replaced(f, {c.start: since.letters[c.symbol] for c in regime.coordinates})
         others = {k: v for k, v in named.items() if not v.is_Symbol}
         family = ("law", q.name, since.name, stop.name)
         spans = relations(law.order, f, start, end, _signs(value, named, since, regime), lean=True)

@@ -12,14 +12,14 @@ from contextlib import suppress
 from dataclasses import dataclass, field
 from decimal import Decimal
 from itertools import islice
-from typing import Any
 
 import sympy as sp
 
 from planar_cli.calculus.first import polish, roots
 from planar_cli.equation.displacement import Coordinate
 from planar_cli.equation.exact import Unvalued, Valuation
-from planar_cli.equation.plain import derivative, longer, simplified
+from planar_cli.equation.machine import compiled
+from planar_cli.equation.plain import derivative, letters, longer, parts_of, simplified
 from planar_cli.equation.sample import anywhere
 from planar_cli.equation.trigonometry import put_together
 from planar_cli.errors import NoValue
@@ -128,7 +128,7 @@ class Regime:
 
     def _regular(self, expr: sp.Expr) -> sp.Expr:
         """A formula simplified where it has no value as drawn, as 0/0 may be taken out of it."""
-        if not expr.free_symbols & set(self.letters) or longer(expr, LONGEST):
+        if not letters(expr) & set(self.letters) or longer(expr, LONGEST):
             return expr
         base = self.general.instant.scene.valuations[0]
         drawn = {c.symbol: base(c.drawn) if c.drawn is not None else Decimal(0) for c in self.coordinates}
@@ -162,7 +162,7 @@ class Regime:
     def told(self, expr: sp.Expr) -> bool:
         """Is everything in a closed formula known once the letters are? Where nothing has mass, forces are not."""
         pushes = set(self.general.trial.system.symbols.values())
-        return not expr.free_symbols & (pushes - set(self.general.instant.scene.ledger.letters))
+        return not letters(expr) & (pushes - set(self.general.instant.scene.ledger.letters))
 
     def moves(self) -> bool:
         """Do the velocities hold together, so that there is a motion at all?"""
@@ -237,9 +237,10 @@ def corners(regime: Regime, value: Valuation, since: Decimal, until: Decimal | N
     stands between the bars of an absolute value, or in a sign, vanishes.
     """
     exprs = [*regime.rates.values(), *regime.accelerations.values()]
-    conditions = {c for e in exprs for p in e.atoms(sp.Piecewise) for c in p.atoms(sp.core.relational.Relational)}
+    parts = list(parts_of(exprs))
+    conditions = {c for p in parts if p.func is sp.Piecewise for c in p.atoms(sp.core.relational.Relational)}
     found = {value(c.rhs) for c in conditions if c.lhs == regime.time and not c.rhs.free_symbols & set(regime.letters)}
-    barred = {a.args[0] for e in exprs for a in e.atoms(sp.Abs, sp.sign)}
+    barred = {a.args[0] for a in parts if isinstance(a, sp.Abs | sp.sign)}
     for inside in sorted(barred, key=sp.default_sort_key):
         if inside.free_symbols & set(regime.letters) == {regime.time}:
             found |= set(_changes(inside, regime.time, value, since, until))
@@ -264,12 +265,8 @@ def number_function(
     exprs: Sequence[sp.Expr], letters: Sequence[sp.Symbol], value: Valuation
 ) -> Callable[..., list[float]]:
     """Machine numbers of expressions as a function of letters; everything else takes its value."""
-    inside = {}
-    names = set(letters)
     exprs = [sp.sympify(e) for e in exprs]
-    for s in set().union(*(e.free_symbols for e in exprs)) - names if exprs else ():
-        inside[s] = sp.Float(str(value(s)), 17)
-    made: Any = sp.lambdify(list(letters), [e.xreplace(inside) for e in exprs], modules="math")
+    made = compiled(exprs, letters, lambda s: float(value(s)))
 
     def call(*arguments: float) -> list[float]:
         try:
