@@ -85,7 +85,8 @@ def _route(found: SolvedMotion) -> tuple[Router, Route]:
     allowed = by_method(course.equations, method)
     steps = tuple(s for s in found.branch.steps if len(by_method(s.equations, method)) == len(s.equations))
     lettered = rests_on(course, found.value)
-    followed = ByNumbers() if lettered else by_numbers(course, found.guessed, found.value)
+    loose = found.guessed | {s for s in unknowns & set(found.value.values) if s not in found.branch.values}
+    followed = ByNumbers() if lettered else by_numbers(course, loose, course.sought(), found.value)
     follows = method is None or method in course.between.integrating
     by_steps = followed if follows else None
     natural = course.natural(unknowns)

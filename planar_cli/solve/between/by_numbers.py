@@ -14,6 +14,8 @@ from planar_cli.solve.regimes.equations import Equation
 from planar_cli.solve.regimes.regime_sequence import RegimeSequence
 
 LONGEST = 60
+DEAR = 100.0
+"""Where a constant is found by trial, what equations tell with it is told by them."""
 
 
 @record
@@ -37,13 +39,22 @@ def _onward(edge: Edge, order: Mapping[sp.Symbol, int]) -> bool:
     return last <= first and not any(longer(e.residual, LONGEST) for e in equations)
 
 
-def by_numbers(course: RegimeSequence, guessed: Collection[sp.Symbol], value: Valuation) -> ByNumbers:
-    """The letters of states whose values came from following the motion alone, `guessed`. `value`: their numbers."""
+def by_numbers(
+    course: RegimeSequence, loose: Collection[sp.Symbol], sought: Collection[sp.Symbol], value: Valuation
+) -> ByNumbers:
+    """The letters of states, and constants that are `sought`, whose values came from following the motion: they are
+    among the `loose` ones, to which no equation led. `value`: their numbers.
+    """
     stops = [course.stops[state.name] for state in course.states]
     order = {own: i for i, stop in enumerate(stops) for own in stop.letters.values()}
     told = []
+    for constant in sought:
+        if constant in loose:
+            residual = constant - sp.Rational(str(value(constant)))
+            told.append(Equation(residual, "followed", "found by trial, following the motion", course.states[0].name))
     for own, i in order.items():
-        if own in guessed:
+        if own in loose:
             residual = own - sp.Rational(str(value(own)))
-            told.append(Equation(residual, "followed", "followed step by step", course.states[i].name))
+            words, dear = "followed step by step", DEAR if any(c in loose for c in sought) else 0.0
+            told.append(Equation(residual, "followed", words, course.states[i].name, surcharge=dear))
     return ByNumbers(tuple(told), order)
