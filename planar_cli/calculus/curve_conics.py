@@ -16,8 +16,9 @@ from planar_cli.calculus.curve_trial import Trial
 from planar_cli.calculus.curve_words import CIRCLE, CONIC, ELLIPSE, HYPERBOLA, LINE, PARABOLA, Curve
 from planar_cli.equation.cancelling import cancelled
 from planar_cli.equation.common_factors import together
+from planar_cli.equation.counting import operations
 from planar_cli.equation.expansion import expanded
-from planar_cli.equation.plain import MANY, longer, operations
+from planar_cli.equation.plain import MANY, longer
 from planar_cli.records import record
 
 FACTORED = 60

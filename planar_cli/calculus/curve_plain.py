@@ -15,8 +15,9 @@ import sympy as sp
 
 from planar_cli.equation.cancelling import cancelled
 from planar_cli.equation.common_factors import factor_terms, together
+from planar_cli.equation.counting import operations
 from planar_cli.equation.expansion import expanded
-from planar_cli.equation.plain import longer, operations
+from planar_cli.equation.plain import longer
 
 LONG = 100
 """Longer expressions stay as they are."""

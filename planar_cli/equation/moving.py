@@ -9,11 +9,12 @@ from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.counting import operations
 from planar_cli.equation.evaluate import demand_time
 from planar_cli.equation.expansion import expanded
 from planar_cli.equation.factoring import factored
 from planar_cli.equation.motion import Motion
-from planar_cli.equation.plain import MANY, longer, operations, simplified
+from planar_cli.equation.plain import MANY, longer, simplified
 from planar_cli.equation.quantities import quantities_of
 from planar_cli.equation.scene import Scene
 from planar_cli.equation.struck import StruckScene

@@ -36,6 +36,7 @@ from sympy.simplify.fu import (
 )
 
 from planar_cli.equation.common_factors import factor_terms
+from planar_cli.equation.counting import operations
 from planar_cli.equation.factoring import factored
 
 KEPT = 20_000
@@ -131,7 +132,7 @@ def _unrelated(angles: Iterable[sp.Expr]) -> bool:
 def _cost(expr: sp.Expr) -> tuple[int, ...]:
     nodes = sum(1 for _ in sp.preorder_traversal(expr))
     functions = int(expr.count(TrigonometricFunction))
-    return functions, int(expr.count_ops()), nodes, len(expr.args), int(bool(expr.is_Add))
+    return functions, operations(expr), nodes, len(expr.args), int(bool(expr.is_Add))
 
 
 @lru_cache(maxsize=KEPT)

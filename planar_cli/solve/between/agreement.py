@@ -98,7 +98,7 @@ def power_digits(regime: Regime) -> int | None:
     if regime.balance is None:
         return None
     u = regime.free[0]
-    total, given = (regime.closed(e) for e in regime.balance)
+    total, given = (regime.in_letters(e) for e in regime.balance)
     left = derivative(total, u) * regime.accelerations[u]
     left += sp.Add(*(derivative(total, q) * r for q, r in regime.rates.items()))
     here = _anywhere(regime)

@@ -256,8 +256,8 @@ class Finisher:
         kind: Kind = dimension_of(what, self.instant.setup.lookup)
         return self.instant.setup.unit_for(kind)
 
-    def closed(self, expr: sp.Expr, stages: list[Stage]) -> sp.Expr:
-        """The formula of a find down to the names of the file."""
+    def closed(self, expr: sp.Expr, stages: list[Stage], plainer: bool = True) -> sp.Expr:
+        """The formula of a find down to the names of the file. `plainer`: to be read, and not only for its numbers?"""
         formulas: dict[sp.Symbol, sp.Expr] = {}
         for stage in stages:
             formulas.update(stage.algebra.explicit)
@@ -275,7 +275,7 @@ class Finisher:
             # A long formula of one instant is not printed. Over a motion it must say all of it by its letters.
             if not self.coordinates and longer(expr, 4000 if self.symbolic else 4 * CLOSED_OPS):
                 return expr
-        return self._simple(expr)
+        return self._simple(expr) if plainer else expr
 
     def _simple(self, expr: sp.Expr) -> sp.Expr:
         if expr.is_number or expr.is_Symbol or longer(expr, self.most):

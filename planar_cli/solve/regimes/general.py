@@ -133,6 +133,12 @@ class General:
             self.closed_forms[expr] = self.finisher.closed(expr, self.stages)
         return self.closed_forms[expr]
 
+    def in_letters(self, expr: sp.Expr) -> sp.Expr:
+        """The same for its numbers only, not made plainer."""
+        assert self.finisher is not None
+        found = self.closed_forms.get(expr)
+        return self.finisher.closed(expr, self.stages, False) if found is None else found
+
     @property
     def value(self) -> Valuation:
         return self.trial.outcomes[0].value

@@ -177,6 +177,10 @@ class Regime:
         """An expression of the instant as a formula in t, coordinates and free speeds."""
         return one_way(self.general.closed(expr), self.going())
 
+    def in_letters(self, expr: sp.Expr) -> sp.Expr:
+        """The same for its numbers only, not made plainer."""
+        return one_way(self.general.in_letters(expr), self.going())
+
     def going(self) -> dict[sp.Symbol, int]:
         """The free speeds whose sign is assumed."""
         return {u: self.ways[u.name] for u in self.free if u.name in self.ways}
