@@ -14,6 +14,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 
 from planar_cli.integrators.base import Integrator, Project, Rates, Setting, Step, StepTooSmall
 from planar_cli.motion.constraints import Constraint
@@ -159,12 +160,17 @@ class Reduced:
     def setting(self, setting: Setting, t: float, z: Sequence[float]) -> Setting:
         """The same of the independent numbers, for a motion from this start."""
         scale, project = self.part(setting.scale), self._projected(setting.project, t, z)
-        return replace(setting, scale=scale, project=project, limit=self._longest if self._turning else None)
+        if not self._turning:
+            return replace(setting, scale=scale, project=project)
+        gains = self.rates(t, z)
+        gain = max(abs(gains[i]) for i in self._turning)
+        return replace(setting, scale=scale, project=project, limit=partial(self._longest, gain))
 
-    def _longest(self, z: Sequence[float]) -> float:
-        """The longest step."""
+    def _longest(self, gain: float, z: Sequence[float]) -> float:
+        """The longest step from a state, if turning speeds up by `gain`: what is at rest now may soon be fast."""
         fastest = max([abs(z[i]) for i in self._turning])
-        return TURN / fastest if fastest else math.inf
+        sooner = fastest + math.sqrt(fastest * fastest + 2.0 * TURN * gain)
+        return 2.0 * TURN / sooner if sooner else math.inf
 
     def _projected(self, project: Project | None, t0: float, z0: Sequence[float]) -> Project | None:
         if project is None:

@@ -75,7 +75,7 @@ class Measures:
     way: Sequence[tuple[float, Sequence[float]]] = ()
     """Times and states along the motion, once it has been followed, close enough to count turns."""
     _wound: tuple[float, int] = (math.nan, 0)
-    """The time up to which turns are counted, and of how many angles."""
+    """The time up to which turns and directions of sliding are noted, and of how many of them."""
     _accelerations: list[Term] = field(default_factory=list)
     _pushes: dict[str, Term] = field(default_factory=dict)
     _rates: dict[tuple[Regime, Side], Values] = field(default_factory=dict)
@@ -100,10 +100,13 @@ class Measures:
             raise Undecided(f"{mark.file}:{mark.line}: {text}") from outside
 
     def wind(self, time: float) -> None:
-        """Count turns from the beginning to a moment; while the motion is being followed they are at hand."""
-        turns = len(self.model.graph.turned)
-        if self.way and turns and self._wound != (time, turns):
-            self._wound = time, turns
+        """Note turns and directions of sliding from the beginning to a moment; while the motion is being followed they
+        are at hand.
+        """
+        slidings = len(self.model.skids.slidings)
+        noted, time = len(self.model.graph.turned) + slidings, time if slidings else math.inf
+        if self.way and noted and self._wound != (time, noted):
+            self._wound = time, noted
             self.model.begin()
             k = bisect_right(self.way, time, key=lambda noted: noted[0])
             for t, y in self.way[:k]:

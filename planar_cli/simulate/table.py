@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Sequence
 
 from planar_cli.errors import Mark
@@ -74,7 +73,7 @@ def _row(run: Run, columns: Sequence[Column], t: float) -> Iterator[float]:
     yield t
     for column in columns:
         factor, function = in_si(column.unit), run.measures.function(column.side, regime)
-        run.measures.wind(math.inf)
+        run.measures.wind(t)
         yield from (v / factor for v in function(t, y))
 
 

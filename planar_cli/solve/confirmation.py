@@ -1,13 +1,12 @@
 """A motion that was solved, followed once more by independent facts: position residuals, wrenches, and what they do.
 
-What the solution takes out of equations, the following takes out of the file alone, but for what only equations tell:
-constants that were sought, restitutions that a velocity after a blow tells, velocities of an open start. Letters have
-numbers that are drawn for them. Every answer agrees, or could not be compared for a reason that is said; where
-one differs, nothing is an answer.
+It is followed by the file alone, but for constants sought, restitutions that a velocity after a blow tells, and
+velocities of an open start. Letters have drawn numbers. Where one answer differs, nothing is an answer.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from decimal import Decimal
@@ -113,7 +112,7 @@ def _confirmed(
         other = simulate(asked, settings)
     except (FileProblem, NoSolution) as refused:
         return _unable(problem, found, refused)
-    whole = _stopped(problem, other.run.trajectory.outcome)
+    whole = _stopped(problem, other.run.trajectory.outcome, taken)
     if whole:
         return Confirmation("", frozenset(), {f.name: whole for f in found})
     seen = [_Compared(other, trace, instance).see(f) for f in found]
@@ -175,9 +174,10 @@ def _because(problem: Problem, why: str, words: str) -> str:
     return why if problem.symbols else f"{why}: {words}"
 
 
-def _stopped(problem: Problem, outcome: Outcome) -> str:
+def _stopped(problem: Problem, outcome: Outcome, taken: Taken) -> str:
     """Why the motion was not followed to its end; "" where it was. Disagreement: it contradicts the solution."""
-    if not outcome.refused:
+    last = max(taken.times.values(), default=math.inf)
+    if not outcome.refused or outcome.t >= last - TOUCHING * (last - min(taken.times.values(), default=0.0)):
         return ""
     if outcome.code in NOT_ABLE:
         return _because(problem, NOT_ABLE[outcome.code], outcome.words)
