@@ -20,8 +20,9 @@ from planar_cli.integrators.base import OUTSIDE, Counts, Rates, Setting, StepToo
 
 FEW = 4
 """So few components are written out at once."""
-WORTH = 350
-"""So many steps, behind or ahead, pay for writing out any number of components."""
+WORTH, MIDDLE, SOONER = 350, 30, 150
+"""So many steps, behind or ahead, pay for writing out any number of components; for no more than the second so many as
+the third, as a motion is hardly ever followed just once."""
 
 
 @final
@@ -98,7 +99,7 @@ class _Steps(Method):
 
     def renew(self, y: Vector, ahead: float) -> None:
         self.weights = self.setting.weights(y)
-        if max(self.done, ahead) > WORTH:
+        if max(self.done, ahead) > (WORTH if len(y) > MIDDLE else SOONER):
             self.formula = written_out(len(y))
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import cached_property
 
 from planar_cli.integrators.base import Step
 from planar_cli.joints.base import Joint
@@ -129,9 +130,14 @@ class Model:
             yield t, step.at(t)
         yield step.t1, step.y1
 
+    @cached_property
+    def _turns(self) -> list[int]:
+        """Where the rates of angles stand in the state."""
+        return [self.layout.count + i for i, slot in enumerate(self.layout.slots) if slot.kind == "theta"]
+
     def pieces(self, step: Step) -> int:
         """In how many parts no body turns further than a radian."""
-        turns = [self.layout.count + i for i, slot in enumerate(self.layout.slots) if slot.kind == "theta"]
+        turns = self._turns
         fastest = max((max(abs(step.y0[i]), abs(step.y1[i])) for i in turns), default=0.0)
         return 1 + int(min(fastest * abs(step.t1 - step.t0), MOST_TURNED))
 

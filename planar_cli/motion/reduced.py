@@ -122,6 +122,8 @@ class Reduced:
         self._energies: Code | None = None
         self._supplied = 0.0
         """The energy that the end of the last step was given [J]."""
+        self._end: tuple[Sequence[float], list[float], list[float]] = ((), [], [])
+        """The end of the last step: as the integrator sees it, the state, its rates."""
 
     def part(self, y: Sequence[float]) -> list[float]:
         """The independent numbers of a state."""
@@ -136,6 +138,11 @@ class Reduced:
 
     def rates(self, t: float, z: Sequence[float]) -> list[float]:
         """z'."""
+        for function in self._accelerations.serving:
+            try:
+                return function(t, z)
+            except (Singular, ZeroDivisionError):
+                continue
         try:
             return self._accelerations.regular(t, z)
         except Singular:
@@ -205,8 +212,11 @@ class Reduced:
     def step(self, step: Step) -> Step:
         """A step of the whole state."""
         inside = step.inside
-        y0, r0 = self._at(step.t0, step.y0, step.r0)
+        before, y0, r0 = self._end
+        if before is not step.y0:
+            y0, r0 = self._at(step.t0, step.y0, step.r0)
         y1, r1 = self._at(step.t1, step.y1, step.r1)
+        self._end = step.y1, y1, r1
         return Step(
             step.t0,
             y0,

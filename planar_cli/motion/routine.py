@@ -160,7 +160,7 @@ class Routine:
         self.system, self.outputs, self.neighbour, self.view = system, outputs, neighbour, view
         self.codes: list[Code] = []
         """By the orders of the system, as far as they have been needed."""
-        self._serve: list[Function] = []
+        self.serving: list[Function] = []
         """Of those the functions that lose nothing, as far as they have been needed."""
         self._looked = 0
         self._from_unknowns: Code | None = None
@@ -192,7 +192,7 @@ class Routine:
 
     def regular(self, t: float, y: Sequence[float]) -> list[float]:
         """The outputs by one of the orders; raises Singular where none serves."""
-        for function in self._serve:
+        for function in self.serving:
             try:
                 return function(t, y)
             except (Singular, ZeroDivisionError):
@@ -201,9 +201,9 @@ class Routine:
             index, self._looked = self._looked, self._looked + 1
             if self.system.loses(index):
                 continue
-            self._serve.append(self.code(index).function)
+            self.serving.append(self.code(index).function)
             try:
-                return self._serve[-1](t, y)
+                return self.serving[-1](t, y)
             except (Singular, ZeroDivisionError):
                 continue
         raise Singular

@@ -72,8 +72,10 @@ class Measures:
     """The states of the file that have been reached, by name."""
     known: Mapping[str, Moment] = field(default_factory=dict)
     """States that are known beforehand, as relations of others speak of them before they are reached."""
-    way: Sequence[tuple[float, Sequence[float]]] = ()
-    """Times and states along the motion, once it has been followed, close enough to count turns."""
+    followed: Trajectory | None = None
+    """The motion, once it has been followed."""
+    _way: Sequence[tuple[float, Sequence[float]]] = ()
+    """Times and states along it, close enough to count turns; made when turns are asked for."""
     _wound: tuple[float, int] = (math.nan, 0)
     """The time up to which turns and directions of sliding are noted, and of how many of them."""
     _accelerations: list[Term] = field(default_factory=list)
@@ -105,13 +107,14 @@ class Measures:
         """
         slidings = len(self.model.skids.slidings)
         noted, time = len(self.model.graph.turned) + slidings, time if slidings else math.inf
-        if self.way and noted and self._wound != (time, noted):
+        if self.followed is not None and noted and self._wound != (time, noted):
             self._wound = time, noted
             self.model.begin()
-            k = bisect_right(self.way, time, key=lambda noted: noted[0])
-            for t, y in self.way[:k]:
+            self._way = self._way or tuple(way_of(self.followed, self.model))
+            k = bisect_right(self._way, time, key=lambda noted: noted[0])
+            for t, y in self._way[:k]:
                 self.model.note(t, y)
-            self.model.wind(self.way[k:])
+            self.model.wind(self._way[k:])
 
     def number(self, what: Side, moment: Moment) -> float:
         """A number."""

@@ -33,7 +33,7 @@ from planar_cli.records import record
 from planar_cli.simulate.agreement import demand_agreement
 from planar_cli.simulate.answers import Answered, Answers
 from planar_cli.simulate.foretold import demand_unchanged, spoken_before
-from planar_cli.simulate.measures import START, Measures, Moment, modes_of, moments_of, way_of
+from planar_cli.simulate.measures import START, Measures, Moment, modes_of, moments_of
 from planar_cli.simulate.stops import first_stop
 from planar_cli.simulate.timetable import breakpoints_of, schedule_of
 
@@ -280,7 +280,7 @@ def _followed(scene: Prepared, settings: Settings, shift: float, known: _Known) 
     if free:
         trajectory = _as_far(trajectory)
     seconds = time.perf_counter() - began
-    measures.way = tuple(way_of(trajectory, model))
+    measures.followed = trajectory
     measures.moments |= moments_of(trajectory, measures.moments, settled)
     demand_agreement(problem, measures)
     return Run(scene, problem, model, measures, schedule, trajectory, settings, until, seconds)
