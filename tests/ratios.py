@@ -323,28 +323,24 @@ bodies: {{block: {{particle: P, mass: 2 kg}}}}
 surfaces: {{floor: {{through: Q, angle: 0 deg}}}}
 joints:
   - {joint}
-{loads}instant: [v(P).x = 3 m/s{along}]
+{loads}instant: [v(P).x = 3 m/s]
 """
 
 
 def effects(folder: Path) -> None:
     """What single effects cost on a block that slides."""
-    guide, spring = (
-        "guide: {point: P, along: 0 deg}",
-        "  - spring: {between: [O, P], stiffness: 10 N/m, natural_length: 1 m}\n",
-    )
-    drag = "  - drag: {body: block, linear: 0.1 kg/s}\n"
+    guide = "guide: {point: P, along: 0 deg}"
     scenes = {
         "a block on a rail": (guide, ""),
-        "with a spring": (guide, f"loads:\n{spring}"),
-        "with a drag": (guide, f"loads:\n{drag}"),
+        "with a spring": (guide, "spring: {between: [O, P], stiffness: 10 N/m, natural_length: 1 m}"),
+        "with a drag": (guide, "drag: {body: block, magnitude: (0.1 kg/m)*v(P).mag^2}"),
         "with friction": ("guide: {point: P, along: 0 deg, mu: 0.1}", ""),
-        "on a floor instead of a rail": ("contact: {at: P, between: [block, floor]}", ""),
+        "on a smooth floor instead": ("contact: {at: P, between: [block, floor], mu: 0}", ""),
     }
     print("What effects cost: operations and microseconds of an evaluation, things watched\n")
-    for name, (joint, loads) in scenes.items():
-        problem = problem_of(folder, BLOCK.format(joint=joint, loads=loads, along=""))
-        run = follow(problem, Settings(until=1e-3, tolerance=1e-3))
+    for name, (joint, pull) in scenes.items():
+        text = BLOCK.format(joint=joint, loads=f"loads:\n  - {pull}\n" if pull else "")
+        run = follow(problem_of(folder, text), Settings(until=1e-3, tolerance=1e-3))
         operations, cost = evaluation(run)
         watched = len(run.trajectory.segments[0].regime.guards)
         print(f"  {name:<30}{operations:6}{cost:8.2f}{watched:4}")
@@ -353,10 +349,11 @@ def effects(folder: Path) -> None:
 
 def stiff(folder: Path) -> None:
     """The time of a block on a spring, a thousand times as stiff and more."""
-    text = (ROOT / "problems/hard/stiff-spring.yaml").read_text(encoding="utf-8").replace("t = 0.01 s", "t = 1 s")
+    text = (ROOT / "problems/hard/stiff-spring.yaml").read_text(encoding="utf-8").partition("note:")[0]
+    text = text.replace("t = 0.01 s", "t = 1 s")
     print("Block on a spring for 1 s: stiffness [N/m], processor time [s]\n")
     for k in ("1e2", "1e4", "1e6", "1e8", "1e10"):
-        problem = problem_of(folder, text.replace("k: 1e10", f"k: {k}").replace("answers:", "tags: [x]\nanswers:"))
+        problem = problem_of(folder, text.replace("k: 1e10", f"k: {k}"))
         taken = min(timed(problem) for _ in range(3))
         print(f"  {k:>6}{taken:10.4f}")
     print()
@@ -364,7 +361,9 @@ def stiff(folder: Path) -> None:
 
 def timed(problem: Problem) -> float:
     """The processor time of one following [s]."""
-    return follow(problem, Settings(tolerance=1e-9)).seconds
+    began = time.process_time()
+    follow(problem, Settings(tolerance=1e-9))
+    return time.process_time() - began
 
 
 if __name__ == "__main__":

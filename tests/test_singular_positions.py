@@ -6,6 +6,7 @@ import math
 from pathlib import Path
 
 import pytest
+from conftest import ROOT
 from pinned import followed, four_bars, model_of, written
 
 from planar_cli.errors import FileProblem
@@ -127,3 +128,17 @@ def test_where_a_place_does_not_tell_an_angle_its_rate_stays_as_it_is(tolerance:
     found = simulate(problem, Settings(tolerance=tolerance)).answers[0]
     omega = -math.sqrt(24 * 9.81 * 0.72 / (1.76**2 + 12 * 0.72**2))
     assert found.values[0] == pytest.approx(omega, rel=100 * tolerance)
+
+
+@pytest.mark.parametrize("integrator", ["auto", "radau"])
+def test_a_change_point_is_passed_or_the_motion_is_refused(integrator: str) -> None:
+    """A parallelogram stays one: at no tolerance does it leave on the other branch."""
+    problem, _, _ = load(str(ROOT / "problems/hard/parallelogram-through-its-change-point.yaml"))
+    assert problem is not None
+    passed = 0
+    for tolerance in (1e-6, 1e-8, 1e-9, 1e-10, 1e-11, 3e-12, 1e-12):
+        found = simulate(problem, Settings(tolerance=tolerance, integrator=integrator, estimate=False))
+        if found.run.trajectory.outcome.kind == "reached":
+            passed += 1
+            assert found.answers[0].values[0] == pytest.approx(math.radians(30), abs=1e-7)
+    assert passed >= 4

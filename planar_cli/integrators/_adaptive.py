@@ -100,7 +100,10 @@ class Adaptive(Integrator):
             counts.evaluations += 1
             try:
                 if setting.project is not None:
-                    new = setting.project(end, new)
+                    new, tried = setting.project(end, new), new
+                    if not control.fixed and setting.leaps(tried, new):
+                        control.rejected(t, y, abs(span), math.inf)
+                        continue
                 after = f(end, new)
             except OUTSIDE as outside:
                 if control.fixed:

@@ -37,6 +37,9 @@ SHORTEST = 16 * EPSILON
 """Steps below this part of the time, or of the whole run, make no progress."""
 MOST_STEPS = 400_000
 """More steps than that in one run are refused."""
+LEAP = 1e4
+"""What moves a state by more than so many times the error allowed in a step does not mend it, but leads elsewhere: to
+another branch on which joints hold as well."""
 OUTSIDE = (ArithmeticError, ValueError)
 """What rates raise where a trial state lies outside of what they are defined for: the step is tried again, shorter."""
 
@@ -112,6 +115,12 @@ class Setting:
     """Applied to the end of every accepted step."""
     most_steps: int = MOST_STEPS
     """When to give up."""
+
+    def leaps(self, y: Vector, projected: Vector) -> bool:
+        """Has the projection led to another branch?"""
+        allowed = LEAP * self.tolerance
+        most = zip(y, projected, self.scale, strict=True)
+        return any(abs(a - b) > allowed * max(s, abs(a)) for a, b, s in most) if allowed < 1.0 else False
 
     def longest_from(self, y: Vector) -> float:
         """The longest step from a state."""

@@ -52,6 +52,11 @@ class Order:
         return min((abs(p.value) / p.size for p in self.pivots), default=1.0)
 
     @property
+    def determinant(self) -> float:
+        """The logarithm of the determinant without sign."""
+        return sum(math.log(abs(p.value)) if p.value else -math.inf for p in self.pivots)
+
+    @property
     def places(self) -> tuple[tuple[int, int], ...]:
         """Equations and unknowns in their order."""
         return tuple((p.row, p.column) for p in self.pivots)
