@@ -301,17 +301,17 @@ class Follower:
                     self._reach(event)
                 elif run.t1 == run.t0 and not fallen:
                     self.t, self.y = beyond(regime, self.t, self.y, self.automaton.time_scale)
+        if self.outcome is None and (not run.crossings or any(regime.guards[i].kind == "moves" for i in fallen)):
+            for event in [e for e in events if e in self.waiting.next()]:
+                if at_edge(event, regime, self.choice, run, self.setting.tolerance):
+                    self._reach(event)
         if self.outcome is None and fallen:
             guards = [regime.guards[i] for i in fallen]
             words = ", ".join(dict.fromkeys(f"no longer: {g.words}" for g in guards))
             # What parts and falls back within rounding does not part.
             self._settle(words, guards[0].joint, inelastic=run.t1 == run.t0)
         elif self.outcome is None and not run.crossings:
-            for event in events:
-                if at_edge(event, regime, self.choice, run, self.setting.tolerance):
-                    self._reach(event)
-            if self.outcome is None:
-                self._timed()
+            self._timed()
 
     def _reach(self, event: Event) -> None:
         """A state has been reached."""
