@@ -153,6 +153,8 @@ SHARED = [
     sp.Piecewise((m * u + m, u > 0), (v, True)),
     1.5 * u + 3.0 * m * u,
     sp.Abs(sp.sqrt(2 * m * k * (u**2 + 1))) + sp.S(1) / 2,
+    m * (v - u) - k * (v - u) ** 2 / 2,
+    m * (v - u) / 3 - k * (v - u) ** 2 / 2 + (v - u) / (u + w),
 ]
 
 

@@ -99,12 +99,14 @@ def _common_out(parts: list[sp.Expr]) -> sp.Expr:
     terms = [_term(p) for p in parts]
     number, common = _shared(terms)
     inner = sp.Add(*(_expr(n / number, _less(p, common)) for n, p in terms))
+    # A number before a sum alone goes into it here, as it does wherever SymPy multiplies the two.
+    number, before = _expr(number, common).as_coeff_Mul()
     if not number.is_Integer and inner.is_Add:
         above, below = number.as_numer_denom()
         divided = inner / below
         if any(a.as_coeff_Mul()[0].is_Integer for a in divided.args):
             inner, number = divided, above
-    return _keep_coeff(number, _product(common) * inner, clear=False)
+    return _keep_coeff(number, before * inner, clear=False)
 
 
 # --- sums of terms ----------------------------------------------------------------------------------------------------
@@ -128,10 +130,12 @@ def _sum_together(parts: list[sp.Expr]) -> sp.Expr:
                     below[base] = min(exponent, below.get(base, 0))
         above = sp.Add(*(_expr(n, _less(p, below)) for n, p in terms))
         common = _product(shared)
+    common = number * common
     if above.is_Add:
         own, above = above.primitive()
-        number *= own
+        common *= own
     under = _product({b: -e for b, e in below.items() if e < 0})
+    number, common = common.as_coeff_Mul()
     return _keep_coeff(number, common * above / under)
 
 
