@@ -12,7 +12,7 @@ from planar_cli.motion.source import Check
 from planar_cli.motion.terms import Graph, Term, evaluate
 from planar_cli.records import record
 
-SMALL_PIVOT = 1e-4
+SMALL_PIVOT = 1e-5
 """A pivot that shrinks below this part of its parts no longer serves, if it was larger where the order was chosen: as
 much as it is small, accelerations magnify by what states inside a step miss the joints."""
 SHRUNK = 1e-2

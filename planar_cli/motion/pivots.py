@@ -51,10 +51,10 @@ class Order:
         """The smallest pivot, in parts of what it is the sum of."""
         return min((abs(p.value) / p.size for p in self.pivots), default=1.0)
 
-    @property
-    def determinant(self) -> float:
-        """The logarithm of the determinant without sign."""
-        return sum(math.log(abs(p.value)) if p.value else -math.inf for p in self.pivots)
+    def least_beside(self, other: Order) -> float:
+        """The smallest pivot, in parts of that of its equation in another configuration."""
+        sizes = {p.row: p.size for p in other.pivots}
+        return min((abs(p.value) / sizes[p.row] for p in self.pivots if sizes.get(p.row)), default=1.0)
 
     @property
     def places(self) -> tuple[tuple[int, int], ...]:

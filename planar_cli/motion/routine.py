@@ -8,7 +8,6 @@ singular, the system is solved in the sense of least squares by its rank.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Mapping, Sequence
 
 from planar_cli.motion.dense import DEPENDENT, Matrix, constrained, least_squares
@@ -81,8 +80,8 @@ class System:
         if len(found.rows) > len(first.rows):
             found = chosen(self.rows, values)
         singular = len(found.rows) > len(first.rows) or found.least < min(self.small, SHRUNK * first.least)
-        # Where an equation as a whole is small, its parts are too: then the determinant tells.
-        singular = singular or found.determinant < math.log(self.small) + first.determinant
+        # Where an equation as a whole has become small, its parts have too: then what it was tells.
+        singular = singular or found.least_beside(first) < self.small
         if singular or any(found.places == order.places for order in self.orders):
             self._vain += 1
             return False
