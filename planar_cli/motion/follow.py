@@ -169,7 +169,8 @@ class Follower:
                 return
             run = self._run(regime, end, taken)
         except StepTooSmall as stuck:
-            self._close(regime, stuck.t, tuple(stuck.y), taken)
+            if taken:
+                self._close(regime, taken[-1].t1, tuple(taken[-1].y1), taken)
             self.outcome = stuck_at(stuck)
             return
         except Singular:
