@@ -17,8 +17,8 @@ import sympy as sp
 
 from planar_cli.equation.exact import PI, Sample, Valuation
 from planar_cli.equation.sample import fraction, generator
-from planar_cli.equation.scales import Scales
 from planar_cli.errors import NoValue
+from planar_cli.problem.ordinary import Scales
 from planar_cli.records import record
 from planar_cli.units import PURE, Unit, parse_unit
 

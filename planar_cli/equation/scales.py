@@ -1,20 +1,13 @@
 """Sizes against which the numbers of a motion are measured: no number is small or large by itself.
 
-Of a scene: the length L, mass M and time T in which all numbers of the file are as near to 1 as they can be,
-
-    Σ (log|c| - a log L - b log M - d log T)² → min        over all numbers c of dimension L^a M^b T^d,
-
-so that a file in other units, or of a world of another size, has them changed by its own factors. Of a motion: the
-largest length and speeds that it has shown so far. Of a formula: what it would be if its parts did not cancel.
+Of a scene: its ordinary sizes (problem/ordinary). Of a motion: the largest length and speeds that it has shown so far.
+Of a formula: what it would be if its parts did not cancel.
 """
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import fields, is_dataclass
+from collections.abc import Iterable, Mapping, Sequence
 from decimal import Decimal
-from fractions import Fraction
 from typing import Any
 
 import sympy as sp
@@ -23,40 +16,14 @@ from planar_cli.equation.exact import Valuation
 from planar_cli.equation.machine import compiled
 from planar_cli.equation.plain import derivative
 from planar_cli.errors import NoValue
-from planar_cli.problem.expression import Number, Scaled
-from planar_cli.problem.scene import Problem
+from planar_cli.problem.ordinary import Scales
 from planar_cli.records import record
-from planar_cli.units import ACCELERATION, LENGTH, PURE, RATE, VELOCITY, Dimension, Unit, parse_unit
+from planar_cli.units import LENGTH, PURE, RATE, VELOCITY, Unit
 
-GRAVITY = 9.81
 SLACK = 1e-9
 """A number of a followed motion counts as zero below this part of its size."""
 PART = 1e-6
 """Parts of a formula are changed by this part of their size, to see how much of it each of them is."""
-
-
-@record
-class Scales:
-    """What counts as an ordinary size in a scene."""
-
-    length: float = 1.0
-    """In m."""
-    mass: float = 1.0
-    """In kg."""
-    time: float = 1.0
-    """In s."""
-
-    def of(self, dimension: Dimension) -> float:
-        """The ordinary size of a quantity, in SI units."""
-        return float(
-            self.length ** float(dimension.length)
-            * self.mass ** float(dimension.mass)
-            * self.time ** float(dimension.time)
-        )
-
-    def exact(self, dimension: Dimension) -> Decimal:
-        """The next power of ten: a decimal number that gives no product more digits."""
-        return Decimal(10) ** round(math.log10(self.of(dimension)))
 
 
 @record
@@ -96,62 +63,6 @@ class Sizes:
             fastest = max(fastest, abs(number)) if dimension == VELOCITY else fastest
             spin = max(spin, abs(number)) if dimension == RATE else spin
         return Sizes(self.scales, max(self.length, length), fastest, spin)
-
-
-def scales_of(problem: Problem) -> Scales:
-    """The ordinary sizes of a scene. A kind of quantity that no number tells keeps its SI unit."""
-    rows = [(d, math.log(abs(n))) for n, d in _numbers(problem) if n and d != PURE]
-    if problem.plane == "vertical" and not any(s.name == "g" for s in (*problem.given, *problem.symbols)):
-        rows.append((ACCELERATION, math.log(GRAVITY)))
-    rows += [(parse_unit(s.unit).dimension, 0.0) for s in problem.symbols if s.unit is not None]
-    powers = [(d.length, d.mass, d.time) for d, _ in rows]
-    square = [[sum((p[i] * p[j] for p in powers), Fraction(0)) for j in range(3)] for i in range(3)]
-    right = [sum(float(p[i]) * log for p, (_, log) in zip(powers, rows, strict=True)) for i in range(3)]
-    return Scales(*(math.exp(x) for x in _solved(square, right)))
-
-
-def _numbers(node: Any) -> Iterator[tuple[float, Dimension]]:
-    """All numbers with a unit in a file, in SI units; what it asks and answers is left out."""
-    if isinstance(node, tuple):
-        for inner in node:
-            yield from _numbers(inner)
-    elif isinstance(node, Number):
-        if node.unit is not None:
-            unit = parse_unit(node.unit)
-            yield float(node.value * unit.factor) * math.pi**unit.pi_power, unit.dimension
-    elif isinstance(node, Scaled):
-        unit = parse_unit(node.unit)
-        plain = [float(n.value) for n in _plain(node.operand)]
-        yield math.prod(n for n in plain if n) * float(unit.factor) * math.pi**unit.pi_power, unit.dimension
-    elif is_dataclass(node) and not isinstance(node, type):
-        for f in fields(node):
-            if f.name not in ("find", "answers", "cases", "mark", "tolerance"):
-                yield from _numbers(getattr(node, f.name))
-
-
-def _plain(node: Any) -> Iterator[Number]:
-    if isinstance(node, Number):
-        yield node
-    elif is_dataclass(node) and not isinstance(node, type):
-        for f in fields(node):
-            yield from _plain(getattr(node, f.name))
-
-
-def _solved(square: list[list[Fraction]], right: list[float]) -> list[float]:
-    """Least squares; what the rows leave open is zero."""
-    rows = [([*row], b) for row, b in zip(square, right, strict=True)]
-    pivots: dict[int, int] = {}
-    for column in range(len(rows)):
-        free = [i for i in range(len(rows)) if i not in pivots.values() and rows[i][0][column]]
-        if not free:
-            continue
-        pivots[column] = pivot = free[0]
-        top, b = rows[pivot]
-        for i, (row, c) in enumerate(rows):
-            if i != pivot and row[column]:
-                factor = row[column] / top[column]
-                rows[i] = ([x - factor * y for x, y in zip(row, top, strict=True)], c - float(factor) * b)
-    return [rows[pivots[k]][1] / float(rows[pivots[k]][0][k]) if k in pivots else 0.0 for k in range(len(rows))]
 
 
 @record

@@ -13,13 +13,13 @@ from planar_cli.equation.evaluate import Evaluator
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.ledger import Kind as RoleKind
 from planar_cli.equation.ledger import Ledger, Role
-from planar_cli.equation.scales import scales_of
 from planar_cli.equation.scene import Scene
 from planar_cli.equation.system import Statements
 from planar_cli.errors import refuse
 from planar_cli.problem.dimensions import Kind, dimension_of
 from planar_cli.problem.expression import Binary, Function, Name, Negate, Number, Quantity, Relation, Scaled, Side
 from planar_cli.problem.facts import Mode
+from planar_cli.problem.ordinary import scales_of
 from planar_cli.problem.scene import Problem, Symbol
 from planar_cli.records import record
 from planar_cli.units import PURE, Unit, default_unit, parse_unit

@@ -20,6 +20,7 @@ from planar_cli.motion.sides import Constants, Sides
 from planar_cli.motion.terms import Graph, Term
 from planar_cli.problem.expression import Name, Number, Side
 from planar_cli.problem.geometry import Vec
+from planar_cli.problem.ordinary import scales_of
 from planar_cli.problem.scene import GROUND, Line, Problem, Surface
 from planar_cli.problem.shapes import own_points
 from planar_cli.records import record
@@ -106,21 +107,26 @@ class Carried:
         return Drawing(self.problem, self.sides.with_variables(numbers), self.free)
 
     def _size(self) -> float:
-        """The largest distance from the middle of the drawing, m; of a single point the largest length given, or 1."""
+        """The largest distance from the middle of the drawing, m; of a single point the largest length given, else an
+        ordinary one.
+        """
         places = [self.place_drawn(name) for name in points_of(self.problem)]
         places += [_numbers(d.center) for d in self.drawn.values()]
         if not places:
-            return 1.0
+            return self._given()
         x, y = (sum(getattr(p, a) for p in places) / len(places) for a in ("x", "y"))
         far = max(math.hypot(p.x - x, p.y - y) for p in places)
         radii = (getattr(d.shape, "radius", None) for d in self.drawn.values())
         return max([far, *(self._drawing.sides.value(r).value for r in radii if r is not None)]) or self._given()
 
     def _given(self) -> float:
-        """The largest length that the file gives, m; 1 where it gives none."""
+        """The largest length that the file gives, m; one that goes with its other numbers where it gives none."""
         known = [g.value for g in self.problem.given if isinstance(g.value, Number) and g.value.unit is not None]
         lengths = [n for n in known if parse_unit(n.unit or "").dimension == LENGTH]
-        return max((abs(self._drawing.sides.value(n).value) for n in lengths), default=0.0) or 1.0
+        return (
+            max((abs(self._drawing.sides.value(n).value) for n in lengths), default=0.0)
+            or scales_of(self.problem).length
+        )
 
     def free_name(self, stem: str) -> str:
         """A name for a variable that no other variable has."""

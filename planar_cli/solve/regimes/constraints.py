@@ -20,13 +20,13 @@ from planar_cli.equation.exact import DIGITS, Valuation
 from planar_cli.equation.plain import derivative, simplified
 from planar_cli.equation.pose import HERE, Pose
 from planar_cli.equation.sample import anywhere
-from planar_cli.equation.scales import Scales
 from planar_cli.equation.scene import Scene
 from planar_cli.errors import NotReached
 from planar_cli.joints.base import Joint
 from planar_cli.loads.base import Load
 from planar_cli.problem.facts import Mode, Outline
 from planar_cli.problem.geometry import Vec
+from planar_cli.problem.ordinary import Scales
 from planar_cli.problem.scene import GROUND, Curve, Surface
 from planar_cli.records import record
 from planar_cli.solve.instant.instant import Instant

@@ -15,9 +15,9 @@ from planar_cli.equation.exact import Valuation
 from planar_cli.equation.motion import Tree
 from planar_cli.equation.quantities import Quantities
 from planar_cli.equation.sample import anywhere
-from planar_cli.equation.scales import Scales
 from planar_cli.equation.setup import Course, Setup
 from planar_cli.equation.system import Statements
+from planar_cli.problem.ordinary import Scales
 from planar_cli.problem.scene import Problem
 from planar_cli.solve.instant.finish import Finisher, unreached
 from planar_cli.solve.instant.instant import Instant, Trial

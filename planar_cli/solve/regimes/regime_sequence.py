@@ -12,8 +12,8 @@ import sympy as sp
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.motion import Edge
-from planar_cli.equation.scales import Scales
 from planar_cli.equation.scene import Scene
+from planar_cli.problem.ordinary import Scales
 from planar_cli.problem.scene import Problem, State
 from planar_cli.records import record
 from planar_cli.solve.regimes.after import asked_after
