@@ -107,9 +107,7 @@ class Carried:
         return Drawing(self.problem, self.sides.with_variables(numbers), self.free)
 
     def _size(self) -> float:
-        """The largest distance from the middle of the drawing, m; of a single point the largest length given, else an
-        ordinary one.
-        """
+        """The largest distance from the middle of the drawing, m; of a single point the largest length given."""
         places = [self.place_drawn(name) for name in points_of(self.problem)]
         places += [_numbers(d.center) for d in self.drawn.values()]
         if not places:
@@ -123,10 +121,8 @@ class Carried:
         """The largest length that the file gives, m; one that goes with its other numbers where it gives none."""
         known = [g.value for g in self.problem.given if isinstance(g.value, Number) and g.value.unit is not None]
         lengths = [n for n in known if parse_unit(n.unit or "").dimension == LENGTH]
-        return (
-            max((abs(self._drawing.sides.value(n).value) for n in lengths), default=0.0)
-            or scales_of(self.problem).length
-        )
+        found = max((abs(self._drawing.sides.value(n).value) for n in lengths), default=0.0)
+        return found or scales_of(self.problem).length
 
     def free_name(self, stem: str) -> str:
         """A name for a variable that no other variable has."""

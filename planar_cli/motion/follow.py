@@ -168,16 +168,12 @@ class Follower:
                     self._stay(regime, end)
                 return
             run = self._run(regime, end, taken)
-        except StepTooSmall as stuck:
-            if taken:
-                self._close(regime, taken[-1].t1, tuple(taken[-1].y1), taken)
-            self.outcome = stuck_at(stuck)
-            return
-        except Singular:
+        except (StepTooSmall, Singular) as stuck:
             if taken:
                 self._close(regime, taken[-1].t1, tuple(taken[-1].y1), taken)
             words = f"at t = {self.t:.9g} s the accelerations are not determined"
-            self.outcome = Outcome("singular", words, self.t, "", "PL702")
+            singular = Outcome("singular", words, self.t, "", "PL702")
+            self.outcome = stuck_at(stuck) if isinstance(stuck, StepTooSmall) else singular
             return
         self._close(regime, run.t1, tuple(run.y1), run.steps)
         if self.outcome is None:

@@ -28,6 +28,8 @@ from planar_cli.problem.scene import GROUND
 Choice = tuple[int, ...]
 """For every joint (and load) of `Model.choices`, in its order, the index of its mode."""
 Member = Joint | Load
+DIRECTED = 8
+"""A step is cut at least into so many parts where directions count their turns."""
 MOST_TURNED = 1e5
 """Of a step that turns a body further than that [rad] turns are no longer counted one by one."""
 STILL = 1e-12
@@ -123,8 +125,9 @@ class Model:
             turnings[name].last = angle
 
     def between(self, step: Step) -> Iterator[tuple[float, Sequence[float]]]:
-        """Times and states of a step, its end last, so close that no body turns further than a radian in between."""
-        pieces = self.pieces(step)
+        """Times and states of a step, its end last, so close that nothing turns further than a radian in between."""
+        # A direction from place to place may turn further than any body does.
+        pieces = max(self.pieces(step), DIRECTED if self.graph.turned else 1)
         for k in range(1, pieces):
             t = step.t0 + (step.t1 - step.t0) * k / pieces
             yield t, step.at(t)
