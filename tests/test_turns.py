@@ -7,8 +7,6 @@ from math import pi
 import pytest
 from answered import first, solve
 
-from planar_cli.errors import NoSolution
-
 ROD = """
 title: Rod that turns uniformly
 plane: horizontal
@@ -58,7 +56,8 @@ def test_a_particle_in_x_and_y(speed: float) -> None:
     assert first(found["phi"]) == pytest.approx(turned + (pi / 2 if speed > 0 else -pi / 2))
 
 
-def test_a_direction_that_holds_after_other_turns_only() -> None:
-    with pytest.raises(NoSolution, match=r"holds up to whole turns only: there it is 10 deg"):
-        solve(PARTICLE % (2, "r(p).angle = 370 deg"))
-    assert first(solve(PARTICLE % (2, "r(p).angle = 45 deg"))["phi"]) == pytest.approx(pi / 4)
+def test_a_direction_that_is_reached_after_more_turns() -> None:
+    """2 rad/s, from 0."""
+    for degrees in (45, 370):
+        found = solve(PARTICLE % (2, f"r(p).angle = {degrees} deg"))
+        assert first(found["phi"]) == pytest.approx(pi * degrees / 180)

@@ -60,6 +60,11 @@ class Turning:
             self.times.append(t)
             self.angles.append(angle)
 
+    def recall(self, t: float) -> None:
+        """What was noted last before a time of the way [s]."""
+        if self.times:
+            self.last = self._near(t)
+
     def begin(self) -> None:
         """Nothing has been noted yet."""
         self.last = self.start

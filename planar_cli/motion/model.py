@@ -124,6 +124,11 @@ class Model:
         for name, angle in last.items():
             turnings[name].last = angle
 
+    def recall(self, t: float) -> None:
+        """Turns count from what was noted before a time of the way [s]."""
+        for turning in self.graph.turnings.values():
+            turning.recall(t)
+
     def between(self, step: Step) -> Iterator[tuple[float, Sequence[float]]]:
         """Times and states of a step, its end last, so close that nothing turns further than a radian in between."""
         # A direction from place to place may turn further than any body does.

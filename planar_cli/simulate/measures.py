@@ -106,15 +106,17 @@ class Measures:
         are at hand.
         """
         slidings = len(self.model.skids.slidings)
-        noted, time = len(self.model.graph.turned) + slidings, time if slidings else math.inf
-        if self.followed is not None and noted and self._wound != (time, noted):
-            self._wound = time, noted
+        noted, until = len(self.model.graph.turned) + slidings, time if slidings else math.inf
+        if self.followed is not None and noted and self._wound != (until, noted):
+            self._wound = until, noted
             self.model.begin()
             self._way = self._way or tuple(way_of(self.followed, self.model))
-            k = bisect_right(self._way, time, key=lambda noted: noted[0])
+            k = bisect_right(self._way, until, key=lambda noted: noted[0])
             for t, y in self._way[:k]:
                 self.model.note(t, y)
             self.model.wind(self._way[k:])
+        if self.followed is not None:
+            self.model.recall(time)
 
     def number(self, what: Side, moment: Moment) -> float:
         """A number."""
