@@ -274,9 +274,12 @@ class Model:
 
     def _resistances(self) -> list[Measured]:
         """Bodies go on moving against loads that oppose the velocity and do not vanish with it: at rest they are none,
-        and just before as large as ever.
+        and just before as large as ever. What moves in a way that is prescribed goes through rest all the same.
         """
-        found = []
+        found: list[Measured] = []
+        held = [*self.drives, *(c for j in self.joints for c in self.held(j, 0).constraints)] if self.drives else []
+        if held and len(independent(self.layout, held, self.scales).kept) == self.layout.count:
+            return found
         still = dict.fromkeys(self.layout.speeds, 0.0)
         for load, wrenches in self.wrenches.items():
             for w in wrenches if load.opposes else ():

@@ -6,7 +6,6 @@ velocities of an open start. Letters have drawn numbers. Where one answer differ
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from decimal import Decimal
@@ -15,7 +14,6 @@ import sympy as sp
 
 from planar_cli.equation.ledger import display
 from planar_cli.errors import Diagnostic, FileProblem, Mark, NoSolution, NoValue
-from planar_cli.motion.trajectory import Outcome
 from planar_cli.motion.unstable import growth_note
 from planar_cli.problem.expression import Equilibrium, JustAfter, Name, Quantity, Relation, Side
 from planar_cli.problem.scene import Problem, State
@@ -23,7 +21,7 @@ from planar_cli.problem.walk import walk
 from planar_cli.records import record
 from planar_cli.simulate.answers import NOT_FOLLOWED, Answered
 from planar_cli.simulate.measures import Moment, names_of_states
-from planar_cli.simulate.run import BEGINNING, Settings, Simulation, simulate
+from planar_cli.simulate.run import BEGINNING, Run, Settings, Simulation, simulate
 from planar_cli.simulate.timetable import Timetable
 from planar_cli.solve.between.trace import MotionTrace, Taken
 from planar_cli.solve.instances import Instance, instances
@@ -112,7 +110,7 @@ def _confirmed(
         other = simulate(asked, settings)
     except (FileProblem, NoSolution) as refused:
         return _unable(problem, found, refused)
-    whole = _stopped(problem, other.run.trajectory.outcome, taken)
+    whole = _stopped(problem, other.run, taken)
     if whole:
         return Confirmation("", frozenset(), {f.name: whole for f in found})
     seen = [_Compared(other, trace, instance).see(f) for f in found]
@@ -174,10 +172,11 @@ def _because(problem: Problem, why: str, words: str) -> str:
     return why if problem.symbols else f"{why}: {words}"
 
 
-def _stopped(problem: Problem, outcome: Outcome, taken: Taken) -> str:
-    """Why the motion was not followed to its end; "" where it was. Disagreement: it contradicts the solution."""
-    last = max(taken.times.values(), default=math.inf)
-    if not outcome.refused or outcome.t >= last - TOUCHING * (last - min(taken.times.values(), default=0.0)):
+def _stopped(problem: Problem, run: Run, taken: Taken) -> str:
+    """Why the motion was not followed to its last state; "" where it was. Disagreement: it contradicts the solution."""
+    outcome = run.trajectory.outcome
+    told = bool(run.trajectory.segments) and all(name in run.measures.moments for name in taken.times)
+    if not outcome.refused or (told and outcome.kind != "unbalanced"):
         return ""
     if outcome.code in NOT_ABLE:
         return _because(problem, NOT_ABLE[outcome.code], outcome.words)
