@@ -16,7 +16,7 @@ from fractions import Fraction
 import sympy as sp
 
 from planar_cli.equation.exact import PI, Sample, Valuation
-from planar_cli.equation.sample import fraction, generator
+from planar_cli.equation.sample import fraction, generator, widely
 from planar_cli.errors import NoValue
 from planar_cli.problem.ordinary import Scales
 from planar_cli.records import record
@@ -197,7 +197,8 @@ class Ledger:
         draw: Callable[[sp.Symbol, random.Random], Decimal],
         wanted: int = DRAWS,
     ) -> tuple[Valuation, ...]:
-        free = [*self.letters, *self.sought]
+        # Letters of the file come first, so that they are the same in every scene of it.
+        free = sorted([*self.letters, *self.sought], key=lambda s: self.roles[s].kind is not Kind.LETTER)
         found: list[Valuation] = []
         rng = generator()
         for _ in range(tries if free else 1):
@@ -235,6 +236,8 @@ class Ledger:
             return None
 
     def _draw(self, symbol: sp.Symbol, rng: random.Random) -> Decimal:
+        if widely() and symbol.name not in self.ranges:
+            return self._far(symbol, rng)
         number = fraction(rng)
         if symbol.name in self.ranges:
             low, high = self.ranges[symbol.name]

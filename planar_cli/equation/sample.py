@@ -15,16 +15,36 @@ from decimal import Decimal
 USUAL = 20
 _SEED = ContextVar("seed", default=USUAL)
 FIGURES = 31
+APART = 17
+"""Seeds that are taken one after the other are so far apart."""
+
+
+_WIDE = ContextVar("wide", default=False)
+NEAR, WIDE = 6, 18
+"""So many draws of letters of like size are looked at, and so many of all sizes, where something more is asked."""
 
 
 @contextmanager
-def seeded(seed: int) -> Iterator[None]:
-    """All draws come from another seed for a while."""
-    token = _SEED.set(seed)
+def seeded(seed: int, wide: bool = False) -> Iterator[None]:
+    """All draws come from another seed for a while. `wide`: letters are not of like size, but from some decades."""
+    tokens = _SEED.set(seed), _WIDE.set(wide)
     try:
         yield
     finally:
-        _SEED.reset(token)
+        _SEED.reset(tokens[0])
+        _WIDE.reset(tokens[1])
+
+
+def widely() -> bool:
+    """Are letters drawn from some decades?"""
+    return _WIDE.get()
+
+
+def other_draws() -> tuple[tuple[int, bool], ...]:
+    """The present seed and whether it draws widely, and others for draws of which something more is asked."""
+    own = _SEED.get()
+    near = [(own + APART * k, False) for k in range(1, NEAR)]
+    return ((own, _WIDE.get()), *near, *((own + APART * k, True) for k in range(NEAR, NEAR + WIDE)))
 
 
 def generator(stream: int = 0) -> random.Random:

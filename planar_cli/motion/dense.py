@@ -48,6 +48,13 @@ def least_squares(matrix: Matrix, right: Sequence[float], dependent: float = DEP
     return Fit(tuple(x * c for x, c in zip(found, columns, strict=True)), rank, misfit)
 
 
+def in_the_mean(matrix: Matrix, right: Sequence[float], dependent: float = DEPENDENT) -> list[float]:
+    """matrix · x = right, each equation with the weight of its own scale: what hardly depends on x tells nothing."""
+    count = len(matrix[0]) if matrix else 0
+    solve = _by_singular_values if count > LARGE else _by_reflections
+    return solve(matrix, right, dependent)[0]
+
+
 def constrained(matrix: Matrix, right: Sequence[float], count: int, dependent: float = DEPENDENT) -> list[float]:
     """[M Jᵀ; J 0] (a, ν) = right with a diagonal M of `count` rows, by the null space of J.
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
-from planar_cli.integrators.base import Counts, Setting, Step, StepTooSmall
+from planar_cli.integrators.base import Counts, Setting, Step, StepTooSmall, TooManySteps
 from planar_cli.motion.automaton import Automaton, Choice, Regime, Stages, Start
 from planar_cli.motion.balance import ALLOWED, balance_of
 from planar_cli.motion.crossings import BAND, Watch
@@ -181,7 +181,11 @@ class Follower:
 
     def _run(self, regime: Regime, end: float, taken: list[Step]) -> Run:
         """The regime followed to `end`, or to the first guard that falls or relation of a state that is reached."""
-        setting = replace(self.setting, scale=self.automaton.scale, project=regime.project)
+        left = self.setting.most_steps - self.work.steps
+        if left <= 0:
+            text = f"more than {self.setting.most_steps} steps until t = {self.t:.9g} s"
+            raise TooManySteps(text, self.t, self.y)
+        setting = replace(self.setting, scale=self.automaton.scale, project=regime.project, most_steps=left)
         if not self.automaton.autonomous and self._rests(regime):
             setting = replace(setting, longest=min(setting.longest, (end - self.t) / UNSTEADY_STEPS))
 

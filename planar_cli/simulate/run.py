@@ -148,6 +148,11 @@ def simulate(problem: Problem, settings: Settings, units: Mapping[str, str] = US
     return Simulation(first, tuple(_with_error(a, b, part) for a, b in pairs), True)
 
 
+def answered(run: Run) -> Simulation:
+    """What a motion that was followed answers, without an estimate of errors."""
+    return Simulation(run, Answers(run.problem, run.measures, run.trajectory, USUAL).all(), False)
+
+
 def _to_stop(run: Run) -> Run:
     """The run as far as to where it is to end."""
     end = first_stop(run.settings.stops, run.measures, run.trajectory)

@@ -30,7 +30,7 @@ EDGE = 12
 """Where a state ceases to be reached, between two such values, is enclosed in so many steps."""
 TOLERANCE = 1e-11
 """Of the steps of a motion, in parts of the scene's scales."""
-TIMES, STEPS = 500.0, 400
+TIMES, STEPS = 500.0, 1500
 """A state is looked for over so many characteristic times, and so many steps, at most."""
 ROUNDS, CLOSE = 80, 1e-13
 """A root is enclosed in so many steps at most, up to this part of its size."""

@@ -16,26 +16,25 @@ from planar_cli.equation.ledger import display
 from planar_cli.errors import Diagnostic, FileProblem, Mark, NoSolution, NoValue
 from planar_cli.motion.unstable import growth_note
 from planar_cli.problem.expression import Equilibrium, JustAfter, Name, Quantity, Relation, Side
-from planar_cli.problem.scene import Problem, State
+from planar_cli.problem.scene import Problem
 from planar_cli.problem.walk import walk
 from planar_cli.records import record
 from planar_cli.simulate.answers import NOT_FOLLOWED, Answered
 from planar_cli.simulate.measures import Moment, names_of_states
-from planar_cli.simulate.run import BEGINNING, Run, Settings, Simulation, simulate
+from planar_cli.simulate.run import BEGINNING, Run, Settings, Simulation, answered, simulate
 from planar_cli.simulate.timetable import Timetable
 from planar_cli.solve.between.trace import MotionTrace, Taken
+from planar_cli.solve.followable import closed, end_of, is_endless, most_steps, not_followed
 from planar_cli.solve.instances import Instance, instances
 from planar_cli.solve.instant.verify import Disagreement
 from planar_cli.solve.solution import Found
-from planar_cli.solve.solved_problem import Confirmation
+from planar_cli.solve.solved_problem import Confirmation, PartSolution
 from planar_cli.units import Unit
 
 CERTAIN = 1e-6
 """Numbers that are apart by less than this part of them, or of the scale of their kind, agree."""
 DIFFERS = 30.0
 """Numbers that are apart by less than so many estimated errors do not differ."""
-BEYOND = 0.01
-"""A motion is followed this part of its time beyond the last state."""
 TOUCHING = 3e-6
 """What comes and goes within this part of the time is one touch: the root of some roundings."""
 FAINT = 1e-9
@@ -71,23 +70,24 @@ class Seen:
     """When."""
 
 
-def confirmation(
-    problem: Problem, found: tuple[Found, ...], trace: MotionTrace, earlier: Mapping[str, float]
-) -> Confirmation:
+def confirmation(problem: Problem, part: PartSolution, earlier: Mapping[str, float]) -> Confirmation:
     """What following the motion says of answers that were found otherwise. Disagreement: it gives other ones.
 
     `earlier`: finds of earlier cases, as `case.find`.
     """
-    whole = _not_followed(problem, trace.taken)
+    found, trace = part.found, part.motion
+    assert trace is not None
+    whole = not_followed(problem, trace.taken)
     if whole:
         return Confirmation("", frozenset(), {f.name: whole for f in found})
     kinds = {f.name: _of_no_motion(f) for f in found}
     if all(kinds.values()):
         return Confirmation("", frozenset(), kinds)
     refused: Disagreement | None = None
-    for instance in instances(problem, found, trace):
+    for k, instance in enumerate(instances(problem, found, trace)):
         try:
-            return _confirmed(problem, found, trace, instance, earlier)
+            run = part.run if k == 0 and part.run is not None and part.run.problem is problem else None
+            return _confirmed(problem, found, trace, instance, earlier, run)
         except Disagreement as error:
             # Numbers that were drawn for letters may lie where the formulas do not hold: then others are drawn.
             refused = refused or error
@@ -96,18 +96,29 @@ def confirmation(
 
 
 def _confirmed(
-    problem: Problem, found: tuple[Found, ...], trace: MotionTrace, instance: Instance, earlier: Mapping[str, float]
+    problem: Problem,
+    found: tuple[Found, ...],
+    trace: MotionTrace,
+    instance: Instance,
+    earlier: Mapping[str, float],
+    run: Run | None,
 ) -> Confirmation:
-    """The same for one choice of numbers for the letters."""
+    """The same for one choice of numbers for the letters. `run`: the motion, where it has been followed already."""
     taken = instance.taken
-    asked = _closed(problem, taken)
+    asked = closed(problem, taken)
     values = {**earlier, **taken.letters}
     times = None if problem.states[1:] else BEGINNING
     settings = Settings(
-        until=_end(asked, taken), values=values, speeds=taken.speeds, momenta=True, estimate=False, times=times
+        most_steps=most_steps(asked, taken),
+        until=end_of(asked, taken),
+        values=values,
+        speeds=taken.speeds,
+        momenta=True,
+        estimate=False,
+        times=times,
     )
     try:
-        other = simulate(asked, settings)
+        other = simulate(asked, settings) if run is None else answered(run)
     except (FileProblem, NoSolution) as refused:
         return _unable(problem, found, refused)
     whole = _stopped(problem, other.run, taken)
@@ -126,35 +137,7 @@ def _confirmed(
     return Confirmation(words, same, {s.name: s.why for s in seen if s.why})
 
 
-# --- what is followed ------------------------------------------------------------------------------------------------
-
-
-def _not_followed(problem: Problem, taken: Taken) -> str:
-    """Why the motion of a file can not be followed at all; "" where it can."""
-    for state in problem.states:
-        if any(isinstance(r, JustAfter) for r in state.relations):
-            continue
-        for node in (n for r in state.relations for n in walk(r)):
-            if isinstance(node, Quantity) and isinstance(node.at, tuple):
-                return f"state {state.name} is told by a quantity over a span, which is not looked for step by step"
-            if isinstance(node, Quantity) and node.word in NOT_FOLLOWED:
-                return f"state {state.name} is told by {node.word}(…), which no motion has"
-    names = [s.name for s in (*problem.symbols, *problem.unknowns)]
-    without = [n for n in names if n not in taken.letters]
-    return f"no number tells {', '.join(without)}" if without else ""
-
-
-def _closed(problem: Problem, taken: Taken) -> Problem:
-    """The file with the constants that joints leave open and a blow has told."""
-    return replace(problem, joints=tuple(j.told(taken.opened) for j in problem.joints))
-
-
-def _end(problem: Problem, taken: Taken) -> float | None:
-    """A little beyond the last state; None where that is not known, or no time passes, or there is no end."""
-    if any(_endless(state) for state in problem.states):
-        return None
-    first, last = min(taken.times.values(), default=0.0), max(taken.times.values(), default=0.0)
-    return last + BEYOND * (last - first) if last > first else None
+# --- what it comes to ------------------------------------------------------------------------------------------------
 
 
 def _unable(problem: Problem, found: tuple[Found, ...], refused: FileProblem | NoSolution) -> Confirmation:
@@ -176,7 +159,7 @@ def _stopped(problem: Problem, run: Run, taken: Taken) -> str:
     """Why the motion was not followed to its last state; "" where it was. Disagreement: it contradicts the solution."""
     outcome = run.trajectory.outcome
     told = bool(run.trajectory.segments) and all(name in run.measures.moments for name in taken.times)
-    if not outcome.refused or (told and outcome.kind != "unbalanced"):
+    if not outcome.refused or outcome.kind == "long" or (told and outcome.kind != "unbalanced"):
         return ""
     if outcome.code in NOT_ABLE:
         return _because(problem, NOT_ABLE[outcome.code], outcome.words)
@@ -349,7 +332,7 @@ class _Compared:
         for relation in state.relations:
             if isinstance(relation, Equilibrium) and relation.body is None:
                 return f"state {name} is an equilibrium, which lies beside the motion"
-            if _endless(state):
+            if is_endless(state):
                 return f"state {name} is only approached"
             if isinstance(relation, JustAfter):
                 before = self._never(relation.state)
@@ -363,11 +346,6 @@ def _of_no_motion(f: Found) -> str:
     assert f.find is not None
     words = [n.word for n in walk(f.find.found.what) if isinstance(n, Quantity)]
     return next((NOT_FOLLOWED[w] for w in words if w in NOT_FOLLOWED), "")
-
-
-def _endless(state: State) -> bool:
-    """Does a state speak of infinity, so that it is only approached?"""
-    return any(isinstance(n, Name) and n.name == "infinity" for r in state.relations for n in walk(r))
 
 
 # --- what is said ----------------------------------------------------------------------------------------------------

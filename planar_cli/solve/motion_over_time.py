@@ -9,6 +9,7 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.exact import Unvalued
+from planar_cli.equation.sample import seeded
 from planar_cli.problem.scene import Problem
 from planar_cli.solve.between.agreement import compared
 from planar_cli.solve.between.answers import Answering, closed_formula
@@ -28,6 +29,7 @@ from planar_cli.solve.between.stated_motion import StatedMotion
 from planar_cli.solve.between.throughout import Throughout
 from planar_cli.solve.curves.formulas import at_given_time
 from planar_cli.solve.diagnosis.motions import missing
+from planar_cli.solve.following.foreseen import fitting_draws
 from planar_cli.solve.following.mode_search import ModeSearch
 from planar_cli.solve.following.turns import count_turns
 from planar_cli.solve.impulsive.checks import blow_checks
@@ -45,6 +47,14 @@ def solve_course(
     """All finds of a problem whose states follow each other in time. `trial`: numbers of sought constants [SI] with
     which the motion passes all states, where they are known beforehand.
     """
+    with seeded(*fitting_draws(problem, earlier)):
+        return _part(problem, case, units, earlier, trial)
+
+
+def _part(
+    problem: Problem, case: str, units: dict[str, str], earlier: Mapping[str, Any], trial: Mapping[str, float]
+) -> PartSolution:
+    """The same with the numbers that are drawn for letters now."""
     workshop = Workshop(earlier)
     solved = reaching(problem, lambda p: ModeSearch(p, workshop, units=units, trial=trial).run())
     try:
@@ -75,7 +85,8 @@ def _told(solved: SolvedMotion, case: str) -> PartSolution:
     passages = tuple(a.passage for a in answers if a.passage is not None)
     tale = Tale(passages, whole=False) if passages else None
     trace = motion_trace(found, route, answers, assumed, instants)
-    return PartSolution(case, instants, tuple(a.found for a in answers), trace, tale)
+    seen = None if found.followed is None or not found.followed.foreseen else found.followed.run
+    return PartSolution(case, instants, tuple(a.found for a in answers), trace, tale, run=seen)
 
 
 def _route(found: SolvedMotion) -> tuple[Router, Route]:

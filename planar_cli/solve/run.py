@@ -167,7 +167,7 @@ def _confirmed(problem: Problem, part: PartSolution, earlier: Mapping[str, float
         return part
     from planar_cli.solve.confirmation import confirmation
 
-    return replace(part, confirmed=confirmation(problem, part.found, part.motion, earlier))
+    return replace(part, confirmed=confirmation(problem, part, earlier))
 
 
 def _derived(problem: Problem, case: str, units: dict[str, str], earlier: dict[str, Earlier]) -> PartSolution:

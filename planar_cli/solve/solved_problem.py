@@ -15,7 +15,7 @@ from planar_cli.solve.passages import Tale
 from planar_cli.solve.solution import Found, InstantSolution
 
 if TYPE_CHECKING:
-    from planar_cli.simulate.run import Simulation
+    from planar_cli.simulate.run import Run, Simulation
 
 
 @record
@@ -47,6 +47,8 @@ class PartSolution:
     tale: Tale | None = None
     followed: Simulation | None = None
     confirmed: Confirmation = NOT_COMPARED
+    run: Run | None = None
+    """The motion as it was followed from what the file tells, where that is all of it."""
 
     @property
     def not_compared(self) -> tuple[str, ...]:

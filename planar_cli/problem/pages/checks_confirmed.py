@@ -16,7 +16,7 @@ part of it. Then every find is compared:
 What can not be compared, and when:
   - curves, and periods, frequencies and stability, which belong to no single motion
   - an equilibrium, which lies beside the motion; a place that is only approached (`x = infinity`)
-  - a state that is told by a quantity over a span, such as `path_length(P) @ 1->2 = 3 m`
+  - in letters, a state that is told by a quantity over a span, such as `path_length(P) @ 1->2 = s`
   - states that `method: energy` relates and no motion joins
   - what begins in an unstable equilibrium, and what has died out into rounding
   - bodies without mass that nothing drives, forces of redundant constraints that decide, a singular position

@@ -31,8 +31,8 @@ What happens then
   limit of integration is printed. A root that is not the one that happens is told with the reason.
 
   Numbers are used when no closed form is known: an equation between states that no formula solves, an integral without
-  an antiderivative, or coupled nonlinear equations of motion, which are integrated step by step (extrapolated midpoint
-  rule). Only digits that a second, finer run confirms count, and the solution says that it went this way.
+  an antiderivative, or coupled nonlinear equations of motion, which are integrated step by step (Dormand and Prince's
+  method of order 8). The solution says that it went this way.
 
 Contacts and ropes
   Where a body comes to rest, turns round, or a contact opens, the assumption about it (stick, slip, apart; taut, slack)

@@ -7,7 +7,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable, Iterator
 from decimal import Decimal
 
@@ -25,18 +24,15 @@ from planar_cli.solve.regimes.regime import Regime
 
 NEEDED = 6
 FULL = 50
+APART = 1e-6
+"""Letters of a motion that was followed, and of its equations, may differ by this part of their size."""
 
 
 def compared(found: SolvedMotion) -> tuple[str, ...]:
     """What agrees, in phrases. Disagreement: two roads to the same motion differ."""
-    phrases = []
-    if found.followed is not None and found.followed.values:
-        digits = followed_digits(found, found.followed)
-        if digits is not None:
-            if digits < NEEDED:
-                raise Disagreement("the motion followed step by step differs from its equations")
-            phrases.append(f"followed step by step from the first state: agrees to {digits} digits")
-    return (*phrases, *balanced(found.course.distinct_regimes()))
+    if found.followed is not None and found.followed.values and _apart(found, found.followed) > APART:
+        raise Disagreement("the motion followed step by step differs from its equations")
+    return balanced(found.course.distinct_regimes())
 
 
 def balanced(regimes: Iterable[Regime]) -> tuple[str, ...]:
@@ -49,28 +45,29 @@ def balanced(regimes: Iterable[Regime]) -> tuple[str, ...]:
     return (f"the balance of energy gives the same equation of motion, to {min(powers)} digits",)
 
 
-def followed_digits(found: SolvedMotion, followed: Followed) -> int | None:
-    """To how many digits the letters of all states agree, measured by the largest of the same dimension on the way."""
-    worst: float | None = None
+def _apart(found: SolvedMotion, followed: Followed) -> float:
+    """By how much letters of states differ at most, in parts of the largest of the same dimension on the way, or of an
+    ordinary one.
+    """
+    worst = 0.0
     stated = _stated_letters(found)
     sizes: dict[str, float] = {}
     units = found.course.ledger.units
     kinds = {own: str(units[own].dimension) for stop in found.course.stops.values() for own in stop.letters.values()}
+    natural = {s: float(size) for s, size in found.course.natural(kinds).items()}
     for s, v in _passed(followed):
         if s in units:
             kind = str(units[s].dimension)
             sizes[kind] = max(sizes.get(kind, 0.0), abs(v))
     for s, v in followed.values.items():
-        if s in found.guessed or s in stated or s not in kinds or not sizes[kinds[s]]:
+        if s in found.guessed or s in stated or s not in kinds:
             continue
         exact = found.value.known(s)
         if exact is None:
             continue
-        off = abs(float(exact) - v) / sizes[kinds[s]]
-        worst = off if worst is None else max(worst, off)
-    if worst is None:
-        return None
-    return int(min(-math.log10(max(worst, 1e-13)), 13))
+        off = abs(float(exact) - v) / max(sizes[kinds[s]], natural[s])
+        worst = max(worst, off)
+    return worst
 
 
 def _stated_letters(found: SolvedMotion) -> set[sp.Symbol]:

@@ -1,65 +1,116 @@
-"""What happens along one stretch of a motion that is followed in numbers: the instants at which a function vanishes."""
+"""One stretch of a motion that was followed in numbers, and the instants at which a function vanishes along it."""
 
 from __future__ import annotations
 
 import math
+from bisect import bisect_right
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field
 from decimal import Decimal
+from itertools import pairwise
+from typing import Protocol
 
 import sympy as sp
 
 from planar_cli.calculus.first import Root, roots
-from planar_cli.calculus.flow import Flow
 from planar_cli.equation.exact import Valuation
-from planar_cli.equation.plain import parts_of
 from planar_cli.equation.scales import SLACK
 from planar_cli.errors import NoValue
-from planar_cli.records import record
+from planar_cli.motion.segment import Segment
 from planar_cli.solve.regimes.regime import Regime, number_function
 from planar_cli.units import RATE
 
 NOTICEABLE = 0.1
-WINDOWS = (20, 50, 100, 200, 500, 1000, 2000)
-SLOW_WINDOWS = (1, 3, 10, 30, 100)
-"""How far a state is looked for, in characteristic times; the motion is never followed much beyond what is found."""
 LOOKS, NEARBY, DEAD = 8, 0.01, 1e-12
 """A function is looked at so often before a zero, and so near to it; below this part of its size it has died out."""
 NEAR = 1e-7
 """A relation counts as fulfilled below this part of what it was nearby."""
+WITHIN = 3
+"""A step is looked at so often."""
 State = dict[sp.Symbol, float]
 
 
-@record
+class Read(Protocol):
+    """Who reads the letters of a regime from a state of the scene."""
+
+    def at(self, t: float, y: Sequence[float], near: State) -> State:
+        """The letters, sought from those that are near."""
+
+
+@dataclass(slots=True)
 class FollowedSegment:
     """One stretch in numbers: from t0 to t1 [s]."""
 
     regime: Regime
-    flow: Flow | None
-    """The letters of the regime, integrated; None: nothing varies."""
+    letters: Read
+    """Reads its letters."""
+    pieces: Sequence[Segment]
+    """What was followed from t0 on, also beyond t1."""
     t0: float
     t1: float
     start: State
-    swing: float = math.inf
-    """A time in which its laws themselves change [s]."""
+    value: Valuation
+    """Numbers of what does not vary."""
     length: float = 1.0
     """What counts as a large length in it [m]."""
     pace: float = 1.0
     """An ordinary time of the scene [s]."""
+    _known: list[tuple[float, State]] = field(default_factory=list)
+    """Letters at the ends of steps, as far as they were looked at."""
+    _passed: list[tuple[float, Sequence[float]]] | None = None
+    """The ends of all steps, once they were looked at."""
 
     def at(self, t: float) -> State:
-        """All letters at a time."""
-        if self.flow is None:
+        """All letters at a time. NoValue: it was not followed so far."""
+        if not self.regime.letters[1:]:
             return {**self.start, self.regime.time: t}
-        letters = self.regime.letters[1:]
-        return {**self.start, self.regime.time: t, **dict(zip(letters, map(float, self.flow.at(t)), strict=True))}
+        if t <= self.t0:
+            return self.start
+        ends = self._ends()
+        while len(self._known) < len(ends) and ends[len(self._known)][0] < t:
+            step, y = ends[len(self._known)]
+            self._known.append((step, self._read(step, y)))
+        near = bisect_right(self._known, t, key=lambda known: known[0])
+        return self._read(t, self._state(t), self._known[near - 1][1] if near else self.start)
+
+    def _read(self, t: float, y: Sequence[float], near: State | None = None) -> State:
+        near = near if near is not None else self._known[-1][1] if self._known else self.start
+        return {**self.start, **self.letters.at(t, y, near)}
+
+    def _ends(self) -> list[tuple[float, Sequence[float]]]:
+        """The ends of the steps after t0, with the state there."""
+        if self._passed is None:
+            every: list[tuple[float, Sequence[float]]]
+            every = [(step.t1, step.y1) for piece in self.pieces for step in piece.steps if step.t1 < piece.t1]
+            every += [(piece.t1, piece.end) for piece in self.pieces]
+            self._passed = sorted((e for e in every if e[0] > self.t0), key=lambda e: e[0])
+        return self._passed
+
+    def _state(self, t: float) -> Sequence[float]:
+        """The state of the scene at a time."""
+        for piece in self.pieces:
+            if piece.t0 <= t <= piece.t1:
+                return piece.at(t)
+        raise NoValue(f"the motion is not followed to t = {t:.9g} s")
+
+    def rates(self) -> list[float]:
+        """How fast the letters but the time change at the beginning."""
+        regime = self.regime
+        exprs = [*regime.rates.values(), *regime.accelerations.values()]
+        return number_function(exprs, regime.letters, self.value)(*(self.start[s] for s in regime.letters))
+
+    def looks(self, until: float) -> list[float]:
+        """Times from t0 to another that lie close to each other beside what happens."""
+        points = [self.t0, *(t for t, _ in self._ends() if t < until), until]
+        return [self.t0, *(a + (b - a) * k / WITHIN for a, b in pairwise(points) for k in range(1, WITHIN + 1))]
 
 
 def scale_of(segment: FollowedSegment) -> float:
     """A time in which something moves noticeably: by a radian, or by the largest length in sight."""
-    if segment.flow is None:
-        return min(segment.pace, segment.swing)
     regime = segment.regime
-    rates = [abs(float(r)) for r in segment.flow.rates(segment.t0)]
+    if not regime.letters[1:]:
+        return segment.pace
+    rates = [abs(r) for r in segment.rates()]
     sizes = [segment.length if c.unit != "rad" else 1.0 for c in regime.coordinates]
     times = [size / r for size, r in zip(sizes, rates, strict=False) if r]
     turning = angular_speeds(regime)
@@ -67,7 +118,7 @@ def scale_of(segment: FollowedSegment) -> float:
         size = 1.0 if u in turning else segment.length
         if a:
             times.append(math.sqrt(size / a))
-    shortest = min([*times, segment.swing])
+    shortest = min(times, default=math.inf)
     return shortest if math.isfinite(shortest) else segment.pace
 
 
@@ -75,16 +126,6 @@ def angular_speeds(regime: Regime) -> set[sp.Symbol]:
     """The free speeds that are angular: also a point on a circle may have a speed in m/s."""
     units = regime.general.instant.scene.ledger.units
     return {u for u in regime.free if units[u].dimension == RATE}
-
-
-def windows(segment: FollowedSegment, scale: float) -> Iterator[float]:
-    """How far a state is looked for: so many characteristic times, and as long as the speeds change slowly."""
-    yield from (count * scale for count in WINDOWS)
-    if segment.flow is None:
-        return
-    rates = [abs(float(r)) for r in segment.flow.rates(segment.t0)][len(segment.regime.coordinates) :]
-    slow = max((abs(segment.start[u]) / a for u, a in zip(segment.regime.free, rates, strict=True) if a), default=0.0)
-    yield from (count * slow for count in SLOW_WINDOWS if count * slow > WINDOWS[-1] * scale)
 
 
 def length_of(regime: Regime, state: State, rates: Sequence[float], value: Valuation, ordinary: float) -> float:
@@ -118,74 +159,26 @@ def _drawn(regime: Regime, state: State, value: Valuation) -> float:
     return max(found)
 
 
-def swing_of(regime: Regime, state: State, value: Valuation) -> float:
-    """The shortest time in which a sine or an exponential of time in the laws of a regime changes."""
-    exprs = [*regime.rates.values(), *regime.accelerations.values()]
-    known = (sp.sin, sp.cos, sp.tan, sp.exp)
-    waves = {a.args[0] for a in parts_of(exprs) if isinstance(a, known) and regime.time in a.free_symbols}
-    paces = [sp.diff(w, regime.time) for w in waves]
-    numbers = number_function(paces, regime.letters, value)(*(state[s] for s in regime.letters)) if paces else []
-    return min((1 / abs(n) for n in numbers if n), default=math.inf)
-
-
 def events(g: Callable[[float], float], segment: FollowedSegment, until: float | None = None) -> Iterator[Root]:
-    """Roots along a segment in order, window by window."""
-    scale, begin = scale_of(segment), segment.t0
-    for reach in windows(segment, scale):
-        if begin > segment.t0 and _came_to_rest(segment, begin):
-            return
-        end = segment.t0 + reach
-        if until is not None:
-            end = min(end, until)
-        try:
-            for root in roots(g, begin, end, scale):
-                if root.value > segment.t0 and not _died_out(g, root.value, segment):
-                    yield root
-        except NoValue:
-            return
-        if until is not None and end >= until:
-            return
-        begin = end
-
-
-def far_along(segment: FollowedSegment) -> State:
-    """The letters of a segment as late as its motion is looked at, or once nothing changes any more."""
-    found = segment.start
-    for reach in windows(segment, scale_of(segment)):
-        try:
-            found = segment.at(segment.t0 + reach)
-        except NoValue:
-            break
-        if _came_to_rest(segment, segment.t0 + reach):
-            break
-    return found
-
-
-def _came_to_rest(segment: FollowedSegment, t: float) -> bool:
-    """Does nothing change any more, as far as machine numbers tell, or can they not tell it?"""
-    regime = segment.regime
-    laws = [*regime.rates.values(), *regime.accelerations.values()]
-    if segment.flow is None or any(regime.time in e.free_symbols for e in laws):
-        return False
+    """Roots along a segment in order, as far as it was followed."""
+    followed = max((piece.t1 for piece in segment.pieces), default=segment.t0)
+    end = followed if until is None else min(followed, until)
+    if end <= segment.t0:
+        return
     try:
-        first, now = segment.flow.rates(segment.t0), segment.flow.rates(t)
+        for root in roots(g, segment.t0, end, scale_of(segment)):
+            if root.value > segment.t0 and not _died_out(g, root.value, segment):
+                yield root
     except NoValue:
-        return True
-    return max(abs(float(r)) for r in now) <= DEAD * max(abs(float(r)) for r in first)
+        return
 
 
 def _died_out(g: Callable[[float], float], t: float, segment: FollowedSegment) -> bool:
     """Has a function sunk below what machine numbers tell of it, so that its zeros mean nothing?"""
     run = t - segment.t0
     largest = max(abs(g(segment.t0 + run * k / LOOKS)) for k in range(LOOKS))
-    near = max(abs(g(t - NEARBY * run)), abs(g(t + NEARBY * run)))
+    near = max(abs(g(t - NEARBY * run)), abs(g(t)))
     return near <= DEAD * largest
-
-
-def vanishes_throughout(g: Callable[[float], float], segment: FollowedSegment, size: float) -> bool:
-    """Does a function vanish from the beginning on? `size`: what it is measured by."""
-    run = scale_of(segment)
-    return all(abs(g(segment.t0 + run * k / LOOKS)) <= SLACK * size for k in range(LOOKS))
 
 
 def is_zero(g: Callable[[float], float], t: float, segment: FollowedSegment, size: float) -> bool:

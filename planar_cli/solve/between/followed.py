@@ -1,4 +1,4 @@
-"""What comes of following a motion in numbers: the states that are reached, and what ends it on the way."""
+"""What comes of following a motion in numbers: the states that are reached, and what ends an assumption on the way."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 import sympy as sp
 
 from planar_cli.records import record
+from planar_cli.simulate.run import Run
 from planar_cli.solve.between.events import FollowedSegment, State
 
 
@@ -21,22 +22,32 @@ class Ends:
     """What vanishes then."""
     words: str
     """What ends."""
-    again: bool = False
-    """Does what had parted meet again?"""
+    choice: tuple[int, ...] | None = None
+    """The modes that follow; None: the same, and something goes the other way."""
 
 
 @dataclass(slots=True)
 class Followed:
     """What came of following a motion."""
 
+    run: Run | None = None
+    """The motion of the scene."""
+    foreseen: bool = False
+    """Does the file alone tell it?"""
     segments: list[FollowedSegment] = field(default_factory=list)
     """What was passed."""
     values: dict[sp.Symbol, float] = field(default_factory=dict)
     """Symbols of the states that were reached."""
+    lost: str = ""
+    """Why it can not be followed in these regimes; "" where it can."""
+    struck: tuple[int, float, str] | None = None
+    """A stretch on which something strikes that no state of the file speaks of, when [s], and what."""
     ends: Ends | None = None
     """An assumption that ended first."""
     misfit: int | None = None
     """The stretch whose assumptions do not even hold at its beginning."""
+    choice: tuple[int, ...] | None = None
+    """The modes that it has there; None: others than these are to be tried."""
     why: str = ""
     """What speaks against them."""
     dated: int | None = None
@@ -47,11 +58,11 @@ class Followed:
     """The signs that speeds have there, if they alone are not those of the stretch."""
     at: State = field(default_factory=dict)
     """The state in which the last stretch begins."""
+    onward: FollowedSegment | None = None
+    """What goes on from the last state."""
     blow: int | None = None
     """The stretch that ends with an impact whose modes do not hold."""
     far: dict[int, frozenset[str]] = field(default_factory=dict)
     """By the stretch that ends with them: impacts whose bodies are apart."""
-    growing: list[str] = field(default_factory=list)
-    """What is to be largest (or smallest), but is more so every time."""
     tends: dict[sp.Symbol, float] = field(default_factory=dict)
     """Letters of states that are only approached, with their values far along the way there."""

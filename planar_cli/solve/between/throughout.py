@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from decimal import Decimal
@@ -16,7 +17,6 @@ from planar_cli.solve.between.followed import Followed
 from planar_cli.solve.between.motion_equations import MotionEquations
 from planar_cli.solve.between.newton import refined
 from planar_cli.solve.between.route import Router
-from planar_cli.solve.following.follower import Follower
 from planar_cli.solve.regimes.equations import Equation, law_equations, link_equations
 from planar_cli.solve.regimes.timeline import Stop
 
@@ -76,8 +76,9 @@ class Throughout:
         """The first stretch as it was followed; from the only state on, where there is no other."""
         if followed.segments:
             return followed.segments[0]
-        follower, regime = Follower(self.course, self.value), self.course.regimes[0]
-        return follower.segment(regime, follower.begin(regime, followed.at, regime))
+        if followed.onward is None:
+            raise NoValue("the motion was not followed")
+        return followed.onward
 
     def _begun(self, equation: Equation) -> Equation:
         """With what is known of the first state put in."""
@@ -91,7 +92,7 @@ class Throughout:
         assert self.followed is not None
         try:
             segment = self._leg(self.followed)
-            run = segment.t1 - segment.t0 if segment.t1 > segment.t0 else scale_of(segment)
+            run = segment.t1 - segment.t0 if segment.t0 < segment.t1 < math.inf else scale_of(segment)
             here = segment.at(segment.t0 + 0.43 * run)
         except NoValue:
             return None

@@ -23,7 +23,7 @@ from planar_cli.problem.scene import Problem
 from planar_cli.solve.between.asked_finds import AskedFind, asked_letters
 from planar_cli.solve.between.balances import StateBalance
 from planar_cli.solve.between.events import FollowedSegment, events, is_zero, scale_of
-from planar_cli.solve.between.followed import Ends, Followed
+from planar_cli.solve.between.followed import Followed
 from planar_cli.solve.between.motion_equations import MotionEquations
 from planar_cli.solve.between.reached import asked_about
 from planar_cli.solve.between.stated_motion import StatedMotion
@@ -263,10 +263,10 @@ def never(course: MotionEquations, followed: Followed, value: Valuation) -> NoSo
     return _wrong(stop.mark, "PL621", f"state {name} is never reached: {texts}", hint)
 
 
-def meets_again(course: RegimeSequence, ends: Ends) -> NoSolution:
-    """What has parted comes together again before the next state, and nothing says how it goes on."""
-    state = course.states[ends.stretch + 1]
-    text = f"before state {state.name}, at t = {ends.time:.4g} s, `{ends.words}` ends with a blow: it meets again"
+def strikes_before(course: RegimeSequence, stretch: int, time: float, words: str) -> NoSolution:
+    """Something strikes before the next state, and the file does not speak of it."""
+    state = course.states[stretch + 1]
+    text = f"before state {state.name}, at t = {time:.4g} s, there is a blow: {words}"
     hint = "a state `just after` it and an `impact` tell what comes of it; else ask for nothing later"
     return _wrong(state.mark, "PL706", text, hint)
 
@@ -274,45 +274,47 @@ def meets_again(course: RegimeSequence, ends: Ends) -> NoSolution:
 def _hint(course: MotionEquations, followed: Followed, stop: Stop, value: Valuation) -> str:
     """How near the motion comes, whether the relations hold one by one, or before the states that stand before."""
     equations = [d for d in course.demands[stop.name] if d.kind == "equation"]
-    follower = Follower(course, value)
-    follower.done.values = dict(followed.values)
+    reader = _reader(course, followed, value)
     for segment in followed.segments:
-        when = _common(follower, equations, stop, segment, segment.t1)
+        when = _common(reader, equations, stop, segment, segment.t1)
         if when is not None:
             return f"it was reached before, at t = {when:.4g} s: states stand in the order in which they happen"
-    index = next(i for i, s in enumerate(course.states) if s.name == stop.name)
-    regime = course.regimes[index - 1]
-    segment = follower.segment(
-        regime, follower.begin(regime, followed.at, course.readers[course.states[index - 1].name].regime)
-    )
+    onward = followed.onward
     found = []
-    for d in equations:
-        g = follower.function(d.residual, stop, segment)
+    for d in equations if onward is not None else ():
+        assert onward is not None
+        g = reader.along(d.residual, stop, onward)
         try:
-            first = next(events(g, segment), None)
+            first = next(events(g, onward), None)
+            if first is not None:
+                found.append(f"`{d.text}` holds at t = {first.value:.4g} s")
+                continue
+            run = min(20 * scale_of(onward), max(p.t1 for p in onward.pieces) - onward.t0)
+            times = [onward.t0 + run * k / SAMPLES for k in range(SAMPLES + 1)]
+            away, at = _nearest(g, times)
         except NoValue:
             return ""
-        if first is not None:
-            found.append(f"`{d.text}` holds at t = {first.value:.4g} s")
-            continue
-        run = 20 * scale_of(segment)
-        times = [segment.t0 + run * k / SAMPLES for k in range(SAMPLES + 1)]
-        away, at = _nearest(g, times)
         apart = _short(Decimal(repr(away)))
         found.append(f"`{d.text}` is nearest at t = {at:.4g} s, where the sides differ by {apart}")
     return ", ".join(found)
 
 
+def _reader(course: MotionEquations, followed: Followed, value: Valuation) -> Follower:
+    """Who reads formulas along what was followed."""
+    reader = Follower(course, value)
+    reader.done.values = dict(followed.values)
+    return reader
+
+
 def passed_before(course: MotionEquations, followed: Followed, value: Valuation) -> bool:
     """Did what is stated of a state at a given time hold before, on the way from the state before it?"""
-    follower = Follower(course, value)
-    follower.done.values = dict(followed.values)
+    reader = _reader(course, followed, value)
     for state, segment in zip(course.states[1:], followed.segments, strict=False):
         stated = fixed_time(state.relations)
         equations = [d for d in course.demands[state.name] if d.kind == "equation"]
         others = [d for d in equations if stated is not None and d.text != stated.text]
         until = segment.t1 - BEFORE * (segment.t1 - segment.t0)
-        if stated is not None and _common(follower, others, course.stops[state.name], segment, until) is not None:
+        if stated is not None and _common(reader, others, course.stops[state.name], segment, until) is not None:
             return True
     return False
 
@@ -328,15 +330,15 @@ def _nearest(g: Callable[[float], float], times: list[float]) -> tuple[float, fl
 
 
 def _common(
-    follower: Follower, equations: list[Demand], stop: Stop, segment: FollowedSegment, until: float
+    reader: Follower, equations: list[Demand], stop: Stop, segment: FollowedSegment, until: float
 ) -> float | None:
     """When all relations of a state hold on a stretch before it."""
     if not equations or until <= segment.t0:
         return None
-    gs = [follower.function(d.residual, stop, segment) for d in equations]
+    gs = [reader.along(d.residual, stop, segment) for d in equations]
     try:
         for root in islice(events(gs[0], segment, until), ROOTS):
-            sizes = [follower.size(d.residual, stop, segment, root.value) for d in equations]
+            sizes = [reader.size(d.residual, stop, segment, root.value) for d in equations]
             if all(is_zero(g, root.value, segment, size) for g, size in zip(gs[1:], sizes[1:], strict=True)):
                 return root.value
     except NoValue:

@@ -2,32 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from dataclasses import replace
-
 import sympy as sp
 
-from planar_cli.equation.scales import Here
-from planar_cli.errors import NoValue
 from planar_cli.problem.facts import Mode
 from planar_cli.problem.geometry import Vec
-from planar_cli.solve.between.events import FollowedSegment, events, scale_of
-from planar_cli.solve.regimes.directions import becomes_negative
 from planar_cli.solve.regimes.equations import Equation
 from planar_cli.solve.regimes.mode_sequence import ModeSequence, Workshop
-from planar_cli.solve.regimes.regime import Regime
 from planar_cli.solve.regimes.regime_sequence import RegimeSequence
-
-OPEN = 1e-10
-"""A gap that is open, in parts of the largest length in sight."""
-HALVINGS = 24
-
-
-def openings(course: RegimeSequence, i: int, regime: Regime) -> Iterator[tuple[sp.Expr, str]]:
-    """What is positive where joints have parted from state i on, and the words of it."""
-    for gap in regime.gaps:
-        held = held_before(course.modes, course.workshop, i, gap.joint)
-        yield gap.opening(None if held is None else held[0]), gap.words
 
 
 def held_before(sequence: ModeSequence, workshop: Workshop, i: int, joint: str) -> tuple[int, Mode] | None:
@@ -66,33 +47,3 @@ def just_parted(course: RegimeSequence) -> list[Equation]:
     regime, first = course.regimes[0], course.first
     rates = [(regime.derivative(g.expr), g.words) for g in regime.gaps]
     return [Equation(first.at(rate), "start", f"{words}, and has just touched", first.name) for rate, words in rates]
-
-
-def closes_at_once(regime: Regime, opening: sp.Expr, here: Here) -> bool:
-    """Would what is taken for parted press into its partner?"""
-    for expr in (opening, rate := regime.derivative(opening)):
-        sign = here.sign(expr)
-        if sign:
-            return sign < 0
-    return becomes_negative(regime, rate, here)
-
-
-def closing(g: Callable[[float], float], segment: FollowedSegment, until: float | None) -> float | None:
-    """When a gap that opens from zero at the beginning of a segment has closed again; None: not before `until`."""
-    scale = scale_of(segment)
-    for k in range(HALVINGS, -1, -1):
-        begin = segment.t0 + scale * 2.0**-k
-        if until is not None and begin >= until:
-            return None
-        try:
-            away = g(begin)
-        except NoValue:
-            return None
-        if abs(away) > OPEN * segment.length:
-            break
-    else:
-        return None
-    if away < 0:
-        return begin
-    later = replace(segment, t0=begin, start=segment.at(begin))
-    return next((r.value for r in events(g, later, until) if r.kind == "crossing"), None)

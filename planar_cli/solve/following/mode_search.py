@@ -18,34 +18,32 @@ from planar_cli.solve.between.alternatives import chosen_extreme, one_of
 from planar_cli.solve.between.asked_finds import AskedFind, asked_finds, asked_letters
 from planar_cli.solve.between.branch_order import candidates
 from planar_cli.solve.between.chain import Branch
-from planar_cli.solve.between.differences import by_differences
 from planar_cli.solve.between.followed import Followed
-from planar_cli.solve.between.integrals_that_hold import holding
 from planar_cli.solve.between.masses import demand_mass
-from planar_cli.solve.between.matching import beside, onward, same_motion
+from planar_cli.solve.between.matching import onward, same_motion
 from planar_cli.solve.between.methods import by_method
 from planar_cli.solve.between.motion_equations import MotionEquations, all_equations, first_equations
 from planar_cli.solve.between.needed_times import without_unneeded_times
-from planar_cli.solve.between.newton import refined_left
 from planar_cli.solve.between.reached import asked_about
 from planar_cli.solve.between.solved_motion import SolvedMotion
 from planar_cli.solve.between.stated_motion import StatedMotion, stated_motion
 from planar_cli.solve.diagnosis.motions import (
     clash,
-    demand_agreement,
     demand_told,
-    meets_again,
     missing,
     never,
     passed_before,
+    strikes_before,
 )
-from planar_cli.solve.diagnosis.unbounded_times import Endless, demand_no_times, without_endless_places, without_times
+from planar_cli.solve.diagnosis.unbounded_times import Endless
 from planar_cli.solve.following.continuation import continued_branch
 from planar_cli.solve.following.departure import DEPARTS, departure_of
 from planar_cli.solve.following.follower import Follower
+from planar_cli.solve.following.foreseen import as_it_happens, foreseen
 from planar_cli.solve.following.gaps import just_parted
 from planar_cli.solve.following.known_prefix import Beginning, beginning
-from planar_cli.solve.following.mode_choice import ModeChoice, assumed, at_a_top
+from planar_cli.solve.following.mode_choice import Far, ModeChoice, assumed, at_a_top
+from planar_cli.solve.following.solved_beside import solved_beside
 from planar_cli.solve.following.starts import (
     Start,
     balanced,
@@ -55,15 +53,33 @@ from planar_cli.solve.following.starts import (
     trial_start,
     untold,
 )
+from planar_cli.solve.following.traced import Traced
 from planar_cli.solve.principled import principle_of
 from planar_cli.solve.regimes.first_modes import first_modes
 from planar_cli.solve.regimes.mode_sequence import ModeSequence
 from planar_cli.solve.regimes.regime_sequence import regime_sequence
 
 CHANGES = 40
-NOTHING = Decimal("1e-13")
 AT_A_TOP = "the last state is one of equilibrium: with a little more it is passed, with less never reached"
 STAYS = "it begins at rest in equilibrium, where every acceleration vanishes: nothing moves"
+
+
+@dataclass(slots=True)
+class Seen:
+    """What came of following the branches of the equations."""
+
+    far: dict[int, frozenset[str]]
+    """By the stretch that ends with them: impacts whose bodies are apart."""
+    fits: list[SolvedMotion] = field(default_factory=list)
+    """Branches that happen so."""
+    again: list[SolvedMotion] = field(default_factory=list)
+    """Such as pass a state before it is meant."""
+    changed: ModeSequence | None = None
+    """Other modes that the first of the others has."""
+    lost: Branch | None = None
+    """The first that can not be followed."""
+    otherwise: set[tuple[tuple[sp.Symbol, Decimal], ...]] = field(default_factory=set)
+    """Starts, with the constants that are sought, from which the motion has other modes."""
 
 
 @dataclass(slots=True)
@@ -84,13 +100,20 @@ class ModeSearch(ModeChoice):
     """The free speeds by which that equilibrium can be left."""
     sense: int = 0
     """To which side it is left, 1 or -1; 0: not at all."""
+    seen: Traced | None = None
+    """The motion, where the file tells all of it."""
     loose: tuple[MotionEquations, tuple[AskedFind, ...]] | None = None
     """The equations, and what is asked, before what rests was held."""
 
     def run(self) -> SolvedMotion:
         """The modes that happen, and the motion in them."""
         modes = first_modes(self.problem, self.workshop)
-        for _ in range(CHANGES):
+        self.seen = foreseen(self.problem, self.workshop)
+        if self.seen is not None:
+            modes = as_it_happens(modes, self.seen, self.workshop)
+        looked: list[tuple[ModeSequence, int]] = []
+        while (modes, self.sense) not in looked and len(looked) < CHANGES:
+            looked.append((modes, self.sense))
             sequence = regime_sequence(self.problem, modes, self.workshop)
             blocked = next((i for i, r in enumerate(sequence.regimes) if not r.moves()), None)
             if blocked is not None:
@@ -111,8 +134,12 @@ class ModeSearch(ModeChoice):
                 why = (DEPARTS,) if self.sense else (STAYS,) if stays else ()
                 return replace(found, checks=(*found.checks, *why))
             modes = found
+        for regime in sequence.regimes:
+            regime.general.demand_unique(regime.undetermined)
         mark = self.problem.find[0].mark if self.problem.find else self.problem.states[0].mark
-        text = f"{mark.file}:{mark.line}: not decided, {CHANGES} assumptions about the modes of joints have been tried"
+        text = (
+            f"{mark.file}:{mark.line}: not decided, {len(looked)} assumptions about the modes of joints have been tried"
+        )
         raise Undecided(f"{text}; it may help to ask for less of the motion, or to follow it with `planar simulate`")
 
     def _solve_departing(self, course: MotionEquations, finds: tuple[AskedFind, ...]) -> SolvedMotion | ModeSequence:
@@ -207,40 +234,24 @@ class ModeSearch(ModeChoice):
         self, course: MotionEquations, finds: tuple[AskedFind, ...], start: dict[sp.Symbol, Decimal]
     ) -> SolvedMotion | ModeSequence:
         known = self._known(course)
-        followed = Follower(course, known).run({s: float(v) for s, v in start.items()})
+        seen = self.seen if course.departure is None else None
+        followed = Follower(course, known, seen=seen).run({s: float(v) for s, v in start.items()})
         changed = self._changed(course, followed)
         if changed is not None:
             return changed
         course = self._relate(course, finds)
+        if followed.lost:
+            found = self._led(course, finds, candidates(course))
+            if found is None:
+                raise self.lack or Undecided(f"the motion can not be followed: {followed.lost}")
+            return found
         if followed.missed is not None:
             related = self._related(*(self.loose or (course, finds)), followed.missed)
             if related is not None:
                 return related
             raise never(course, followed, known)
         followed.values |= {s: float(known(s)) for s in course.sought() if self.trial}
-        for regime in course.distinct_regimes():
-            regime.general.demand_unique(regime.undetermined)
-        if course.departure is not None:
-            demand_no_times(course, finds)
-            followed.values[course.first.letters[course.departure.speed]] = 0.0
-            course = replace(course, equations=without_times(course))
-        if followed.tends:
-            course = replace(course, equations=without_endless_places(course, followed))
-        course = replace(course, equations=holding(course.equations, followed.values, course.base()))
-        course, differences = by_differences(course, finds, followed.values)
-        followed.values |= differences
-        chain = course.chain()
-        chain = replace(chain, truth=followed.values, tends=followed.tends)
-        course, branch = beside(course, finds, chain)
-        open_letters = [s for s in followed.values if s not in branch.values]
-        more = refined_left(course, branch, open_letters, followed.values)
-        guessed = {s for s in open_letters if s not in more}
-        natural = course.natural(guessed)
-        more |= {s: _number(followed.values[s], natural[s]) for s in guessed}
-        value = course.base().extended({**more, **branch.values})
-        demand_agreement(course, value, guessed)
-        later = tuple(f"{text}: the first time; later it is more so" for text in dict.fromkeys(followed.growing))
-        return SolvedMotion(course, finds, branch, followed, value, frozenset(guessed), checks=later)
+        return solved_beside(course, finds, followed)
 
     @property
     def _alone(self) -> str:
@@ -274,21 +285,20 @@ class ModeSearch(ModeChoice):
                 text = f"no assumption about the contacts holds in the blow: {self.why}"
                 raise self.lack or NoSolution([Diagnostic(modes.states[followed.blow + 1].mark, "PL622", text)])
             return other
+        if followed.struck is not None:
+            raise strikes_before(course, *followed.struck)
         if followed.misfit is not None and followed.ways:
             return modes.going(followed.misfit, followed.ways)
+        if followed.misfit is not None and followed.choice is not None:
+            return modes.changed(followed.misfit, followed.choice)
         if followed.misfit is not None:
             return self._next(modes, followed.misfit, followed.why)
         if followed.dated is not None:
             return modes.dated(followed.dated)
         if followed.ends is not None:
             ends = followed.ends
-            if ends.again:
-                raise meets_again(course, ends)
             changed = modes.turned(ends.stretch, ends.expr, ends.words)
-            regime = course.regimes[ends.stretch]
-            if any(ends.expr == w.expr for w in regime.watches) or ends.expr in regime.slips:
-                return self._next(changed, ends.stretch + 1, ends.words)
-            return changed
+            return changed if ends.choice is None else changed.changed(ends.stretch + 1, ends.choice)
         return None
 
     # --- a start that is sought --------------------------------------------------------------------------------------
@@ -307,60 +317,76 @@ class ModeSearch(ModeChoice):
     def _of_branches(
         self, course: MotionEquations, finds: tuple[AskedFind, ...], known: Beginning
     ) -> SolvedMotion | ModeSequence:
-        changed: ModeSequence | None = None
-        again: list[SolvedMotion] = []
-        fits: list[SolvedMotion] = []
-        far: dict[int, frozenset[str]] = dict(known.followed.far)
+        seen = Seen(far=dict(known.followed.far))
         branches, guessed = known.after(course, candidates(course))
         for branch in branches:
-            value = course.base().extended(branch.values)
-            start = {s: branch.values[own] for s, own in course.first.letters.items() if own in branch.values}
-            if branch.left or set(start) != set(course.first.letters) or untold(course):
+            if branch.left or not set(course.first.letters.values()) <= set(branch.values) or untold(course):
                 found = self._led(course, finds, branches)
-                if found is None:
-                    continue
-                return found
-            followed = self._along(course, value, start)
-            if followed is None:
+                if found is not None:
+                    return found
                 continue
-            far |= followed.far
-            other = self._changed(course, followed)
-            if other is not None:
-                changed = changed or other
-                continue
-            last = course.states[-1].name
-            # Rounding decides whether a motion that is followed gets to such a place.
-            if followed.missed in (None, last) and at_a_top(course, last, value):
-                return SolvedMotion(course, finds, branch, None, value, checks=(AT_A_TOP,))
-            if followed.missed is None and same_motion(course, followed, branch):
-                more = {s: Decimal(repr(v)) for s, v in followed.values.items() if s not in branch.values}
-                found = SolvedMotion(course, finds, branch, followed, value.extended(more), guessed | set(more))
-                first = not course.sought() or not passed_before(course, followed, value)
-                (fits if first else again).append(found)
-                if first and chosen_extreme(course) is None:
-                    break
-        if fits or again:
-            return one_of(course, fits, again)
-        if changed is not None:
-            return changed
+            top = self._look(course, SolvedMotion(course, finds, branch, None, course.base(), guessed), seen)
+            if top is not None:
+                return top
+            if seen.fits and chosen_extreme(course) is None:
+                break
+        if seen.fits or seen.again:
+            return one_of(course, seen.fits, seen.again)
+        found = None if seen.lost is None else self._led(course, finds, [seen.lost])
+        if found is not None:
+            return found
+        return seen.changed if seen.changed is not None else self._none_fits(course, branches, seen.far)
+
+    def _look(self, course: MotionEquations, found: SolvedMotion, seen: Seen) -> SolvedMotion | None:
+        """Follow the motion of one branch; what comes of it goes to what was `seen`, but a motion to a top."""
+        branch, value = found.branch, course.base().extended(found.branch.values)
+        last = course.states[-1].name
+        # A motion that comes to rest at a top is never there; it is followed to the state before it.
+        top = len(course.states) > 1 and at_a_top(course, last, value)
+        start = {s: branch.values[own] for s, own in course.first.letters.items()}
+        begun = (*start.items(), *((s, v) for s, v in branch.values.items() if s in course.sought()))
+        if begun in seen.otherwise:
+            return None
+        followed = self._along(course, value, start, len(course.states) - 2 if top else None)
+        if followed is None:
+            return None
+        if followed.lost:
+            seen.lost = seen.lost or branch
+            return None
+        seen.far |= followed.far
+        other = self._changed(course, followed)
+        if other is not None:
+            seen.changed = seen.changed or other
+            seen.otherwise.add(begun)
+            return None
+        if top and followed.missed is None:
+            return replace(found, value=value, guessed=frozenset(), checks=(AT_A_TOP,))
+        if followed.missed is None and same_motion(course, followed, branch):
+            more = {s: Decimal(repr(v)) for s, v in followed.values.items() if s not in branch.values}
+            first = not course.sought() or not passed_before(course, followed, value)
+            fit = replace(found, followed=followed, value=value.extended(more), guessed=found.guessed | set(more))
+            (seen.fits if first else seen.again).append(fit)
+        return None
+
+    def _none_fits(self, course: MotionEquations, branches: list[Branch], far: Far) -> ModeSequence:
+        """Other modes where in these no motion passes through the states. NoSolution: all have been tried."""
         clashing = None if branches else clash(course, course.equations)
         wrong = clashing if clashing is not None and course.sought() else missing(course) or clashing
         text = "no motion passes through these states"
         self.lack = self.lack or wrong or NoSolution([Diagnostic(course.states[0].mark, "PL620", text)])
         other = self._elsewhere(course, text, far)
-        if other is not None:
-            return other
-        if branches:
-            raise self.lack
-        other = self._other(course.modes, 0, text)
+        if other is None and not branches:
+            other = self._other(course.modes, 0, text)
         if other is None:
             raise self.lack
         return other
 
-    def _along(self, course: MotionEquations, value: Valuation, start: dict[sp.Symbol, Decimal]) -> Followed | None:
-        """The motion of one branch, followed from its start; None: it cannot be."""
+    def _along(
+        self, course: MotionEquations, value: Valuation, start: dict[sp.Symbol, Decimal], until: int | None
+    ) -> Followed | None:
+        """The motion of one branch, followed from its start, `until` so many stretches have passed; None: it cannot."""
         try:
-            return Follower(course, value).run({s: float(v) for s, v in start.items()})
+            return Follower(course, value, until).run({s: float(v) for s, v in start.items()})
         except NoSolution as error:
             self.lack = self.lack or error
         except NoValue:
@@ -371,6 +397,8 @@ class ModeSearch(ModeChoice):
         self, course: MotionEquations, finds: tuple[AskedFind, ...], branches: list[Branch]
     ) -> SolvedMotion | None:
         """Where no motion can be followed: the branch to which the drawn position leads; None: after blows, another."""
+        for regime in course.distinct_regimes():
+            regime.general.demand_unique(regime.undetermined)
         led = continued_branch(course, branches)
         try:
             demand_told(course, finds, led.values)
@@ -380,9 +408,3 @@ class ModeSearch(ModeChoice):
             self.lack = self.lack or error
             return None
         return SolvedMotion(course, finds, led, None, course.base().extended(led.values))
-
-
-def _number(followed: float, natural: Decimal) -> Decimal:
-    """What a step method gave; what it leaves of a zero is none, beside an ordinary size."""
-    number = Decimal(repr(followed))
-    return number if abs(number) >= NOTHING * natural else Decimal(0)

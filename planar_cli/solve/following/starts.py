@@ -128,7 +128,8 @@ def _stays(
         if c.drawn is None or c.symbol not in rate.free_symbols or regime.rates[c.symbol].subs(still) != 0:
             continue
         # What the first state does not tell rests where it was drawn.
-        if abs(base(c.drawn) - start.get(c.symbol, base(c.drawn))) > CERTAIN:
+        drawn = base.known(c.drawn)
+        if drawn is not None and abs(drawn - start.get(c.symbol, drawn)) > CERTAIN:
             return False
         rate = rate.subs(c.symbol, c.drawn)
     return not longer(rate, LONG) and identically_zero(rate)

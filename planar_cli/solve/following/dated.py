@@ -1,0 +1,31 @@
+"""States that no following finds by themselves, put at their times: those told by a quantity over a span."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from fractions import Fraction
+
+from planar_cli.problem.expression import JustAfter, Name, Number, Quantity, Relation
+from planar_cli.problem.scene import Problem, State
+from planar_cli.problem.walk import walk
+
+
+def is_told_by_a_span(state: State) -> bool:
+    """Does a state say something of what happens between states?"""
+    if any(isinstance(r, JustAfter) for r in state.relations):
+        return False
+    nodes = (n for r in state.relations for n in walk(r))
+    return any(isinstance(n, Quantity) and isinstance(n.at, tuple) for n in nodes)
+
+
+def dated(problem: Problem, times: Mapping[str, float]) -> Problem:
+    """The problem with such states at their times [s], where these are known."""
+    states = tuple(_at(s, times[s.name]) if s.name in times and is_told_by_a_span(s) else s for s in problem.states)
+    return replace(problem, states=states)
+
+
+def _at(state: State, time: float) -> State:
+    mark = state.mark
+    number = Number(Fraction(abs(time)), "s", -1 if time < 0 else 1, mark)
+    return replace(state, relations=(Relation(Name("t", None, mark), "=", number, f"t = {time:.9g} s", mark),))

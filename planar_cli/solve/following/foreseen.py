@@ -1,0 +1,77 @@
+"""What a motion does that its file tells altogether: it is followed once before any equation is written.
+
+Then the equations are written in the modes that happen. Letters of the file take numbers for which the motion passes
+all states; where it does not with those that are drawn first, others are drawn.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import Any
+
+from planar_cli.equation.sample import other_draws, seeded
+from planar_cli.equation.setup import numbers_of
+from planar_cli.problem.scene import Problem
+from planar_cli.solve.following.traced import Traced, as_told, choice_of
+from planar_cli.solve.regimes.mode_sequence import ModeSequence, Stretch, Workshop, spans_of
+
+
+def foreseen(problem: Problem, workshop: Workshop) -> Traced | None:
+    """The motion; None: the file does not tell all of it."""
+    if problem.unknowns or not problem.states[1:]:
+        return None
+    return as_told(problem, {**numbers_of(workshop.earlier), **_letters(problem, workshop)})
+
+
+def _letters(problem: Problem, workshop: Workshop) -> dict[str, float]:
+    """Numbers that are drawn for the letters of a file."""
+    if not problem.symbols:
+        return {}
+    scene = workshop.drawn(spans_of(problem, problem.states)[0]).scene
+    names = [s.name for s in problem.symbols] + ["g"]
+    symbols = {n: scene.ledger.symbols[n] for n in names if n in scene.ledger.symbols}
+    return {n: float(scene.valuations[0](s)) for n, s in symbols.items()}
+
+
+def fitting_draws(problem: Problem, earlier: Mapping[str, Any]) -> tuple[int, bool]:
+    """A seed whose draws let the motion pass all states, and whether it draws widely; the present one where none does,
+    or nothing is drawn.
+    """
+    own, *others = other_draws()
+    if not problem.symbols or problem.unknowns or not problem.states[1:]:
+        return own
+    return next((d for d in (own, *others) if _passes(problem, earlier, *d)), own)
+
+
+def _passes(problem: Problem, earlier: Mapping[str, Any], seed: int, wide: bool) -> bool:
+    """Does the motion pass all states with the draws of a seed?"""
+    with seeded(seed, wide):
+        found = foreseen(problem, Workshop(earlier))
+    return found is not None and all(found.moment(s.name) is not None for s in problem.states)
+
+
+def as_it_happens(modes: ModeSequence, motion: Traced, workshop: Workshop) -> ModeSequence:
+    """The modes with which every stretch begins, as far as the motion gets."""
+    stretches, beyond = list(modes.stretches), modes.beyond
+    for i, stretch in enumerate(stretches):
+        if stretch.blow is None:
+            stretches[i] = _begun(modes, i, stretch, motion, workshop) or _as_before(stretches[:i], stretch)
+    if beyond is not None:
+        beyond = _begun(modes, len(stretches), beyond, motion, workshop) or _as_before(stretches, beyond)
+    return replace(modes, stretches=tuple(stretches), beyond=beyond)
+
+
+def _as_before(stretches: Sequence[Stretch], stretch: Stretch) -> Stretch:
+    """A stretch that the motion does not get to, in the modes before it where the same things act."""
+    before = stretches[-1] if stretches else stretch
+    return replace(stretch, choice=before.choice) if before.span.key == stretch.span.key else stretch
+
+
+def _begun(modes: ModeSequence, i: int, stretch: Stretch, motion: Traced, workshop: Workshop) -> Stretch | None:
+    """A stretch in the modes with which it begins; None: the motion does not get there."""
+    moment = motion.moment(modes.states[i].name)
+    begins = None if moment is None else motion.begins(moment.t, motion.run.model.time_scale)
+    if begins is None:
+        return None
+    return replace(stretch, choice=choice_of(workshop, stretch, begins[0]))

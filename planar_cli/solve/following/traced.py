@@ -1,0 +1,243 @@
+"""The motion of a course as the engine follows it: from the first state on, in the modes that happen."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+
+import sympy as sp
+
+from planar_cli.equation.exact import Valuation
+from planar_cli.equation.setup import numbers_of
+from planar_cli.errors import FileProblem, NoSolution, Undecided
+from planar_cli.integrators.base import MOST_STEPS
+from planar_cli.motion.automaton import Choice, Start
+from planar_cli.motion.segment import Segment
+from planar_cli.motion.trajectory import Transition
+from planar_cli.motion.transition import Moment as Instant
+from planar_cli.motion.transition import Resolved, resolve
+from planar_cli.problem.facts import Mode
+from planar_cli.problem.scene import Problem
+from planar_cli.records import record
+from planar_cli.simulate.measures import Moment
+from planar_cli.simulate.run import Prepared, Run, Settings, followed, prepared
+from planar_cli.solve.between.stated_motion import StatedMotion
+from planar_cli.solve.following.dated import dated
+from planar_cli.solve.following.letters import Letters
+from planar_cli.solve.impulsive.impact import arriving
+from planar_cli.solve.regimes.mode_sequence import Stretch, Workshop, fixed_time
+
+TOLERANCES = (1e-15, 1e-12, 1e-9)
+"""Of the steps of a motion that decides what happens, in parts of the scene's scales; the next where one is too fine to
+get through a singular position.
+"""
+SEARCHED_STEPS = 6000
+"""So many steps are taken to find a state that no time tells."""
+BEYOND = 0.01
+"""A motion is followed this part of its time beyond the last state."""
+SOON = 1e-9
+"""A piece that lasts for a smaller part of an ordinary time is none."""
+NOT_TOLD = "PL704"
+"""The diagnostic of a start that the file does not tell."""
+Label = tuple[str, int, int, str, int]
+"""What tells a mode of a joint from its others: name, direction, side, words, and its number among those alike."""
+
+
+@record
+class Traced:
+    """One motion that was followed."""
+
+    run: Run
+
+    def moment(self, name: str) -> Moment | None:
+        """A state of the file; None: it was not reached."""
+        return self.run.measures.moments.get(name)
+
+    @property
+    def refused(self) -> bool:
+        """Could it not be followed on, for another reason than that a state does not come?"""
+        outcome = self.run.trajectory.outcome
+        return outcome.refused and outcome.kind != "long"
+
+    @property
+    def end(self) -> float:
+        """To where it was followed [s]."""
+        return self.run.trajectory.t1
+
+    def pieces(self, since: float, until: float) -> list[Segment]:
+        """The segments in which time passes between two times."""
+        return [s for s in self.run.trajectory.segments if s.t1 > since and s.t0 < until]
+
+    def transitions(self, since: float, until: float) -> Iterator[Transition]:
+        """What happens between two times, without these."""
+        return (x for x in self.run.trajectory.transitions if since < x.t < until)
+
+    def reached(self, t: float) -> tuple[str, ...]:
+        """The states of the file that have been reached up to a time."""
+        first = self.run.problem.states[:1]
+        return (*(s.name for s in first), *(e.name for e in self.run.trajectory.events if e.t <= t))
+
+    def modes(self, piece: Segment) -> dict[str, Label]:
+        """The modes of a segment, by joint."""
+        return self._labelled(self.reached(piece.t0), piece.choice)
+
+    def _labelled(self, reached: tuple[str, ...], choice: Choice) -> dict[str, Label]:
+        automaton = self.run.prepared.stages.automaton(reached)
+        pairs = zip(automaton.choices.items(), choice, strict=True)
+        return {joint: labels(modes)[k] for (joint, modes), k in pairs}
+
+    def begins(self, t: float, pace: float) -> tuple[dict[str, Label], tuple[float, ...]] | None:
+        """The modes just after a time, and the state of the scene; None: nothing tells. `pace`: an ordinary time."""
+        piece = next(iter(self.pieces(t + SOON * pace, math.inf)), None)
+        if piece is None:
+            return self._after(t)
+        return self.modes(piece), piece.start if piece.t0 >= t else tuple(piece.at(t))
+
+    def _after(self, t: float) -> tuple[dict[str, Label], tuple[float, ...]] | None:
+        """The same at the end of the motion; None: nothing consistent follows."""
+        names = self.reached(t)
+        moment, last = self.moment(names[-1]), self.run.trajectory.event(names[-1])
+        automaton = self.run.prepared.stages.automaton(names)
+        if moment is None:
+            return None
+        same = last is not None and len(last.choice) == len(automaton.choices)
+        choice = last.choice if last is not None and same else (0,) * len(automaton.choices)
+        found = resolve(Instant(automaton, moment.t, moment.y, choice, "", TOLERANCES[0]))
+        return (self._labelled(names, found.choice), found.state) if isinstance(found, Resolved) else None
+
+
+def labels(modes: Sequence[Mode]) -> list[Label]:
+    """What tells the modes of a joint from each other."""
+    count: Counter[tuple[str, int, int, str]] = Counter()
+    found = []
+    for mode in modes:
+        key = (mode.name, mode.direction, mode.side, mode.words)
+        found.append((*key, count[key]))
+        count[key] += 1
+    return found
+
+
+def choice_of(workshop: Workshop, stretch: Stretch, modes: Mapping[str, Label]) -> tuple[int, ...]:
+    """The choice on a stretch that has these modes; a joint that has but one way to act keeps its own."""
+    found = []
+    for (joint, own), now in zip(workshop.drawn(stretch.span).modes, stretch.choice, strict=True):
+        label, known = modes.get(joint.name), labels(own)
+        found.append(known.index(label) if label is not None and label in known else now)
+    return tuple(found)
+
+
+def traced(course: StatedMotion, problem: Problem, value: Valuation, start: Mapping[sp.Symbol, float]) -> Traced | str:
+    """The motion of a problem from the letters of its first state, or why it can not be followed. `value`: numbers of
+    what does not vary.
+    """
+    opened = {n: s for blow in course.blows.values() for n, s in blow.scene.open_names.items()}
+    told = {n: float(number) for n, s in opened.items() if (number := value.known(s)) is not None}
+    problem = replace(problem, joints=tuple(j.told(told) for j in problem.joints))
+    times = _times(course, value)
+    problem = dated(problem, times)
+    values = _values(course, problem, value)
+    speeds = _speeds(course, value, start)
+    try:
+        scene = _prepared(problem, values, speeds, {s.name: v for s, v in start.items()})
+        scene = _departing(course, scene, value, start)
+        return _traced(scene, values, _end(problem, times))
+    except (FileProblem, NoSolution) as refused:
+        return refused.diagnostics[0].message
+    except Undecided as undecided:
+        return str(undecided)
+
+
+def as_told(problem: Problem, values: Mapping[str, float]) -> Traced | None:
+    """The motion of a problem that tells its start itself; None: it can not be followed. `values`: numbers for its
+    letters, and of earlier finds.
+    """
+    try:
+        found = _traced(prepared(problem, values), values)
+    except (FileProblem, NoSolution, Undecided):
+        # Whoever solves it tells what keeps it from being followed.
+        return None
+    return None if found.refused else found
+
+
+def _end(problem: Problem, times: Mapping[str, float]) -> float | None:
+    """A little beyond the last state, where it is known beforehand when that is [s]."""
+    known = [times[s.name] for s in problem.states if s.name in times]
+    first, last = min(known, default=0.0), max(known, default=0.0)
+    return last + BEYOND * (last - first) if len(known) == len(problem.states) and last > first else None
+
+
+def _traced(scene: Prepared, values: Mapping[str, float], until: float | None = None) -> Traced:
+    """The motion at the first tolerance at which it can be followed to its end; else at the first one. `until`: that
+    end, where it is known [s].
+    """
+    found: list[Traced] = []
+    timed = all(fixed_time(s.relations) is not None for s in scene.problem.states[1:])
+    most = MOST_STEPS if timed else SEARCHED_STEPS
+    for tolerance in TOLERANCES:
+        settings = Settings(until, tolerance, values=values, estimate=False, most_steps=most, momenta=True)
+        found.append(Traced(followed(scene, settings)))
+        if not found[-1].refused:
+            return found[-1]
+    return found[0]
+
+
+def _prepared(
+    problem: Problem,
+    values: Mapping[str, float],
+    speeds: Mapping[str, tuple[float, float, float]],
+    start: Mapping[str, float],
+) -> Prepared:
+    """The scene. Where the file does not tell its coordinates at the start, they are those of `start`."""
+    try:
+        return prepared(problem, values, speeds)
+    except FileProblem as refused:
+        told = {c.name: start[c.name] for c in problem.coordinates if c.name in start and c.name not in values}
+        if refused.diagnostics[0].code != NOT_TOLD or not told:
+            raise
+        return prepared(problem, {**values, **told}, speeds)
+
+
+def _times(course: StatedMotion, value: Valuation) -> dict[str, float]:
+    """When states are, as far as that is known beforehand [s]."""
+    known = {name: value.known(stop.t) for name, stop in course.stops.items()}
+    return {name: float(t) for name, t in known.items() if t is not None}
+
+
+def _values(course: StatedMotion, problem: Problem, value: Valuation) -> dict[str, float]:
+    """Numbers of letters and sought constants, and finds of earlier cases."""
+    names = [s.name for s in (*problem.symbols, *problem.unknowns)]
+    names += ["g"] if problem.symbols else []
+    symbols = {n: course.ledger.symbols[n] for n in names if n in course.ledger.symbols}
+    numbers = {n: number for n, s in symbols.items() if (number := value.known(s)) is not None}
+    return {**numbers_of(course.workshop.earlier), **{n: float(v) for n, v in numbers.items()}}
+
+
+def _speeds(
+    course: StatedMotion, value: Valuation, start: Mapping[sp.Symbol, float]
+) -> dict[str, tuple[float, float, float]]:
+    """Of the mass centres along x and y, and of turning, in the first state."""
+    regime = course.readers[course.states[0].name].regime
+    letters = Letters.exact(start)
+    here = value.extended({s: letters[s] for s in regime.letters if s in letters})
+    found = {}
+    for body, (v, spin) in arriving(regime).items():
+        parts = [here.known(regime.closed(sp.sympify(e))) for e in (v.x, v.y, spin)]
+        numbers = [float(p) for p in parts if p is not None]
+        if len(numbers) == len(parts):
+            found[body] = (numbers[0], numbers[1], numbers[2])
+    return found
+
+
+def _departing(course: StatedMotion, scene: Prepared, value: Valuation, start: Mapping[sp.Symbol, float]) -> Prepared:
+    """From an unstable equilibrium, with the slight touch by which it is left."""
+    departure = getattr(course, "departure", None)
+    if departure is None:
+        return scene
+    letters = Letters(course.regimes[0], scene.model, value)
+    touch = letters.velocities(start)
+    t, y = scene.start.t, scene.start.y
+    half = len(y) // 2
+    moved = [*y[:half], *(v + touch.get(i, 0.0) for i, v in enumerate(y[half:]))]
+    return replace(scene, start=Start(t, tuple(scene.model.regime().project(t, moved)), scene.start.choice))
