@@ -183,8 +183,7 @@ class Follower:
         """The regime followed to `end`, or to the first guard that falls or relation of a state that is reached."""
         left = self.setting.most_steps - self.work.steps
         if left <= 0:
-            text = f"more than {self.setting.most_steps} steps until t = {self.t:.9g} s"
-            raise TooManySteps(text, self.t, self.y)
+            raise TooManySteps(f"more than {self.setting.most_steps} steps until t = {self.t:.9g} s", self.t, self.y)
         setting = replace(self.setting, scale=self.automaton.scale, project=regime.project, most_steps=left)
         if not self.automaton.autonomous and self._rests(regime):
             setting = replace(setting, longest=min(setting.longest, (end - self.t) / UNSTEADY_STEPS))

@@ -43,6 +43,7 @@ from planar_cli.solve.following.foreseen import as_it_happens, foreseen
 from planar_cli.solve.following.gaps import just_parted
 from planar_cli.solve.following.known_prefix import Beginning, beginning
 from planar_cli.solve.following.mode_choice import Far, ModeChoice, assumed, at_a_top
+from planar_cli.solve.following.seen import Seen
 from planar_cli.solve.following.solved_beside import solved_beside
 from planar_cli.solve.following.starts import (
     Start,
@@ -62,24 +63,6 @@ from planar_cli.solve.regimes.regime_sequence import regime_sequence
 CHANGES = 40
 AT_A_TOP = "the last state is one of equilibrium: with a little more it is passed, with less never reached"
 STAYS = "it begins at rest in equilibrium, where every acceleration vanishes: nothing moves"
-
-
-@dataclass(slots=True)
-class Seen:
-    """What came of following the branches of the equations."""
-
-    far: dict[int, frozenset[str]]
-    """By the stretch that ends with them: impacts whose bodies are apart."""
-    fits: list[SolvedMotion] = field(default_factory=list)
-    """Branches that happen so."""
-    again: list[SolvedMotion] = field(default_factory=list)
-    """Such as pass a state before it is meant."""
-    changed: ModeSequence | None = None
-    """Other modes that the first of the others has."""
-    lost: Branch | None = None
-    """The first that can not be followed."""
-    otherwise: set[tuple[tuple[sp.Symbol, Decimal], ...]] = field(default_factory=set)
-    """Starts, with the constants that are sought, from which the motion has other modes."""
 
 
 @dataclass(slots=True)

@@ -33,8 +33,8 @@ TOLERANCES = (1e-15, 1e-12, 1e-9)
 """Of the steps of a motion that decides what happens, in parts of the scene's scales; the next where one is too fine to
 get through a singular position.
 """
-SEARCHED_STEPS = 6000
-"""So many steps are taken to find a state that no time tells."""
+SEARCHED_STEPS, SOUGHT_STEPS = 6000, 3000
+"""So many steps are taken to find a state that no time tells, and for one of many numbers of a constant."""
 BEYOND = 0.01
 """A motion is followed this part of its time beyond the last state."""
 SOON = 1e-9
@@ -142,7 +142,7 @@ def traced(course: StatedMotion, problem: Problem, value: Valuation, start: Mapp
     try:
         scene = _prepared(problem, values, speeds, {s.name: v for s, v in start.items()})
         scene = _departing(course, scene, value, start)
-        return _traced(scene, values, _end(problem, times))
+        return _traced(scene, values, _end(problem, times), bool(problem.unknowns))
     except (FileProblem, NoSolution) as refused:
         return refused.diagnostics[0].message
     except Undecided as undecided:
@@ -168,15 +168,15 @@ def _end(problem: Problem, times: Mapping[str, float]) -> float | None:
     return last + BEYOND * (last - first) if len(known) == len(problem.states) and last > first else None
 
 
-def _traced(scene: Prepared, values: Mapping[str, float], until: float | None = None) -> Traced:
+def _traced(scene: Prepared, values: Mapping[str, float], until: float | None = None, sought: bool = False) -> Traced:
     """The motion at the first tolerance at which it can be followed to its end; else at the first one. `until`: that
-    end, where it is known [s].
+    end, where it is known [s]; `sought`: is it one of many, for other numbers of a constant?
     """
     found: list[Traced] = []
     timed = all(fixed_time(s.relations) is not None for s in scene.problem.states[1:])
-    most = MOST_STEPS if timed else SEARCHED_STEPS
-    for tolerance in TOLERANCES:
-        settings = Settings(until, tolerance, values=values, estimate=False, most_steps=most, momenta=True)
+    most = SOUGHT_STEPS if sought else MOST_STEPS if timed else SEARCHED_STEPS
+    for tolerance in TOLERANCES[1:] if sought else TOLERANCES:
+        settings = Settings(until, tolerance, values=values, estimate=False, most_steps=most, momenta=not sought)
         found.append(Traced(followed(scene, settings)))
         if not found[-1].refused:
             return found[-1]
