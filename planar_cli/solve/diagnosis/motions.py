@@ -266,7 +266,7 @@ def never(course: MotionEquations, followed: Followed, value: Valuation) -> NoSo
 def strikes_before(course: RegimeSequence, stretch: int, time: float, words: str) -> NoSolution:
     """Something strikes before the next state, and the file does not speak of it."""
     state = course.states[stretch + 1]
-    text = f"before state {state.name}, at t = {time:.4g} s, there is a blow: {words}"
+    text = f"before state {state.name}, at t = {time:.4g} s, something meets again, with a blow: {words}"
     hint = "a state `just after` it and an `impact` tell what comes of it; else ask for nothing later"
     return _wrong(state.mark, "PL706", text, hint)
 

@@ -47,13 +47,16 @@ class EndSearch:
     def find(self, i: int, segment: FollowedSegment, until: float, sizes: Sizes) -> Ends | None:
         """The first assumption that ends on stretch i before `until`. `sizes`: of what the motion has shown so far."""
         since = segment.t0
-        state = self.course.states[i + 1]
+        state = next(s for k, s in enumerate(self.course.states) if k > i and not is_put_in(self.course, k))
         dated = is_dated_by_mode(state) and state.name not in self.course.modes.turnings
         slack = TOGETHER * (until - since) if math.isfinite(until) else 0.0
         limit = until + slack if dated else until - slack
         changed = self._changed(i, segment, limit)
+        if changed is None and dated and math.isfinite(until):
+            changed = self._begins(i, until)
         time = limit if changed is None else changed[0]
-        for x in self.motion.transitions(since + SOON * self.course.scales.time, min(time, until - slack)):
+        struck = until - slack if changed is None else min(time, until - slack)
+        for x in self.motion.transitions(since + SOON * self.course.scales.time, struck):
             if x.kind in ("impact", "rest"):
                 self.struck = i, x.t, x.words
                 return None
@@ -71,6 +74,12 @@ class EndSearch:
                 if choice != stretch.choice:
                     return piece.t0, choice
         return None
+
+    def _begins(self, i: int, t: float) -> tuple[float, tuple[int, ...]] | None:
+        """The modes that begin at a time, if they are others than those of a stretch."""
+        stretch, begins = self.course.modes.stretch(i), self.motion.begins(t, self.course.scales.time)
+        choice = stretch.choice if begins is None else choice_of(self.course.workshop, stretch, begins[0])
+        return None if choice == stretch.choice else (t, choice)
 
     def _ended(
         self, i: int, segment: FollowedSegment, time: float, choice: tuple[int, ...], sizes: Sizes

@@ -71,8 +71,8 @@ class Traced:
         return [s for s in self.run.trajectory.segments if s.t1 > since and s.t0 < until]
 
     def transitions(self, since: float, until: float) -> Iterator[Transition]:
-        """What happens between two times, without these."""
-        return (x for x in self.run.trajectory.transitions if since < x.t < until)
+        """What happens after a time, up to another."""
+        return (x for x in self.run.trajectory.transitions if since < x.t <= until)
 
     def reached(self, t: float) -> tuple[str, ...]:
         """The states of the file that have been reached up to a time."""
