@@ -34,7 +34,7 @@ WIDEST_BAND = 1e-4
 """A guard beyond this part of its scale below zero has fallen, at any tolerance."""
 LEAST_ALLOWED = 1e-7
 """Balances of energy are asked for to this part of their scale at most."""
-NOISE, LOUDEST = 300.0, 1e-3
+NOISE, LOUDEST, ROUNDING = 300.0, 1e-3, 1e-12
 """What tells a state is known to so many tolerances, and at any tolerance to this part of its scale."""
 UNSTEADY_STEPS = 256
 """At rest under loads that vary in time, the time is cut at least into so many steps."""
@@ -295,7 +295,7 @@ class Follower:
         for crossing in run.crossings:
             event = events[crossing.index - number] if crossing.index >= number else None
             if event is not None and meant(event, crossing.way):
-                noise = min(NOISE * self.setting.tolerance, LOUDEST), self.automaton.time_scale
+                noise = min(max(NOISE * self.setting.tolerance, ROUNDING), LOUDEST), self.automaton.time_scale
                 real = self.waiting.counts(event, regime, self.choice, run, *noise)
                 if real and fits(event, regime, self.choice, self.t, self.y):
                     self._reach(event)

@@ -14,6 +14,7 @@ from planar_cli.problem import read_sections as sections
 from planar_cli.problem import reading
 from planar_cli.problem.checks import check
 from planar_cli.problem.fields import Fields
+from planar_cli.problem.in_time import in_time
 from planar_cli.problem.nodes import Mapping, Node, read_file, read_text
 from planar_cli.problem.read_bodies import read_bodies
 from planar_cli.problem.read_cases import OWN, merged
@@ -156,7 +157,7 @@ def _read(file: str, whole: Fields) -> Problem:
         loads=loads,
         motion=sections.motion(whole),
         instant=sections.statements(whole, "instant"),
-        states=sections.states(whole),
+        states=in_time(sections.states(whole)),
         find=sections.finds(whole),
         cases=(),
         answers=(),

@@ -21,13 +21,16 @@ from planar_cli.solve.between.apart import TOUCHES, demand_together
 from planar_cli.solve.between.events import LOOKS, FollowedSegment, State, length_of
 from planar_cli.solve.between.followed import Followed
 from planar_cli.solve.between.given_times import asked_without_end, without_end
+from planar_cli.solve.between.motion_equations import MotionEquations
 from planar_cli.solve.between.stated_motion import StatedMotion
 from planar_cli.solve.following.ends import EndSearch, is_put_in
 from planar_cli.solve.following.letters import Letters
+from planar_cli.solve.following.passage_times import by_formula, steady_time
 from planar_cli.solve.following.traced import Traced, choice_of, traced
 from planar_cli.solve.impulsive.impact import Stroke
 from planar_cli.solve.regimes.after import asked_after
 from planar_cli.solve.regimes.directions import ways_at
+from planar_cli.solve.regimes.mode_sequence import fixed_time
 from planar_cli.solve.regimes.regime import Regime, number_function
 from planar_cli.solve.regimes.timeline import Stop
 
@@ -204,6 +207,8 @@ class Follower:
         state = course.states[i + 1]
         segment = self._segment(regime, math.inf)
         until = self._next_of_file(i)
+        exact = None if is_put_in(course, i + 1) else self._exactly(i + 1, segment, until)
+        until = until if exact is None else exact[0]
         search = EndSearch(course, self.motion, self.value)
         ends = search.find(i, segment, until, self.sizes)
         done.lost, done.struck = search.lost, search.struck
@@ -227,8 +232,22 @@ class Follower:
             return None
         self._passed(segment, max(until, since))
         there = segment.at(until) if until >= since else self._earlier(until)
+        there = there if exact is None else {**there, **exact[1]}
         self._record(course.stops[state.name], there, regime)
         return there
+
+    def _exactly(self, i: int, segment: FollowedSegment, until: float) -> tuple[float, State] | None:
+        """When state i is, and its letters, by a formula that tells whether a place is just touched or just missed;
+        None: none tells.
+        """
+        stop = self.course.stops[self.course.states[i].name]
+        if fixed_time(stop.relations) is not None or not isinstance(self.course, MotionEquations):
+            return None
+        told = steady_time(self.course, stop, segment)
+        there = by_formula(self.course, stop, segment) if told is None and math.isinf(until) else told and told[0]
+        if there is None:
+            return None if told is None else (math.inf, {})
+        return there[segment.regime.time], there
 
     def _segment(self, regime: Regime, until: float) -> FollowedSegment:
         """What begins now."""
