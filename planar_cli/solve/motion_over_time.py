@@ -85,7 +85,9 @@ def _told(solved: SolvedMotion, case: str) -> PartSolution:
     passages = tuple(a.passage for a in answers if a.passage is not None)
     tale = Tale(passages, whole=False) if passages else None
     trace = motion_trace(found, route, answers, assumed, instants)
-    seen = None if found.followed is None or not found.followed.foreseen else found.followed.run
+    seen = found.followed.run if found.followed is not None and found.followed.foreseen else None
+    # What is only approached is looked for again, less finely.
+    seen = None if seen is not None and seen.trajectory.missed else seen
     return PartSolution(case, instants, tuple(a.found for a in answers), trace, tale, run=seen)
 
 

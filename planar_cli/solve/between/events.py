@@ -91,6 +91,10 @@ class FollowedSegment:
         for piece in self.pieces:
             if piece.t0 <= t <= piece.t1:
                 return piece.at(t)
+        last = self.pieces[-1].t1 if self.pieces else math.inf
+        if last <= t <= last + NEARBY * NEAR * abs(last - self.t0):
+            # A later time that is the same but for rounding.
+            return self.pieces[-1].end
         raise NoValue(f"the motion is not followed to t = {t:.9g} s")
 
     def rates(self) -> list[float]:

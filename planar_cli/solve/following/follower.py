@@ -23,10 +23,10 @@ from planar_cli.solve.between.followed import Followed
 from planar_cli.solve.between.given_times import asked_without_end, without_end
 from planar_cli.solve.between.motion_equations import MotionEquations
 from planar_cli.solve.between.stated_motion import StatedMotion
-from planar_cli.solve.following.ends import EndSearch, is_put_in
+from planar_cli.solve.following.ends import TOGETHER, EndSearch, is_put_in
 from planar_cli.solve.following.letters import Letters
 from planar_cli.solve.following.passage_times import by_formula, steady_time
-from planar_cli.solve.following.traced import Traced, choice_of, traced
+from planar_cli.solve.following.traced import SOON, Traced, choice_of, traced
 from planar_cli.solve.impulsive.impact import Stroke
 from planar_cli.solve.regimes.after import asked_after
 from planar_cli.solve.regimes.directions import ways_at
@@ -208,7 +208,8 @@ class Follower:
         segment = self._segment(regime, math.inf)
         until = self._next_of_file(i)
         exact = None if is_put_in(course, i + 1) else self._exactly(i + 1, segment, until)
-        until = until if exact is None else exact[0]
+        near = exact is not None and abs(exact[0] - until) <= TOGETHER * abs(until - since)
+        until = until if exact is None or near else exact[0]
         search = EndSearch(course, self.motion, self.value)
         ends = search.find(i, segment, until, self.sizes)
         done.lost, done.struck = search.lost, search.struck
@@ -252,7 +253,7 @@ class Follower:
     def _segment(self, regime: Regime, until: float) -> FollowedSegment:
         """What begins now."""
         since, scales = self.begun[regime.time], self.course.scales
-        pieces = self.motion.pieces(since, math.inf)
+        pieces = self.motion.pieces(since + SOON * scales.time, math.inf)
         length = self.sizes.length or scales.length
         letters = self._letters(regime)
         return FollowedSegment(regime, letters, pieces, since, until, self.begun, self.value, length, scales.time)
@@ -274,8 +275,9 @@ class Follower:
         """Does what acts from state i on act up to a time? A later state at a given time may have ended it before."""
         stages, own = self.motion.run.prepared.stages, {s.name for s in self.course.problem.states}
         listed = tuple(s.name for s in self.course.states[: i + 1] if s.name in own)
-        before = (t for piece in self.motion.pieces(self.begun[self.course.first.time], until) for t in (piece.t0,))
-        return all(stages.automaton(self.motion.reached(t)) is stages.automaton(listed) for t in before)
+        since = self.begun[self.course.first.time] + SOON * self.course.scales.time
+        acting = (stages.automaton(self.motion.reached(p.t0)) for p in self.motion.pieces(since, until))
+        return all(automaton is stages.automaton(listed) for automaton in acting)
 
     def _tend(self, i: int, segment: FollowedSegment) -> None:
         """Where states are that the motion after state i only approaches."""
