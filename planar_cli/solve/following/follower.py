@@ -164,7 +164,9 @@ class Follower:
         return t, choice_of(course.workshop, course.modes.stretch(i), found[0]), found[1]
 
     def times(self, i: int) -> float:
-        """When state i is [s]."""
+        """When state i is [s]; of one that is only approached, when the state before it is."""
+        while without_end(self.course, i):
+            i -= 1
         return self.done.values[self.course.stops[self.course.states[i].name].t]
 
     def _begin(self, regime: Regime, begins: tuple[float, tuple[int, ...], tuple[float, ...]], before: State) -> State:
@@ -208,7 +210,7 @@ class Follower:
         segment = self._segment(regime, math.inf)
         until = self._next_of_file(i)
         exact = None if is_put_in(course, i + 1) else self._exactly(i + 1, segment, until)
-        near = exact is not None and abs(exact[0] - until) <= TOGETHER * abs(until - since)
+        near = exact is not None and math.isfinite(until) and abs(exact[0] - until) <= TOGETHER * abs(until - since)
         until = until if exact is None or near else exact[0]
         search = EndSearch(course, self.motion, self.value)
         ends = search.find(i, segment, until, self.sizes)

@@ -35,6 +35,8 @@ get through a singular position.
 """
 SEARCHED_STEPS, SOUGHT_STEPS = 6000, 3000
 """So many steps are taken to find a state that no time tells, and for one of many numbers of a constant."""
+FEW = 30.0
+"""So few characteristic times should not take all steps."""
 BEYOND = 0.01
 """A motion is followed this part of its time beyond the last state."""
 SOON = 1e-9
@@ -60,6 +62,12 @@ class Traced:
         """Could it not be followed on, for another reason than that a state does not come?"""
         outcome = self.run.trajectory.outcome
         return outcome.refused and outcome.kind != "long"
+
+    @property
+    def crawls(self) -> bool:
+        """Have the steps been used up within a few characteristic times?"""
+        trajectory = self.run.trajectory
+        return trajectory.outcome.kind == "long" and self.end - trajectory.t0 < FEW * self.run.model.time_scale
 
     @property
     def end(self) -> float:
@@ -178,9 +186,9 @@ def _traced(scene: Prepared, values: Mapping[str, float], until: float | None = 
     for tolerance in TOLERANCES[1:] if sought else TOLERANCES:
         settings = Settings(until, tolerance, values=values, estimate=False, most_steps=most, momenta=not sought)
         found.append(Traced(followed(scene, settings)))
-        if not found[-1].refused:
+        if not found[-1].refused and not found[-1].crawls:
             return found[-1]
-    return found[0]
+    return next((f for f in found if not f.refused), found[0])
 
 
 def _prepared(
