@@ -40,6 +40,7 @@ TOUCHING = 3e-6
 FAINT = 1e-9
 """Speeds below this part of their scale may be the rounding of rest."""
 DIFFERENT = "PL720"
+READ_OFF = "no equation gives it: its number is that of the motion that was followed"
 NOT_ABLE = {
     "PL702": "the equations of motion do not tell how it goes on",
     "PL703": "its steps become too small",
@@ -185,8 +186,8 @@ class _Compared:
         assert f.find is not None
         what = f.find.found.what
         kind = _of_no_motion(f)
-        if kind:
-            return Seen(f.name, kind)
+        if kind or self.trace.is_read_off(f.find):
+            return Seen(f.name, kind or READ_OFF)
         answer = self.answers[f.name]
         missed = [s for s in self._states(what) if s not in self.moments]
         if missed:

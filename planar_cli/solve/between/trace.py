@@ -382,3 +382,10 @@ class MotionTrace:
     def regime(self, solution: InstantSolution) -> RegimeTrace:
         """The regime of a general position."""
         return next(r for r in self.regimes if r.solution is solution)
+
+    def is_read_off(self, find: Find | None) -> bool:
+        """Does the number of a find rest on one that following the motion alone has given?"""
+        rests = {s for r in self.requests if r.find is find for e in r.parts for s in e.free_symbols}
+        for step in reversed(self.route.steps):
+            rests |= step.needs if rests & set(step.unknowns) else frozenset()
+        return bool(rests & self.guessed)
