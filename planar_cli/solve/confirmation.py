@@ -40,7 +40,7 @@ TOUCHING = 3e-6
 FAINT = 1e-9
 """Speeds below this part of their scale may be the rounding of rest."""
 DIFFERENT = "PL720"
-READ_OFF = "no equation gives it: its number is that of the motion that was followed"
+READ_OFF = "rests on a number that only the motion that was followed gives"
 NOT_ABLE = {
     "PL702": "the equations of motion do not tell how it goes on",
     "PL703": "its steps become too small",
