@@ -28,6 +28,67 @@ joints:
   - pin: {{at: D, between: [ground, DC]}}
 """
 
+BARS_IN_A_LOOP = """
+title: Three bars in a loop with the ground
+plane: vertical
+points: {{A: {A}, B: {B}, C: {C}, D: {D}}}
+bodies:
+  AB: {{rod: [A, B], mass: 1 kg}}
+  BC: {{rod: [B, C], mass: {mass}}}
+  CD: {{rod: [C, D], mass: 1 kg}}
+joints:
+  - pin: {{at: A, between: [ground, AB]}}
+  - pin: {{at: B, between: [AB, BC]}}
+  - pin: {{at: C, between: [BC, CD]}}
+  - pin: {{at: D, between: [CD, ground]}}
+"""
+
+CORD = """
+title: Stone on an elastic cord
+plane: vertical
+points: {O: [0, 0]}
+bodies: {stone: {particle: [0, -1 m], mass: 2 kg}}
+joints:
+  - guide: {point: stone, along: 90 deg}
+loads:
+  - spring: {between: [O, stone], stiffness: 200 N/m, natural_length: 2 m, acts: pull}
+states: {0: [t = 0, at rest], lowest: [v(stone).y = 0, y(stone) < -2 m]}
+find: {y: y(stone) @ lowest, t: t @ lowest}
+"""
+
+BUFFER = """
+title: Block that runs into a spring
+plane: horizontal
+points: {P: [0, 0], W: [2 m, 0]}
+bodies: {block: {particle: P, mass: 2 kg}}
+joints:
+  - guide: {point: P, along: 0 deg}
+loads:
+  - spring: {between: [P, W], stiffness: 800 N/m, natural_length: 0.8 m, acts: push, name: buffer}
+states: {0: [t = 0, v(P).x = 3 m/s], deepest: [v(P).x = 0], back: [x(P) = 0]}
+find: {x: x(P) @ deepest, t_1: t @ deepest, v: v(P).x @ back, t_2: t @ back}
+"""
+
+LEVEL_ROD = """\
+title: Rod let go level
+plane: vertical
+points: {O: [0, 0], A: [1 m, 0]}
+bodies: {rod: {rod: [O, A], mass: 2 kg}}
+joints:
+  - pin: {at: O, between: [ground, rod]}
+"""
+
+HELD_ROD = """
+title: Rod let go
+plane: vertical
+given: {m: 2 kg, l: 3 m}
+points: {O: [0, 0], A: [l, 0]}
+bodies: {rod: {rod: [O, A], mass: m}}
+joints:
+  - pin: {at: O, between: [ground, rod]}
+instant: [at rest]
+"""
+
 BRAKED = """
 title: Disk that is braked
 plane: vertical

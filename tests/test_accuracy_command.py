@@ -8,22 +8,17 @@ import json
 from pathlib import Path
 
 import pytest
+from answered import LEVEL_ROD
 
 from planar_cli import cli
 from planar_cli.problem.structure import load_text
 from planar_cli.simulate.subject import SceneSubject
 
-ROD = """\
-title: Rod let go level
-plane: vertical
-points: {O: [0, 0], A: [1 m, 0]}
-bodies: {rod: {rod: [O, A], mass: 2 kg}}
-joints:
-  - pin: {at: O, between: [ground, rod]}
+ROD = f"""{LEVEL_ROD}\
 states:
   1: [t = 0, at rest]
   2: [t = 2 s]
-find: {omega: omega(rod) @ 2}
+find: {{omega: omega(rod) @ 2}}
 """
 BALL = """\
 title: Ball that is dropped

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from answered import HELD_ROD
 
 from planar_cli import cli
 from planar_cli.homework.answers import compare
@@ -17,16 +18,8 @@ from planar_cli.homework.verdict import Verdict
 from planar_cli.problem.structure import load_text
 from planar_cli.solve.run import solve_problem
 
-ROD = """
-title: Rod let go
-plane: vertical
-given: {m: 2 kg, l: 3 m}
-points: {O: [0, 0], A: [l, 0]}
-bodies: {rod: {rod: [O, A], mass: m}}
-joints:
-  - pin: {at: O, between: [ground, rod]}
-instant: [at rest]
-find: {alpha: alpha(rod), pin: reaction(O/rod), across: reaction(O/rod).x, falls: alpha(rod) < 0 rad/s^2}
+ROD = f"""{HELD_ROD}\
+find: {{alpha: alpha(rod), pin: reaction(O/rod), across: reaction(O/rod).x, falls: alpha(rod) < 0 rad/s^2}}
 """
 SLOPE = """
 title: Block on a rough slope

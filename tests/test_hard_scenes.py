@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from answered import BARS_IN_A_LOOP
 from conftest import ROOT
 
 from planar_cli import cli
@@ -22,20 +23,7 @@ bodies: {rod: {rod: [C, D], mass: 1 kg}}
 joints:
   - contact: {between: [rod, floor], at: C, mu: 1.5}
 """
-SQUARE = """\
-title: Four equal links on one line
-plane: vertical
-points: {A: [0, 0], B: [1 m, 0], C: [2 m, 0], D: [1 m, 0]}
-bodies:
-  AB: {rod: [A, B], mass: 1 kg}
-  BC: {rod: [B, C], mass: 1 kg}
-  DC: {rod: [D, C], mass: 1 kg}
-joints:
-  - pin: {at: A, between: [ground, AB]}
-  - pin: {at: B, between: [AB, BC]}
-  - pin: {at: C, between: [BC, DC]}
-  - pin: {at: D, between: [ground, DC]}
-"""
+ON_ONE_LINE = BARS_IN_A_LOOP.format(A="[0, 0]", B="[1 m, 0]", C="[2 m, 0]", D="[1 m, 0]", mass="1 kg")
 CEILING = """\
 title: Ball below a ceiling
 plane: vertical
@@ -76,8 +64,8 @@ def test_a_rod_that_jams_is_refused_by_name(tmp_path: Path, capsys: pytest.Captu
 
 
 def test_links_on_one_line_have_a_message(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    path = tmp_path / "square.yaml"
-    path.write_text(SQUARE + "instant: [omega(AB) = 1 rad/s]\nfind: {w: omega(DC)}\n", encoding="utf-8")
+    path = tmp_path / "line.yaml"
+    path.write_text(ON_ONE_LINE + "instant: [omega(AB) = 1 rad/s]\nfind: {w: omega(CD)}\n", encoding="utf-8")
     status = cli.run(["solve", str(path)])
     shown = capsys.readouterr()
     assert "nan" not in (shown.out + shown.err).lower()

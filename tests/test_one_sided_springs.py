@@ -6,6 +6,7 @@ from math import acos, pi, sqrt
 from pathlib import Path
 
 import pytest
+from answered import BUFFER, CORD
 
 from planar_cli.homework.checking import read
 from planar_cli.solve.run import solve_problem
@@ -21,30 +22,6 @@ loads:
   - spring: {{between: [O, P], stiffness: 100 N/m, natural_length: 1 m, acts: {acts}}}
 instant: [at rest]
 find: {{a: a(P).x}}
-"""
-BUFFER = """
-title: Block that runs into a spring
-plane: horizontal
-points: {P: [0, 0], W: [2 m, 0]}
-bodies: {block: {particle: P, mass: 2 kg}}
-joints:
-  - guide: {point: P, along: 0 deg}
-loads:
-  - spring: {between: [P, W], stiffness: 800 N/m, natural_length: 0.8 m, acts: push}
-states: {0: [t = 0, v(P).x = 3 m/s], deepest: [v(P).x = 0], back: [x(P) = 0]}
-find: {x: x(P) @ deepest, t_1: t @ deepest, v: v(P).x @ back, t_2: t @ back}
-"""
-CORD = """
-title: Stone on an elastic cord
-plane: vertical
-points: {O: [0, 0]}
-bodies: {stone: {particle: [0, -1 m], mass: 2 kg}}
-joints:
-  - guide: {point: stone, along: 90 deg}
-loads:
-  - spring: {between: [O, stone], stiffness: 200 N/m, natural_length: 2 m, acts: pull}
-states: {0: [t = 0, at rest], lowest: [v(stone).y = 0, y(stone) < -2 m]}
-find: {y: y(stone) @ lowest, t: t @ lowest}
 """
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import pytest
 
 from planar_cli.errors import Mark
@@ -298,38 +300,30 @@ REFUSED = [
     ("a +", "PL201", 4, ""),
     ("* a", "PL201", 1, ""),
 ]
-
-
-@pytest.mark.parametrize(("text", "code", "column", "hint"), REFUSED)
-def test_refused_sides(text: str, code: str, column: int, hint: str) -> None:
-    with pytest.raises(ParseError) as error:
-        parse_side(text, Mark("f", 1, 1))
-    diagnostic = error.value.diagnostic
-    assert (diagnostic.code, diagnostic.mark.column) == (code, column)
-    assert hint in diagnostic.hint
+REFUSED_STATEMENTS = [
+    ("a == b", "PL210", 3, "`=`"),
+    ("a => b", "PL210", 3, "`>=`"),
+    ("a != b", "PL210", 3, ""),
+    ("0 < a < 3", "PL210", 7, "`0 < a` and `a < 3`"),
+    ("a", "PL210", 1, "`a = …`"),
+    ("v(P)", "PL210", 1, "left = right"),
+    ("x is big", "PL211", 6, "largest"),
+    ("just 1", "PL211", 6, "just after"),
+    ("P at", "PL211", 5, "at rest"),
+    ("true at rest", "PL211", 1, ""),
+    ("just after", "PL212", 11, ""),
+    ("x = 1 m during 1->2", "PL211", 9, ""),
+    ("a = 2 m in km", "PL211", 9, "number"),
+]
 
 
 @pytest.mark.parametrize(
-    ("text", "code", "column", "hint"),
-    [
-        ("a == b", "PL210", 3, "`=`"),
-        ("a => b", "PL210", 3, "`>=`"),
-        ("a != b", "PL210", 3, ""),
-        ("0 < a < 3", "PL210", 7, "`0 < a` and `a < 3`"),
-        ("a", "PL210", 1, "`a = …`"),
-        ("v(P)", "PL210", 1, "left = right"),
-        ("x is big", "PL211", 6, "largest"),
-        ("just 1", "PL211", 6, "just after"),
-        ("P at", "PL211", 5, "at rest"),
-        ("true at rest", "PL211", 1, ""),
-        ("just after", "PL212", 11, ""),
-        ("x = 1 m during 1->2", "PL211", 9, ""),
-        ("a = 2 m in km", "PL211", 9, "number"),
-    ],
+    ("parse", "text", "code", "column", "hint"),
+    [*((parse_side, *row) for row in REFUSED), *((parse_statement, *row) for row in REFUSED_STATEMENTS)],
 )
-def test_refused_statements(text: str, code: str, column: int, hint: str) -> None:
+def test_refused(parse: Callable[[str, Mark], object], text: str, code: str, column: int, hint: str) -> None:
     with pytest.raises(ParseError) as error:
-        parse_statement(text, Mark("f", 1, 1))
+        parse(text, Mark("f", 1, 1))
     diagnostic = error.value.diagnostic
     assert (diagnostic.code, diagnostic.mark.column) == (code, column)
     assert hint in diagnostic.hint

@@ -6,6 +6,7 @@ import math
 from xml.etree import ElementTree
 
 import pytest
+from answered import BARS_IN_A_LOOP
 
 from planar_cli.errors import PlanarError
 from planar_cli.problem.structure import load_text
@@ -13,21 +14,10 @@ from planar_cli.simulate.mechanism import Mechanism
 from planar_cli.simulate.peers import PEERS, largest_of
 from planar_cli.simulate.run import Run, Settings, follow
 
-FOUR_BAR = """\
-title: Four bars
-plane: vertical
-points: {O: [0, 0], A: [0, 1 m], B: [2 m, 1 m], C: [2 m, 0]}
-bodies:
-  left: {rod: [O, A], mass: 1 kg}
-  upper: {rod: [A, B], mass: 2 kg}
-  right: {rod: [C, B], mass: 1 kg}
-joints:
-  - pin: {at: O, between: [ground, left]}
-  - pin: {at: A, between: [left, upper]}
-  - pin: {at: B, between: [upper, right]}
-  - pin: {at: C, between: [ground, right]}
+PLACES = {"A": "[0, 0]", "B": "[0, 1 m]", "C": "[2 m, 1 m]", "D": "[2 m, 0]"}
+FOUR_BAR = f"""{BARS_IN_A_LOOP.format(**PLACES, mass="2 kg")}\
 states:
-  1: [t = 0, omega(left) = -1 rad/s]
+  1: [t = 0, omega(AB) = -1 rad/s]
   2: [t = 0.5 s]
 """
 
@@ -58,10 +48,10 @@ def test_the_tree_of_a_loop_has_one_connection_left_over() -> None:
 
 
 def test_what_can_not_be_told_is_refused() -> None:
-    pushed = FOUR_BAR.replace("states:", "loads:\n  - torque: {body: left, moment: 1 N*m}\nstates:")
-    point = FOUR_BAR.replace("{rod: [C, B], mass: 1 kg}", "{particle: B, mass: 1 kg}")
-    point = point.replace("  - pin: {at: C, between: [ground, right]}\n", "").replace(
-        "omega(left) = -1 rad/s", "at rest"
+    pushed = FOUR_BAR.replace("states:", "loads:\n  - torque: {body: AB, moment: 1 N*m}\nstates:")
+    point = FOUR_BAR.replace("{rod: [C, D], mass: 1 kg}", "{particle: C, mass: 1 kg}")
+    point = point.replace("  - pin: {at: D, between: [CD, ground]}\n", "").replace(
+        "omega(AB) = -1 rad/s", "at rest"
     )
     for text in (pushed, point):
         with pytest.raises(PlanarError, match="can be expressed"):

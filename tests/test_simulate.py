@@ -10,21 +10,16 @@ from typing import Any
 
 import numpy as np
 import pytest
+from answered import LEVEL_ROD
 from test_cli import imported
 
 from planar_cli import cli
 
-ROD = """\
-title: Rod let go level
-plane: vertical
-points: {O: [0, 0], A: [1 m, 0]}
-bodies: {rod: {rod: [O, A], mass: 2 kg}}
-joints:
-  - pin: {at: O, between: [ground, rod]}
+ROD = f"""{LEVEL_ROD}\
 states:
   1: [t = 0, at rest]
   2: [theta(rod) = -90 deg]
-find: {t_2: t @ 2, omega: omega(rod) @ 2, R: reaction(O) @ 2, way: path_length(A) @ 1->2, low: y(A) @ 2 < -0.9 m}
+find: {{t_2: t @ 2, omega: omega(rod) @ 2, R: reaction(O) @ 2, way: path_length(A) @ 1->2, low: y(A) @ 2 < -0.9 m}}
 """
 CRATE = """\
 title: Crate on a rough floor

@@ -5,23 +5,12 @@ from __future__ import annotations
 from math import atan, pi, sqrt
 
 import pytest
+from answered import CORD
 
 from planar_cli.problem.structure import load_text
 from planar_cli.simulate.answers import Answered
 from planar_cli.simulate.run import Settings, Simulation, simulate
 
-CORD = """
-title: Stone on an elastic cord
-plane: vertical
-points: {O: [0, 0]}
-bodies: {stone: {particle: [0, -1 m], mass: 2 kg}}
-joints:
-  - guide: {point: stone, along: 90 deg}
-loads:
-  - spring: {between: [O, stone], stiffness: 200 N/m, natural_length: 2 m, acts: pull}
-states: {0: [t = 0, at rest], lowest: [v(stone).y = 0, y(stone) < -2 m]}
-find: {y: y(stone) @ lowest}
-"""
 THROWN = """
 title: Stone thrown up
 plane: vertical

@@ -13,23 +13,14 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from answered import HELD_ROD
 from conftest import ROOT
 
 from planar_cli import cli
 from planar_cli.commands import _limit
 from planar_cli.errors import NOWHERE, Diagnostic, NoSolution, Undecided
 
-GOOD = """
-title: Rod let go
-plane: vertical
-given: {m: 2 kg, l: 3 m}
-points: {O: [0, 0], A: [l, 0]}
-bodies: {rod: {rod: [O, A], mass: m}}
-joints:
-  - pin: {at: O, between: [ground, rod]}
-instant: [at rest]
-find: {alpha: alpha(rod), pin: reaction(O/rod).y, force: reaction(O/rod)}
-"""
+GOOD = HELD_ROD + "find: {alpha: alpha(rod), pin: reaction(O/rod).y, force: reaction(O/rod)}\n"
 ANSWERED = GOOD + "answers: {alpha: 4.905 rad/s^2 cw, pin: 4.905 N, force: [0, 4.905 N]}\n"
 WRONG = GOOD + "answers: {alpha: 4.8 rad/s^2 cw, pin: 4.905 N}\n"
 LETTERS = GOOD.replace("given: {m: 2 kg, l: 3 m}", "symbols: {m: kg, l: m}")

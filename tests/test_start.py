@@ -6,6 +6,7 @@ import math
 from pathlib import Path
 
 import pytest
+from answered import BARS_IN_A_LOOP
 
 from planar_cli.errors import PlanarError
 from planar_cli.motion.model import Model
@@ -13,20 +14,7 @@ from planar_cli.motion.scene import MovingScene
 from planar_cli.motion.start import Start, start_of
 from planar_cli.problem.structure import load
 
-FOUR_BAR = """
-title: Four-bar
-plane: vertical
-points: {A: [0, 0], B: [0, 1 m], C: [2 m, 1.5 m], D: [2 m, 0]}
-bodies:
-  AB: {rod: [A, B], mass: 1 kg}
-  BC: {rod: [B, C], mass: 2 kg}
-  CD: {rod: [C, D], mass: 1 kg}
-joints:
-  - pin: {at: A, between: [ground, AB]}
-  - pin: {at: B, between: [AB, BC]}
-  - pin: {at: C, between: [BC, CD]}
-  - pin: {at: D, between: [CD, ground]}
-"""
+FOUR_BAR = BARS_IN_A_LOOP.format(A="[0, 0]", B="[0, 1 m]", C="[2 m, 1.5 m]", D="[2 m, 0]", mass="2 kg")
 BALL = """
 title: Ball
 plane: vertical

@@ -31,20 +31,6 @@ def wrong(text: str) -> list[Diagnostic]:
     return load_text(text, "file.yaml")[1]
 
 
-SPOOL = """\
-title: Spool
-plane: vertical
-given: {m: 50 kg, k_G: 0.2 m, R: 0.45 m, r: 0.3 m, P: 100 N}
-points: {C: [0, 0], G: [0, R], T: [0, R + r]}
-surfaces: {floor: {through: C, angle: 0 deg}}
-bodies: {spool: {disk: G, radius: R, hub: r, mass: m, radius_of_gyration: k_G}}
-joints:
-  - rolling: {between: [spool, floor], at: C}
-loads:
-  - force: {body: spool, wound_at: T, magnitude: P, angle: 0 deg}
-instant: [at rest]
-find: {alpha: alpha(spool), friction: friction(C).x}
-"""
 
 
 @pytest.mark.parametrize("path", PROBLEMS, ids=lambda p: f"{p.parent.name}/{p.stem}")
@@ -73,6 +59,9 @@ def whole_files(page: str) -> list[str]:
         if inside:
             files[-1].append(line[4:])
     return ["\n".join(lines) + "\n" for lines in files]
+
+
+SPOOL = whole_files(pages()["language"])[0].partition("cases:")[0]
 
 
 def test_examples_are_found() -> None:

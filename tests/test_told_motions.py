@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from answered import BRAKED
+from answered import BRAKED, BUFFER
 
 from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.structure import load_text
@@ -44,18 +44,6 @@ states:
   1: [rod at rest, v(bullet).x = 200 m/s, v(bullet).y = 0]
   2: [just after 1]
 find: {omega: omega(rod) @ 2, v_P: v(bullet) @ 2}
-"""
-BUFFER = """
-title: Block that runs into a spring
-plane: horizontal
-points: {P: [0, 0], W: [2 m, 0]}
-bodies: {block: {particle: P, mass: 2 kg}}
-joints:
-  - guide: {point: P, along: 0 deg}
-loads:
-  - spring: {between: [P, W], stiffness: 800 N/m, natural_length: 0.8 m, acts: push, name: buffer}
-states: {0: [t = 0, v(P).x = 3 m/s], deepest: [v(P).x = 0]}
-find: {x: x(P) @ deepest}
 """
 
 

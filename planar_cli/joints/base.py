@@ -9,12 +9,7 @@ A joint is what keeps bodies from moving freely past each other. A member is one
         kind: ClassVar[str] = "pin"
         at: str = key(PointKey(), "the common point")
 
-- `kind` is the word in the file; the fields declared with `key(...)` are its YAML keys and its part of the JSON Schema.
-- `choices` names the groups of keys of which exactly one is written.
-- `strikes`: it acts only in a blow, between a state and one just after it.
-- `name` is the joint's own `name:`; else that of its point; else that of its first body. Reading a file settles it.
-- `during` is the span of states in which the joint acts; None: always.
-- `mark` is the place of the entry in the file.
+The fields that every entry of a file has stand in `problem/entry.py`.
 
 What the rest of the program must know of a kind stands in class variables: `quantities` are words that may be asked of
 it and not of every joint, `touches` and `unilateral` say how it meets its partner.
@@ -29,39 +24,22 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import ClassVar
 
-from planar_cli.errors import Diagnostic, Mark
+from planar_cli.errors import Diagnostic
 from planar_cli.problem.blows import in_a_blow
+from planar_cli.problem.entry import Entry
 from planar_cli.problem.facts import Mode
-from planar_cli.problem.keys import Choice
 from planar_cli.problem.residuals import Residual
 from planar_cli.problem.setting import Setting, StruckSetting, WrittenScene
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Joint(ABC):
+class Joint(Entry, ABC):
     """What every joint has beside its own keys; the module's docstring is the contract."""
 
-    kind: ClassVar[str]
-    choices: ClassVar[tuple[Choice, ...]] = ()
-    strikes: ClassVar[bool] = False
-    quantities: ClassVar[tuple[str, ...]] = ()
-    """Quantities of the language that may be asked of this kind and not of every joint: N, friction, tension, mode."""
     touches: ClassVar[bool] = False
     """Do two outlines touch at the point `at`, which then stays with the centres, not with a rim?"""
     unilateral: ClassVar[bool] = False
     """Does it press from one side alone, on which the body is drawn?"""
-
-    name: str
-    during: tuple[str, str] | None
-    mark: Mark
-
-    def attachments(self) -> tuple[tuple[str, str], ...]:
-        """Pairs (point, body or surface): the points that belong to a body because this joint names them together."""
-        return ()
-
-    def rims(self) -> tuple[tuple[str, str], ...]:
-        """Pairs (point, body): where a cord leaves a rim. Such a point keeps its direction from the body's centre."""
-        return ()
 
     def holder(self) -> str | None:
         """What holds the other partner where no key `between` names it: a body, a surface, the ground."""

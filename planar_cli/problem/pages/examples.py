@@ -1,25 +1,4 @@
-"""Examples: whole problem files.
-
-An unknown in a case, and a later question about it:
-
-    title: Spool pulled along a rough floor
-    plane: vertical
-    given: {m: 50 kg, k_G: 0.2 m, R: 0.45 m, r: 0.3 m, P: 100 N}
-    points: {C: [0, 0], G: [0, R], T: [0, R + r]}
-    surfaces: {floor: {through: C, angle: 0 deg}}
-    bodies: {spool: {disk: G, radius: R, hub: r, mass: m, radius_of_gyration: k_G}}
-    joints:
-      - rolling: {between: [spool, floor], at: C}
-    loads:
-      - force: {body: spool, wound_at: T, magnitude: P, angle: 0 deg}
-    instant: [at rest]
-    find: {alpha: alpha(spool), friction: friction(C).x}
-    cases:
-      no_friction:
-        unknowns: {k_G: m}
-        instant: [friction(C).x = 0]
-        find: {k_critical: k_G}
-    answers: {alpha: 6.186 rad/s^2 cw, friction: 39.18 N, k_critical: 0.3674 m}
+"""Examples: whole problem files, beside that of `planar explain language`.
 
 A motion over time, and how far it goes:
 

@@ -15,7 +15,7 @@ mathematics. There is one way to say each thing. A file says, in this order of t
                                                               planar explain paths, planar explain cases
   what a key says    answers                                  planar explain answers
 
-An example:
+An example, with a case in which something else is unknown:
 
     title: Spool pulled along a rough floor
     plane: vertical
@@ -29,7 +29,12 @@ An example:
       - force: {body: spool, wound_at: T, magnitude: P, angle: 0 deg}
     instant: [at rest]
     find: {alpha: alpha(spool), friction: friction(C).x}
-    answers: {alpha: 6.186 rad/s^2 cw, friction: 39.18 N}
+    cases:
+      no_friction:
+        unknowns: {k_G: m}
+        instant: [friction(C).x = 0]
+        find: {k_critical: k_G}
+    answers: {alpha: 6.186 rad/s^2 cw, friction: 39.18 N, k_critical: 0.3674 m}
 
 x points right, y up; angles and rotations are counterclockwise from +x. `planar explain examples` has more files, and
 `planar explain pitfalls` the mistakes that are made most. `planar validate FILE` tells what is wrong with a file.

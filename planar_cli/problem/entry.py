@@ -1,0 +1,40 @@
+"""What an entry of `joints` and one of `loads` have in common, beside the keys of their kinds.
+
+- `kind` is the word in the file; the fields declared with `key(...)` are its YAML keys and its part of the JSON Schema.
+- `choices` names the groups of keys of which exactly one is written.
+- `strikes`: it acts only in a blow, between a state and one just after it.
+- `name` is the entry's own `name:`; else that of its point; else that of its first body. Reading a file settles it.
+- `during` is the span of states in which the entry acts; None: always.
+- `mark` is the place of the entry in the file.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from planar_cli.errors import Mark
+from planar_cli.problem.keys import Choice
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Entry:
+    """A joint or a load; the module's docstring tells its fields."""
+
+    kind: ClassVar[str]
+    choices: ClassVar[tuple[Choice, ...]] = ()
+    strikes: ClassVar[bool] = False
+    quantities: ClassVar[tuple[str, ...]] = ()
+    """Quantities of the language that may be asked of this kind and not of every other: N, friction, tension, mode."""
+
+    name: str
+    during: tuple[str, str] | None
+    mark: Mark
+
+    def attachments(self) -> tuple[tuple[str, str], ...]:
+        """Pairs (point, body or surface): the points that belong to a body because the entry names them together."""
+        return ()
+
+    def rims(self) -> tuple[tuple[str, str], ...]:
+        """Pairs (point, body): where a cord leaves a rim. Such a point keeps its direction from the body's centre."""
+        return ()
