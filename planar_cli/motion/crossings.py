@@ -15,6 +15,8 @@ from planar_cli.records import record
 
 BAND = 1e-12
 """A watched value below this part of its scale is zero."""
+WIDEST_BAND = 1e-4
+"""A guard beyond this part of its scale below zero has fallen, at any tolerance."""
 PARTS = 8
 """Into so many parts a step is divided that may hide a crossing."""
 ROOM = 0.25
@@ -278,3 +280,9 @@ def _minimum(f: Callable[[float], float], a: float, b: float, enough: float) -> 
             elif fu <= fv or v in (x, w):
                 v, fv = u, fu
     return x, fx
+
+
+def band_at(values: Sequence[float], scales: Sequence[float]) -> float:
+    """What counts as zero: more than rounding where a guard that is about to grow begins a little below zero."""
+    below = max((-v / s for v, s in zip(values, scales, strict=True)), default=0.0)
+    return max(BAND, min(1.5 * below, WIDEST_BAND))

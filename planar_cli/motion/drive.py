@@ -110,37 +110,36 @@ def drive(
     watch: Watch | None = None,
     breakpoints: Sequence[float] = (),
     band: float = BAND,
-    on_step: Callable[[Step], None] | None = None,
+    on_step: Callable[[Step], bool | None] | None = None,
     counts: Counts | None = None,
     reduced: Reduced | None = None,
 ) -> Run:
     """Follow y' = f(t, y) from t0 to t1, or to the first crossing of a watched value.
 
     `kind`: a member of the shelf of integrators, or `auto`. `band`: the part of its scale below which a watched value
-    is zero. `on_step` sees every step. The work is added to `counts`. `reduced`: the same rates with independent
-    coordinates alone, which are integrated then. Raises StepTooSmall.
+    is zero. `on_step` sees every step; the run ends with one for which it says True. The work is added to `counts`.
+    `reduced`: the same rates with independent coordinates alone, which are integrated then. Raises StepTooSmall.
     """
     y, steps, counts = list(y0), list[Step](), Counts() if counts is None else counts
     sentinel = Sentinel(watch, band) if watch is not None and watch.scales else None
     crossings = sentinel.at_start(t0, y) if sentinel is not None else []
     if setting.longest == math.inf:
         setting = replace(setting, longest=abs(t1 - t0) / FEWEST or math.inf)
-    followed = _Followed(kind, setting, counts, reduced)
+    followed, enough = _Followed(kind, setting, counts, reduced), False
     for rates, start, end in _legs(f if reduced is None else reduced.rates, t0, t1, breakpoints):
-        if crossings:
+        if crossings or enough:
             break
         for step in followed.steps(rates, start, y, end):
             steps.append(step)
-            if on_step is not None:
-                on_step(step)
+            enough = on_step is not None and bool(on_step(step))
             y = step.y1
             crossings = sentinel.within(step) if sentinel is not None else []
-            if crossings:
-                y = crossings[0].y
+            if crossings or enough:
                 break
+    y = crossings[0].y if crossings else y
     if setting.project is not None and crossings and steps:
         y = setting.project(crossings[0].t, y)
-    end = crossings[0].t if crossings else t1
+    end = crossings[0].t if crossings else steps[-1].t1 if enough else t1
     return Run(t0, list(y0), tuple(steps), end, y, tuple(crossings), followed.changed, counts)
 
 

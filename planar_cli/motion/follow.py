@@ -12,13 +12,14 @@ from dataclasses import dataclass, field, replace
 from planar_cli.integrators.base import Counts, Setting, Step, StepTooSmall, TooManySteps
 from planar_cli.motion.automaton import Automaton, Choice, Regime, Stages, Start
 from planar_cli.motion.balance import ALLOWED, balance_of
-from planar_cli.motion.crossings import BAND, Watch
+from planar_cli.motion.crossings import Watch, band_at
 from planar_cli.motion.drive import AUTOMATIC, Run, drive
 from planar_cli.motion.guards import LENGTH
+from planar_cli.motion.recurrence import Recurrence, recurrence
 from planar_cli.motion.schedule import Event, Schedule
 from planar_cli.motion.segment import Segment
 from planar_cli.motion.source import Singular
-from planar_cli.motion.trajectory import Outcome, Trajectory, Transition, Work, stuck_at
+from planar_cli.motion.trajectory import Outcome, Trajectory, Transition, Work, repeats_every, stuck_at
 from planar_cli.motion.transition import Moment, Resolved, resolve
 from planar_cli.motion.unstable import growth_note
 from planar_cli.motion.waiting import Waiting, at_edge, beyond, fits, meant
@@ -30,15 +31,12 @@ MOST_IMPACTS = 100_000
 """More impacts or changes of mode than that are refused."""
 MOST_AT_ONCE = 20
 """So many changes of mode may follow each other at one instant."""
-WIDEST_BAND = 1e-4
-"""A guard beyond this part of its scale below zero has fallen, at any tolerance."""
 LEAST_ALLOWED = 1e-7
 """Balances of energy are asked for to this part of their scale at most."""
 NOISE, LOUDEST, ROUNDING = 300.0, 1e-3, 1e-12
 """What tells a state is known to so many tolerances, and at any tolerance to this part of its scale."""
 UNSTEADY_STEPS = 256
 """At rest under loads that vary in time, the time is cut at least into so many steps."""
-
 
 Progress = Callable[[float], None]
 """Called with the time that has been reached [s]."""
@@ -58,7 +56,7 @@ class Follower:
     """The integrator, by the name of its member, or the choice by the scene."""
     progress: Progress | None = None
     rest_ends: bool = True
-    """May the run end early where nothing will ever move again?"""
+    """May the run end early where nothing will ever move again, or nothing new happens?"""
     check: bool = True
     """Is a balance that does not add up a failure?"""
     momenta: bool = False
@@ -72,6 +70,8 @@ class Follower:
     transitions: list[Transition] = field(default_factory=list)
     waiting: Waiting = field(init=False)
     bounces: Bounces = field(default_factory=Bounces)
+    returning: Recurrence | None = None
+    """What looks whether the motion repeats itself, since anything happened last."""
     resting_at: float | None = None
     """When the sequence of impacts ends that is being summed up."""
     at_once: int = 0
@@ -171,13 +171,14 @@ class Follower:
         except (StepTooSmall, Singular) as stuck:
             if taken:
                 self._close(regime, taken[-1].t1, tuple(taken[-1].y1), taken)
-            words = f"at t = {self.t:.9g} s the accelerations are not determined"
-            singular = Outcome("singular", words, self.t, "", "PL702")
-            self.outcome = stuck_at(stuck) if isinstance(stuck, StepTooSmall) else singular
+            self.outcome = stuck_at(stuck, self.t)
             return
         self._close(regime, run.t1, tuple(run.y1), run.steps)
-        if self.outcome is None:
+        period = self.returning.period if self.returning is not None else None
+        if self.outcome is None and (run.crossings or period is None):
             self._ended(regime, run)
+        if self.outcome is None and self.returning is not None and period is not None:
+            self.outcome = repeats_every(period, self.t)
 
     def _run(self, regime: Regime, end: float, taken: list[Step]) -> Run:
         """The regime followed to `end`, or to the first guard that falls or relation of a state that is reached."""
@@ -188,14 +189,17 @@ class Follower:
         if not self.automaton.autonomous and self._rests(regime):
             setting = replace(setting, longest=min(setting.longest, (end - self.t) / UNSTEADY_STEPS))
 
-        def seen(step: Step) -> None:
+        def seen(step: Step) -> bool:
             taken.append(step)
             # What is watched within the step counts from its beginning: what slides may turn round in it.
             self.automaton.note(step.t0, step.y0, step)
             if self.progress is not None:
                 self.progress(step.t1)
+            if returns is not None:
+                returns.passes(step)
+            return returns is not None and returns.period is not None
 
-        counts = Counts()
+        counts, returns = Counts(), self._returns(regime, end)
         try:
             run = drive(
                 regime.rates,
@@ -206,7 +210,7 @@ class Follower:
                 kind=self.kind,
                 watch=self._watch(regime),
                 breakpoints=self.schedule.breakpoints,
-                band=self._band(regime),
+                band=band_at(regime.watch(self.t, self.y), [g.scale for g in regime.guards]),
                 on_step=seen,
                 counts=counts,
                 reduced=regime.reduced(self.t, self.y),
@@ -217,11 +221,13 @@ class Follower:
             self.notes.append(run.changed.words)
         return run
 
-    def _band(self, regime: Regime) -> float:
-        """What counts as zero: more than rounding where a guard that is about to grow begins a little below zero."""
-        values = regime.watch(self.t, self.y)
-        below = max((-v / g.scale for v, g in zip(values, regime.guards, strict=True)), default=0.0)
-        return max(BAND, min(1.5 * below, WIDEST_BAND))
+    def _returns(self, regime: Regime, end: float) -> Recurrence | None:
+        """What looks whether the motion repeats itself, where it may end with that."""
+        if not self.rest_ends or end != self.until or not self.automaton.autonomous or not self.waiting.next():
+            return None
+        if self.returning is None:
+            self.returning = recurrence(regime.rates, self.t, self.y, self.automaton.scale)
+        return self.returning
 
     def _watch(self, regime: Regime) -> Watch:
         """The guards, and behind them what tells that the next states are reached."""
@@ -250,9 +256,7 @@ class Follower:
 
     def _stay(self, regime: Regime, end: float) -> None:
         """At rest with nothing that varies in time: the state stays as it is, exactly."""
-        note = growth_note(self.automaton, regime, self.t, self.y)
-        if note:
-            self.notes.append(note)
+        self.notes += filter(None, [growth_note(self.automaton, regime, self.t, self.y)])
         if self.rest_ends and end == self.until:
             rest = Outcome("rest", f"nothing moves any more from t = {self.t:.9g} s", self.t)
             self._close(regime, self.until, self.y, ())
@@ -315,6 +319,7 @@ class Follower:
 
     def _reach(self, event: Event) -> None:
         """A state has been reached."""
+        self.returning = None
         self.waiting.arrive(event, self.t, self.y, self.choice, len(self.segments))
         self._blow(event.name)
         self._finish()
@@ -341,11 +346,8 @@ class Follower:
         """The limit of a sequence of impacts."""
         self.resting_at = None
         last = next(x for x in reversed(self.transitions) if x.kind == "impact")
-        words = "the impacts, without number, have come to an end"
-        rest = Transition(
-            self.t, "rest", words, last.joints, self.y, self.y, self.choice, self.choice, count=float("inf")
-        )
-        self.transitions.append(rest)
+        words, same = "the impacts, without number, have come to an end", (self.y, self.y, self.choice, self.choice)
+        self.transitions.append(Transition(self.t, "rest", words, last.joints, *same, count=float("inf")))
 
     def _settle(
         self,
@@ -360,7 +362,7 @@ class Follower:
         """Impacts and the choice of modes at this instant; `blow`: what the file puts between two states. `drawn`:
         nothing but impacts makes it one, and no motion led there.
         """
-        self.at_once += 1
+        self.at_once, self.returning = self.at_once + 1, None
         if self.at_once > MOST_AT_ONCE or len(self.transitions) > MOST_IMPACTS:
             told = f"at t = {self.t:.9g} s the modes change without end: {words}"
             self.outcome = Outcome("endless", told, self.t, joint, "PL709")
@@ -386,10 +388,7 @@ class Follower:
         impacts = [x for x in found.transitions if x.kind == "impact"]
         if not impacts:
             return found
-        half = len(moment.y) // 2
-        scale = self.automaton.scale[half:]
-        changes = zip(impacts[-1].after[half:], moment.y[half:], scale, strict=True)
-        self.bounces.add(self.t, max(abs(a - b) / s for a, b, s in changes))
+        self.bounces.add(self.t, impacts[-1].after, moment.y, self.automaton.scale)
         limit = self.bounces.limit(self.automaton.time_scale, self.setting.tolerance)
         if limit is None:
             return found

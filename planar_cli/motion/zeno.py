@@ -6,6 +6,7 @@ is left of them is Δ r / (1 - r). The sum is taken when r is settled and what t
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 NEEDED = 4
@@ -25,8 +26,10 @@ class Bounces:
     speeds: list[float] = field(default_factory=list)
     """By how much the velocities changed, in parts of their scales."""
 
-    def add(self, t: float, speed: float) -> None:
-        """One impact more."""
+    def add(self, t: float, before: Sequence[float], after: Sequence[float], scale: Sequence[float]) -> None:
+        """One impact more, from the states before and after it; velocities are their second halves."""
+        half = len(scale) // 2
+        speed = max(abs(a - b) / s for a, b, s in zip(after[half:], before[half:], scale[half:], strict=True))
         self.times = [*self.times[-NEEDED:], t]
         self.speeds = [*self.speeds[-NEEDED:], speed]
 

@@ -19,6 +19,7 @@ from planar_cli.equation.plain import derivative
 from planar_cli.equation.sample import anywhere
 from planar_cli.equation.scales import slack_of
 from planar_cli.errors import NOWHERE, Diagnostic, Mark, NoSolution, NoValue, Undecided
+from planar_cli.problem.expression import Relation
 from planar_cli.problem.scene import Problem
 from planar_cli.solve.between.asked_finds import AskedFind, asked_letters
 from planar_cli.solve.between.balances import StateBalance
@@ -28,6 +29,7 @@ from planar_cli.solve.between.motion_equations import MotionEquations
 from planar_cli.solve.between.reached import asked_about
 from planar_cli.solve.between.stated_motion import StatedMotion
 from planar_cli.solve.diagnosis.failures import explain_failure, singular_position
+from planar_cli.solve.diagnosis.words import in_unit, unit_of
 from planar_cli.solve.following.follower import Follower
 from planar_cli.solve.instant.instant import make_instant, search_modes
 from planar_cli.solve.multibody.linear import solve
@@ -207,7 +209,8 @@ def _largest(course: RegimeSequence, value: Valuation, letters: Collection[sp.Sy
 def _contradiction(course: StatedMotion, demand: Demand, number: Decimal) -> NoSolution:
     others = [d.text for d in course.demands[demand.state] if d.text != demand.text and d.kind == "equation"]
     others = others or ["what is stated of the states before it"]
-    text = f"state {demand.state}: `{demand.text}` contradicts {_quoted(others)}: the sides differ by {_short(number)}"
+    apart = _apart(course, demand, number)
+    text = f"state {demand.state}: `{demand.text}` contradicts {_quoted(others)}{apart and f': {apart}'}"
     return _wrong(demand.mark, "PL624", text, "leave one of them out, or declare what they hold under `unknowns`")
 
 
@@ -215,8 +218,14 @@ def _quoted(texts: list[str]) -> str:
     return ", ".join(t if t.startswith("what ") else f"`{t}`" for t in texts)
 
 
-def _short(number: Decimal) -> str:
-    return f"{abs(float(number)):.4g} in SI units"
+def _apart(course: RegimeSequence, demand: Demand, number: Decimal) -> str:
+    """By how much the sides of a relation differ, in its own unit; "" for what is not written with two sides."""
+    stated = (s for state in course.problem.states if state.name == demand.state for s in state.relations)
+    relation = next((r for r in stated if isinstance(r, Relation) and r.mark == demand.mark), None)
+    if relation is None:
+        return ""
+    unit = unit_of(course.regimes[0].general.instant, relation.left, relation.right)
+    return f"the sides differ by {in_unit(abs(number), unit)}"
 
 
 def clash(course: MotionEquations, equations: Iterable[Equation]) -> NoSolution | None:
@@ -294,9 +303,12 @@ def _hint(course: MotionEquations, followed: Followed, stop: Stop, value: Valuat
             away, at = _nearest(g, times)
         except NoValue:
             return ""
-        apart = _short(Decimal(repr(away)))
-        found.append(f"`{d.text}` is nearest at t = {at:.4g} s, where the sides differ by {apart}")
-    return ", ".join(found)
+        apart = _apart(course, d, Decimal(repr(away)))
+        found.append(f"`{d.text}` is nearest at t = {at:.4g} s{apart and f', where {apart}'}")
+    outcome = followed.run.trajectory.outcome if followed.run is not None else None
+    if outcome is not None and outcome.kind == "repeats":
+        found.append(outcome.words)
+    return "; ".join(found)
 
 
 def _reader(course: MotionEquations, followed: Followed, value: Valuation) -> Follower:

@@ -1,0 +1,64 @@
+"""A motion that comes back to where it was: from then on it repeats itself, where nothing varies in time.
+
+What a motion has not reached until then it never reaches. It has come back where it passes the plane through an
+earlier state, across its rates there, in the same direction and next to that state (a section of Poincare).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from planar_cli.integrators.base import Rates, Step
+
+RETURNS = 1e-7
+"""A state is the same as another up to this part of its scales."""
+HALVINGS = 50
+
+
+@dataclass(slots=True)
+class Recurrence:
+    """Watches the steps of a motion for the return of its first state."""
+
+    t0: float
+    y0: tuple[float, ...]
+    across: tuple[float, ...]
+    """The rates of the first state, each in parts of the square of its scale."""
+    scale: Sequence[float]
+    behind: bool = False
+    """Has the motion been on the side from which it came?"""
+    period: float | None = None
+    """After which it came back [s]."""
+
+    def passes(self, step: Step) -> None:
+        """Look at the next step."""
+        side = self._side(step.y1)
+        if side < 0:
+            self.behind = True
+        elif self.behind and self.period is None:
+            self.behind = False
+            t = self._crossed(step)
+            off = max(abs(a - b) / s for a, b, s in zip(step.at(t), self.y0, self.scale, strict=True))
+            if off <= RETURNS:
+                self.period = t - self.t0
+
+    def _side(self, y: Sequence[float]) -> float:
+        """On which side of the plane through the first state another lies."""
+        return sum(n * (b - a) for n, a, b in zip(self.across, self.y0, y, strict=True))
+
+    def _crossed(self, step: Step) -> float:
+        """When the plane is passed within a step, from behind."""
+        low, high = step.t0, step.t1
+        for _ in range(HALVINGS):
+            middle = (low + high) / 2
+            if self._side(step.at(middle)) < 0:
+                low = middle
+            else:
+                high = middle
+        return high
+
+
+def recurrence(rates: Rates, t: float, y: tuple[float, ...], scale: Sequence[float]) -> Recurrence:
+    """Looks for the return of a state."""
+    across = tuple(r / s**2 for r, s in zip(rates(t, list(y)), scale, strict=True))
+    return Recurrence(t, y, across, scale)
