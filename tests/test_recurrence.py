@@ -44,7 +44,8 @@ find: {v: v(P).mag @ 2}
 
 def trajectory(text: str) -> Trajectory:
     problem, wrong = load_text(text)
-    assert problem is not None and not wrong, wrong
+    assert problem is not None
+    assert not wrong
     return simulate(problem, Settings(estimate=False)).run.trajectory
 
 
