@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 
 import pytest
-
 from answered import solve
+
 from planar_cli.errors import NoSolution
 from planar_cli.motion.trajectory import Trajectory
 from planar_cli.problem.structure import load_text
