@@ -56,7 +56,6 @@ ACCELERATION = _dimension(1, 0, -2)
 JERK = _dimension(1, 0, -3)
 FORCE = _dimension(1, 1, -2)
 ENERGY = _dimension(2, 1, -2)
-MOMENT = ENERGY
 POWER = _dimension(2, 1, -3)
 MOMENTUM = _dimension(1, 1, -1)
 IMPULSE = MOMENTUM
@@ -318,9 +317,6 @@ _ANGULAR: Mapping[Dimension, tuple[str, str]] = MappingProxyType(
         RATE_OF_RATE: ("rad/s^2", "an angular acceleration"),
     }
 )
-
-NAMES: Mapping[Dimension, str] = MappingProxyType({dim: words[2].split(" ", 1)[1] for dim, words in _KNOWN.items()})
-
 
 def default_unit(dimension: Dimension, angle: bool = False, us: bool = False) -> Unit:
     """The unit in which a value is printed when nobody asked for another: SI, or US customary.

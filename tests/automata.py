@@ -6,13 +6,28 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from planar_cli.integrators.base import Step
-from planar_cli.motion.automaton import Choice
+from planar_cli.motion.automaton import Automaton, Choice
 from planar_cli.motion.impact import Struck, StruckContact
 from planar_cli.problem.facts import Facts, Mode
 
 GRAVITY = 9.81
 Function = Callable[[float, Sequence[float]], float]
 Vector = Callable[[float, Sequence[float]], list[float]]
+
+
+@dataclass(frozen=True)
+class Always:
+    """A scene in which everything acts all the time."""
+
+    scene: Automaton
+
+    def automaton(self, reached: Sequence[str]) -> Automaton:
+        """The same always."""
+        return self.scene
+
+    def applied(self, after: str, t: float, y: Sequence[float]) -> Mapping[str, tuple[float, ...]]:
+        """None."""
+        return {}
 
 
 @dataclass(frozen=True)

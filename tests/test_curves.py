@@ -10,13 +10,7 @@ import mpmath
 import pytest
 import sympy as sp
 
-from planar_cli.calculus.curvature import (
-    curvature_explicit,
-    curvature_parametric,
-    curvature_polar,
-    radius_of_curvature,
-)
-from planar_cli.calculus.curves import HODOGRAPH_AXES, curve_numeric, curve_of
+from planar_cli.calculus.curves import curve_numeric, curve_of
 from planar_cli.equation.exact import Valuation
 
 t, theta, phi = sp.symbols("t theta phi", real=True)
@@ -93,7 +87,7 @@ def test_example_1_12() -> None:
     path = curve_of(x, y, t, NOTHING)
     assert (path.equation, path.radius, path.centre) == (sp.Eq(X**2 + Y**2, 225), 15, (0, 0))
     assert [words for words, _ in path.steps] == ["", "", "squared and added, since cos² + sin² = 1"]
-    hodograph = curve_of(sp.diff(x, t), sp.diff(y, t), t, NOTHING, HODOGRAPH_AXES)
+    hodograph = curve_of(sp.diff(x, t), sp.diff(y, t), t, NOTHING, ("vx", "vy"))
     assert hodograph.equation == sp.Eq(VX**2 + VY**2, 225 * sp.pi**2 / 16)
     assert hodograph.radius == 15 * sp.pi / 4
 
@@ -129,7 +123,7 @@ def test_a_cycloid_on_half_an_arch() -> None:
 
 
 def test_the_hodograph_of_a_rim_point_is_a_circle() -> None:
-    curve = curve_of(r * omega * (1 - cos(omega * t)), r * omega * sin(omega * t), t, NOTHING, HODOGRAPH_AXES)
+    curve = curve_of(r * omega * (1 - cos(omega * t)), r * omega * sin(omega * t), t, NOTHING, ("vx", "vy"))
     assert curve.words == "circle about (omega*r, 0)"
     assert same(curve.equation, (VX - r * omega) ** 2 + VY**2, (r * omega) ** 2)
 
@@ -230,19 +224,3 @@ def test_too_few_different_points_decide_nothing() -> None:
 def test_nearly_a_circle_is_none() -> None:
     curve = curve_numeric(sampled(mpmath.cos, lambda u: mpmath.sin(u) + mpmath.mpf("1e-15") * mpmath.sin(3 * u)))
     assert curve.words == "curve"
-
-
-def test_curvature_of_example_1_13() -> None:
-    kappa = curvature_explicit(X**2 / 2, X)
-    assert radius_of_curvature(kappa).subs(X, 2) == 5 * sp.sqrt(5)
-
-
-def test_curvature_in_all_coordinates() -> None:
-    assert curvature_parametric(R * cos(omega * t), R * sin(omega * t), t) == 1 / R
-    assert curvature_parametric(R * cos(omega * t), -R * sin(omega * t), t) == -1 / R
-    assert curvature_polar(a, theta) == 1 / a
-    assert sp.simplify(curvature_polar(b * theta, theta) - (theta**2 + 2) / (b * (1 + theta**2) ** Q(3, 2))) == 0
-    cartesian = curvature_parametric(b * theta * cos(theta), b * theta * sin(theta), theta)
-    assert sp.simplify(cartesian - curvature_polar(b * theta, theta)) == 0
-    assert radius_of_curvature(curvature_parametric(t, 2 * t + h, t)) == sp.oo
-    assert radius_of_curvature(-1 / R) == R

@@ -109,7 +109,7 @@ def test_units_do_not_enter(metre: float, second: float) -> None:
 
 def test_back_again() -> None:
     there = Flow(swing, 0, [1.0, 0.25], 12)
-    back = there.restarted(20)
+    back = Flow(swing, 20, there.at(20), 12)
     assert back.at(0) == pytest.approx([1.0, 0.25], rel=1e-11)
     assert there.at(-4.25) == pytest.approx(back.at(-4.25), rel=1e-11)
 

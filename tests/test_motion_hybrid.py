@@ -6,10 +6,10 @@ import math
 from collections.abc import Sequence
 
 import pytest
-from automata import GRAVITY, Condition, Law, Scene, modes, touching
+from automata import GRAVITY, Always, Condition, Law, Scene, modes, touching
 
 from planar_cli.integrators.base import Setting
-from planar_cli.motion.automaton import Always, Choice, Regime, Start
+from planar_cli.motion.automaton import Choice, Regime, Start
 from planar_cli.motion.follow import Follower
 from planar_cli.motion.impact import Struck, StruckContact, strike
 from planar_cli.motion.schedule import Crossing, Event, Schedule

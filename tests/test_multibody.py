@@ -52,11 +52,10 @@ def test_second_road_agrees(path: Path) -> None:
     for problem in parts(path):
         for trial in held_trials(problem):
             for outcome in trial.outcomes:
-                for worked in (Worked.of_outcome(trial.system, outcome), Worked.of_solution(trial.system, outcome, {})):
-                    found = second_road(trial.system, worked)
-                    assert found.disagreements == ()
-                    assert found.digits >= 40
-                    assert found.velocities_ok < Decimal("1e-40")
+                found = second_road(trial.system, Worked.of_solution(trial.system, outcome, {}))
+                assert found.disagreements == ()
+                assert found.digits >= 40
+                assert found.velocities_ok < Decimal("1e-40")
 
 
 CRANK = """
@@ -88,7 +87,7 @@ def crank() -> Trial:
 
 
 def road(trial: Trial, **changes: Any) -> Agreement:
-    worked = Worked.of_outcome(trial.system, trial.outcomes[0])
+    worked = Worked.of_solution(trial.system, trial.outcomes[0], {})
     return second_road(trial.system, replace(worked, **changes))
 
 
@@ -98,7 +97,7 @@ def test_the_crank_agrees(crank: Trial) -> None:
 
 
 def test_a_wrong_acceleration_is_named(crank: Trial) -> None:
-    worked = Worked.of_outcome(crank.system, crank.outcomes[0])
+    worked = Worked.of_solution(crank.system, crank.outcomes[0], {})
     linear, alpha = worked.accelerations["AB"]
     found = road(crank, accelerations={**worked.accelerations, "AB": (linear, alpha * Decimal("1.0000001"))})
     assert [d.split(":")[0] for d in found.disagreements] == ["alpha of AB"]
@@ -106,7 +105,7 @@ def test_a_wrong_acceleration_is_named(crank: Trial) -> None:
 
 
 def test_a_wrong_push_is_named(crank: Trial) -> None:
-    worked = Worked.of_outcome(crank.system, crank.outcomes[0])
+    worked = Worked.of_solution(crank.system, crank.outcomes[0], {})
     name = next(n for n in worked.pushes if n.startswith("N_"))
     found = road(crank, pushes={**worked.pushes, name: worked.pushes[name] + 1})
     assert found.disagreements
@@ -114,7 +113,7 @@ def test_a_wrong_push_is_named(crank: Trial) -> None:
 
 
 def test_velocities_that_break_a_joint_are_named(crank: Trial) -> None:
-    worked = Worked.of_outcome(crank.system, crank.outcomes[0])
+    worked = Worked.of_solution(crank.system, crank.outcomes[0], {})
     linear, omega = worked.velocities["AB"]
     found = road(crank, velocities={**worked.velocities, "AB": (linear, omega + 1)})
     assert found.velocities_ok > Decimal("0.01")
@@ -143,7 +142,7 @@ find: {alpha: alpha(AB)}
         bent = replace(joining, rolling=replace(joining.rolling, mover=factor * joining.rolling.mover))
         instant.modes[0] = (joint, (replace(mode, facts=replace(mode.facts, joinings=(bent,))),))
         trial = search_modes(instant, instant.scene.valuations)[0][0]
-        worked = Worked.of_outcome(trial.system, trial.outcomes[0])
+        worked = Worked.of_solution(trial.system, trial.outcomes[0], {})
         assert second_road(trial.system, worked).holds == (factor == 1)
 
 
@@ -157,7 +156,7 @@ def test_only_what_is_unique_is_compared() -> None:
     assert free is not None
     values = [v + 7 * n for v, n in zip(outcome.solved.values, free, strict=True)]
     other = replace(outcome, solved=replace(outcome.solved, values=values))
-    assert second_road(trial.system, Worked.of_outcome(trial.system, other)).holds
+    assert second_road(trial.system, Worked.of_solution(trial.system, other, {})).holds
 
 
 def test_the_unknowns_of_the_tree_are_recovered(crank: Trial) -> None:
@@ -175,7 +174,7 @@ def test_pushes_do_no_work_in_allowed_motions(crank: Trial) -> None:
     """A push turned away from the normal is caught: the net force of the joint differs."""
     system = crank.system
     turned = tuple(turned_push(p) if p.kind == "normal" else p for p in system.pushes)
-    worked = Worked.of_outcome(system, crank.outcomes[0])
+    worked = Worked.of_solution(system, crank.outcomes[0], {})
     before, system.pushes = system.pushes, turned
     try:
         assert not second_road(system, worked).holds

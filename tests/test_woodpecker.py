@@ -11,10 +11,10 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import pytest
-from automata import Condition, Law, Scene, modes
+from automata import Always, Condition, Law, Scene, modes
 
 from planar_cli.integrators.base import Setting
-from planar_cli.motion.automaton import Always, Choice, Start
+from planar_cli.motion.automaton import Choice, Start
 from planar_cli.motion.complementarity import solved
 from planar_cli.motion.follow import Follower
 from planar_cli.motion.impact import StruckContact

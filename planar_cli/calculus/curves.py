@@ -27,7 +27,6 @@ from planar_cli.equation.exact import Valuation
 from planar_cli.equation.plain import longer
 
 PATH_AXES = ("x", "y")
-HODOGRAPH_AXES = ("vx", "vy")
 POLAR = ("r", "theta")
 LONGEST = 400
 """Nothing is eliminated from longer coordinates."""

@@ -330,8 +330,3 @@ class Flow:
             bounds, sizes = self._error(time)
         worst = max((b / s for b, s in zip(bounds, sizes, strict=True) if s), default=0.0)
         return max(0, math.floor(-math.log10(max(worst, self.level.unit))))
-
-    def restarted(self, t: Any, y: Sequence[Any] | None = None, rhs: Rates | None = None) -> Flow:
-        """A new flow from a time on, after an impact or a change of forces: with another state or right-hand side."""
-        there = self.at(t) if y is None else y
-        return Flow(rhs or self.rhs, t, there, self.digits, self.evaluations, self.breaks, self.floors)

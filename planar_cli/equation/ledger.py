@@ -36,7 +36,6 @@ class Kind(Enum):
     START = "value of a coordinate at the start"
     SPEED = "velocity unknown"
     ACCELERATION = "acceleration unknown"
-    REACTION = "reaction"
     NAMED = "named intermediate"
     STATE = "value at a state"
 

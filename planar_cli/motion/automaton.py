@@ -160,21 +160,6 @@ class Stages(Protocol):
 
 
 @record
-class Always:
-    """A scene in which everything acts all the time."""
-
-    scene: Automaton
-
-    def automaton(self, reached: Sequence[str]) -> Automaton:
-        """The same always."""
-        return self.scene
-
-    def applied(self, after: str, t: float, y: Sequence[float]) -> Mapping[str, tuple[float, ...]]:
-        """None."""
-        return {}
-
-
-@record
 class Start:
     """Where a motion begins."""
 

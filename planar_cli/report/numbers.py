@@ -55,11 +55,6 @@ def rotation_words(sign: Decimal | int) -> str:
     return "counterclockwise" if sign > 0 else "clockwise" if sign < 0 else ""
 
 
-def rotation_arrow(sign: Decimal | int) -> str:
-    """The sense of a rotation as an arrow; nothing for zero."""
-    return "↺" if sign > 0 else "↻" if sign < 0 else ""
-
-
 def vector_words(x: Decimal, y: Decimal, figures: int = 3) -> str:
     """The direction of a vector, +x to the right and +y up: "to the right", "at 33.7° above +x"; nothing for zero."""
     if x.is_zero() and y.is_zero():

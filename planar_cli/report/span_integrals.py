@@ -14,7 +14,6 @@ from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import Piece, SpanIntegral
 from planar_cli.units import ANGULAR_MOMENTUM, TIME, Dimension, default_unit
 
-NAMES = {"work": "W", "heat": "Q", "impulse": "J", "path_length": "s", "mean": "mean value", "count": "number"}
 ANGULAR_IMPULSE = "N*m*s"
 HOW = {
     "difference": "the integrand is the rate of",

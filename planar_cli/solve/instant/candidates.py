@@ -21,7 +21,7 @@ from planar_cli.solve.multibody.linear import Row, clean, scaled
 
 ALONG_CONTACT = 0.95
 """Along and across a slope is how it is drawn."""
-AXIS, NAMED_POINT, ACROSS, NAMED_SLANT, SLANT, CONSTRUCTED, FAR = 1.0, 1.1, 1.2, 1.3, 1.6, 2.0, 3.0
+AXIS, NAMED_POINT, ACROSS, NAMED_SLANT, CONSTRUCTED, FAR = 1.0, 1.1, 1.2, 1.3, 2.0, 3.0
 PER_BODY, PER_UNKNOWN = 0.6, 0.15
 
 

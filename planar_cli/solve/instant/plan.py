@@ -37,10 +37,9 @@ class Block:
 
 @record
 class Plan:
-    """Blocks in order. `systematic`: found by plain ordering, beyond the budget of the search."""
+    """Blocks in order."""
 
     blocks: tuple[Block, ...]
-    systematic: bool = False
 
     @property
     def equations(self) -> int:
@@ -135,8 +134,8 @@ class Planner:
         plans = [p for p in (self.order(goal, targets) for goal in goals) if p is not None]
         if plans:
             return min(plans, key=lambda p: (p.equations + TEAR * p.tear, p.cost))
-        found = self.order(self._shrunk(targets), targets)
-        return None if found is None else Plan(found.blocks, systematic=True)
+        # Beyond the budget of the search: by plain ordering.
+        return self.order(self._shrunk(targets), targets)
 
     def fixes(self, allowed: int, targets: int) -> bool:
         """Do the candidates inside `allowed` determine the targets?"""

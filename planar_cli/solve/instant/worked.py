@@ -47,15 +47,6 @@ class Worked:
         return Worked(velocities, accelerations, pushes, numbers)
 
     @staticmethod
-    def of_outcome(system: System, outcome: Outcome) -> Worked:
-        """From the numbers of one choice of modes."""
-        columns, values = outcome.assembly.columns, outcome.solved.values
-        pushes = {p.name: values[columns[p.name]] for p in system.pushes}
-        sought = {s: values[columns[s.name]] for s in system.scene.ledger.sought if s.name in columns}
-        numbers = outcome.value.extended(sought)
-        return Worked(dict(outcome.assembly.twists), _accelerations(system, outcome), pushes, numbers)
-
-    @staticmethod
     def of_solution(system: System, outcome: Outcome, solved: Mapping[sp.Symbol, Decimal]) -> Worked:
         """From what a plan has `solved`; unknowns that it did not need have the values of the chosen modes' numbers."""
         numbers = outcome.value.extended({**unknowns_of(system, outcome), **solved})

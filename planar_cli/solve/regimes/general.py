@@ -94,17 +94,6 @@ class General:
         maker = Finisher(self.instant, self.trial, (), {})
         maker.demand_unique(needed(list(exprs), unknowns), self.instant.scene.problem.find)
 
-    def impossible(self, state: Mapping[sp.Symbol, Decimal], known: Valuation) -> str:
-        """Why no distribution of what is not unique satisfies every test in a state; "" when one does. `state`: by the
-        letters, `known`: numbers of everything else.
-        """
-        draws = self.instant.scene.valuations[0]
-        here = draws.extended({**known.values, **state})
-        given = {u: state.get(u, Decimal(0)) for u in (*self.free, *self.resting)}
-        trial = self.instant.try_choice(self.choice, (here,), given=given)
-        failed = trial.outcomes[0].failed if trial.outcomes else ()
-        return next((test.words for test, number in failed if number is None), "")
-
     def _finisher(self) -> Finisher:
         finisher = Finisher(self.instant, self.trial, (), {})
         finisher.letters = frozenset(self.free)
