@@ -191,13 +191,16 @@ _HABITS: Mapping[str, str] = MappingProxyType(
     }
 )
 
-_TOKEN = re.compile(r"([A-Za-z]+|1)(?:\^(-?[0-9]{1,2}))?")
+# A broken power, `m^(1/2)`, is written `m^1|2` inside: no stroke, no bracket.
+_BROKEN = re.compile(r"\^\((-?[0-9]{1,2})/([1-9][0-9]?)\)")
+_TOKEN = re.compile(r"([A-Za-z]+|1)(?:\^(-?[0-9]{1,2})(?:\|([0-9]{1,2}))?)?")
 
 
 def parse_unit(text: str) -> Unit:
     """The unit that `text` says, such as `N*m`, `m/s^2`, `1/s`, `1`; products and quotients are read left to right.
 
-    A bracket may follow a stroke: `kg/(m*s)`. Raises UnitError.
+    A bracket may follow a stroke: `kg/(m*s)`; a broken power of an SI base unit stands in one: `m^(1/2)/s`. Raises
+    UnitError.
     """
     return _parse_unit(text.strip())
 
@@ -209,8 +212,9 @@ def _parse_unit(text: str) -> Unit:
     for sign, part in _factors(text):
         unit, power = _atom(part)
         power *= sign
-        factor *= unit.factor**power
-        pi_power += unit.pi_power * power
+        # A broken power stands only where the factor is one.
+        factor *= unit.factor**power.numerator
+        pi_power += unit.pi_power * power.numerator
         dimension *= unit.dimension**power
         angle = angle or unit.angle
     only_turning = dimension.length == 0 and dimension.mass == 0
@@ -244,28 +248,37 @@ _PLAIN = {"²": "^2", "³": "^3", "·": "*", "⋅": "*", "×": "*", "µ": "u", "
 
 def _factors(text: str) -> list[tuple[int, str]]:
     """The atoms of a unit with +1 (above the stroke) or -1 (below); `kg/(m*s)` reads as `kg/m/s`."""
-    flat = re.sub(r"/\(([^()/]+)\)(?=$|[*/])", lambda match: "/" + match[1].replace("*", "/"), text)
+    whole = _BROKEN.sub(r"^\1|\2", text)
+    flat = re.sub(r"/\(([^()/]+)\)(?=$|[*/])", lambda match: "/" + match[1].replace("*", "/"), whole)
     pieces = re.split(r"([*/])", flat)
     signs = (1, *(-1 if sign == "/" else 1 for sign in pieces[1::2]))
     return list(zip(signs, pieces[::2], strict=True))
 
 
-def _atom(piece: str) -> tuple[Unit, int]:
+def _atom(piece: str) -> tuple[Unit, Fraction]:
     """One atom with its power, `s^2`; raises UnitError with what to write instead."""
     match = _TOKEN.fullmatch(piece)
     if match is None:
+        piece = piece.replace("|", "/")
         if not piece:
             raise UnitError("a unit ends or begins with `*` or `/`", "write it as in `N*m` or `1/s`", piece)
         if re.fullmatch(r"[A-Za-z]+[0-9]", piece) and piece[:-1] in ATOMS:
             raise UnitError(f"unknown unit `{piece}`", f"write the power with `^`: `{piece[:-1]}^{piece[-1]}`", piece)
+        broken = re.fullmatch(r"([A-Za-z]+)\^-?([0-9]+\.[0-9]+)", piece)
+        if broken:
+            exponent = Fraction(broken[2]).limit_denominator(99)
+            raise UnitError(f"unknown unit `{piece}`", f"write a broken power as in `{broken[1]}^({exponent})`", piece)
         raise UnitError(f"unknown unit `{piece}`", "units are joined by `*` and `/`, powers are whole numbers", piece)
-    power = int(match[2] or 1)
+    power = Fraction(int(match[2] or 1), int(match[3] or 1))
     if abs(power) > MAX_UNIT_POWER:
         raise UnitError(f"the power of a unit is at most {MAX_UNIT_POWER}", "", piece)
     name = match[1]
     if name not in ATOMS:
         raise UnitError(f"unknown unit `{name}`", _suggestion(name), name)
-    return ATOMS[name], power
+    unit = ATOMS[name]
+    if power.denominator != 1 and (unit.factor != 1 or unit.pi_power):
+        raise UnitError(f"no broken power of `{name}`", "write it with `m`, `kg`, `s`", name)
+    return unit, power
 
 
 def is_habit(atom: str) -> bool:

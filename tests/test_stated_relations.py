@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 from answered import assert_close, solve
+from click.testing import CliRunner
 
+from planar_cli.cli import cli
 from planar_cli.errors import NoSolution
 from planar_cli.problem.structure import load_text
 from planar_cli.solve.run import solve_problem
@@ -129,3 +133,49 @@ def test_a_rope_of_pure_kinematics_keeps_its_length() -> None:
         solve(CORD + "instant: [v(A).y = -1 m/s, v(B).y = -1 m/s]\nfind: {a: r(A/B).mag}\n")
     with pytest.raises(NoSolution):
         solve(CORD + "instant: [v(A).y = 1 m/s, v(B).y = 1 m/s]\nfind: {v: v(B).y}\n")
+
+
+BOAT = """
+title: Boat that is braked by the power 3/2 of its speed
+given: {{c: {c}, v_0: 50 m/s}}
+bodies: {{boat: {{particle: [0, 0]}}}}
+motion: [a(boat).x = -c*v(boat).x^(3/2), y(boat) = 0]
+states:
+  1: [t = 0, v(boat).x = v_0]
+  2: [v(boat).x = 20 m/s]
+find: {{T: t @ 2}}
+"""
+
+
+@pytest.mark.parametrize(
+    "coefficient", ["0.08 1/(m^(1/2)*s^(1/2))", "0.08 m^(-1/2)*s^(-1/2)", "(0.08 m/s^2)/(1 m/s)^(3/2)"]
+)
+def test_coefficients_with_broken_powers_of_units(coefficient: str) -> None:
+    found = solve(BOAT.format(c=coefficient))
+    assert_close(found["T"], 25 * (20**-0.5 - 50**-0.5))
+
+
+STOPS = """
+title: Block that stops on a floor that gets rougher
+plane: vertical
+given: {{mu_0: 0.2, c: 0.1 1/m}}
+coordinates: {{x: m}}
+points: {{O: [0, 0], P: [x, 0]}}
+surfaces: {{floor: {{through: O, angle: 0 deg}}}}
+bodies: {{block: {{particle: P, mass: 3 kg}}}}
+joints:
+  - contact: {{between: [block, floor], mu_k: mu_0 + c*x, mu_s: 0.9}}
+states:
+  1: [t = 0, x = 0, v(P).x = 5 m/s]
+  2: [{stops}]
+find: {{d: x(P) @ 2}}
+"""
+
+
+@pytest.mark.parametrize("stops", ["v(P) = 0", "0 = v(P)", "P at rest", "block at rest"])
+def test_a_vector_that_vanishes_and_a_point_at_rest(tmp_path: Path, stops: str) -> None:
+    """Solved, and confirmed by following the motion, in the same words."""
+    file = tmp_path / "problem.yaml"
+    file.write_text(STOPS.format(stops=stops) + "answers: {d: 3.429936 m}\n", encoding="utf-8")
+    result = CliRunner().invoke(cli, ["solve", str(file)])
+    assert result.exit_code == 0, result.output

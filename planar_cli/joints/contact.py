@@ -20,7 +20,8 @@ class Contact(Joint):
     """Two bodies touch at a point and press on each other; they may stick, slip or part.
 
     Meaning
-        A body stands, leans or slides on another, or on a surface, at the point `at`. Say what friction there is:
+        A body stands, leans or slides on another, or on a surface, at the point `at`; it may be left out for a particle,
+        and for a round rim on an edge or another rim. Say what friction there is:
         `mu` (static and kinetic; 0 is smooth), or `mu_s` and `mu_k`, or `friction`, a fixed limit of the force.
         Which case holds is found, and asked by `mode(j)`: stick, slip, apart, or tip for a block.
 
@@ -64,7 +65,7 @@ class Contact(Joint):
     )
 
     between: tuple[str, ...] = key(PartnersKey(), "the two bodies, or a body and a surface")
-    at: str = key(PointKey(), "the point where they touch")
+    at: str = key(PointKey(), "the point where they touch; left out where the shapes tell it", default="")
     mu: Side | None = key(SideKey("1"), "coefficient of friction, static and kinetic; 0 is smooth", default=None)
     mu_s: Side | None = key(SideKey("1"), "coefficient of static friction", default=None)
     mu_k: Side | None = key(SideKey("1"), "coefficient of kinetic friction", default=None)

@@ -55,7 +55,7 @@ class Rolling(Joint):
     touches: ClassVar[bool] = True
 
     between: tuple[str, ...] = key(PartnersKey(), "the wheel and what it rolls on")
-    at: str = key(PointKey(), "the point where they touch")
+    at: str = key(PointKey(), "the point where they touch; left out where the shapes tell it", default="")
 
     def attachments(self) -> tuple[tuple[str, str], ...]:
         return tuple((self.at, body) for body in self.between)

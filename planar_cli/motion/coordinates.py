@@ -16,7 +16,7 @@ from planar_cli.motion.sides import names_in
 from planar_cli.motion.terms import Term
 from planar_cli.problem.expression import Side
 from planar_cli.problem.geometry import Vec
-from planar_cli.problem.scene import GROUND, At, Midpoint, Point, Polar, Towards, TwoFacts
+from planar_cli.problem.scene import GROUND, At, Foot, Midpoint, Point, Polar, Rims, Towards, TwoFacts
 from planar_cli.records import record
 
 
@@ -112,6 +112,11 @@ class Coordinates:
                 others = [n for n, _ in facts.distances] + ([facts.line[0]] if facts.line else [])
                 sides += [d for _, d in facts.distances]
                 return self._written(*sides) or any(self._follows_named(n) for n in others)
+            case Foot(center, through, angle, towards):
+                others = [n for n in (center, through, towards) if n]
+                return (angle is not None and self._written(angle)) or any(self._follows_named(n) for n in others)
+            case Rims(a, _, b, _):
+                return self._follows_named(a) or self._follows_named(b)
         raise TypeError(type(point.place).__name__)
 
     def _follows_named(self, name: str) -> bool:

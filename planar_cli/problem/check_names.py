@@ -18,6 +18,7 @@ from planar_cli.problem.scene import (
     Body,
     Circle,
     Composite,
+    Foot,
     Line,
     Midpoint,
     Outline,
@@ -25,6 +26,7 @@ from planar_cli.problem.scene import (
     Place,
     Plate,
     Polar,
+    Rims,
     Rod,
     Round,
     Sector,
@@ -134,6 +136,10 @@ def points_of_place(place: Place) -> tuple[str, ...]:
         case TwoFacts():
             line = (place.line[0],) if place.line else ()
             return (*line, *(name for name, _ in place.distances))
+        case Foot():
+            return (place.center, place.through, *((place.towards,) if place.towards else ()))
+        case Rims():
+            return (place.a, place.b)
         case _:
             return ()
 

@@ -8,7 +8,7 @@ from fractions import Fraction
 from planar_cli.errors import Diagnostic
 from planar_cli.problem.expression import Binary, Name, Negate, Number, Quantity, Side
 from planar_cli.problem.formulas import formulas
-from planar_cli.problem.scene import GROUND, At, Body, Composite, Particle, Polar, Towards, TwoFacts
+from planar_cli.problem.scene import GROUND, At, Body, Composite, Foot, Particle, Polar, Towards, TwoFacts
 from planar_cli.problem.scope import Scope
 from planar_cli.problem.walk import Tree, walk
 
@@ -106,6 +106,8 @@ def _parts(place: object) -> tuple[list[Side], list[str]]:
             sides = [s for s in (place.x, place.y, place.line[1] if place.line else None) if s is not None]
             points = [name for name, _ in place.distances] + ([place.line[0]] if place.line else [])
             return [*sides, *(d for _, d in place.distances)], points
+        case Foot():
+            return [], [n for n in (place.center, place.through, place.towards) if n]
         case _:
             return [], [n for n in (getattr(place, "a", ""), getattr(place, "b", "")) if n]
 

@@ -7,7 +7,7 @@ from typing import Any, Protocol
 from planar_cli.errors import refuse
 from planar_cli.problem.expression import Side
 from planar_cli.problem.geometry import Vec
-from planar_cli.problem.scene import At, Midpoint, Point, Polar, Towards, TwoFacts
+from planar_cli.problem.scene import At, Foot, Midpoint, Point, Polar, Rims, Towards, TwoFacts
 
 NEITHER = 1e-9
 """A difference of places below this part of their distance does not tell a side."""
@@ -54,7 +54,44 @@ def located(point: Point, numbers: Numbers) -> Vec:
             return middle
         case TwoFacts():
             return _two_facts(point, place, numbers)
+        case Foot():
+            return _foot(place, numbers)
+        case Rims():
+            return _between_rims(point, place, numbers)
     raise TypeError(type(place).__name__)
+
+
+def _foot(place: Foot, numbers: Numbers) -> Vec:
+    """The foot of the perpendicular from the centre on the edge."""
+    base = numbers.point(place.through)
+    if place.angle is not None:
+        along = numbers.unit_vector(numbers.value(place.angle))
+    else:
+        assert place.towards is not None
+        reach = numbers.point(place.towards) - base
+        along = reach / numbers.length(reach)
+    foot: Vec = base + along * (numbers.point(place.center) - base).dot(along)
+    return foot
+
+
+def _between_rims(point: Point, place: Rims, numbers: Numbers) -> Vec:
+    """On the line of centres: between them, or beyond the centre of the smaller circle that lies inside the larger."""
+    a, b = numbers.point(place.a), numbers.point(place.b)
+    r, s = numbers.value(place.radius_a), numbers.value(place.radius_b)
+    reach = b - a
+    length = numbers.length(reach)
+    if numbers.is_nothing(length):
+        raise refuse(point.mark, "PL510", f"{place.a} and {place.b} are the same place: rims about it touch nowhere")
+
+    def below(smaller: Any, larger: Any) -> bool:
+        gap = numbers.apart(Vec(larger - smaller, numbers.number(0)))
+        return gap is not None and gap[0] > 0
+
+    if below(r, s) and below(length, s):
+        inner: Vec = b - reach * (s / length)
+        return inner
+    touching: Vec = a + reach * (r / length)
+    return touching
 
 
 def _two_facts(point: Point, place: TwoFacts, numbers: Numbers) -> Vec:

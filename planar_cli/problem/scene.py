@@ -76,7 +76,27 @@ class TwoFacts:
     side: str | None
 
 
-Place = At | Polar | Towards | Midpoint | TwoFacts
+@record
+class Foot:
+    """Where a rim about `center` touches an edge through `through`, at `angle` or towards the point `towards`."""
+
+    center: str
+    through: str
+    angle: Side | None
+    towards: str | None
+
+
+@record
+class Rims:
+    """Where two rims touch: circles about `a` and `b`, side by side or one inside the other."""
+
+    a: str
+    radius_a: Side
+    b: str
+    radius_b: Side
+
+
+Place = At | Polar | Towards | Midpoint | TwoFacts | Foot | Rims
 
 
 @record

@@ -59,6 +59,7 @@ def schema() -> Schema:
             "statements": listing(ref("statement"), 0),
             "finds": named(TEXT, "name: quantity, expression or relation, with `in unit` if wanted"),
             "point": _point(),
+            "place": {"anyOf": [NAME, ref("point")]},
             "surface": _surface(),
             "body": BODY,
             "joint": _member("joints"),
@@ -111,32 +112,32 @@ def _own() -> Schema:
 
 
 def _point() -> Schema:
-    name, side = ref("name"), ref("side")
+    place, side = ref("place"), ref("side")
     facts = {
         "x": side,
         "y": side,
-        "line": {"type": "array", "items": [name, side], "minItems": 2, "maxItems": 2},
+        "line": {"type": "array", "items": [place, side], "minItems": 2, "maxItems": 2},
         "distances": named(side, "point: distance"),
         "side": {"enum": list(SIDES)},
     }
     return {
         "anyOf": [
             listing(side, 2, 2),
-            record({"from": name, "distance": side, "angle": side}, ["from", "distance", "angle"]),
-            record({"from": name, "towards": name, "distance": side}, ["from", "towards", "distance"]),
-            record({"midpoint": listing(name, 2, 2)}, ["midpoint"]),
+            record({"from": place, "distance": side, "angle": side}, ["from", "distance", "angle"]),
+            record({"from": place, "towards": place, "distance": side}, ["from", "towards", "distance"]),
+            record({"midpoint": listing(place, 2, 2)}, ["midpoint"]),
             record(facts, []),
         ]
     }
 
 
 def _surface() -> Schema:
-    name, side = ref("name"), ref("side")
+    name, place, side = ref("name"), ref("place"), ref("side")
     extra = {"body": name, "speed": side}
     return {
         "anyOf": [
-            record({"through": name, "angle": side, **extra}, ["through", "angle"]),
-            record({"center": name, "radius": side, **extra}, ["center", "radius"]),
+            record({"through": place, "angle": side, **extra}, ["through", "angle"]),
+            record({"center": place, "radius": side, **extra}, ["center", "radius"]),
             record({"y": side, **extra}, ["y"]),
             record({"r": side, **extra}, ["r"]),
         ]
@@ -170,9 +171,9 @@ def _kind(member: type) -> Schema:
 def _key(key_type: KeyType, spec: KeySpec) -> Schema:
     match key_type:
         case PointKey() | BodyKey():
-            return {**NAME}
+            return {**NAME} if isinstance(key_type, BodyKey) else ref("place")
         case PointPairKey():
-            return listing(ref("name"), 2, 2)
+            return listing(ref("place"), 2, 2)
         case PartnersKey(most=most):
             return listing(ref("name"), 2, most)
         case SideKey() | DirectionKey():
@@ -189,4 +190,4 @@ def _key(key_type: KeyType, spec: KeySpec) -> Schema:
         case RopePathKey():
             return listing({"type": "string", "pattern": r"^\s*((over|under)\s+)?\w+(\s+on\s+\w+)?\s*$"}, 2)
         case FlowKey():
-            return record({"at": ref("name"), "speed": ref("side"), "angle": ref("side")}, ["at", "speed", "angle"])
+            return record({"at": ref("place"), "speed": ref("side"), "angle": ref("side")}, ["at", "speed", "angle"])

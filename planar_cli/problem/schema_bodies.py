@@ -30,24 +30,25 @@ def _value(shape: str) -> Schema:
         case "particle":
             return {"anyOf": [ref("name"), listing(ref("side"), 2, 2)]}
         case "rod":
-            return {"type": "array", "items": [ref("name"), ref("side")], "minItems": 2, "maxItems": 2}
+            ends = [ref("place"), {"anyOf": [ref("place"), ref("side")]}]
+            return {"type": "array", "items": ends, "minItems": 2, "maxItems": 2}
         case "parts":
             return listing({"anyOf": [_shape(part, False) for part in SHAPE_KEYS if part != "parts"]}, 1)
         case "points":
-            return listing(ref("name"), 1)
+            return listing(ref("place"), 1)
         case _:
-            return ref("name")
+            return ref("place")
 
 
 def _shape(shape: str, whole: bool) -> Schema:
     """A body, or a part of one, of one shape."""
     keys: Schema = {shape: _value(shape)}
     for key in SHAPE_KEYS[shape]:
-        keys[key] = ref("name") if key == "center" else ref("side")
+        keys[key] = ref("place") if key == "center" else ref("side")
     keys |= {key: {**SIDE, "description": DOCS[key]} for key in MASS_KEYS}
-    keys["points"] = listing(ref("name"), 1)
+    keys["points"] = listing(ref("place"), 1)
     if whole:
-        keys["about"] = ref("name")
+        keys["about"] = ref("place")
     return record(keys, [shape, *NEEDED.get(shape, ())])
 
 

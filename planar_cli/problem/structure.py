@@ -16,6 +16,7 @@ from planar_cli.problem.checks import check
 from planar_cli.problem.fields import Fields
 from planar_cli.problem.in_time import in_time
 from planar_cli.problem.nodes import Mapping, Node, read_file, read_text
+from planar_cli.problem.points_at_rest import RestingPoints
 from planar_cli.problem.read_bodies import read_bodies
 from planar_cli.problem.read_cases import OWN, merged
 from planar_cli.problem.read_members import read_joints, read_loads
@@ -23,6 +24,8 @@ from planar_cli.problem.read_points import read_points, read_surfaces
 from planar_cli.problem.read_values import Names
 from planar_cli.problem.reading import Report
 from planar_cli.problem.scene import Body, Case, Point, Problem, Surface
+from planar_cli.problem.touching_points import with_touching_points
+from planar_cli.problem.unnamed_places import free_names, with_named_places
 from planar_cli.registry import modules
 
 Scene = tuple[tuple[Point, ...], tuple[Surface, ...], tuple[Body, ...], tuple[Joint, ...], tuple[Load, ...]]
@@ -137,6 +140,7 @@ def _read(file: str, whole: Fields) -> Problem:
     symbols, unknowns, coordinates = (sections.with_units(whole, key) for key in ("symbols", "unknowns", "coordinates"))
     numbers = frozenset(s.name for s in (*given, *symbols, *unknowns, *coordinates))
     points, surfaces, bodies, joints, loads = _scene(whole, numbers)
+    resting = RestingPoints(bodies, points)
     title, text, source, note = (sections.words(whole, key) for key in WORDS)
     return Problem(
         file=file,
@@ -156,8 +160,8 @@ def _read(file: str, whole: Fields) -> Problem:
         joints=joints,
         loads=loads,
         motion=sections.motion(whole),
-        instant=sections.statements(whole, "instant"),
-        states=in_time(sections.states(whole)),
+        instant=resting.statements(sections.statements(whole, "instant")),
+        states=in_time(resting.states(sections.states(whole))),
         find=sections.finds(whole),
         cases=(),
         answers=(),
@@ -169,15 +173,19 @@ def _read(file: str, whole: Fields) -> Problem:
 
 def _scene(whole: Fields, numbers: frozenset[str]) -> Scene:
     """Points, surfaces, bodies, joints and loads."""
-    points, surfaces, bodies, joints, loads = (whole.node(key) for key in SCENE_KEYS)
+    everything = [node for key in KEYS if (node := whole.node(key)) is not None]
+    sections = with_named_places({key: whole.node(key) for key in SCENE_KEYS}, everything)
+    points, surfaces, bodies, joints, loads = (sections[key] for key in SCENE_KEYS)
     report = whole.report
     read_surface = () if surfaces is None else read_surfaces(surfaces, report)
     read_body = () if bodies is None else read_bodies(bodies, report, numbers)
     names = Names(frozenset(b.name for b in read_body), frozenset(s.name for s in read_surface))
+    read_joint = () if joints is None else read_joints(joints, names, report)
+    touching = with_touching_points(read_joint, read_body, read_surface, free_names("C", everything), report)
     return (
-        () if points is None else read_points(points, report),
+        (*(() if points is None else read_points(points, report)), *touching[1]),
         read_surface,
         read_body,
-        () if joints is None else read_joints(joints, names, report),
+        touching[0],
         () if loads is None else read_loads(loads, names, report),
     )

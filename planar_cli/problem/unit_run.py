@@ -11,8 +11,9 @@ import re
 from planar_cli.problem.tokens import Cursor, Token
 from planar_cli.units import Unit, UnitError, is_habit, parse_unit
 
-_RUN = re.compile(r"(?:1/)?[A-Za-z0-9_.*/^]*")
-_BRACKET = re.compile(r"\([A-Za-z0-9*^]+\)")
+_POWER = r"\^\(-?[0-9]+/[0-9]+\)"
+_RUN = re.compile(rf"(?:1/)?(?:{_POWER}|\^-(?=[0-9])|[A-Za-z0-9_.*/^])*")
+_BRACKET = re.compile(rf"\((?:{_POWER}|[A-Za-z0-9*^])+\)")
 _HYPHENATED = re.compile(r"(?:k?N|lbf?|ft|in|kip)-(?:m|s|ft|in|lbf?)(?![A-Za-z0-9_(])")
 _ENDS = frozenset(("is", "at", "during", "cw", "ccw"))
 
@@ -26,7 +27,8 @@ def unit_follows(cursor: Cursor, previous: Token, group: bool) -> bool:
     if token.start == previous.end:
         return False
     if token.kind == "number":
-        return cursor.text.startswith("1/", token.start) and cursor.peek(2).kind == "name"
+        bracket = _BRACKET.match(cursor.text, token.start + 2)
+        return cursor.text.startswith("1/", token.start) and (cursor.peek(2).kind == "name" or bracket is not None)
     if token.kind != "name" or token.text in _ENDS:
         return False
     if token.text != "in":

@@ -20,7 +20,7 @@ from planar_cli.motion.regime import Regime
 from planar_cli.motion.routine import Routine
 from planar_cli.motion.terms import Term
 from planar_cli.motion.trajectory import Trajectory
-from planar_cli.problem.expression import Function, Grouped, Name, Quantity, Relation, Side
+from planar_cli.problem.expression import Function, Grouped, Name, Number, Quantity, Relation, Side
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.reactions import Reactions
 from planar_cli.problem.walk import walk
@@ -136,6 +136,10 @@ class Measures:
         def less(what: Relation, regime: Regime) -> list[Term]:
             quantities = self.quantities(regime)
             left, right = self.terms(what.left, quantities), self.terms(what.right, quantities)
+            for side, other in ((left, what.right), (right, what.left)):
+                if len(side) == 2 and _is_zero(other):
+                    # A vector that vanishes: its magnitude does.
+                    return [quantities.magnitude(Vec(side[0], side[1]))]
             if len(left) != len(right):
                 text = f"'{what.text}' compares a vector with a number"
                 raise FileProblem([Diagnostic(what.mark, "PL550", text, "compare .x and .y, or .mag")])
@@ -276,3 +280,8 @@ def way_of(trajectory: Trajectory, model: Model) -> Iterator[tuple[float, Sequen
 
 def _mark(side: Side) -> Mark:
     return side.mark
+
+
+def _is_zero(side: Side) -> bool:
+    """Is it the number 0, which may also stand against a vector?"""
+    return isinstance(side, Number) and not side.value

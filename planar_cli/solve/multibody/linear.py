@@ -33,9 +33,15 @@ class Solved:
 
 
 def scaled(row: Row) -> Row:
-    """The row divided by its largest coefficient (its constant when it has none)."""
+    """The row divided by its largest coefficient (its constant when it has none).
+
+    A coefficient of which only the last digits are left is zero: the arm of a normal through its own centre, say.
+    """
     size = max((abs(c) for c in row[:-1]), default=ZERO) or abs(row[-1])
-    return [c / size for c in row] if size else list(row)
+    if not size:
+        return list(row)
+    least = size * CERTAIN
+    return [*(c / size if abs(c) > least else ZERO for c in row[:-1]), row[-1] / size]
 
 
 def eliminate(rows: list[Row], width: int) -> tuple[list[tuple[int, Row]], list[Row]]:

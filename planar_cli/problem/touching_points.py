@@ -1,0 +1,88 @@
+"""Where two bodies touch of which the file does not say it: only where the shapes leave no choice.
+
+A particle touches where it is; a round rim at the foot on a straight edge, or on the line of centres with another rim.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import Any
+
+from planar_cli.joints.base import Joint
+from planar_cli.problem.expression import Side
+from planar_cli.problem.reading import Report
+from planar_cli.problem.scene import Body, Circle, Foot, Line, Particle, Place, Point, Rims, Rod, Round, Surface
+from planar_cli.records import record
+
+HINT = "the point where they touch"
+
+
+@record
+class _Straight:
+    """An edge through a point, at an angle or towards another point."""
+
+    through: str
+    angle: Side | None
+    towards: str | None
+
+
+@record
+class _Rim:
+    center: str
+    radius: Side
+
+
+def with_touching_points(
+    joints: tuple[Joint, ...],
+    bodies: tuple[Body, ...],
+    surfaces: tuple[Surface, ...],
+    names: Iterator[str],
+    report: Report,
+) -> tuple[tuple[Joint, ...], tuple[Point, ...]]:
+    """The joints, each with its point, and the points that are new. Reported where more than one can be meant."""
+    shapes: dict[str, Body | Surface] = {s.name: s for s in surfaces} | {b.name: b for b in bodies}
+    read: list[Joint] = []
+    points: list[Point] = []
+    for joint in joints:
+        touching: Any = joint
+        if not joint.touches or getattr(touching, "at", "given") != "":
+            read.append(joint)
+            continue
+        found = _place([shapes.get(name) for name in touching.between])
+        if isinstance(found, str):
+            read.append(replace(touching, at=found))
+        elif found is not None:
+            points.append(Point(next(names), found, joint.mark))
+            read.append(replace(touching, at=points[-1].name))
+        else:
+            report.add(joint.mark, "PL311", f"the {joint.kind} needs the key 'at'", HINT)
+            read.append(joint)
+    return tuple(read), tuple(points)
+
+
+def _place(partners: list[Body | Surface | None]) -> Place | str | None:
+    """The place of the point, or the name of a particle that touches there."""
+    for partner in partners:
+        if isinstance(partner, Body) and isinstance(partner.shape, Particle):
+            return partner.shape.place if isinstance(partner.shape.place, str) else partner.name
+    edges = [_edge(partner) for partner in partners]
+    match edges:
+        case [_Rim() as a, _Rim() as b]:
+            return Rims(a.center, a.radius, b.center, b.radius)
+        case [_Rim() as rim, _Straight() as line] | [_Straight() as line, _Rim() as rim]:
+            return Foot(rim.center, line.through, line.angle, line.towards)
+    return None
+
+
+def _edge(partner: Body | Surface | None) -> _Rim | _Straight | None:
+    match partner:
+        case Surface(shape=Line(through=through, angle=angle)):
+            return _Straight(through, angle, None)
+        case Surface(shape=Circle(center=center, radius=radius)):
+            return _Rim(center, radius)
+        case Body(shape=Round(center=center, radius=radius, hub=None)):
+            return _Rim(center, radius)
+        case Body(shape=Rod(start=start, end=end, angle=angle)) if end is not None or angle is not None:
+            return _Straight(start, None if end is not None else angle, end)
+    return None

@@ -1,0 +1,105 @@
+"""Places that are written where they are used, and points of contact that the shapes tell."""
+
+from __future__ import annotations
+
+import pytest
+from answered import assert_close, solve
+
+from planar_cli.problem.structure import load_text
+
+PLACES = """
+title: Disk on a floor, every place written where it is used
+plane: vertical
+surfaces: {floor: {through: [0, 0], angle: 0 deg}}
+bodies: {disk: {disk: [0, 0.3 m], radius: 0.3 m, mass: 2 kg}}
+joints:
+  - rolling: {between: [disk, floor], at: [0, 0]}
+loads:
+  - spring:
+      between: [[1 m, 0.3 m], [0, 0.3 m]]
+      stiffness: 3 N/m
+      natural_length: 0.5 m
+instant: [at rest]
+find: {a: a(disk).x}
+"""
+
+BOWL = """
+title: Disk in a bowl
+plane: vertical
+given: {R: 0.5 m, r: 0.1 m, m: 2 kg, P_1: 3 N}
+surfaces: {bowl: {center: [0, 0], radius: R}}
+bodies: {disk: {disk: {from: [0, 0], distance: R - r, angle: -60 deg}, radius: r, mass: m}}
+joints:
+  - rolling: {between: [disk, bowl]}
+instant: [at rest]
+find: {a: alpha(disk), N: N(disk)}
+"""
+
+GEARS = """
+title: Two gears, the line of their centres slanted
+plane: horizontal
+given: {r: 0.1 m, s: 0.2 m, T: 3 N*m}
+points: {G: [0, 0], H: {from: G, distance: r + s, angle: 77 deg}}
+bodies: {one: {disk: G, radius: r, mass: 2 kg}, other: {disk: H, radius: s, mass: 3 kg}}
+joints:
+  - pin: {at: G, between: [ground, one]}
+  - pin: {at: H, between: [ground, other]}
+  - rolling: {between: [one, other]}
+loads:
+  - torque: {body: one, moment: T}
+instant: [at rest]
+find: {a: alpha(one), b: alpha(other)}
+"""
+
+PLANK = """
+title: Plank on a drum, block on the plank's floor
+plane: vertical
+surfaces: {floor: {through: [0, 0], angle: 0 deg}}
+bodies:
+  plank: {rod: [[0, 0], {from: [0, 0], distance: 2 m, angle: 30 deg}], mass: 2 kg}
+  drum: {disk: [1.25 m, 0], radius: 1.25 m * sin(30 deg), mass: 10 kg}
+  block: {particle: [-1 m, 0], mass: 1 kg}
+joints:
+  - pin: {at: [0, 0], between: [ground, plank]}
+  - pin: {at: [1.25 m, 0], between: [ground, drum]}
+  - contact: {between: [plank, drum], mu: 0}
+  - contact: {between: [block, floor], mu: 0.5}
+loads:
+  - force: {body: block, magnitude: 10 N, angle: 0 deg}
+instant: [at rest]
+find: {N: N(plank/drum), a: a(block).x}
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        (PLACES, {"a": 3 * 0.5 / (1.5 * 2)}),
+        (BOWL, {"a": 32.7, "N": 2 * 9.81 * 3**0.5 / 2}),
+        (GEARS, {"a": 3 / (0.01 + 0.015), "b": -3 / (0.01 + 0.015) / 2}),
+        (PLANK, {"N": 2 * 9.81 / 1.25, "a": 10 - 0.5 * 9.81}),
+    ],
+    ids=["places", "inside a ring", "side by side", "edge and particle"],
+)
+def test_answers(text: str, expected: dict[str, float]) -> None:
+    found = solve(text)
+    for name, value in expected.items():
+        assert_close(found[name], value)
+
+
+def test_shapes_that_leave_it_open() -> None:
+    """A rod on a floor may touch with either end."""
+    _, wrong = load_text(
+        """
+title: Rod on a floor
+plane: vertical
+points: {A: [0, 0], B: [1 m, 1 m]}
+surfaces: {floor: {through: A, angle: 0 deg}}
+bodies: {rod: {rod: [A, B], mass: 2 kg}}
+joints:
+  - contact: {between: [rod, floor], mu: 0.3}
+instant: [at rest]
+find: {a: alpha(rod)}
+"""
+    )
+    assert [(d.code, d.message) for d in wrong] == [("PL311", "the contact needs the key 'at'")]
