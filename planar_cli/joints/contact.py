@@ -22,7 +22,8 @@ class Contact(Joint):
     Meaning
         A body stands, leans or slides on another, or on a surface, at the point `at`; it may be left out for a
         particle, and for a round rim on an edge or another rim. Say what friction there is: `mu` (static and kinetic;
-        0 is smooth), or `mu_s` and `mu_k`, or `friction`, a fixed limit of the force. Which case holds is found, and asked by `mode(j)`: stick, slip, apart, or tip for a block.
+        0 is smooth), or `mu_s` and `mu_k`, or `friction`, a fixed limit of the force. Which case holds is found, and
+        asked by `mode(j)`: stick, slip, apart, or tip for a block.
 
     YAML
         title: Does the ladder slip?
