@@ -8,7 +8,6 @@ from pathlib import Path
 import pytest
 import sympy as sp
 
-from planar_cli.calculus.flow import Flow
 from planar_cli.errors import FileProblem
 from planar_cli.homework.checking import read
 from planar_cli.report.notation import latex, plain
@@ -65,18 +64,6 @@ def test_instants_follow_each_other(tmp_path: Path) -> None:
     load = TABLE.replace("[3 s, 8 N]", "[0.5 s, 8 N]")
     with pytest.raises(FileProblem, match="follow each other"):
         solved(tmp_path, CART.format(load=load, more="instant: [t = 1 s, at rest]\nfind: {a: a(A).x}"))
-
-
-def test_a_flow_with_corners() -> None:
-    """y' = |t - 1| + |t - 2|, forward and backward over its corners, with all digits."""
-    flow = Flow(lambda t, y: [abs(t - 1) + abs(t - 2)], 0.5, [0.0], digits=13, breaks=[2.0, 1.0])
-
-    def exact(t: float) -> float:
-        return ((t - 1) * abs(t - 1) + (t - 2) * abs(t - 2)) / 2
-
-    for t in (-1.0, 0.9, 1.5, 2.0, 3.0):
-        assert flow.at(t)[0] == pytest.approx(exact(t) - exact(0.5), abs=1e-13)
-        assert flow.certain(t) >= 11
 
 
 def test_pieces_in_print() -> None:

@@ -34,7 +34,7 @@ def completed(found: SolvedMotion) -> SolvedMotion:
         if not formula.free_symbols & set(balanced.values):
             course.told[letter] = formula
     check_oscillations(course, course.swings, value)
-    spans = solve_spans(course, value) if course.spanned else ()
+    spans = solve_spans(course, value, found.followed) if course.spanned else ()
     for s in spans:
         if s.formula is not None and _agrees(s.formula, s.number, value):
             course.told.setdefault(s.symbol, s.formula)

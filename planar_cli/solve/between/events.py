@@ -97,6 +97,10 @@ class FollowedSegment:
             return self.pieces[-1].end
         raise NoValue(f"the motion is not followed to t = {t:.9g} s")
 
+    def ends(self) -> list[float]:
+        """The times up to t1 at which steps end."""
+        return [t for t, _ in self._ends() if t <= self.t1]
+
     def rates(self) -> list[float]:
         """How fast the letters but the time change at the beginning."""
         regime = self.regime

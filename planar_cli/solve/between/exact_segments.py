@@ -1,34 +1,33 @@
 """The motion between changes of regime: every letter as a function of time.
 
 Where the laws of motion can be integrated, a segment has formulas in t and in the letters of the state where it begins;
-coordinates that only loops tell follow by Newton's method. Everything else is a flow, integrated step by step, with the
-digits that are certain. SI units; angles in radians.
+coordinates that only loops tell follow by Newton's method. Everything else is read off the motion that was followed. SI
+units; angles in radians.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import field
 from decimal import Decimal
 from typing import Any
 
-import mpmath
 import sympy as sp
 
-from planar_cli.calculus.flow import Flow
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.equation.plain import simplified
+from planar_cli.errors import Undecided
 from planar_cli.records import record
+from planar_cli.solve.between.events import FollowedSegment, State
+from planar_cli.solve.between.followed import Followed
 from planar_cli.solve.between.motion_equations import MotionEquations
 from planar_cli.solve.between.stated_motion import StatedMotion
 from planar_cli.solve.regimes.constraints import project
 from planar_cli.solve.regimes.equations import Laws, law_equations, laws_of, link_equations
-from planar_cli.solve.regimes.regime import Regime, corners, number_function
+from planar_cli.solve.regimes.regime import Regime, number_function
 from planar_cli.solve.regimes.regime_sequence import RegimeSequence
 from planar_cli.solve.regimes.timeline import Stop
 
-ENOUGH, FEW_DIGITS, MANY_DIGITS = 10, 13, 20
-"""A flow in machine numbers serves if so many of its digits are certain; else it is integrated with many."""
 CHECKS = 8
 TINY = Decimal("1e-20")
 
@@ -47,13 +46,9 @@ class ExactSegment:
     """Letters of the general position that have one, in t and the letters of `start`."""
     origin: dict[sp.Symbol, Decimal] = field(default_factory=dict)
     """Numbers of coordinates as drawn, for loops."""
-    _flows: dict[int, Flow] = field(default_factory=dict)
+    followed: tuple[FollowedSegment, ...] = ()
+    """The same in numbers, stretch by stretch; none where the motion was not followed."""
     _known: dict[Decimal, dict[sp.Symbol, Decimal]] = field(default_factory=dict)
-
-    @property
-    def explicit(self) -> bool:
-        """Has every letter a formula?"""
-        return all(s in self.formulas for s in self.regime.letters[1:])
 
     def formula(self, letter: sp.Symbol) -> sp.Expr | None:
         """A letter of the general position as a formula in t, where there is one."""
@@ -84,8 +79,18 @@ class ExactSegment:
             f = number_function([direct], [time], self.value)
             return lambda t: f(t)[0]
         g = number_function([expr], self.regime.letters, self.value)
-        flow = self.flow(FEW_DIGITS)
-        return lambda t: g(t, *flow.at(t))[0]
+
+        def along(t: float) -> float:
+            here = self.here(t)
+            return g(*(here[s] for s in self.regime.letters))[0]
+
+        return along
+
+    def here(self, t: float) -> State:
+        """The letters at a time as they were followed. Undecided: they were not."""
+        if not self.followed:
+            raise Undecided("a quantity over a span has no formula here, and the motion is not followed step by step")
+        return next((f for f in self.followed if t <= f.t1), self.followed[-1]).at(t)
 
     def _at(self, t: Decimal) -> dict[sp.Symbol, Decimal]:
         here = self.value.extended({self.regime.time: t})
@@ -93,58 +98,20 @@ class ExactSegment:
         missing = [s for s in self.regime.letters if s not in found]
         if not missing:
             return found
-        guess = dict(zip(self.regime.letters[1:], self._flow_at(t), strict=True))
-        found |= {s: guess[s] for s in missing}
+        guess = self.here(float(t))
+        found |= {s: Decimal(repr(guess[s])) for s in missing}
         loops = self.regime.general.constraints
         unknowns = tuple(s for s in missing if any(c.residual.has(s) for c in loops))
         if loops and len(unknowns) == len(missing):
             found |= project(loops, unknowns, self.value.extended({**self.origin, **found}))
         return found
 
-    def _flow_at(self, t: Decimal) -> list[Decimal]:
-        flow = self.flow(FEW_DIGITS)
-        if flow.certain(float(t)) < ENOUGH:
-            flow = self.flow(MANY_DIGITS)
-        return [Decimal(mpmath.nstr(x, 30)) if not isinstance(x, float) else Decimal(repr(x)) for x in flow.at(t)]
 
-    def flow(self, digits: int, more: Sequence[sp.Expr] = (), since: Decimal | None = None) -> Flow:
-        """The letters but t, followed by the integrals of `more` (closed formulas) from `since` on."""
-        if not more and since is None and digits in self._flows:
-            return self._flows[digits]
-        begin = self.t0 if since is None else since
-        initial = self._initial() if begin == self.t0 else [self.at(begin)[s] for s in self.regime.letters[1:]]
-        exprs = [*(self.regime.rates[c.symbol] for c in self.regime.coordinates), *self.regime.accelerations.values()]
-        rhs = machine_function([*exprs, *more], self.regime.letters, self.value, digits)
-        first = [*map(_plain(digits), initial), *(0 for _ in more)]
-        breaks = corners(self.regime, self.value, begin, self.t1)
-        flow = Flow(lambda t, y: rhs(t, *y[: len(initial)]), begin, first, digits, breaks=breaks)
-        if not more and since is None:
-            self._flows[digits] = flow
-        return flow
-
-    def _initial(self) -> list[Decimal]:
-        return [self.value(self.start.letters[s]) for s in self.regime.letters[1:]]
-
-
-def _plain(digits: int) -> Callable[[Decimal], Any]:
-    return float if digits <= FEW_DIGITS else lambda x: mpmath.mpf(str(x))
-
-
-def machine_function(
-    exprs: Sequence[sp.Expr], letters: Sequence[sp.Symbol], value: Valuation, digits: int
-) -> Callable[..., list[Any]]:
-    """Numbers of closed formulas as a function of letters, in floats or mpmath's numbers."""
-    if digits <= FEW_DIGITS:
-        return number_function(exprs, letters, value)
-    exprs = [sp.sympify(e) for e in exprs]
-    names = set().union(*(e.free_symbols for e in exprs)) - set(letters)
-    inside = {s: sp.Float(str(value(s)), 2 * digits) for s in names}
-    made: Any = sp.lambdify(list(letters), [e.xreplace(inside) for e in exprs], modules="mpmath", cse=True)
-    return lambda *arguments: list(made(*arguments))
-
-
-def exact_segments(course: MotionEquations, value: Valuation) -> tuple[ExactSegment, ...]:
-    """The motion, one segment for each regime in its turn. `value`: numbers of names and of letters of states.
+def exact_segments(
+    course: MotionEquations, value: Valuation, followed: Followed | None
+) -> tuple[ExactSegment, ...]:
+    """The motion, one segment for each regime in its turn. `value`: numbers of names and of letters of states;
+    `followed`: it in numbers.
 
     Unvalued: a letter of the state where a segment begins has no number.
     """
@@ -168,7 +135,9 @@ def exact_segments(course: MotionEquations, value: Valuation) -> tuple[ExactSegm
             known = known.extended({start.letters[course.departure.speed]: course.departure.value})
         laws = course.laws[i] if i < len(course.laws) else laws_of(regime)
         formulas = explicit(laws, regime, start, known, t0, max([t0, *times]))
-        found.append(ExactSegment(regime, start, t0, max([t0, *times]), known, formulas, origin))
+        passed = [f for f in followed.segments if f.regime is regime] if followed is not None else []
+        passed = [f for f in passed if f.t1 > t0 or f is passed[-1]]
+        found.append(ExactSegment(regime, start, t0, max([t0, *times]), known, formulas, origin, tuple(passed)))
     return tuple(found)
 
 

@@ -4,7 +4,7 @@ Each is an integral over time. In order of preference it is
 
     a difference     where the integrand is the rate of a function G of place and time (a force along one coordinate)
     an integral      of q(t), where the laws of motion are integrated, closed or by quadrature
-    a flow           integrated along with the motion, with the digits that are certain
+    a flow           integrated along with the motion that was followed
 
 A path length is the sum of its parts between the instants at which the velocity vanishes. SI units.
 """
@@ -17,7 +17,6 @@ from decimal import Decimal
 from functools import cached_property, partial
 from itertools import pairwise
 
-import mpmath
 import sympy as sp
 
 from planar_cli.calculus.antiderivative import definite, where_real
@@ -27,7 +26,10 @@ from planar_cli.equation.exact import Valuation
 from planar_cli.equation.plain import simplified
 from planar_cli.errors import Diagnostic, NoSolution, NoValue
 from planar_cli.problem.expression import Quantity, Relation
-from planar_cli.solve.between.exact_segments import ENOUGH, FEW_DIGITS, MANY_DIGITS, ExactSegment, exact_segments
+from planar_cli.simulate.quadrature import Piece as Part
+from planar_cli.simulate.quadrature import integral
+from planar_cli.solve.between.exact_segments import ExactSegment, exact_segments
+from planar_cli.solve.between.followed import Followed
 from planar_cli.solve.between.motion_equations import MotionEquations
 from planar_cli.solve.between.span_quantities import SpanQuantity
 from planar_cli.solve.between.trace import Piece, SpanIntegral
@@ -42,14 +44,14 @@ SAME_TIME = Decimal("1e-20")
 
 
 class SpanSolver:
-    """Integrates over spans of one motion. `value`: numbers of names and of the letters of states."""
+    """Integrates over spans of one motion. `value`: numbers of names and letters of states; `followed`: the motion."""
 
-    def __init__(self, course: MotionEquations, value: Valuation) -> None:
-        self.course, self.value = course, value
+    def __init__(self, course: MotionEquations, value: Valuation, followed: Followed | None) -> None:
+        self.course, self.value, self.followed = course, value, followed
 
     @cached_property
     def segments(self) -> tuple[ExactSegment, ...]:
-        return exact_segments(self.course, self.value)
+        return exact_segments(self.course, self.value, self.followed)
 
     def solve(self, symbol: sp.Symbol, asked: SpanQuantity) -> SpanIntegral:
         q = asked.quantity
@@ -173,12 +175,10 @@ class SpanSolver:
 
     @staticmethod
     def _flowed(rate: sp.Expr, segment: ExactSegment, ta: Decimal, tb: Decimal) -> Decimal:
-        for digits in (FEW_DIGITS, MANY_DIGITS):
-            flow = segment.flow(digits, (rate,), ta)
-            end = float(tb) if digits == FEW_DIGITS else mpmath.mpf(str(tb))
-            if digits == MANY_DIGITS or flow.certain(end) >= ENOUGH:
-                break
-        return Decimal(mpmath.nstr(mpmath.mpf(flow.at(end)[-1]), digits + 2))
+        g, a, b = segment.function(rate), float(ta), float(tb)
+        ends = [a, *(t for f in segment.followed for t in f.ends() if a < t < b), b]
+        (number,) = integral(Part(lambda t: (g(t),), since, until) for since, until in pairwise(ends))
+        return Decimal(repr(number))
 
     # --- zeros -------------------------------------------------------------------------------------------------------
 
@@ -228,9 +228,9 @@ def _ends(since: Stop, until: Stop) -> tuple[str, str, tuple[sp.Symbol, sp.Symbo
     return since.name, until.name, (since.t, until.t)
 
 
-def solve_spans(course: MotionEquations, value: Valuation) -> tuple[SpanIntegral, ...]:
+def solve_spans(course: MotionEquations, value: Valuation, followed: Followed | None) -> tuple[SpanIntegral, ...]:
     """All quantities over spans. Those that stand in states are checked by numbers; NoSolution: the motion turns."""
-    solver = SpanSolver(course, value)
+    solver = SpanSolver(course, value, followed)
     found = []
     for symbol, asked in course.spanned.items():
         solved = solver.solve(symbol, asked)

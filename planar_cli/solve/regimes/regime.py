@@ -8,18 +8,15 @@ What moves is described by the coordinates q and the free speeds u; every other 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from contextlib import suppress
 from dataclasses import dataclass, field
 from decimal import Decimal
-from itertools import islice
 
 import sympy as sp
 
-from planar_cli.calculus.first import polish, roots
 from planar_cli.equation.displacement import Coordinate
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.equation.machine import compiled
-from planar_cli.equation.plain import derivative, letters, longer, parts_of, simplified
+from planar_cli.equation.plain import derivative, letters, longer, simplified
 from planar_cli.equation.sample import anywhere
 from planar_cli.equation.trigonometry import put_together
 from planar_cli.errors import NoValue
@@ -31,7 +28,6 @@ from planar_cli.solve.regimes.general import General, loose_tree
 from planar_cli.solve.regimes.opening import Gap, gaps_of
 from planar_cli.solve.regimes.speed_transfer import edges_of, transferred_speed
 
-MOST_CORNERS = 200
 LONGEST = 150
 """A formula with more operations is not simplified."""
 
@@ -236,35 +232,6 @@ def one_way(expr: sp.Expr, ways: Mapping[sp.Symbol, int]) -> sp.Expr:
     return simplified(expr.xreplace(inside)) if inside else expr
 
 
-def corners(regime: Regime, value: Valuation, since: Decimal, until: Decimal | None = None) -> list[Decimal]:
-    """Times at which the rates of a regime have corners: where the lines of a table meet, and after `since` where what
-    stands between the bars of an absolute value, or in a sign, vanishes.
-    """
-    exprs = [*regime.rates.values(), *regime.accelerations.values()]
-    parts = list(parts_of(exprs))
-    conditions = {c for p in parts if p.func is sp.Piecewise for c in p.atoms(sp.core.relational.Relational)}
-    found = {value(c.rhs) for c in conditions if c.lhs == regime.time and not c.rhs.free_symbols & set(regime.letters)}
-    barred = {a.args[0] for a in parts if isinstance(a, sp.Abs | sp.sign)}
-    for inside in sorted(barred, key=sp.default_sort_key):
-        if inside.free_symbols & set(regime.letters) == {regime.time}:
-            found |= set(_changes(inside, regime.time, value, since, until))
-    return sorted(found)
-
-
-def _changes(expr: sp.Expr, time: sp.Symbol, value: Valuation, since: Decimal, until: Decimal | None) -> list[Decimal]:
-    """The first times after `since` at which a function of time alone changes its sign, also for as long again beyond
-    `until`: a step may go beyond it.
-    """
-    g = number_function([expr], [time], value)
-    here = decimal_function(expr, [time], value)
-    end = None if until is None else float(until + (until - since))
-    found: list[Decimal] = []
-    with suppress(NoValue):
-        changes = (r for r in roots(lambda t: g(t)[0], float(since), end) if r.kind == "crossing")
-        found.extend(polish(here, Decimal(r.low), Decimal(r.high)) for r in islice(changes, MOST_CORNERS))
-    return found
-
-
 def number_function(
     exprs: Sequence[sp.Expr], letters: Sequence[sp.Symbol], value: Valuation
 ) -> Callable[..., list[float]]:
@@ -277,14 +244,5 @@ def number_function(
             return [float(x) for x in made(*arguments)]
         except (ValueError, ZeroDivisionError, OverflowError) as error:
             raise NoValue("a formula has no real value here") from error
-
-    return call
-
-
-def decimal_function(expr: sp.Expr, letters: Sequence[sp.Symbol], value: Valuation) -> Callable[..., Decimal]:
-    """The same to all certain digits."""
-
-    def call(*arguments: Decimal) -> Decimal:
-        return value.extended(dict(zip(letters, arguments, strict=True)))(expr)
 
     return call
