@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import random
 from decimal import Decimal
 from pathlib import Path
 
+import sympy as sp
+
+from planar_cli.equation.exact import Valuation
 from planar_cli.errors import FileProblem
 from planar_cli.homework.checking import read
 from planar_cli.problem.structure import load_text
@@ -138,3 +142,11 @@ def assert_close(found: Found, truth: Decimal | float | str, digits: int = 12) -
     value, want = number(found), Decimal(truth)
     scale = max(abs(want), Decimal("1e-3"))
     assert abs(value - want) <= Decimal(10) ** -digits * scale, f"{found.name} = {value}, and not {want}"
+
+
+def somewhere(expr: sp.Expr, back: dict[str, str], numbers: dict[str, Decimal], draw: random.Random) -> Decimal:
+    """The value of a formula with numbers by name, drawn where there are none; `back`: names that stand for others."""
+    named = {s: back.get(s.name, s.name) for s in expr.free_symbols}
+    for name in sorted(named.values()):
+        numbers.setdefault(name, Decimal(draw.randrange(300, 3000)) / 1000)
+    return Valuation({s: numbers[name] for s, name in named.items()})(expr)

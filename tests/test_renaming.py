@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import random
 from collections.abc import Callable
 from decimal import Decimal
 from functools import cache
@@ -11,11 +10,10 @@ from typing import Any
 
 import pytest
 import sympy as sp
-from answered import Answers, assert_close, solve
+from answered import Answers, assert_close, solve, somewhere
 from conftest import PROBLEMS, ROOT
 from renamed import nasty_names, random_names, renamed, scene_of, shuffled, written
 
-from planar_cli.equation.exact import Valuation
 from planar_cli.equation.sample import generator
 from planar_cli.solve.solution import Found
 
@@ -75,21 +73,14 @@ def assert_same_formulas(one: Found, other: Found, names: dict[str, str]) -> Non
         numbers: dict[str, Decimal] = {}
         try:
             pairs = [
-                (value(f, {}, numbers, draw), value(g, back, numbers, draw)) for f, g in zip(ours, theirs, strict=True)
+                (somewhere(f, {}, numbers, draw), somewhere(g, back, numbers, draw))
+                for f, g in zip(ours, theirs, strict=True)
             ]
         except ArithmeticError:
             continue
         assert all(abs(a - b) <= Decimal("1e-25") * max(abs(a), Decimal(1)) for a, b in pairs), one.name
         return
     pytest.fail(f"{one.name} has no value anywhere: {ours}")
-
-
-def value(expr: sp.Expr, back: dict[str, str], numbers: dict[str, Decimal], draw: random.Random) -> Decimal:
-    """The value of a formula with numbers by the names of the first file."""
-    named = {s: back.get(s.name, s.name) for s in expr.free_symbols}
-    for name in sorted(named.values()):
-        numbers.setdefault(name, Decimal(draw.randrange(300, 3000)) / 1000)
-    return Valuation({s: numbers[name] for s, name in named.items()})(expr)
 
 
 @cache

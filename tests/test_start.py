@@ -75,13 +75,28 @@ def test_a_speed_along_a_slope_either_way(tmp_path: Path) -> None:
         assert at["vy_b"] == pytest.approx(sign * 1.5)
 
 
+SWUNG = FOUR_BAR.replace("B: [0, 1 m], C: [2 m, 1.5 m]", "B: {B}, C: {C}")
+AB_AT = "{from: A, distance: 1 m, angle: phi}"
+C_AT = "{distances: {B: sqrt(17/4)*(1 m), D: 1.5 m}, side: above}"
+
+
 def test_places_follow_from_relations(tmp_path: Path) -> None:
-    _, _, at = begun(tmp_path, FOUR_BAR + "instant: [omega(AB) = 0, theta(AB) = 80 deg]\n")
+    """What is written with a coordinate is where the first state says."""
+    text = "coordinates: {phi: deg}\n" + SWUNG.replace("{B}", AB_AT).replace("{C}", C_AT)
+    _, _, at = begun(tmp_path, text + "instant: [omega(AB) = 0, theta(AB) = 80 deg]\n")
     assert at["theta_AB"] == pytest.approx(math.radians(80))
     b = math.cos(math.radians(80)), math.sin(math.radians(80))
     end = [at["x_BC"] * 2 - b[0], at["y_BC"] * 2 - b[1]]
     assert math.dist(end, (2, 0)) == pytest.approx(1.5)
     assert math.dist(end, b) == pytest.approx(math.hypot(2, 0.5))
+
+
+@pytest.mark.parametrize("said", ["theta(AB) = 80 deg", "x(B) = 0.1 m", "r(C/A).mag = 2 m"])
+def test_what_is_drawn_is_not_moved(tmp_path: Path, said: str) -> None:
+    with pytest.raises(PlanarError, match="does not hold in the drawn position") as caught:
+        begun(tmp_path, FOUR_BAR + f"instant: [omega(AB) = 0, {said}]\n")
+    assert caught.value.diagnostics[0].code == "PL609"
+    assert caught.value.diagnostics[0].mark.line > 1
 
 
 @pytest.mark.parametrize(

@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+from decimal import Decimal
 from typing import TYPE_CHECKING
 
 import sympy as sp
@@ -18,6 +19,8 @@ if TYPE_CHECKING:
 
 LONGEST = 60
 """Longer components are not looked through."""
+ROUNDING = Decimal("1e-30")
+"""An angle that is nearer to -180 deg than this [rad] is 180 deg."""
 
 
 def counted_angle(scene: Scene, v: Vec) -> sp.Expr | None:
@@ -43,10 +46,15 @@ def counted_angle(scene: Scene, v: Vec) -> sp.Expr | None:
 
 
 def _whole_turns(scene: Scene, v: Vec, angle: sp.Expr) -> sp.Expr:
-    """What is to be added so that the angle lies between -180 and 180 deg near the drawn position."""
+    """What is to be added so that the angle lies in (-180, 180] deg in the drawn position."""
+    assert scene.displacement is not None
     value = scene.valuations[0]
+    begun = {c.symbol: value.known(c.drawn) for c in scene.displacement.coordinates if c.drawn is not None}
+    value = value.extended({s: number for s, number in begun.items() if number is not None})
     here, there = value.known(angle), value.known(sp.atan2(v.y, v.x))
     if here is None or there is None:
         return sp.S.Zero
+    if there + PI < ROUNDING:
+        there += 2 * PI
     turns = (there - here) / (2 * PI)
     return 2 * sp.pi * int(turns.to_integral_value())

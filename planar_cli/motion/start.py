@@ -12,24 +12,16 @@ from collections.abc import Callable, Iterable, Sequence
 
 from planar_cli.errors import NOWHERE, Diagnostic, FileProblem, Mark, NoSolution
 from planar_cli.motion.constraints import Constraint, coefficients
-from planar_cli.motion.dense import least_squares, null_space
+from planar_cli.motion.dense import null_space
 from planar_cli.motion.drives import PLACES, VELOCITIES, of_forces
 from planar_cli.motion.model import Model
-from planar_cli.motion.source import Code, compiled
 from planar_cli.motion.terms import Term
+from planar_cli.motion.zeros import AGREES, Equation, Zeros
 from planar_cli.problem.expression import AtRest, Equilibrium, Relation, Statement
 from planar_cli.problem.facts import Mode
 from planar_cli.records import record
 
-CLOSED = 1e-12
-"""Residuals below this part of their scale are zero."""
 Choose = Callable[[tuple[Mode, ...]], int]
-AGREES = 1e-9
-"""Relations that are met to this part of their scale agree with each other."""
-NOISE = 1e-13
-"""What is left of a row's largest coefficient below this is rounding."""
-MOST_ROUNDS, MOST_IDLE = 60, 12
-"""So many steps of Newton's method are made, and so many that do not halve what is left."""
 
 
 @record
@@ -42,18 +34,6 @@ class Start:
     """Coordinates, then rates."""
     assumed: tuple[str, ...] = ()
     """What the file does not say, in words."""
-
-
-@record
-class Equation:
-    """Something that is zero at the start."""
-
-    term: Term
-    size: float
-    """Its scale."""
-    text: str
-    """In words."""
-    mark: Mark
 
 
 def start_of(model: Model, statements: Sequence[Statement] | None = None) -> Start:
@@ -81,19 +61,17 @@ class _Search:
         self.model, self.layout = model, model.layout
         self.statements = statements
         self.said = model.asked.said(statements)
-        self.time, self.state = model.reference
+        self.zeros = Zeros(model.layout, model.scale, *model.reference)
         self.half = model.layout.count
-        self.sizes = model.scale
-        self.codes: dict[tuple[Term, ...], Code] = {}
 
     def start(self) -> Start:
         """Places, then velocities, then the inequalities."""
         self.model.begin()
         self._places()
-        self.model.note(self.time, self.state)
+        self.model.note(self.zeros.time, self.zeros.state)
         assumed = self._velocities()
         self._fulfilled()
-        return Start(self.time, tuple(self.state), assumed)
+        return Start(self.zeros.time, tuple(self.zeros.state), assumed)
 
     # --- places ------------------------------------------------------------------------------------------------------
 
@@ -101,20 +79,22 @@ class _Search:
         """Do relations of places tell a number that the joints leave open, near the drawing?"""
         joints = [self._of_place(c) for c in self._everything() if c.place is not None]
         every, left = (
-            null_space(self._matrix(equations, range(self.half)), self.half)
+            null_space(self.zeros.matrix(equations, range(self.half)), self.half)
             for equations in (joints, [*joints, *self._relations(PLACES)])
         )
         return self._varies(number, every) and not self._varies(number, left)
 
     def _places(self) -> None:
         """Newton's method from the drawing, each step the shortest."""
-        equations = [self._of_place(c) for c in self._everything() if c.place is not None]
-        equations += self._relations(PLACES)
+        joints = [self._of_place(c) for c in self._everything() if c.place is not None]
+        relations = self._relations(PLACES)
+        equations = [*joints, *relations]
         self._newton(equations, range(self.half))
+        self._demand_drawn(joints, relations)
         scene = self.model.scene
         if not scene.reference.open:
             return
-        free = null_space(self._matrix(equations, range(self.half)), self.half)
+        free = null_space(self.zeros.matrix(equations, range(self.half)), self.half)
         for name in sorted(scene.reference.open):
             if name in self.layout.frames:
                 place = scene.places[name]
@@ -126,9 +106,51 @@ class _Search:
             if not told:
                 raise self._unknown(text, hint)
 
+    def _demand_drawn(self, joints: Sequence[Equation], relations: Sequence[Equation]) -> None:
+        """NoSolution where a relation holds only when what is drawn is moved: it chooses among the places of what is
+        written with coordinates or not drawn at all. A drawing that its own joints do not fit leaves the choice.
+        """
+        zeros, numbers = self.zeros, range(self.half)
+        _, drawn = self.model.reference
+        off = [r for r, v in zip(relations, self._values_at(relations, drawn), strict=True) if abs(v) > AGREES * r.size]
+        unfit = any(abs(v) > AGREES * j.size for v, j in zip(self._values_at(joints, drawn), joints, strict=True))
+        if not off or unfit:
+            return
+        found = zeros.state
+        free = self._open_terms()
+        told = [
+            Equation(term - self.model.graph.number(value), 1.0, "", NOWHERE)
+            for term, value in zip(free, zeros.numbers(tuple(free)), strict=True)
+        ]
+        zeros.state = list(drawn)
+        reached = zeros.solved([*joints, *told], numbers)
+        wrong = [r for r, v in zip(relations, zeros.values(relations), strict=True) if abs(v) > AGREES * r.size]
+        zeros.state = found
+        if reached and wrong:
+            text = f"`{wrong[0].text}` does not hold in the drawn position"
+            hint = "draw the points at the first state, or write one with a coordinate"
+            raise NoSolution([Diagnostic(wrong[0].mark, "PL609", text, hint)])
+
+    def _values_at(self, equations: Sequence[Equation], state: Sequence[float]) -> list[float]:
+        found, self.zeros.state = self.zeros.state, list(state)
+        values = self.zeros.values(equations)
+        self.zeros.state = found
+        return values
+
+    def _open_terms(self) -> list[Term]:
+        """The places that nothing tells: coordinates, and particles that are free."""
+        scene = self.model.scene
+        found: list[Term] = []
+        for name in sorted(scene.reference.open):
+            if name in self.layout.frames:
+                found += [scene.places[name].x, scene.places[name].y]
+            else:
+                found.append(scene.coordinates[name][0])
+        return found
+
     def _varies(self, term: Term, free: Iterable[Sequence[float]]) -> bool:
         """Does a place change in some motion that is still free?"""
-        row = self._matrix([Equation(term, 1.0, "", NOWHERE)], range(self.half))[0]
+        row = self.zeros.matrix([Equation(term, 1.0, "", NOWHERE)], range(self.half))[0]
         parts = [[a * b for a, b in zip(row, vector, strict=True)] for vector in free]
         return any(abs(sum(p)) > AGREES * max(map(abs, p)) for p in parts)
 
@@ -158,7 +180,7 @@ class _Search:
         first = level * self.half
         variables = self.layout.state[first : first + self.half]
         slopes = coefficients(term, {v: first + i for i, v in enumerate(variables)}, self.layout)
-        parts = [abs(t.value) * self.sizes[i] for i, t in slopes.items() if math.isfinite(t.value)]
+        parts = [abs(t.value) * self.zeros.sizes[i] for i, t in slopes.items() if math.isfinite(t.value)]
         return max(parts, default=0.0) or 1.0
 
     # --- velocities --------------------------------------------------------------------------------------------------
@@ -179,14 +201,14 @@ class _Search:
                 self._add(firm, group, numbers)
         if at_rest:
             return ()
-        free = null_space(self._matrix(firm, numbers), self.half)
+        free = null_space(self.zeros.matrix(firm, numbers), self.half)
         moving = self._moved(free)
         if not moving:
             return ()
         if self._hanging(moving):
             return (f"{', '.join(sorted(moving))}: no swaying at the start",)
         if moving <= self.model.scene.speeds.keys():
-            self.state = self._known()
+            self.zeros.state = self._known()
             self._newton(firm, numbers)
             return ()
         names = ", ".join(sorted(moving))
@@ -231,18 +253,18 @@ class _Search:
 
     def _add(self, firm: list[Equation], group: list[Equation], numbers: range) -> None:
         """Take a joint's relations in where they agree with what is there already."""
-        before = self.state[:]
-        if self._solved([*firm, *group], numbers):
+        before = self.zeros.state[:]
+        if self.zeros.solved([*firm, *group], numbers):
             firm += group
         else:
-            self.state = before
+            self.zeros.state = before
 
     def _run(self, group: Sequence[Equation]) -> bool:
         """Do these relations demand a speed of what is at rest?"""
-        before = self.state[:]
-        self.state[self.half :] = [0.0] * self.half
-        runs = any(abs(v) > AGREES * e.size for v, e in zip(self._values(group), group, strict=True))
-        self.state = before
+        before = self.zeros.state[:]
+        self.zeros.state[self.half :] = [0.0] * self.half
+        runs = any(abs(v) > AGREES * e.size for v, e in zip(self.zeros.values(group), group, strict=True))
+        self.zeros.state = before
         return runs
 
     def _of_velocity(self, constraint: Constraint) -> Equation:
@@ -255,15 +277,16 @@ class _Search:
         """A body that is at rest by itself."""
         slots = [s for s in self.layout.slots if s.body == rest.body]
         return [
-            Equation(s.rate, self.sizes[self.half + self.layout.slots.index(s)], rest.text, rest.mark) for s in slots
+            Equation(s.rate, self.zeros.sizes[self.half + self.layout.slots.index(s)], rest.text, rest.mark)
+            for s in slots
         ]
 
     def _moved(self, free: Iterable[Sequence[float]]) -> set[str]:
         """The bodies that move in some of these motions."""
         found = set()
         for vector in free:
-            top = max(abs(v) / s for v, s in zip(vector, self.sizes[: self.half], strict=True))
-            for slot, v, s in zip(self.layout.slots, vector, self.sizes, strict=False):
+            top = max(abs(v) / s for v, s in zip(vector, self.zeros.sizes[: self.half], strict=True))
+            for slot, v, s in zip(self.layout.slots, vector, self.zeros.sizes, strict=False):
                 if slot.body and abs(v) / s > AGREES * top:
                     found.add(slot.body)
         return found
@@ -280,32 +303,16 @@ class _Search:
 
     # --- solving -----------------------------------------------------------------------------------------------------
 
-    def _matrix(self, equations: Sequence[Equation], numbers: range) -> list[list[float]]:
-        """∂(equation/size)/∂(variable/scale) at the state at hand; columns in the unit of each variable."""
-        layout = self.layout
-        variables = {layout.state[n]: i for i, n in enumerate(numbers)}
-        rows = [coefficients(e.term, variables, layout) for e in equations]
-        values = iter(self._numbers(tuple(t for row in rows for t in row.values())))
-        found = []
-        for row, equation in zip(rows, equations, strict=True):
-            line = [0.0] * len(numbers)
-            for i in row:
-                line[i] = next(values) / equation.size
-            # What is nothing but the rounding of a row must not be solved for.
-            largest = max(map(abs, line), default=0.0)
-            found.append([0.0 if abs(x) <= NOISE * largest else x for x in line])
-        return found
-
     def _newton(self, equations: Sequence[Equation], numbers: range, guesses: bool = False) -> None:
         """Make all equations zero; NoSolution where they contradict each other."""
-        tries = self._guesses(numbers) if guesses else [self.state]
+        tries = self._guesses(numbers) if guesses else [self.zeros.state]
         for state in tries:
-            self.state = list(state)
-            if self._solved(equations, numbers) and (not guesses or self._true()):
+            self.zeros.state = list(state)
+            if self.zeros.solved(equations, numbers) and (not guesses or self._true()):
                 return
-        self.state = list(tries[0])
-        self._solved(equations, numbers)
-        off = max(equations, key=lambda e: abs(self._values([e])[0]) / e.size)
+        self.zeros.state = list(tries[0])
+        self.zeros.solved(equations, numbers)
+        off = max(equations, key=lambda e: abs(self.zeros.values([e])[0]) / e.size)
         mark = next((e.mark for e in (off, *equations) if e.mark != NOWHERE), NOWHERE)
         text = f"no start fulfils everything that the file says: “{off.text}” remains off"
         raise NoSolution([Diagnostic(mark, "PL704", text, "one of the relations of the first state must go")])
@@ -314,17 +321,17 @@ class _Search:
         """Velocities from which a solution is sought: rest first, then those that are known from elsewhere, then either
         way of relations that are not linear.
         """
-        found = [self.state, self._known()] if self.model.scene.speeds else [self.state]
+        found = [self.zeros.state, self._known()] if self.model.scene.speeds else [self.zeros.state]
         for sign in (1.0, -1.0):
-            guess = list(self.state)
+            guess = list(self.zeros.state)
             for k, n in enumerate(numbers):
-                guess[n] = sign * self.sizes[n] * (1.0 + 0.1 * math.cos(2.4 * k))
+                guess[n] = sign * self.zeros.sizes[n] * (1.0 + 0.1 * math.cos(2.4 * k))
             found.append(guess)
         return found
 
     def _known(self) -> list[float]:
         """The velocities of bodies that are known from elsewhere."""
-        state = list(self.state)
+        state = list(self.zeros.state)
         for body, speeds in self.model.scene.speeds.items():
             frame = self.layout.frames.get(body)
             if frame is not None:
@@ -332,42 +339,6 @@ class _Search:
                     if number is not None:
                         state[self.half + number] = speed
         return state
-
-    def _solved(self, equations: Sequence[Equation], numbers: range) -> bool:
-        """Newton's method; does it end with all of them zero?"""
-        if not equations:
-            return True
-        best, idle = math.inf, 0
-        for _ in range(MOST_ROUNDS):
-            values = self._values(equations)
-            if not all(map(math.isfinite, values)):
-                return False
-            off = max(abs(v) / e.size for v, e in zip(values, equations, strict=True))
-            if off <= CLOSED or (off <= AGREES and off >= best / 2):
-                return True
-            idle = 0 if off < best / 2 else idle + 1
-            if idle > MOST_IDLE:
-                return False
-            best = min(best, off)
-            right = [-v / e.size for v, e in zip(values, equations, strict=True)]
-            fit = least_squares(self._matrix(equations, numbers), right)
-            for n, change in zip(numbers, fit.unknowns, strict=True):
-                self.state[n] += change
-        return False
-
-    def _values(self, equations: Sequence[Equation]) -> list[float]:
-        terms = tuple(e.term for e in equations)
-        try:
-            return self._numbers(terms)
-        except (ZeroDivisionError, ValueError):
-            # A guess at which something has no value: another one is tried.
-            return [math.nan] * len(terms)
-
-    def _numbers(self, terms: tuple[Term, ...]) -> list[float]:
-        """Terms at the state at hand."""
-        if terms not in self.codes:
-            self.codes[terms] = compiled(terms, self.layout.state, self.layout.time)
-        return self.codes[terms].function(self.time, self.state)
 
     # --- what must hold besides --------------------------------------------------------------------------------------
 
@@ -390,7 +361,7 @@ class _Search:
                 term = left - right if s.operator in (">", ">=") else right - left
                 if asked.level(term) in (PLACES, VELOCITIES):
                     found.append((s.text, s.mark, term))
-        values = self._numbers(tuple(t for _, _, t in found))
+        values = self.zeros.numbers(tuple(t for _, _, t in found))
         return [(text, mark, value) for (text, mark, _), value in zip(found, values, strict=True)]
 
     def _unknown(self, text: str, hint: str) -> FileProblem:

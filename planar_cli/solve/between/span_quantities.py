@@ -93,7 +93,8 @@ def _difference(
 def _sense(course: RegimeSequence, speed: sp.Expr, early: list[sp.Expr]) -> int:
     """Which way a motion goes that does not turn: as at the first state, of which `early` vanish."""
     first = course.first
-    for residual in early:
+    drawn = {first.letters[c.symbol]: c.drawn for c in course.regimes[0].coordinates if c.drawn is not None}
+    for residual in (sp.sympify(e.subs(drawn)) for e in early):
         inside = residual.free_symbols & set(first.letters.values())
         if len(inside) == 1:
             own = next(iter(inside))

@@ -247,9 +247,21 @@ def clash(course: MotionEquations, equations: Iterable[Equation]) -> NoSolution 
     if len(found) < 1:
         return None
     texts = list(dict.fromkeys(e.words for e in found))
+    if len(texts) == 1 and _tells_the_drawing(found[-1], equations):
+        text = f"state {found[-1].stop}: `{texts[0]}` does not hold in the drawn position"
+        return _wrong(
+            found[-1].mark, "PL609", text, "draw the points at the first state, or write one with a coordinate"
+        )
     rest = f"contradicts {_quoted(texts[:-1])}" if len(texts) > 1 else "contradicts what else is known"
     text = f"state {found[-1].stop}: `{texts[-1]}` {rest}"
     return _wrong(found[-1].mark, "PL624", text, "leave one of them out, or declare what they hold under `unknowns`")
+
+
+def _tells_the_drawing(stated: Equation, equations: Iterable[Equation]) -> bool:
+    """Does a statement speak of nothing but places that are drawn?"""
+    drawn = [e.residual.free_symbols for e in equations if e.kind == "drawn"]
+    told = set().union(*drawn) if drawn else set()
+    return bool(told) and stated.residual.free_symbols <= told
 
 
 # --- a state that never comes ----------------------------------------------------------------------------------------
