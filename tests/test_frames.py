@@ -11,7 +11,8 @@ from pathlib import Path
 import pytest
 from answered import somewhere
 from conftest import ROOT
-from framed import ASKEW, MIRROR, QUARTER, Frame, NotWritten, Seen, as_seen, framed
+from frame import ASKEW, MIRROR, QUARTER, Frame, NotWritten
+from framed import Seen, as_seen, framed
 
 from planar_cli.calculus.curve_words import Curve
 from planar_cli.equation.sample import generator
@@ -73,11 +74,13 @@ def assert_framed(path: Path, frame: Frame) -> None:
     cases = {"": problem, **{c.name: c.problem for c in problem.cases}}
     for (case, name), found in want.items():
         find = next(f for f in cases[case].find if f.name == name)
-        assert_seen(found, got[case, name], frame, as_seen(find, cases[case], frame))
+        alike = [f.values for f in want.values() if f.unit.dimension == found.unit.dimension and f.values is not None]
+        size = max((abs(v) for values in alike for v in values if v.is_finite()), default=Decimal(0))
+        assert_seen(found, got[case, name], frame, as_seen(find, cases[case], frame), size)
 
 
-def assert_seen(found: Found, other: Found, frame: Frame, seen: Seen) -> None:
-    """The answer that belongs to this one in the other frame."""
+def assert_seen(found: Found, other: Found, frame: Frame, seen: Seen, size: Decimal) -> None:
+    """The answer that belongs to this one in the other frame; `size`: of the largest answer of its kind."""
     assert (other.kind, other.word) == (found.kind, found.word), found.name
     assert (other.values is None) == (found.values is None), found.name
     if found.curve is not None:
@@ -87,23 +90,22 @@ def assert_seen(found: Found, other: Found, frame: Frame, seen: Seen) -> None:
         if found.expressions or other.expressions:
             assert_same_formulas(found, other, frame, seen)
     elif all(v.is_finite() for v in found.values):
-        assert_same_numbers(found.values, other.values, frame, seen)
+        assert_same_numbers(found.values, other.values, frame, seen, size)
     else:
         assert found.values == other.values
 
 
 def assert_same_numbers(
-    values: tuple[Decimal, ...], others: tuple[Decimal, ...], frame: Frame, seen: Seen, digits: Decimal = AGREE
+    values: tuple[Decimal, ...], others: tuple[Decimal, ...], frame: Frame, seen: Seen, size: Decimal
 ) -> None:
     want = frame.vector(*values) if len(values) == 2 else tuple(seen.sign * v for v in values)
-    size = max(abs(v) for v in want)
     for a, b in zip(others, want, strict=True):
         off = a - b
         if seen.turn is not None:
             off -= Decimal(str(seen.turn))
             off -= TURN * (off / TURN).to_integral_value()
             size = max(size, Decimal(1))
-        assert abs(off) <= digits * size, f"{seen.find.name}: {a}, and not {b}"
+        assert abs(off) <= AGREE * size, f"{seen.find.name}: {a}, and not {b}"
 
 
 def assert_same_formulas(found: Found, other: Found, frame: Frame, seen: Seen) -> None:
@@ -116,7 +118,7 @@ def assert_same_formulas(found: Found, other: Found, frame: Frame, seen: Seen) -
             theirs = tuple(somewhere(e, {}, numbers, draw) for e in other.expressions or ())
         except ArithmeticError:
             continue
-        assert_same_numbers(ours, theirs, frame, seen)
+        assert_same_numbers(ours, theirs, frame, seen, max(map(abs, ours)))
         return
     pytest.fail(f"{found.name} has no value anywhere: {found.expressions}")
 

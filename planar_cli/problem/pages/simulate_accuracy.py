@@ -2,9 +2,10 @@
 
 planar simulate FILE
   The motion begins in the first state of the file, or in its instant: places as drawn, those that are written with
-  coordinates as that state says, velocities from its relations and `at rest`. What is not told is asked for (PL704), and
-  a relation that the drawing contradicts is an error (PL609). Later states are looked for on the way, in the order of
-  the file; the finds are answered at them, each with an estimated error from a second, finer run. Finds without a state, or those of `-q`, are the columns of a table; without any these are the places of all
+  coordinates as that state says, velocities from its relations and `at rest`. What is not told is asked for
+  (PL704), and a relation that the drawing contradicts is an error (PL609). Later states are looked for on the way,
+  in the order of the file; the finds are answered at them, each with an estimated error from a second, finer run.
+  Finds without a state, or those of `-q`, are the columns of a table; without any these are the places of all
   bodies.
 
   What happens is found, not assumed: a contact sticks, slips, tips, parts and strikes again, a rope slackens and jerks
