@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.evaluate import Evaluator
+from planar_cli.equation.jets import Jet, constant
+from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.plain import simplified
 from planar_cli.equation.setup import Earlier
+from planar_cli.problem.dimensions import dimension_of
 from planar_cli.problem.expression import (
     Binary,
     Found,
@@ -19,15 +23,16 @@ from planar_cli.problem.expression import (
     Negate,
     Number,
     Quantity,
-    Relation,
     Scaled,
     Side,
 )
 from planar_cli.problem.scene import Find, Problem
+from planar_cli.problem.walk import children
+from planar_cli.records import record
 from planar_cli.solve.solution import Found as Answered
 from planar_cli.solve.solution import InstantSolution
 from planar_cli.solve.solved_problem import PartSolution
-from planar_cli.units import Unit
+from planar_cli.units import parse_unit
 
 Solver = Callable[..., tuple[InstantSolution, list[Answered]]]
 
@@ -64,120 +69,78 @@ def solve_states(
     solver: Solver,
 ) -> PartSolution:
     """Solve each state that is asked about for the pieces of all finds in it, then put the finds together."""
-    pieces: dict[str, list[Find]] = {s.name: [] for s in problem.states}
-    rebuilt: dict[str, tuple[Find, Side | Relation]] = {}
-    for find in problem.find:
-        rebuilt[find.name] = (find, _split(find, find.found.what, pieces, problem))
-    solved: dict[str, Answered] = {}
+    pieces = {find.name: tuple(_pieces(find)) for find in problem.find}
+    solved: dict[Piece, Answered] = {}
     instants: list[InstantSolution] = []
     for state in problem.states:
-        if not pieces[state.name]:
+        here = [piece for found in pieces.values() for piece in found if piece.state == state.name]
+        if not here:
             continue
-        part = replace(problem, find=tuple(pieces[state.name]))
-        solution, found = solver(
-            part, always, state.relations, tuple(pieces[state.name]), units, earlier, False, state.name
-        )
+        asked = tuple(piece.find for piece in here)
+        part = replace(problem, find=asked)
+        solution, found = solver(part, always, state.relations, asked, units, earlier, False, state.name)
         instants.append(solution)
-        solved.update({f.name: f for f in found})
-    answers = [_joined(find, what, solved, units, instants) for find, what in rebuilt.values()]
+        solved |= dict(zip(here, found, strict=True))
+    answers = [
+        _joined(find, {p.side: solved[p] for p in pieces[find.name]}, units, instants[-1]) for find in problem.find
+    ]
     return PartSolution(case, tuple(instants), tuple(answers))
 
 
-def _split(find: Find, what: Any, pieces: dict[str, list[Find]], problem: Problem) -> Any:
-    """Replace each part that stands at a state by the name of a piece asked there."""
+@record
+class Piece:
+    """A part of a find that stands at a state."""
 
-    def piece(side: Side, state: str) -> Name:
-        name = f"{find.name}#{len(pieces[state])}"
-        pieces[state].append(Find(name, Found(side, find.found.unit, find.found.text, find.found.mark), find.mark))
-        return Name(name, None, find.mark)
-
-    match what:
-        case Quantity():
-            return piece(replace(what, at=None), str(what.at))
-        case Name() if what.at is not None:
-            return piece(replace(what, at=None), what.at)
-        case Grouped():
-            return piece(what.operand, what.at)
-        case Function() if what.at is not None:
-            return piece(replace(what, at=None), what.at)
-        case Negate() | Scaled():
-            return replace(what, operand=_split(find, what.operand, pieces, problem))
-        case Function():
-            return replace(what, argument=_split(find, what.argument, pieces, problem))
-        case Binary() | Relation():
-            return replace(
-                what, left=_split(find, what.left, pieces, problem), right=_split(find, what.right, pieces, problem)
-            )
-    return what
+    state: str
+    side: Side
+    """As the find has it, without the state."""
+    find: Find
+    """What is asked in the state."""
 
 
-def _joined(
-    find: Find, what: Any, solved: dict[str, Answered], units: dict[str, str], instants: list[InstantSolution]
-) -> Answered:
+def _pieces(find: Find) -> Iterator[Piece]:
+    what = find.found.what
+    for number, part in enumerate(_standing(what)):
+        side = part.operand if isinstance(part, Grouped) else replace(part, at=None)
+        alone = part is what
+        found = Found(side, find.found.unit if alone else None, find.found.text, find.found.mark)
+        yield Piece(str(part.at), side, Find(find.name if alone else f"{find.name}#{number}", found, find.mark))
+
+
+def _standing(tree: Any) -> Iterator[Any]:
+    if getattr(tree, "at", None) is not None:
+        yield tree
+        return
+    for child in children(tree):
+        yield from _standing(child)
+
+
+def _joined(find: Find, solved: Mapping[Side, Answered], units: dict[str, str], last: InstantSolution) -> Answered:
     """The find from its pieces."""
-    if isinstance(what, Name) and what.name in solved:
-        return replace(solved[what.name], name=find.name, find=find)
-    vectors = any(solved[n].kind == "vector" for n in _names(what) if n in solved)
-    parts = [_combine(what, solved, i) for i in range(2 if vectors else 1)]
-    sample = next(solved[n] for n in _names(what) if n in solved)
-    unit: Unit = sample.unit
-    numbers = instants[-1].value
-    values = (
-        tuple(numbers.settled(p, p) for p in parts)
-        if not any(p.free_symbols & set(instants[-1].instant.scene.ledger.letters) for p in parts)
-        else None
-    )
-    return Answered(
-        find.name, "vector" if vectors else "number", unit, values, tuple(simplified(p) for p in parts), "", find
-    )
+    what, pieces = find.found.what, list(solved.values())
+    assert isinstance(what, Side)
+    if getattr(what, "at", None) is not None:
+        return replace(pieces[0], find=find)
+    vector = any(piece.kind == "vector" for piece in pieces)
+    parts = tuple(_combined(what, solved, i, last.instant.scene.ledger) for i in range(2 if vector else 1))
+    setup = last.instant.setup
+    written = find.found.unit or units.get(find.name)
+    unit = parse_unit(written) if written else setup.unit_for(dimension_of(what, setup.lookup))
+    open_ = any(p.free_symbols & set(setup.ledger.letters) for p in parts)
+    values = None if open_ else tuple(last.value.settled(p, p) for p in parts)
+    plain = tuple(simplified(p) for p in parts)
+    return Answered(find.name, "vector" if vector else "number", unit, values, plain, "", find)
 
 
-def _names(what: Any) -> list[str]:
-    match what:
-        case Name():
-            return [what.name]
-        case Negate() | Scaled():
-            return _names(what.operand)
-        case Function():
-            return _names(what.argument)
-        case Binary() | Relation():
-            return _names(what.left) + _names(what.right)
-    return []
+def _combined(what: Side, solved: Mapping[Side, Answered], index: int, ledger: Ledger) -> sp.Expr:
+    """The arithmetic of a find over solved pieces. `index`: the part of vectors, 0 for x."""
 
+    def known(side: Side) -> Jet:
+        found = solved[side]
+        i = index if found.kind == "vector" else 0
+        if found.values is not None:
+            return constant(sp.Rational(str(found.values[i])))
+        assert found.expressions is not None
+        return constant(found.expressions[i])
 
-def _combine(what: Any, solved: dict[str, Answered], index: int) -> sp.Expr:
-    """The arithmetic of a find over solved pieces."""
-    from fractions import Fraction
-
-    from planar_cli.equation.evaluate import FUNCTIONS
-    from planar_cli.equation.ledger import exact
-    from planar_cli.units import parse_unit
-
-    match what:
-        case Name() if what.name in solved:
-            found = solved[what.name]
-            at = index if found.kind == "vector" else 0
-            if found.values is not None:
-                return sp.Rational(str(found.values[at]))
-            assert found.expressions is not None
-            return found.expressions[at]
-        case Number():
-            return what.sense * exact(what.value, parse_unit(what.unit) if what.unit else None)
-        case Name() if what.name == "pi":
-            return sp.pi
-        case Negate():
-            return -_combine(what.operand, solved, index)
-        case Scaled():
-            return _combine(what.operand, solved, index) * what.sense * exact(Fraction(1), parse_unit(what.unit))
-        case Function():
-            return FUNCTIONS[what.name](_combine(what.argument, solved, index))
-        case Binary():
-            a, b = _combine(what.left, solved, index), _combine(what.right, solved, index)
-            return {
-                "+": a + b,
-                "-": a - b,
-                "*": a * b,
-                "/": a / b if b != 0 else sp.nan,
-                "^": a**b if what.operator == "^" else a,
-            }[what.operator]
-    raise TypeError(f"{what} is no arithmetic over quantities at states")
+    return Evaluator(ledger, {}, lambda q: known(replace(q, at=None)), lambda state: known).value(what)
