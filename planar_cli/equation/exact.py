@@ -31,6 +31,8 @@ REMEMBERED = 10_000
 
 OF_INTEGRAL, AT_TURNING = 44, 25
 """Certain digits of an integral, and of one whose integrand grows without bound at an end."""
+ROUGHLY = 13, 10
+"""The same where it is only to be told whether something holds."""
 
 PI = Decimal("3.14159265358979323846264338327950288419716939937510582097494459230781640628620899862803")
 
@@ -120,6 +122,13 @@ class Valuation:
         self.definitions = definitions if definitions is not None else {}
         self._known: dict[Any, Decimal] = {}
         self._sizes: dict[Any, Decimal] = {}
+        self._of_integrals = OF_INTEGRAL, AT_TURNING
+
+    def roughly(self) -> Valuation:
+        """The same values, with integrals to fewer digits: to tell whether something holds, not to answer."""
+        rough = Valuation(self.values, self.definitions)
+        rough._of_integrals = ROUGHLY
+        return rough
 
     def extended(self, more: Mapping[sp.Symbol, Decimal]) -> Valuation:
         """A new valuation with some more (or other) values; a letter that was drawn stays one that was."""
@@ -197,7 +206,7 @@ class Valuation:
             if isinstance(expr, sp.Piecewise):
                 return self(next((e for e, c in expr.args if self.holds(c)), sp.nan))
             if isinstance(expr, sp.Integral):
-                return integral(expr, self)
+                return integral(expr, self, *self._of_integrals)
             raise NoValue(f"{expr.func.__name__} has no real value here")
         return function(*(self(a) for a in expr.args))
 
@@ -315,18 +324,24 @@ def power(base: Decimal, exponent: Any, value: Valuation) -> Decimal:
     return base ** value(exponent)
 
 
-def integral(expr: sp.Integral, value: Valuation) -> Decimal:
-    """The value of a definite integral over one variable, with `OF_INTEGRAL` digits, or `AT_TURNING` at least."""
+def integral(expr: sp.Integral, value: Valuation, digits: int, at_least: int) -> Decimal:
+    """The value of a definite integral over one variable, with so many certain digits, or so many at least."""
     if len(expr.limits) != 1 or len(expr.limits[0]) != 3:
         raise NoValue("an integral without two limits")
     x, start, end = expr.limits[0]
     inside = sorted(expr.function.free_symbols - {x}, key=lambda s: s.name)
-    return _integral(expr.function, x, value(start), value(end), tuple((s, value(s)) for s in inside))
+    return _integral(expr.function, x, value(start), value(end), tuple((s, value(s)) for s in inside), digits, at_least)
 
 
 @lru_cache(maxsize=REMEMBERED)
 def _integral(
-    function: sp.Expr, x: sp.Symbol, low: Decimal, high: Decimal, inside: tuple[tuple[sp.Symbol, Decimal], ...]
+    function: sp.Expr,
+    x: sp.Symbol,
+    low: Decimal,
+    high: Decimal,
+    inside: tuple[tuple[sp.Symbol, Decimal], ...],
+    most: int,
+    least: int,
 ) -> Decimal:
     """The same with the values of letters.
 
@@ -340,13 +355,13 @@ def _integral(
     def g(point: Any) -> Any:
         return mpmath.mpf(str(f(to_decimal(point))))
 
-    tries = [(OF_INTEGRAL, plain), *([(OF_INTEGRAL, [*plain, *roots])] if roots else []), (AT_TURNING, plain)]
+    tries = [(most, plain), *([(most, [*plain, *roots])] if roots else []), (least, plain)]
     for digits, switches in tries:
         try:
             places = breaks([_along(s, x, rest) for s in switches], low, high)
             return sum((quad(g, a, b, digits) for a, b in pairwise(places)), ZERO)
         except ArithmeticError:
-            if digits == AT_TURNING:
+            if digits == least:
                 raise
     return ZERO
 

@@ -73,8 +73,9 @@ class Router:
         """Does a time by the place hold? Only as long as the motion does not turn round."""
         if equation.kind != "t(q)":
             return True
-        number = self.value.known(equation.residual)
-        return number is not None and abs(number) <= Decimal("1e-9") * self.value.size(equation.residual)
+        value = self.value.roughly()
+        number = value.known(equation.residual)
+        return number is not None and abs(number) <= Decimal("1e-9") * value.size(equation.residual)
 
     def _inside(self, equation: Equation) -> frozenset[sp.Symbol]:
         return letters(self.residual(equation)) & self.unknowns
