@@ -11,7 +11,7 @@ import sympy as sp
 from planar_cli.equation.exact import Unvalued
 from planar_cli.equation.sample import seeded
 from planar_cli.problem.scene import Problem
-from planar_cli.solve.between.agreement import compared
+from planar_cli.solve.between.agreement import compared, integrated
 from planar_cli.solve.between.answers import Answering, closed_formula
 from planar_cli.solve.between.asked_finds import asked_letters
 from planar_cli.solve.between.assumptions import presumed
@@ -78,7 +78,7 @@ def _told(solved: SolvedMotion, case: str) -> PartSolution:
     start = {s: closed_formula(s, begun, course.symbolic) for s in course.first.letters.values()}
     throughout = Throughout(course, found.followed, found.value, start)
     assumed = presumed(found, (route, begun))
-    found = replace(found, checks=(*found.checks, *blow_checks(found), *compared(found)))
+    found = integrated(replace(found, checks=(*found.checks, *blow_checks(found), *compared(found))))
     answering = Answering(course, route, found.value, found.spans, throughout)
     answers = tuple(answering.answer(a) for a in found.finds)
     instants = _instants(course)

@@ -8,6 +8,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 from decimal import Decimal
 
 import sympy as sp
@@ -17,6 +18,7 @@ from planar_cli.equation.plain import derivative
 from planar_cli.errors import NoValue
 from planar_cli.solve.between.events import LOOKS
 from planar_cli.solve.between.followed import Followed
+from planar_cli.solve.between.integrated import apart, digits
 from planar_cli.solve.between.solved_motion import SolvedMotion
 from planar_cli.solve.instant.verify import Disagreement
 from planar_cli.solve.regimes.equations import DATA
@@ -33,6 +35,21 @@ def compared(found: SolvedMotion) -> tuple[str, ...]:
     if found.followed is not None and found.followed.values and _apart(found, found.followed) > APART:
         raise Disagreement("the motion followed step by step differs from its equations")
     return balanced(found.course.distinct_regimes())
+
+
+def integrated(found: SolvedMotion) -> SolvedMotion:
+    """The same, with the equations of motion integrated beside what following the motion alone has given. Disagreement:
+    they lead elsewhere.
+    """
+    if not found.guessed or found.followed is None:
+        return found
+    off = apart(found.followed.segments, found.followed.sizes)
+    if off is None:
+        return found
+    if off > APART:
+        raise Disagreement("the equations of motion, integrated, lead elsewhere than the motion that was followed")
+    words = f"the integrated equations of motion agree with the motion followed to {digits(off)} digits"
+    return replace(found, integrated=True, checks=(*found.checks, words))
 
 
 def balanced(regimes: Iterable[Regime]) -> tuple[str, ...]:

@@ -64,5 +64,7 @@ class Followed:
     """The stretch that ends with an impact whose modes do not hold."""
     far: dict[int, frozenset[str]] = field(default_factory=dict)
     """By the stretch that ends with them: impacts whose bodies are apart."""
+    sizes: dict[sp.Symbol, float] = field(default_factory=dict)
+    """What the letters of its regimes are measured by, in what was passed."""
     tends: dict[sp.Symbol, float] = field(default_factory=dict)
     """Letters of states that are only approached, with their values far along the way there."""

@@ -64,6 +64,7 @@ def motion_trace(
         varying=frozenset(s for regime in course.distinct_regimes() for s in regime.letters),
         free=frozenset(course.regimes[0].free if course.regimes else ()),
         guessed=found.guessed,
+        integrated=found.integrated,
         followed=None if found.followed is None else found.followed.values,
         turnings=_turnings(found),
         route=tracer.route(route),

@@ -30,6 +30,8 @@ class SolvedMotion:
     """Numbers of everything."""
     guessed: frozenset[sp.Symbol] = frozenset()
     """Symbols whose values come from following it alone."""
+    integrated: bool = False
+    """Do its equations of motion, integrated by themselves, give these too?"""
     checks: tuple[str, ...] = ()
     """What was compared, in phrases."""
     spans: tuple[SpanIntegral, ...] = ()

@@ -356,6 +356,8 @@ class MotionTrace:
     """The free speeds of the first regime."""
     guessed: frozenset[sp.Symbol]
     """Symbols of states whose values come from following the motion in numbers alone."""
+    integrated: bool
+    """Do the equations of motion, integrated by themselves, give these too?"""
     followed: Mapping[sp.Symbol, float] | None
     """Symbols of states with the values that following the motion in numbers gave; None: it could not be followed."""
     turnings: tuple[Turning, ...]
@@ -385,6 +387,8 @@ class MotionTrace:
 
     def is_read_off(self, find: Find | None) -> bool:
         """Does the number of a find rest on one that following the motion alone has given?"""
+        if self.integrated:
+            return False
         rests = {s for r in self.requests if r.find is find for e in r.parts for s in e.free_symbols}
         for step in reversed(self.route.steps):
             rests |= step.needs if rests & set(step.unknowns) else frozenset()

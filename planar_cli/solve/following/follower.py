@@ -65,6 +65,10 @@ class Follower:
             self._walk(state)
         except NoValue as error:
             done.lost = str(error)
+        for regime in course.distinct_regimes() if done.segments else ():
+            ordinary = course.natural(regime.letters)
+            sizes = self.sizes.by_letter(regime.letters, self.units)
+            done.sizes |= {s: size or float(ordinary[s]) for s, size in sizes.items()}
         return done
 
     def _problem(self) -> Problem:
