@@ -1,4 +1,4 @@
-"""Whether what has parted opens, and when it closes again."""
+"""What a joint held before it parted, and how that begins to open."""
 
 from __future__ import annotations
 
@@ -45,5 +45,14 @@ def _opposite(a: Vec, b: Vec) -> bool:
 def just_parted(course: RegimeSequence) -> list[Equation]:
     """Where the first state is the end of a contact: what is about to part has no velocity apart."""
     regime, first = course.regimes[0], course.first
-    rates = [(regime.derivative(g.expr), g.words) for g in regime.gaps]
-    return [Equation(first.at(rate), "start", f"{words}, and has just touched", first.name) for rate, words in rates]
+    base = regime.general.instant.scene.valuations[0]
+    value = base.extended({c.symbol: base(c.drawn) for c in regime.coordinates if c.drawn is not None})
+    found = []
+    for parted in regime.general.parted:
+        # What stands between bars keeps its sign until the gap has closed again.
+        bars = {a: a.args[0] if value(a.args[0]) >= 0 else -a.args[0] for a in parted.residual.atoms(sp.Abs)}
+        rate = regime.derivative(parted.residual.xreplace(bars))
+        if rate != 0:
+            words = f"{parted.words}, and has just touched"
+            found.append(Equation(first.at(rate), "start", words, first.name))
+    return found

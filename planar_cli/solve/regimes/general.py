@@ -217,7 +217,7 @@ def _general(
         trial = instant.try_choice(choice, valuations, given=given)
     quantities = trial.system.quantities() if trial.outcomes else trial.system.quantities_of(trial.system.first, None)
     coordinates = (*_user_coordinates(instant, made), *displacement.coordinates)
-    parted = parted_joints(drawn, choice, displacement, coordinates, quantities.motion) if loose else ()
+    parted = parted_joints(drawn, choice, displacement, coordinates) if loose else ()
     place = (quantities, course, constraints, kept, parted, rests)
     return General(instant, choice, coordinates, independent, trial, *place)
 

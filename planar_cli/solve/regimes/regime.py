@@ -25,7 +25,6 @@ from planar_cli.records import record
 from planar_cli.solve.instant.locked import LOCKED
 from planar_cli.solve.regimes.energy import balance_of
 from planar_cli.solve.regimes.general import General, loose_tree
-from planar_cli.solve.regimes.opening import Gap, gaps_of
 from planar_cli.solve.regimes.speed_transfer import edges_of, transferred_speed
 
 LONGEST = 150
@@ -59,8 +58,6 @@ class Regime:
     """Places on one side of that from which their distance is measured, by name."""
     slips: tuple[sp.Expr, ...] = ()
     """Speeds of slip, positive the way that is assumed."""
-    gaps: tuple[Gap, ...] = ()
-    """What has parted."""
     balance: tuple[sp.Expr, sp.Expr] | None = None
     """Kinetic energy and power, of one freedom."""
     runs: bool = False
@@ -106,7 +103,6 @@ class Regime:
             *(w.expr for w in watches),
             *slips,
             *(self.balance or ()),
-            *(opening for p in general.parted for _, opening in p.openings),
             *self.exprs,
         ]
         self.undetermined = [e for e in every if not general.unique(e)]
@@ -120,7 +116,6 @@ class Regime:
         # Formulas in letters are for the side that is drawn; whether it is left depends on the letters.
         sided = scene.sided if runs and not scene.problem.symbols else {}
         self.sided = {key: (way, self.closed(way * e)) for key, (way, e) in sided.items()}
-        self.gaps = tuple(gaps_of(general, self.rates, self.closed)) if runs else ()
 
     def _regular(self, expr: sp.Expr) -> sp.Expr:
         """A formula simplified where it has no value as drawn, as 0/0 may be taken out of it."""

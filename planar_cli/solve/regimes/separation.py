@@ -9,8 +9,6 @@ from __future__ import annotations
 import sympy as sp
 
 from planar_cli.equation.displacement import Coordinate, Displacement
-from planar_cli.equation.expansion import expanded
-from planar_cli.equation.motion import Motion
 from planar_cli.problem.facts import Mode
 from planar_cli.records import record
 from planar_cli.solve.instant.instant import Instant
@@ -19,14 +17,12 @@ from planar_cli.solve.regimes.constraints import kept_while_held
 
 @record
 class Parted:
-    """A joint that has parted, in velocity unknowns."""
+    """A joint that has parted."""
 
     joint: str
     words: str
     residual: sp.Expr
     """What it kept, of places."""
-    openings: tuple[tuple[int, sp.Expr], ...]
-    """By the index of the mode in which it held, the velocity with which that opens, as drawn."""
 
 
 def parted_modes(drawn: Instant, choice: tuple[int, ...]) -> dict[str, tuple[Mode, ...]]:
@@ -35,11 +31,7 @@ def parted_modes(drawn: Instant, choice: tuple[int, ...]) -> dict[str, tuple[Mod
 
 
 def parted_joints(
-    drawn: Instant,
-    choice: tuple[int, ...],
-    displacement: Displacement,
-    coordinates: tuple[Coordinate, ...],
-    motion: Motion,
+    drawn: Instant, choice: tuple[int, ...], displacement: Displacement, coordinates: tuple[Coordinate, ...]
 ) -> tuple[Parted, ...]:
     """All joints that have parted in a choice of modes, and what they kept."""
     found = []
@@ -48,21 +40,7 @@ def parted_joints(
             continue
         slides = next((m for m in modes if m.facts.pushes and m.facts.joinings == modes[i].touching.joinings), None)
         kept = kept_while_held(drawn, joint, slides, displacement, coordinates) if slides is not None else ()
-        openings = tuple((k, _opening(m, motion)) for k, m in enumerate(modes) if m.facts.pushes)
         if kept:
             # Of a face that lifts off, the distance alone: it may also turn.
-            found.append(Parted(joint.name, modes[i].words, kept[0].residual, openings))
+            found.append(Parted(joint.name, modes[i].words, kept[0].residual))
     return tuple(found)
-
-
-def _opening(mode: Mode, motion: Motion) -> sp.Expr:
-    """The velocity with which a joint opens that presses or pulls: the power of a unit of its reaction."""
-    push = next(p for p in mode.facts.pushes if p.kind in ("normal", "tension"))
-    power = sp.S.Zero
-    for a in push.actions:
-        if a.body == "ground":
-            continue
-        if a.force is not None:
-            power += a.force.dot(motion.velocity(a.point, a.body))
-        power += a.couple * motion.velocities[a.body].angular
-    return expanded(power)
