@@ -5,12 +5,15 @@ from __future__ import annotations
 import math
 from pathlib import Path
 
+import mpmath
 import pytest
 import sympy as sp
 from answered import first as number
 from answered import solved
 
 from planar_cli.errors import FileProblem, NoSolution
+from planar_cli.problem.structure import load_text
+from planar_cli.solve.run import solve_problem
 
 BLOCK = """
 title: Block
@@ -162,3 +165,36 @@ def test_a_period_can_fix_a_constant(tmp_path: Path) -> None:
     text = text.replace("coordinates", "unknowns: {k: N/m}\ncoordinates")
     text = text.replace("[equilibrium]", "[equilibrium, period(rest) = 1 s]")
     assert number(solved(tmp_path, text)["k_needed"]) == pytest.approx(2 * (2 * math.pi) ** 2)
+
+
+UNLIKE = """
+title: Double pendulum of two bobs
+plane: vertical
+points: {O: [0, 0], A: [0, -1 m], B: [0, -2 m]}
+bodies: {upper: {particle: A, mass: %d kg}, lower: {particle: B, mass: %d kg}}
+joints:
+  - link: {between: [O, A], name: first}
+  - link: {between: [A, B], name: second}
+states: {rest: [equilibrium]}
+find: {holds: stable(rest)}
+"""
+
+
+@pytest.mark.parametrize(
+    ("upper", "lower", "frequencies"),
+    [
+        (1, 10**6, ("2.21472373587529", "4429.44857911216")),
+        (10**6, 1, ("3.13052708103524", "3.13365917337942")),
+    ],
+)
+def test_frequencies_of_bobs_of_very_unlike_mass(upper: int, lower: int, frequencies: tuple[str, str]) -> None:
+    """ω⁴ - 2 (1 + r) (g/l) ω² + (1 + r) (g/l)² = 0 with the ratio r of the lower mass to the upper one."""
+    problem, wrong = load_text(UNLIKE % (upper, lower))
+    assert problem is not None, wrong
+    motion = solve_problem(problem).parts[0].motion
+    assert motion is not None
+    (found,) = motion.oscillations
+    up = sorted(root.imag for root in found.roots if root.imag > 0)
+    assert len(up) == 2
+    for omega, wanted in zip(up, frequencies, strict=True):
+        assert abs(omega - mpmath.mpf(wanted)) <= 1e-10 * omega

@@ -50,9 +50,7 @@ def test_the_tree_of_a_loop_has_one_connection_left_over() -> None:
 def test_what_can_not_be_told_is_refused() -> None:
     pushed = FOUR_BAR.replace("states:", "loads:\n  - torque: {body: AB, moment: 1 N*m}\nstates:")
     point = FOUR_BAR.replace("{rod: [C, D], mass: 1 kg}", "{particle: C, mass: 1 kg}")
-    point = point.replace("  - pin: {at: D, between: [CD, ground]}\n", "").replace(
-        "omega(AB) = -1 rad/s", "at rest"
-    )
+    point = point.replace("  - pin: {at: D, between: [CD, ground]}\n", "").replace("omega(AB) = -1 rad/s", "at rest")
     for text in (pushed, point):
         with pytest.raises(PlanarError, match="can be expressed"):
             Mechanism.of(followed(text))

@@ -14,13 +14,19 @@ from planar_cli.motion.start import start_of
 from planar_cli.problem.structure import load
 from planar_cli.simulate.run import Settings, simulate
 
-ANGLES = {2: 31.7505971869861018, 10: 31.6217298227818727}
+ANGLES = {2: 31.7505971869861018, 10: 31.6217298227818727, 40: 31.5974337439857377}
 """φ(10 s) of N four-bars, from an integration of their reduced equation with 50 digits."""
 
 
 @pytest.mark.parametrize(
     ("count", "tolerance", "angle", "energy"),
-    [(2, 1e-6, 1e-4, 1e-3), (2, 1e-8, 1e-6, 1e-6), (2, 1e-10, 1e-8, 1e-8), (10, 1e-6, 1e-4, 1e-3)],
+    [
+        (2, 1e-6, 1e-4, 1e-3),
+        (2, 1e-8, 1e-6, 1e-6),
+        (2, 1e-10, 1e-8, 1e-8),
+        (10, 1e-6, 1e-4, 1e-3),
+        (40, 1e-6, 1e-4, 1e-3),
+    ],
 )
 def test_four_bars_pass_through_horizontal(count: int, tolerance: float, angle: float, energy: float) -> None:
     model = model_of(four_bars(count))

@@ -31,8 +31,6 @@ def wrong(text: str) -> list[Diagnostic]:
     return load_text(text, "file.yaml")[1]
 
 
-
-
 @pytest.mark.parametrize("path", PROBLEMS, ids=lambda p: f"{p.parent.name}/{p.stem}")
 def test_every_problem_file_is_read(path: Path) -> None:
     problem, diagnostics, _ = load(str(path))
