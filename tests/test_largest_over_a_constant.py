@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import math
 from math import pi, sin
 
 import pytest
-from answered import first, solve
+from answered import assert_close, first, solve
 
 from planar_cli.errors import NoSolution
 
@@ -43,3 +44,28 @@ def test_a_smallest_value_is_no_other_way() -> None:
     found = solve((THROW % (0, "")).replace("r(P).mag is", "x(P) is"))
     assert first(found["d"]) == pytest.approx(100 / 9.81)
     assert first(found["beta"]) == pytest.approx(pi / 4)
+
+
+CARRIED = """
+title: Block carried by an accelerated wedge
+plane: vertical
+given: {beta: 20 deg, mu: 0.5}
+unknowns: {a: m/s^2}
+points: {P: [0, 0], Q: {from: P, distance: 1 m, angle: beta}}
+surfaces: {slope: {through: P, angle: beta, body: wedge}}
+bodies: {wedge: {points: [Q]}, block: {particle: P, mass: 3 kg}}
+joints:
+  - guide: {body: wedge, along: 0 deg}
+  - contact: {name: C, between: [block, slope], mu: mu}
+motion: [a(wedge).x = -a]
+instant: [at rest, mode(C) = stick, a is EXTREME]
+find: {a: a}
+"""
+
+
+@pytest.mark.parametrize(("extreme", "sense"), [("largest", 1), ("smallest", -1)])
+def test_a_prescribed_motion_is_driven_at_will(extreme: str, sense: int) -> None:
+    """The wedge could stay alone, with a = 0; what drives it leaves a free up to the limits of friction."""
+    found = solve(CARRIED.replace("EXTREME", extreme))
+    beta = math.radians(20)
+    assert_close(found["a"], 9.81 * math.tan(beta + sense * math.atan(0.5)))

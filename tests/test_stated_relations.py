@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+from fractions import Fraction
 from pathlib import Path
 
 import pytest
@@ -177,5 +179,42 @@ def test_a_vector_that_vanishes_and_a_point_at_rest(tmp_path: Path, stops: str) 
     """Solved, and confirmed by following the motion, in the same words."""
     file = tmp_path / "problem.yaml"
     file.write_text(STOPS.format(stops=stops) + "answers: {d: 3.429936 m}\n", encoding="utf-8")
+    result = CliRunner().invoke(cli, ["solve", str(file)])
+    assert result.exit_code == 0, result.output
+
+
+SWINGS = """
+title: Pendulum set swinging
+plane: vertical
+given: {{l: 0.9 m, v_0: 2 m/s}}
+coordinates: {{beta: deg}}
+points: {{O: [0, 0], B: {{from: O, distance: l, angle: beta - 90 deg}}}}
+bodies: {{b: {{{body}}}}}
+joints:
+  - {joint}
+states:
+  1: [t = 0, beta = 0 deg, v(B).x = v_0]
+  2: [v(B) = 0]
+find: {{turns: beta @ 2}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("body", "joint", "share"),
+    [
+        ("particle: B, mass: 1 kg", "link: {name: rod, between: [O, B]}", 1),
+        ("rod: [O, B], mass: 1 kg", "pin: {at: O, between: [ground, b]}", Fraction(2, 3)),
+    ],
+    ids=["particle", "end of a rod"],
+)
+def test_the_first_instant_at_which_a_vector_vanishes(
+    tmp_path: Path, body: str, joint: str, share: Fraction | int
+) -> None:
+    """Not the one after it, on the other side."""
+    rise = 4 / (2 * 9.81) * float(share)
+    angle = math.degrees(math.acos(1 - rise / 0.9))
+    file = tmp_path / "problem.yaml"
+    text = SWINGS.format(body=body, joint=joint) + f"answers: {{turns: {angle:.9f} deg}}\n"
+    file.write_text(text, encoding="utf-8")
     result = CliRunner().invoke(cli, ["solve", str(file)])
     assert result.exit_code == 0, result.output

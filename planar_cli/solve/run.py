@@ -275,11 +275,12 @@ def solve_instant(
     instant = make_instant(problem, always, now, earlier, open_form)
     if instant.principle.general:
         instant.lift = _lift(problem, always, earlier)
-    try:
-        return _solve(instant, finds, units, state)
-    except NoSolution:
-        if not instant.add_drivers():
-            raise
+    if not (instant.drives_at_will and instant.add_drivers()):
+        try:
+            return _solve(instant, finds, units, state)
+        except NoSolution:
+            if not instant.add_drivers():
+                raise
     return _solve(instant, finds, units, state)
 
 

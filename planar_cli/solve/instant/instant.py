@@ -21,6 +21,7 @@ from planar_cli.errors import Undecided
 from planar_cli.joints.base import Joint
 from planar_cli.loads.base import Load, mode_key
 from planar_cli.principles.base import Family, Principle
+from planar_cli.problem.expression import Side
 from planar_cli.problem.facts import Mode, Push, Test
 from planar_cli.problem.keys import Flow, keys_of
 from planar_cli.problem.outermost import quantities_in
@@ -125,6 +126,22 @@ class Instant:
         system = self.system(tuple(0 for _ in self.modes))
         self.drivers = driving_pushes(system, self.free)
         return bool(self.drivers)
+
+    @property
+    def drives_at_will(self) -> bool:
+        """Is an extreme sought of a motion that is prescribed with a constant which no load brings about? Then what
+        drives leaves that constant free, also where the bodies could move alone.
+        """
+        sought = {s.name for s in self.scene.ledger.sought}
+        prescribed = [s for r, always in self.statements.relations if always for s in (r.left, r.right)]
+        loads = [
+            side
+            for load in self.scene.problem.loads
+            for spec in keys_of(type(load))
+            if isinstance(side := getattr(load, spec.name), Side)
+        ]
+        driven = {n for side in prescribed for n in names_anywhere(side)} & sought
+        return bool(self.statements.extremes and driven) and not any(names_anywhere(s) & driven for s in loads)
 
     def must_seek(self) -> bool:
         """Are extremes asked for, or constants sought that enter nonlinearly?"""

@@ -32,6 +32,8 @@ from planar_cli.solve.instant.offers import Offers
 from planar_cli.solve.instant.plan import Plan, Planner
 from planar_cli.solve.instant.stages import acceleration_unknowns, with_zeros
 from planar_cli.solve.instant.study import solve_velocities
+from planar_cli.solve.instant.verify import AGREE, residuals
+from planar_cli.solve.instant.worked import unknowns_of
 from planar_cli.solve.instant.write import Writer
 from planar_cli.units import MASS, PURE
 
@@ -191,6 +193,7 @@ class Seeker:
         objection = self._wrong_sign(constants) or trial.objection
         objection = objection or self._behind(base, constants)
         objection = objection or loose_limit(self.instant, trial, constants) or self._singular(constants)
+        objection = objection or _unfulfilled(trial, solved)
         return Sought(branch, plan, writer, trial, unknowns, objection)
 
     def _singular(self, constants: dict[sp.Symbol, Decimal]) -> str:
@@ -262,6 +265,17 @@ class Seeker:
         told = {x for j, x in enumerate(numbers.unknowns) if any(c.mask >> j & 1 for c in found)}
         forces = set(numbers.unknowns) - set(self.ledger.sought)
         return [c for c in self.limit_conditions() if all(e.free_symbols & forces <= told for e in c.rows())]
+
+
+def _unfulfilled(trial: Trial, solved: dict[sp.Symbol, Decimal]) -> str:
+    """Equations that the plan left out as idle, such as those of a body that only a driving force keeps going, and that
+    the branch does not fulfil.
+    """
+    if not trial.outcomes:
+        return ""
+    outcome = trial.outcomes[0]
+    numbers = outcome.value.extended({**unknowns_of(trial.system, outcome), **solved})
+    return "contradiction" if residuals(trial.system, numbers, outcome)[1] > AGREE else ""
 
 
 def at_the_limit(words: str) -> str:
