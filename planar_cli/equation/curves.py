@@ -72,18 +72,22 @@ def bend_at(scene: CurveSetting, curve: Curve, pose: Pose, point: Vec) -> Bend:
     """A curve where a point of it is now: what is drawn, carried along by its body."""
     x, formula = curve_formula(scene, curve)
     at = parameter(curve, pose, point, scene.sign)
-    f, first, second = (sp.diff(formula, x, n).subs(x, at) for n in range(3))
+    f, first, second, third = (sp.diff(formula, x, n).subs(x, at) for n in range(4))
     if curve.kind == "y":
         # y'' / (1 + y'²)^(3/2)
-        along, out, cross = Vec(sp.S.One, first), Vec(at, f), second
+        along, out, cross, more = Vec(sp.S.One, first), Vec(at, f), second, third
+        gain = first * second
         speed, tangent, place = scene.length(along), pose.vector(along), pose.point(out)
     else:
         # (r² + 2 r'² - r r'') / (r² + r'²)^(3/2), in parts along and across r, which stands still where its end does.
         angle = at + pose.turn
         radial = Vec(sp.cos(angle), sp.sin(angle))
         speed, cross = scene.length(Vec(first, f)), f**2 + 2 * first**2 - f * second
+        more, gain = 2 * f * first + 3 * first * second - f * third, first * (f + second)
         tangent, place = radial * first + radial.turned() * f, pose.point(Vec(ZERO, ZERO)) + radial * f
-    return Bend(place, tangent / speed, simplified(cross / speed**3))
+    # With s' = speed, s'' = gain/s', cross' = more: d(cross/s'³)/ds.
+    sharpening = more / speed**4 - 3 * cross * gain / speed**6
+    return Bend(place, tangent / speed, simplified(cross / speed**3), sharpening)
 
 
 def _direction(seen: Vec, sign: Sign) -> sp.Expr:

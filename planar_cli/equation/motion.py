@@ -259,6 +259,9 @@ class Motion:
             )
             if across != 0:
                 found += across**2 / s.length
+        if row.sharpening != 0:
+            speed = sp.Add(*(self.velocity(p.anchor.point, p.anchor.body).dot(p.direction) for p in row.slides))
+            found -= row.sharpening * speed**2
         return found
 
     @staticmethod

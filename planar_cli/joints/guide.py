@@ -92,7 +92,7 @@ class Guide(Joint):
         tangent = joining.path.tangent if joining.path else normal
         n = self._push(f"N_{self.name}", "normal", joining, normal)
         pushes = [n]
-        turning = self._turning(scene, joining)
+        turning = self._turning(scene, joining, scene.track(self.along, joining.point, self.mark).sharpening)
         if self.body is not None and scene.rigid(joining.mover):
             # On a curved track the couple comes with a force along it, so that together they do no work.
             force = -tangent * joining.path.curvature if turning and joining.path else None
@@ -125,15 +125,17 @@ class Guide(Joint):
         turns = self.body is None or not scene.vanishes(curvature)
         return Joining(self.name, mover, base, point, place, Path(tangent, curvature), turns), tangent.turned()
 
-    def _turning(self, scene: Setting, joining: Joining) -> tuple[Row, ...]:
+    def _turning(self, scene: Setting, joining: Joining, sharpening: Any) -> tuple[Row, ...]:
         """A body that cannot turn against a curved track turns with its tangent: ω - ω_base = κ · speed along it."""
         if self.body is None or not joining.turns or joining.path is None or not scene.rigid(joining.mover):
             return ()
-        bend = joining.path.tangent * joining.path.curvature
-        pulls = (Pull(Anchor(joining.mover, joining.point), -bend), Pull(Anchor(joining.base, joining.point), bend))
-        return (
-            Row(self.name, f"{joining.mover} turns with its track", pulls, ((joining.mover, 1), (joining.base, -1))),
-        )
+        tangent, curvature, words = joining.path.tangent, joining.path.curvature, "turns with its track"
+        here, there = Anchor(joining.mover, joining.point), Anchor(joining.base, joining.point)
+        pulls = (Pull(here, -tangent * curvature), Pull(there, tangent * curvature))
+        slides = (Pull(here, tangent), Pull(there, -tangent))
+        spins = ((joining.mover, 1), (joining.base, -1))
+        title = f"{joining.mover} {words}"
+        return (Row(self.name, title, pulls, spins, slides=slides, sharpening=sharpening),)
 
     def _push(self, name: str, kind: str, joining: Joining, direction: Vec) -> Push:
         actions = (Action(joining.mover, joining.point, direction), Action(joining.base, joining.point, -direction))

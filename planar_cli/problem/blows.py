@@ -29,7 +29,7 @@ def _facts(facts: Facts) -> Facts:
 
 
 def _row(row: Row) -> Row:
-    return replace(row, rate=0, pace=row.rate)
+    return replace(row, rate=0, pace=row.rate, sharpening=0)
 
 
 def _joining(joining: Joining) -> Joining:

@@ -91,6 +91,8 @@ class Row:
 
     The derivative has the same coefficients on the accelerations, and for every segment of finite length the term
     (relative velocity across it)² / length; it equals `pace`, the rate of `rate`. `title`: the relation in words.
+    Where a coefficient is the curvature of a curve, it changes along it: `sharpening` times the square of the velocity
+    Σ `slides` goes off the derivative.
     """
 
     joint: str
@@ -100,6 +102,8 @@ class Row:
     rate: Any = 0
     segments: tuple[Segment, ...] = ()
     pace: Any = 0
+    slides: tuple[Pull, ...] = ()
+    sharpening: Any = 0
 
 
 @record
@@ -243,7 +247,8 @@ class Outline:
     """The shape of a body or surface at a point of contact.
 
     `kind`: corner, straight or arc (also a curve, by its circle of curvature). `tangent`: unit vector (None at a
-    corner). `curvature`: signed along the tangent. `center`: of the arc, None otherwise. `body`: who carries it.
+    corner). `curvature`: signed along the tangent; `sharpening`: how it changes along it [1/m²]. `center`: of the arc,
+    None otherwise. `body`: who carries it.
     `curve`: the surface whose curve y(x) or r(theta) it is.
     `drift`: the belt's surface velocity or None. `extent`: for a straight edge the distances of its ends from the
     point, behind and ahead.
@@ -258,6 +263,7 @@ class Outline:
     drift: Vec | None = None
     extent: tuple[Any, Any] | None = None
     curve: str = ""
+    sharpening: Any = 0
 
 
 @record

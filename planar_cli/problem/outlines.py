@@ -5,6 +5,7 @@ Written once for whatever numbers a scene is made of: exact expressions, or term
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any, Protocol
 
 from planar_cli.errors import Mark, refuse
@@ -25,6 +26,8 @@ class Bend:
     """The unit tangent towards growing x or theta."""
     curvature: Any
     """1/m, positive where the curve bends to the left of the tangent."""
+    sharpening: Any = 0
+    """How the curvature changes along the tangent, 1/m²; where nobody differentiates it anew."""
 
 
 class Outlined(Protocol):
@@ -110,7 +113,8 @@ def _surface(scene: Outlined, surface: Surface, point: Vec, mark: Mark) -> Outli
     off = bend.place - point
     _demand_on(scene.is_zero(off.x) and scene.is_zero(off.y), surface, mark, "")
     kind, drift = "straight" if scene.vanishes(bend.curvature) else "arc", _drift(scene, surface, bend.tangent)
-    return Outline(kind, body, bend.tangent, bend.curvature, drift=drift, curve=surface.name)
+    curve = Outline(kind, body, bend.tangent, bend.curvature, drift=drift, curve=surface.name)
+    return replace(curve, sharpening=bend.sharpening)
 
 
 def _demand_on(fits: bool, surface: Surface, mark: Mark, hint: str) -> None:

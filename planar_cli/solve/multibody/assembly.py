@@ -6,13 +6,13 @@ which values are unique, and every sign, before anything is planned or printed.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from decimal import Decimal
 from typing import Any
 
 from planar_cli.equation.exact import ZERO, Valuation
-from planar_cli.problem.facts import Joining, Push, Row, Wrench
+from planar_cli.problem.facts import Joining, Pull, Push, Row, Wrench
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
 from planar_cli.solve.multibody.linear import Row as NumberRow
@@ -152,15 +152,18 @@ class Assembly:
                     direction.turned()
                 )
                 found[-1] = found.get(-1, ZERO) + across**2 / self.value(s.length)
+        if row.sharpening != 0:
+            found[-1] = found.get(-1, ZERO) - self.value(row.sharpening) * self._pulled(row.slides) ** 2
         return found
+
+    def _pulled(self, pulls: Iterable[Pull]) -> Decimal:
+        """Σ of the velocities along pulls."""
+        anchors = ((p.anchor.body, self.number(p.anchor.point), self.number(p.direction)) for p in pulls)
+        return sum((self.point_velocity(body, at).dot(along) for body, at, along in anchors), ZERO)
 
     def row_speed(self, row: Row) -> Decimal:
         """The value of a row at velocity level, less its rate."""
-        total = -self.value(row.rate)
-        for pull in row.pulls:
-            total += self.point_velocity(pull.anchor.body, self.number(pull.anchor.point)).dot(
-                self.number(pull.direction)
-            )
+        total = self._pulled(row.pulls) - self.value(row.rate)
         for body, factor in row.spins:
             total += self.spin(body) * self.value(factor)
         for s in row.segments:

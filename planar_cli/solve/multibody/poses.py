@@ -118,11 +118,14 @@ class NearPoses:
         return (turn - self.angle(curve.body)) / self.number(curve.curvature), turn
 
     def along_curve(self, curve: Outline, body: str, place: Vec) -> Vec:
-        """The radius of the circle of curvature; of a straight piece the tangent."""
-        center = self._bend_center(curve, place)
-        if center is None:
-            return self.direction(curve.body, _tangent(curve))
-        return self.point(body, place) - self.point(curve.body, center)
+        """The radius of the circle of curvature; of a straight piece the tangent. It turns a little more, to the second
+        order, where the curvature changes on the way.
+        """
+        center, now, tangent = self._bend_center(curve, place), self.point(body, place), _tangent(curve)
+        along = self.direction(curve.body, tangent) if center is None else now - self.point(curve.body, center)
+        slid = (now - self.point(curve.body, place)).dot(self.direction(curve.body, tangent))
+        turned: Vec = along + along.turned() * (slid * slid * (self.number(curve.sharpening) / 2))
+        return turned
 
     def _bend_center(self, curve: Outline, place: Vec) -> Vec | None:
         """The centre of curvature; None where the curve does not bend."""
