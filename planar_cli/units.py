@@ -331,6 +331,7 @@ _ANGULAR: Mapping[Dimension, tuple[str, str]] = MappingProxyType(
     }
 )
 
+
 def default_unit(dimension: Dimension, angle: bool = False, us: bool = False) -> Unit:
     """The unit in which a value is printed when nobody asked for another: SI, or US customary.
 

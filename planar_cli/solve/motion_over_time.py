@@ -78,7 +78,8 @@ def _told(solved: SolvedMotion, case: str) -> PartSolution:
     start = {s: closed_formula(s, begun, course.symbolic) for s in course.first.letters.values()}
     throughout = Throughout(course, found.followed, found.value, start)
     assumed = presumed(found, (route, begun))
-    found = integrated(replace(found, checks=(*found.checks, *blow_checks(found), *compared(found))))
+    found = replace(found, checks=(*found.checks, *blow_checks(found), *compared(found)))
+    found = integrated(found, asked_letters(found.finds).union(*(s.derivation.needs for s in route.steps)))
     answering = Answering(course, route, found.value, found.spans, throughout)
     answers = tuple(answering.answer(a) for a in found.finds)
     instants = _instants(course)

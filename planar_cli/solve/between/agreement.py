@@ -7,7 +7,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from dataclasses import replace
 from decimal import Decimal
 
@@ -19,6 +19,7 @@ from planar_cli.errors import NoValue
 from planar_cli.solve.between.events import LOOKS
 from planar_cli.solve.between.followed import Followed
 from planar_cli.solve.between.integrated import apart, digits
+from planar_cli.solve.between.motion_equations import MotionEquations
 from planar_cli.solve.between.solved_motion import SolvedMotion
 from planar_cli.solve.instant.verify import Disagreement
 from planar_cli.solve.regimes.equations import DATA
@@ -37,19 +38,28 @@ def compared(found: SolvedMotion) -> tuple[str, ...]:
     return balanced(found.course.distinct_regimes())
 
 
-def integrated(found: SolvedMotion) -> SolvedMotion:
+def integrated(found: SolvedMotion, needed: Collection[sp.Symbol]) -> SolvedMotion:
     """The same, with the equations of motion integrated beside what following the motion alone has given. Disagreement:
-    they lead elsewhere.
+    they lead elsewhere. `needed`: symbols of states on which answers rest.
     """
-    if not found.guessed or found.followed is None:
+    guessed = found.guessed.intersection(needed)
+    if not guessed or found.followed is None:
         return found
-    off = apart(found.followed.segments, found.followed.sizes)
+    off = apart(found.followed.segments, found.followed.sizes, _resting_on(found.course, guessed))
     if off is None:
         return found
     if off > APART:
         raise Disagreement("the equations of motion, integrated, lead elsewhere than the motion that was followed")
     words = f"the integrated equations of motion agree with the motion followed to {digits(off)} digits"
     return replace(found, integrated=True, checks=(*found.checks, words))
+
+
+def _resting_on(course: MotionEquations, guessed: Collection[sp.Symbol]) -> dict[str, set[sp.Symbol]]:
+    """By the state, the letters of the general position that tell these, and when it is."""
+    general = {own: s for stop in course.stops.values() for s, own in stop.letters.items()}
+    wanted = {general[s] for s in guessed if s in general}
+    stated = {name: {s for d in demands for s in d.residual.free_symbols} for name, demands in course.demands.items()}
+    return {name: wanted | {general[s] for s in letters if s in general} for name, letters in stated.items()}
 
 
 def balanced(regimes: Iterable[Regime]) -> tuple[str, ...]:

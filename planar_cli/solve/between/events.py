@@ -33,6 +33,9 @@ State = dict[sp.Symbol, float]
 class Read(Protocol):
     """Who reads the letters of a regime from a state of the scene."""
 
+    def recall(self, t: float) -> None:
+        """Angles count their turns from what they were before a time."""
+
     def at(self, t: float, y: Sequence[float], near: State) -> State:
         """The letters, sought from those that are near."""
 
@@ -55,6 +58,8 @@ class FollowedSegment:
     """What counts as a large length in it [m]."""
     pace: float = 1.0
     """An ordinary time of the scene [s]."""
+    reaches: str = ""
+    """The state that ends it; "" where none does."""
     _known: list[tuple[float, State]] = field(default_factory=list)
     """Letters at the ends of steps, as far as they were looked at."""
     _passed: list[tuple[float, Sequence[float]]] | None = None
@@ -88,6 +93,7 @@ class FollowedSegment:
 
     def _state(self, t: float) -> Sequence[float]:
         """The state of the scene at a time."""
+        self.letters.recall(t)
         for piece in self.pieces:
             if piece.t0 <= t <= piece.t1:
                 return piece.at(t)

@@ -107,9 +107,7 @@ class ExactSegment:
         return found
 
 
-def exact_segments(
-    course: MotionEquations, value: Valuation, followed: Followed | None
-) -> tuple[ExactSegment, ...]:
+def exact_segments(course: MotionEquations, value: Valuation, followed: Followed | None) -> tuple[ExactSegment, ...]:
     """The motion, one segment for each regime in its turn. `value`: numbers of names and of letters of states;
     `followed`: it in numbers.
 

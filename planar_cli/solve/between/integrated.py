@@ -7,7 +7,7 @@ balances that the solution prints. Both start a stretch alike: where they agree 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 
 import sympy as sp
 
@@ -22,20 +22,26 @@ LOOKS = 4
 """So often a stretch is looked at."""
 
 
-def apart(segments: Iterable[FollowedSegment], sizes: Mapping[sp.Symbol, float]) -> float | None:
-    """The largest difference of a letter along the stretches, in parts of its size; None: an equation of motion has no
-    value on the way, or its steps become too small.
+def apart(
+    segments: Iterable[FollowedSegment], sizes: Mapping[sp.Symbol, float], sought: Mapping[str, Collection[sp.Symbol]]
+) -> float | None:
+    """The largest difference along the stretches of a letter, in parts of its size; None: an equation of motion has no
+    value on the way, or its steps become too small. `sought`: by the state that ends a stretch, the letters that must
+    agree; with them all that their equations of motion hold.
     """
     try:
-        return max((_apart(s, sizes) for s in segments if s.t1 > s.t0 and s.regime.letters[1:]), default=0.0)
+        return max((_apart(s, sizes, sought.get(s.reaches, ())) for s in segments if s.t1 > s.t0), default=0.0)
     except (NoValue, StepTooSmall):
         return None
 
 
-def _apart(segment: FollowedSegment, sizes: Mapping[sp.Symbol, float]) -> float:
-    regime, letters = segment.regime, segment.regime.letters[1:]
+def _apart(segment: FollowedSegment, sizes: Mapping[sp.Symbol, float], sought: Collection[sp.Symbol]) -> float:
+    regime = segment.regime
     changes = {**regime.rates, **regime.accelerations}
-    f = number_function([changes[s] for s in letters], regime.letters, segment.value)
+    letters = _joined(sought, changes)
+    if not letters:
+        return 0.0
+    f = number_function([changes[s] for s in letters], [regime.time, *letters], segment.value)
 
     def rates(t: float, y: Vector) -> Vector:
         return f(t, *y)
@@ -50,6 +56,16 @@ def _apart(segment: FollowedSegment, sizes: Mapping[sp.Symbol, float]) -> float:
         for a, s, size in zip(run.at(t), letters, scale, strict=True)
     )
     return max((abs(a - b) / size for a, b, size in pairs), default=0.0)
+
+
+def _joined(sought: Collection[sp.Symbol], changes: Mapping[sp.Symbol, sp.Expr]) -> list[sp.Symbol]:
+    """These letters, and all on which their rates of change rest."""
+    found: set[sp.Symbol] = set()
+    more = {s for s in sought if s in changes}
+    while more:
+        found |= more
+        more = {s for x in more for s in sp.sympify(changes[x]).free_symbols if s in changes} - found
+    return [s for s in changes if s in found]
 
 
 def digits(difference: float) -> int:

@@ -237,7 +237,7 @@ class Follower:
         if math.isinf(until):
             done.missed, done.onward = state.name, segment
             return None
-        self._passed(segment, max(until, since))
+        self._passed(segment, max(until, since), state.name)
         there = segment.at(until) if until >= since else self._earlier(until)
         there = there if exact is None else {**there, **exact[1]}
         self._record(course.stops[state.name], there, regime)
@@ -264,9 +264,9 @@ class Follower:
         letters = self._letters(regime)
         return FollowedSegment(regime, letters, pieces, since, until, self.begun, self.value, length, scales.time)
 
-    def _passed(self, segment: FollowedSegment, until: float) -> None:
-        """A segment that is passed, up to this time."""
-        self.done.segments.append(replace(segment, t1=until))
+    def _passed(self, segment: FollowedSegment, until: float, reaches: str = "") -> None:
+        """A segment that is passed, up to this time and perhaps this state."""
+        self.done.segments.append(replace(segment, t1=until, reaches=reaches))
         for k in range(LOOKS + 1) if segment.regime.letters[1:] else ():
             here = segment.at(segment.t0 + (until - segment.t0) * k / LOOKS)
             self.sizes = self.sizes.passing({s: here[s] for s in segment.regime.letters}, self.units, segment.length)

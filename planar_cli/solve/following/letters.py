@@ -90,6 +90,10 @@ class Letters:
         found = self._moving(*(letters[s] for s in self.regime.letters))
         return {i: v for (i, _), v in zip(self.places, found, strict=True)}
 
+    def recall(self, t: float) -> None:
+        """Angles of the scene count their turns from what they were before a time."""
+        self.model.recall(t)
+
     def at(self, t: float, y: Sequence[float], near: Mapping[sp.Symbol, float]) -> State:
         """The letters for a state. `near`: coordinates from which they are sought; angles keep the turns of these."""
         places = self._coordinates(t, y, [near[q] for q in self.coordinates])
