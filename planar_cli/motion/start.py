@@ -15,6 +15,7 @@ from planar_cli.motion.constraints import Constraint, coefficients
 from planar_cli.motion.dense import null_space
 from planar_cli.motion.drives import PLACES, VELOCITIES, of_forces
 from planar_cli.motion.model import Model
+from planar_cli.motion.places import points_of
 from planar_cli.motion.terms import Term
 from planar_cli.motion.zeros import AGREES, Equation, Zeros
 from planar_cli.problem.expression import AtRest, Equilibrium, Relation, Statement
@@ -114,7 +115,7 @@ class _Search:
         _, drawn = self.model.reference
         off = [r for r, v in zip(relations, self._values_at(relations, drawn), strict=True) if abs(v) > AGREES * r.size]
         unfit = any(abs(v) > AGREES * j.size for v, j in zip(self._values_at(joints, drawn), joints, strict=True))
-        if not off or unfit:
+        if not off or unfit or not self._moves_points(drawn):
             return
         found = zeros.state
         free = self._open_terms()
@@ -130,6 +131,17 @@ class _Search:
             text = f"`{wrong[0].text}` does not hold in the drawn position"
             hint = "draw the points at the first state, or write one with a coordinate"
             raise NoSolution([Diagnostic(wrong[0].mark, "PL609", text, hint)])
+
+    def _moves_points(self, drawn: Sequence[float]) -> bool:
+        """Do points of the file stand elsewhere than drawn? How a disk is turned that has none but its centre is not
+        drawn.
+        """
+        scene, scale = self.model.scene, self.model.scales.length
+        spots = [scene.point(name) for name in points_of(scene.problem)]
+        terms = [self.model.graph.of(part) for spot in spots for part in (spot.x, spot.y)]
+        equations = [Equation(term, scale, "", NOWHERE) for term in terms]
+        there, here = self._values_at(equations, drawn), self.zeros.values(equations)
+        return any(abs(a - b) > AGREES * scale for a, b in zip(there, here, strict=True))
 
     def _values_at(self, equations: Sequence[Equation], state: Sequence[float]) -> list[float]:
         found, self.zeros.state = self.zeros.state, list(state)
