@@ -70,3 +70,29 @@ def test_a_blow_that_moves_nothing_has_impulses() -> None:
     found = {n: a.values[0] for n, a in answers(BLOCK % -80).items() if a.values}
     assert found["J"] == pytest.approx(6 * 0.984807753012208)
     assert found["W"] == found["Q"] == 0
+
+
+RING = """
+title: Ball in a ring
+plane: vertical
+points: {O: [0, 0], G: [0.5 m, 0]}
+bodies: {ball: {disk: G, radius: 0.1 m, mass: 1 kg}, drum: {ring: O, radius: 1 m, mass: 5 kg}}
+joints:
+  - pin: {at: O, between: [ground, drum]}
+  - impact: {between: [%s], restitution: 0.8}
+states: {1: [t = 0, at rest], 2: [t = 0.5 s]}
+find: {x: x(G) @ 2, y: y(G) @ 2, v: v(G).mag @ 2}
+"""
+
+
+def test_a_ring_struck_from_within_whoever_is_named_first() -> None:
+    """It falls sqrt(0.81 - 0.25) m to the ring, whose normal there is along the radius."""
+    one, other = (answers(RING % names) for names in ("ball, drum", "drum, ball"))
+    depth, g = 0.56**0.5, 9.81
+    down, n = (2 * g * depth) ** 0.5, (-0.5 / 0.9, depth / 0.9)
+    gain = 1.8 * down * n[1]
+    u, w, t = gain * n[0], gain * n[1] - down, 0.5 - (2 * depth / g) ** 0.5
+    for found in (one, other):
+        assert found["x"].values == pytest.approx([0.5 + u * t])
+        assert found["y"].values == pytest.approx([-depth + w * t - g * t * t / 2])
+        assert found["v"].values == pytest.approx([(u**2 + (w - g * t) ** 2) ** 0.5])

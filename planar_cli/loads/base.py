@@ -27,7 +27,7 @@ from typing import Any, ClassVar
 from planar_cli.problem.entry import Entry
 from planar_cli.problem.facts import Effect, Mode, Wrench
 from planar_cli.problem.residuals import Residual
-from planar_cli.problem.setting import MovingSetting, Setting, StruckSetting
+from planar_cli.problem.setting import MovingSetting, Setting
 
 
 def mode_key(load: str) -> str:
@@ -62,7 +62,7 @@ class Load(Entry, ABC):
         """A load keeps no places."""
         return ()
 
-    def impulses(self, scene: StruckSetting) -> tuple[Wrench, ...]:
+    def impulses(self, scene: Setting) -> tuple[Wrench, ...]:
         """What the load does to each body in a blow: nothing, where it is a finite force."""
         return ()
 

@@ -9,7 +9,7 @@ from planar_cli.loads.base import Load
 from planar_cli.problem.expression import Side
 from planar_cli.problem.facts import Wrench
 from planar_cli.problem.keys import BodyKey, Choice, PointKey, SideKey, key
-from planar_cli.problem.setting import MovingSetting, StruckSetting
+from planar_cli.problem.setting import MovingSetting, Setting
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -70,7 +70,7 @@ class Impulse(Load):
         """None: a blow is no force."""
         return ()
 
-    def impulses(self, scene: StruckSetting) -> tuple[Wrench, ...]:
+    def impulses(self, scene: Setting) -> tuple[Wrench, ...]:
         point = scene.point(self.at) if self.at is not None else scene.center(self.body)
         if self.moment is not None:
             moment = scene.value(self.moment)

@@ -136,7 +136,7 @@ def _on_rim(scene: Carried, one: Rim | Corner, rim: Rim) -> list[Gap]:
     if inside and rim.hollow:
         return [Gap(one.body, rim.body, rim.radius - own - far, place + out * own, out)]
     if isinstance(one, Rim) and one.hollow and scene.sign(own - rim.radius - far) >= 0:
-        return [Gap(one.body, rim.body, own - rim.radius - far, rim.center - out * rim.radius, -out)]
+        return [Gap(one.body, rim.body, own - rim.radius - far, rim.center - out * rim.radius, out)]
     return [Gap(one.body, rim.body, far - own - rim.radius, place - out * own, -out)]
 
 

@@ -26,7 +26,7 @@ from planar_cli.motion.spots import spots_of
 from planar_cli.motion.terms import Term, evaluate
 from planar_cli.problem.acting import acting_loads
 from planar_cli.problem.expression import Name, Relation, Side, Statement
-from planar_cli.problem.facts import Meeting, Outline, Wrench
+from planar_cli.problem.facts import Outline, Wrench
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.keys import Table
 from planar_cli.problem.outlines import Bend, edges_at, outline_of
@@ -224,15 +224,6 @@ class MovingScene(Carried):
                 found.append(Wrench("", "stream", name, place.center, None, couple, couple))
         return tuple(found)
 
-    def wrenches(self) -> tuple[Wrench, ...]:
-        """What all loads do to all bodies, each with the name of the load (of a weight: of the body)."""
-        found = [*(w for load in self.loads() for w in load.wrenches(self)), *self.growing()]
-        return tuple(w for w in found if w.body != GROUND and not self._nothing(w))
-
-    def _nothing(self, wrench: Wrench) -> bool:
-        force = wrench.force or Vec(0, 0)
-        return all(self.vanishes(part) for part in (force.x, force.y, wrench.couple))
-
     # --- what impacts ask --------------------------------------------------------------------------------------------
 
     def gaps(self, joint: Joint) -> tuple[Gap, ...]:
@@ -244,22 +235,3 @@ class MovingScene(Carried):
         other = self.pressed(joint.name) < 0
         found = tuple(g.from_other_side() if other and not g.told else g for g in found)
         return tuple(self.facings.both_sides(g) for g in found)
-
-    def arriving(self, point: Vec, body: str) -> Vec:
-        """The velocity of a body's point just before a blow."""
-        return self.velocity(point, body)
-
-    def meeting(self, between: tuple[str, ...], normal: Side | None, mark: Mark) -> Meeting:
-        """Where two bodies strike each other as drawn: where they are nearest."""
-        found = gaps_of(self, self.feet, between, None if normal is None else self.unit(normal))
-        inside = [g for g in found if all(self.sign(w) >= 0 for w in g.within)]
-        if not inside:
-            text = f"where {between[0]} and {between[1]} touch is open"
-            raise refuse(mark, "PL528", text, "let a particle, a round rim or the end of a rod touch the other")
-        nearest = min(inside, key=lambda g: abs(g.distance.value))
-        return Meeting(nearest.point, nearest.normal, told=self.sign(nearest.distance) > 0)
-
-    def unknown(self, name: str, unit: str) -> Term:
-        """A constant of the blow that the file leaves open: the motion cannot go on without it."""
-        mark = Mark(self.problem.file, 1, 1)
-        raise refuse(mark, "PL706", f"{name} is open, so that what follows the impact is", "write `restitution:`")
