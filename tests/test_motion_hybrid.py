@@ -66,6 +66,15 @@ def test_a_ball_of_high_restitution_bounces_until_its_exact_time() -> None:
     assert found.outcome.kind == "rest"
 
 
+@pytest.mark.parametrize("tolerance", [1e-6, 1e-9, 1e-11, 1e-13])
+@pytest.mark.parametrize("e", [0.5, 0.99])
+def test_a_bouncing_ball_comes_to_rest_at_every_tolerance(e: float, tolerance: float) -> None:
+    """√(2 h/g) (1 + e)/(1 - e)."""
+    end = math.sqrt(2 / GRAVITY) * (1 + e) / (1 - e)
+    found = follow(ball(e), (0.0, 1.0, 0.0, 0.0), 2 * end, tolerance=tolerance)
+    assert next(x for x in found.transitions if x.kind == "rest").t == pytest.approx(end, rel=1e-10)
+
+
 @pytest.mark.parametrize(("delta", "contacts"), [(1e-3, 2), (1e-6, 2), (0.0, 1), (-1e-6, 0)])
 def test_a_ceiling_that_is_just_reached(delta: float, contacts: int) -> None:
     """Thrown up against a ceiling at v²/2g - δ, which does not send it back: it is only looked at."""

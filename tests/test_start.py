@@ -91,6 +91,26 @@ def test_places_follow_from_relations(tmp_path: Path) -> None:
     assert math.dist(end, b) == pytest.approx(math.hypot(2, 0.5))
 
 
+WHEEL = """
+title: Wheel
+plane: horizontal
+points: {O: [0, 0], P: [0.1 m, 0]}
+bodies: {wheel: {disk: O, radius: 0.1 m, mass: 4 kg%s}}
+joints:
+  - pin: {at: O, between: [ground, wheel]}
+states:
+  1: [t = 0, theta(wheel) = 60 deg, omega(wheel) = 0]
+"""
+
+
+def test_a_wheel_has_turned_as_far_as_the_first_state_says(tmp_path: Path) -> None:
+    """Unless a point of its rim is drawn."""
+    _, _, at = begun(tmp_path, WHEEL % "")
+    assert at["theta_wheel"] == pytest.approx(math.radians(60))
+    with pytest.raises(PlanarError, match="does not hold in the drawn position"):
+        begun(tmp_path, WHEEL % ", points: [P]")
+
+
 @pytest.mark.parametrize("said", ["theta(AB) = 80 deg", "x(B) = 0.1 m", "r(C/A).mag = 2 m"])
 def test_what_is_drawn_is_not_moved(tmp_path: Path, said: str) -> None:
     with pytest.raises(PlanarError, match="does not hold in the drawn position") as caught:

@@ -20,6 +20,7 @@ from planar_cli.motion.terms import Term
 from planar_cli.motion.zeros import AGREES, Equation, Zeros
 from planar_cli.problem.expression import AtRest, Equilibrium, Relation, Statement
 from planar_cli.problem.facts import Mode
+from planar_cli.problem.scene import Round
 from planar_cli.records import record
 
 Choose = Callable[[tuple[Mode, ...]], int]
@@ -150,9 +151,12 @@ class _Search:
         return values
 
     def _open_terms(self) -> list[Term]:
-        """The places that nothing tells: coordinates, and particles that are free."""
+        """The places that nothing tells: coordinates, particles that are free, and how far a wheel has turned of which
+        only the centre is drawn.
+        """
         scene = self.model.scene
-        found: list[Term] = []
+        wheels = (b.name for b in scene.problem.bodies if isinstance(b.shape, Round) and not b.points)
+        found = [theta for name in wheels if (theta := scene.places[name].theta) is not None]
         for name in sorted(scene.reference.open):
             if name in self.layout.frames:
                 found += [scene.places[name].x, scene.places[name].y]

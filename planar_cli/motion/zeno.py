@@ -13,7 +13,7 @@ NEEDED = 4
 """So many impacts with shrinking intervals are needed before a limit is spoken of."""
 SLOWEST = 1.0 - 1e-6
 """A ratio above this does not shrink."""
-FINEST = 1e-11
+FINEST = 1e-10
 """Lower bounces than this part of the scene's size can hardly be told from rest."""
 
 
@@ -49,8 +49,9 @@ class Bounces:
             return None
         left = c * second / (1 - second)
         doubt = left * abs(second - first) / (1 - second)
-        # What still moves meanwhile: the last speed for the time that is left.
+        # What still moves meanwhile: the last speed for the time that is left; and how high the last bounce was.
         tolerance = max(tolerance, FINEST)
-        if left / time_scale * self.speeds[-1] > tolerance or doubt > 1e3 * tolerance * time_scale:
+        moves, height = (t / time_scale * self.speeds[-1] for t in (left, c))
+        if (moves > tolerance and height > FINEST) or doubt > 1e3 * tolerance * time_scale:
             return None
         return self.times[-1] + left, doubt

@@ -10,7 +10,7 @@ from planar_cli.errors import PlanarError
 from planar_cli.integrators.base import MOST_STEPS
 from planar_cli.motion.drive import IMPLICIT
 from planar_cli.motion.regime import Regime
-from planar_cli.motion.trajectory import Trajectory
+from planar_cli.motion.trajectory import Trajectory, Transition
 from planar_cli.problem.scene import Problem
 from planar_cli.simulate.accuracy import REFERENCES, Ran, Row
 from planar_cli.simulate.peers import PEERS, Peer, largest_of
@@ -97,10 +97,23 @@ class SceneSubject:
 
 
 def _met(trajectory: Trajectory) -> tuple[str, ...]:
-    """Impacts, changes of mode and states in their order, and how it ended."""
-    happened = [(x.t, f"{x.kind} {' '.join(x.joints)}") for x in trajectory.transitions]
+    """Impacts, changes of mode and states in their order, and how it ended. Of impacts without number those count that
+    are no part of the sequence: how many of it are followed depends on the tolerance.
+    """
+    happened = [(x.t, f"{x.kind} {' '.join(x.joints)}") for x in _told(trajectory.transitions)]
     happened += [(e.t, e.name) for e in trajectory.events]
     return (*(words for _, words in sorted(happened)), trajectory.outcome.kind)
+
+
+def _told(transitions: Sequence[Transition]) -> list[Transition]:
+    """What happened, without the impacts of the same joints, and what belongs to them, that lead to a rest."""
+    found: list[Transition] = []
+    for x in transitions:
+        if x.kind == "rest":
+            while found and set(found[-1].joints) <= set(x.joints):
+                found.pop()
+        found.append(x)
+    return found
 
 
 def _drift(run: Run) -> float:

@@ -130,7 +130,10 @@ def power_digits(regime: Regime) -> int | None:
     if a is None or b is None:
         return None
     size = max(abs(a), abs(b), here.size(left) if left.is_Add else abs(a))
-    if size == 0:
+    ordinary = regime.general.instant.scene.ledger.natural
+    power = abs(here(derivative(total, u))) * ordinary(u) / ordinary(regime.time)
+    if size <= power * Decimal(10) ** -FULL:
+        # What vanishes is known to the rounding of what cancels in it.
         return FULL
     off = abs(a - b) / size
     return FULL if off == 0 else min(int(-off.log10()), FULL) if off < Decimal(1) else 0
