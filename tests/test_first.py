@@ -1,29 +1,28 @@
-"""The first instant: roots, grazing contacts and extremes of functions of time, against closed forms."""
+"""The first instant: roots and grazing contacts of functions of time, against closed forms."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable
 from decimal import Decimal
+from typing import Any
 
 import pytest
 import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from planar_cli.calculus.first import (
-    all_roots,
-    first_common,
-    first_extreme,
-    first_root,
-    polish,
-    polish_extreme,
-)
+from planar_cli.calculus.first import Root, all_roots, roots
+from planar_cli.calculus.polish import polish
 from planar_cli.equation.exact import FUNCTIONS, PI
 
 sin, cos, exp = math.sin, math.cos, math.exp
 exact_sin, exact_cos = FUNCTIONS[sp.sin], FUNCTIONS[sp.cos]
 Function = Callable[[float], float]
+
+
+def first_root(g: Function, after: float, horizon: float | None = None, **more: Any) -> Root | None:
+    return next(roots(g, after, horizon, **more), None)
 
 
 @pytest.mark.parametrize(
@@ -136,9 +135,6 @@ def test_grazing_and_missing() -> None:
     assert first_root(ceiling(0), root.value) is None
     assert first_root(ceiling(-1e-6), 0) is None
     assert first_root(ceiling(-1e-8), 0) is None
-    least = first_extreme(ceiling(-1e-6), 0, None, -1)
-    assert least is not None
-    assert least.value == pytest.approx(1e-6, abs=1e-14)
 
 
 @pytest.mark.parametrize("rate", [1e-7, 1.0, 1e7])
@@ -173,16 +169,6 @@ def test_no_root_of_a_product_is_skipped(zeros: list[float], unit: float) -> Non
     assert first.value / unit == pytest.approx(min(zeros), rel=1e-8)
 
 
-def test_first_common() -> None:
-    root = first_common([sin, lambda t: sin(t * 2 / 3)], 0)
-    assert root is not None
-    assert root.value == pytest.approx(3 * math.pi, rel=1e-14)
-    root = first_common([lambda t: 1 - cos(t), lambda t: sin(t / 3)], 0)
-    assert root is not None
-    assert root.value == pytest.approx(6 * math.pi, rel=1e-12)
-    assert first_common([sin, cos], 0, 100) is None
-
-
 @pytest.mark.parametrize(
     ("g", "approximate", "root"),
     [
@@ -207,51 +193,3 @@ def test_polish_tells_grazing_apart(delta: str) -> None:
     if found.kind == "touch":
         with pytest.raises(ArithmeticError, match="no root"):
             polish(lambda t: 50 / g + Decimal("1e-20") - (10 * t - g * t * t / 2), found.low, found.high)
-
-
-@pytest.mark.parametrize(
-    ("g", "until", "sense", "value", "at", "kind"),
-    [
-        (sin, None, 1, 1, math.pi / 2, "interior"),
-        (sin, None, -1, -1, 3 * math.pi / 2, "interior"),
-        (sin, 1, 1, sin(1), 1, "end"),
-        (sin, 1, -1, 0, 0, "start"),
-        (cos, None, 1, 1, 0, "start"),
-        (lambda t: t * exp(-t), None, 1, exp(-1), 1, "interior"),
-        (lambda t: exp(-t), None, 1, 1, 0, "start"),
-        (lambda t: 1 - exp(-t), None, 1, 1, math.inf, "limit"),
-        (lambda t: exp(-0.01 * t) * sin(t), None, 1, exp(-0.01 * PEAK) * sin(PEAK), PEAK, "interior"),
-        (lambda t: 3.0, None, 1, 3, 0, "start"),
-        (lambda t: (1 - cos(t)) ** 2, 12 * math.pi, 1, 4, math.pi, "interior"),
-        (lambda t: math.sqrt(1 - t), None, -1, 0, 1, "end"),
-        (lambda t: -abs(sin(t - 1)), 10, 1, 0, 1, "interior"),
-    ],
-)  # fmt: skip
-def test_first_extreme(g: Function, until: float | None, sense: int, value: float, at: float, kind: str) -> None:
-    found = first_extreme(g, 0, until, sense)
-    assert found is not None
-    assert found.kind == kind
-    assert found.value == pytest.approx(value, rel=1e-14, abs=1e-12)
-    assert found.at == pytest.approx(at, rel=2e-12)
-
-
-def test_no_largest_value() -> None:
-    assert first_extreme(lambda t: t * t, 0) is None
-    assert first_extreme(lambda t: math.log(1 + t), 0) is None
-    assert first_extreme(lambda t: exp(0.01 * t) * sin(t), 0) is None
-
-
-def test_a_repeated_motion_says_so() -> None:
-    found = first_extreme(lambda t: sin(t) + sin(2 * t + 1) + sin(3 * t), 0)
-    assert found is not None
-    assert found.again
-    samples = max(sin(t) + sin(2 * t + 1) + sin(3 * t) for t in (k * 1e-4 for k in range(62832)))
-    assert samples - 1e-12 <= found.value <= samples + 1e-7
-
-
-def test_an_extreme_in_many_digits() -> None:
-    found = first_extreme(lambda t: t * exp(-t), 0)
-    assert found is not None
-    at, value = polish_extreme(lambda t: t * (-t).exp(), found.low, found.high)
-    assert abs(at - 1) < Decimal("1e-40")
-    assert abs(value - (Decimal(-1)).exp()) < Decimal("1e-50")

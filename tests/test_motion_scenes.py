@@ -14,7 +14,6 @@ from planar_cli.motion.scene import MovingScene
 from planar_cli.motion.schedule import Crossing, Event, Schedule
 from planar_cli.motion.stages import SceneStages
 from planar_cli.motion.trajectory import Trajectory
-from planar_cli.motion.unstable import departing
 from planar_cli.problem.structure import load_text
 
 GRAVITY = 9.81
@@ -183,33 +182,6 @@ joints:
     found = follow(text, {}, 60.0)
     assert found.at(60.0) == found.at(0.0)
     assert f"{math.sqrt(1 / GRAVITY):.6g} s" in found.notes[0]
-
-
-def test_a_pendulum_leaves_its_unstable_equilibrium_where_that_is_asked() -> None:
-    """Along the deviation that grows, δ rad have become 0.1 rad after ln(0.1/δ)/√(g/L)."""
-    problem, _ = load_text(
-        """
-title: a pendulum
-plane: vertical
-points: {O: [0, 0], P: [0, 1 m]}
-bodies: {ball: {particle: P, mass: 2 kg}}
-joints:
-  - link: {between: [O, P]}
-"""
-    )
-    assert problem is not None
-    stages = SceneStages(MovingScene(problem))
-    automaton = stages.automaton(())
-    t, y = automaton.model.reference
-    delta = 1e-6
-    off = departing(automaton, automaton.regime(()), t, y, delta)
-    assert off is not None
-    angle = math.atan2(off[0], off[1])
-    span = math.log(0.1 / abs(angle)) / math.sqrt(GRAVITY)
-    setting = Setting(automaton.scale, 1e-11)
-    found = Follower(stages, Start(t, off), Schedule(), span, setting).trajectory()
-    end = found.at(span)
-    assert abs(math.atan2(end[0], end[1])) == pytest.approx(0.1, rel=2e-3)
 
 
 def test_a_ball_bounces_to_rest_on_the_floor() -> None:

@@ -1,4 +1,4 @@
-"""The first instant at which a function of time vanishes or is largest, and all such instants.
+"""The instants at which a function of time vanishes.
 
 A root counts strictly after the beginning: where the function vanishes at `after` itself (to rounding, that is 1e-12
 of its scale), the next zero is sought. A function that is zero all along from `after` on has its root there ("stays").
@@ -9,29 +9,14 @@ A change of sign across a jump or a pole is no root.
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 
 from planar_cli.calculus.panels import EPS, Panel, Scan, period_of
-from planar_cli.calculus.polish import polish, polish_extreme
 from planar_cli.errors import NotReached
 from planar_cli.records import record
 
-__all__ = [
-    "Extreme",
-    "Root",
-    "all_roots",
-    "first_common",
-    "first_extreme",
-    "first_root",
-    "polish",
-    "polish_extreme",
-    "roots",
-]
-
 MISS = 1e-9
 THROUGH = 1e-12
-TIE = 1e-12
 FEW, MOST = 20_000, 400_000
 """Evaluations spent without an end, and with one: beyond these the question is refused."""
 
@@ -55,71 +40,14 @@ class Root:
     miss: float = 0.0
 
 
-@record
-class Extreme:
-    """The largest or smallest value and the first instant at which it is attained, with a bracket.
-
-    `kind`: "interior", "start", "end", or "limit": approached for ever and not attained (`at` is infinite).
-    `again`: without an end, the motion was seen to repeat itself.
-    """
-
-    value: float
-    at: float
-    low: float
-    high: float
-    kind: str
-    again: bool = False
-
-
-def first_root(
-    g: Function,
-    after: float,
-    horizon: float | None = None,
-    scale: float | None = None,
-    size: float = 0.0,
-    evaluations: int | None = None,
-) -> Root | None:
-    """The first root after `after`, until `horizon` (a time) or, without one, for as long as `evaluations` last
-    (20,000 if not given).
-
-    None: there is none up to the horizon; without one, none in 20,000 evaluations (over a thousand periods of
-    a swinging motion), or g goes away, dies out, or repeats itself without a root. With a horizon that could not be
-    reached: ArithmeticError.
-    """
-    return next(roots(g, after, horizon, scale, size, evaluations), None)
-
-
-def all_roots(g: Function, after: float, until: float, limit: int = 200, scale: float | None = None) -> list[Root]:
+def all_roots(g: Function, after: float, until: float, limit: int = 200) -> list[Root]:
     """All roots in (after, until], the first `limit` of them."""
     found: list[Root] = []
-    for root in roots(g, after, until, scale):
+    for root in roots(g, after, until):
         found.append(root)
         if len(found) >= limit:
             break
     return found
-
-
-def first_common(
-    gs: Sequence[Function], after: float, horizon: float | None = None, scale: float | None = None
-) -> Root | None:
-    """The first root of gs[0] at which the others vanish too, to 1e-9 of the size they have nearby."""
-    for root in roots(gs[0], after, horizon, scale):
-        if all(_vanishes(g, root, after) for g in gs[1:]):
-            return root
-    return None
-
-
-def _vanishes(g: Function, root: Root, after: float) -> bool:
-    """Is there a root of g as near to this one as two roots of the same instant are found?"""
-    about = max(abs(root.value - after), abs(root.value), EPS)
-    reach = 1e-8 * about if root.kind == "touch" else 1e-10 * about
-    try:
-        here = abs(g(root.value))
-        sizes = [abs(g(root.value - f * about)) for f in (0.01, 0.03, 0.1)]
-        near = max(abs(g(root.value - reach) - g(root.value)), abs(g(root.value + reach) - g(root.value)))
-    except (ArithmeticError, ValueError):
-        return False
-    return here <= max(MISS * max(sizes), near)
 
 
 def roots(
@@ -130,7 +58,12 @@ def roots(
     size: float = 0.0,
     evaluations: int | None = None,
 ) -> Iterator[Root]:
-    """The roots after `after`, one by one; see first_root."""
+    """The roots after `after`, one by one, until `horizon` (a time) or, without one, for as long as `evaluations` last
+    (20,000 if not given).
+
+    Without a horizon they end after 20,000 evaluations (over a thousand periods of a swinging motion), or where g goes
+    away, dies out, or repeats itself without a root. ArithmeticError: a horizon could not be reached.
+    """
     if horizon is not None and not horizon > after:
         return
     scan = Scan(g, after, horizon, scale, size, evaluations or (FEW if horizon is None else MOST))
@@ -303,92 +236,3 @@ def _closed_in(
         x = xa + min(max(share, least), 1 - least) * (xb - xa)
     pair = sorted([(xa, fa), (xb, fb)])
     return pair[0], pair[1]
-
-
-def first_extreme(
-    g: Function,
-    after: float,
-    until: float | None = None,
-    sense: int = 1,
-    scale: float | None = None,
-    evaluations: int | None = None,
-) -> Extreme | None:
-    """The largest (`sense` = 1) or smallest (-1) value on [after, until], or over the whole motion.
-
-    Ties within 1e-12 of the largest |g|: the first. Without an end: until the motion repeats itself or dies out, or for
-    as long as `evaluations` last if the extreme lies in the first half of the time searched; None: no value is settled
-    in that time, as where the function grows without end.
-    """
-    if until is not None and not until > after:
-        value = g(after)
-        return Extreme(value, after, after, after, "start")
-    scan = Scan(lambda t: sense * g(t), after, until, scale, 0.0, evaluations or (FEW if until is None else MOST))
-    highest: list[Extreme] = []
-    extremes: list[tuple[float, float]] = []
-    again, best, last = False, -math.inf, Extreme(-math.inf, after, after, after, "start")
-    for panel in scan.panels():
-        margin = TIE * scan.largest
-        for spot in _candidates(scan, panel, extremes, best - 1e-8 * scan.largest, last):
-            if spot.value > best + margin:
-                highest = [spot]
-            elif spot.value >= best - margin:
-                highest.append(spot)
-            best = max(best, spot.value)
-            last = spot
-        if until is None and period_of(extremes, scan.largest) is not None:
-            again = max(v for _, v in extremes[-12:]) >= best - 1e-8 * scan.largest
-            last = Extreme(-math.inf, math.inf, math.inf, math.inf, "limit")
-            break
-    if not highest:
-        raise NotReached("the function has no value in the time asked for")
-    if scan.exhausted and until is not None:
-        raise NotReached(f"the function changes too fast: not searched beyond {last.at}")
-    found = next(e for e in highest if e.value >= best - TIE * scan.largest)
-    if until is None and not _attained(found, after, last):
-        return _limit(g, after, last.at, scan.largest)
-    return Extreme(sense * found.value, found.at, found.low, found.high, found.kind, again)
-
-
-def _candidates(
-    scan: Scan, panel: Panel, extremes: list[tuple[float, float]], enough: float, last: Extreme
-) -> list[Extreme]:
-    """The points of a panel at which the largest value may be; those that matter are refined."""
-    found: list[Extreme] = []
-    if panel.hole:
-        edge = scan.edge(last.at) if last.at == panel.lo else None
-        value = scan.value(edge[0]) if edge is not None else None
-        if edge is not None and value is not None:
-            found.append(Extreme(value, edge[0], panel.lo, edge[0], "end"))
-        return found
-    if panel.lo == scan.after:
-        found.append(Extreme(panel.values[0], panel.lo, panel.lo, panel.lo, "start"))
-    if panel.bernstein:
-        reach = (panel.hi - panel.lo) / 8
-        for t in panel.critical():
-            v = panel.at(t)
-            extremes.append((t, v))
-            if v > enough:
-                at, v = scan.refined(panel, t)
-                found.append(Extreme(v, at, max(scan.after, at - reach), min(scan.end, at + reach), "interior"))
-    else:
-        inner = list(zip(panel.times, panel.values, strict=True))[1:-1]
-        found += [Extreme(v, t, panel.lo, panel.hi, "interior") for t, v in inner]
-    end = scan.until is not None and panel.hi == scan.until
-    found.append(Extreme(panel.values[-1], panel.hi, panel.lo, panel.hi, "end" if end else "interior"))
-    return found
-
-
-def _attained(found: Extreme, after: float, last: Extreme) -> bool:
-    """Was it the start, or not improved upon for as long again as it took to reach it, or did the motion end there?"""
-    if found.kind == "start" or last.kind in {"end", "limit"}:
-        return True
-    return found.at - after <= (last.at - after) / 2 and found.value > last.value
-
-
-def _limit(g: Function, after: float, last: float, size: float) -> Extreme | None:
-    """The value approached at the end of the search, if the last three quarters of it changed nothing."""
-    run = last - after
-    ends = [g(after + run * part) for part in (0.25, 0.5, 0.75, 1.0)]
-    if max(ends) - min(ends) <= TIE * size:
-        return Extreme(ends[-1], math.inf, last, math.inf, "limit")
-    return None

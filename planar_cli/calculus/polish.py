@@ -1,4 +1,4 @@
-"""A root or an extreme known to machine precision, refined to fifty digits."""
+"""A root known to machine precision, refined to fifty digits."""
 
 from __future__ import annotations
 
@@ -39,17 +39,8 @@ def polish(g: Exact, lo: float | Decimal, hi: float | Decimal, digits: int = 50)
         return _narrow(g, a, b, fa, fb, digits)
 
 
-def polish_extreme(g: Exact, lo: float | Decimal, hi: float | Decimal, digits: int = 50) -> tuple[Decimal, Decimal]:
-    """The instant in [lo, hi] at which g is stationary, and its value there. ArithmeticError: there is none.
-
-    The instant comes from differences of g, and has about five digits less than g; the value has them all.
-    """
-    with decimal.localcontext() as context:
-        context.prec = max(context.prec, digits + GUARD)
-        return _extreme(g, Decimal(lo), Decimal(hi), digits)
-
-
 def _extreme(g: Exact, a: Decimal, b: Decimal, digits: int) -> tuple[Decimal, Decimal]:
+    """Where g is stationary in between, from differences, to about five digits less than g has; and its value there."""
     step = (b - a) * Decimal(10) ** -max(3, digits // 8)
 
     def rate(t: Decimal) -> Decimal:

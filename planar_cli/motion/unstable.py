@@ -17,27 +17,6 @@ GROWS = 1e-3
 
 def growth(automaton: Automaton, regime: Regime, t: float, y: Sequence[float]) -> float:
     """The largest rate at which a small deviation that the joints allow grows [1/s]; 0 where none does."""
-    return _fastest(automaton, regime, t, y)[0]
-
-
-def departing(
-    automaton: Automaton, regime: Regime, t: float, y: Sequence[float], size: float, sense: int = 1
-) -> tuple[float, ...] | None:
-    """The state a little off an unstable equilibrium, along the deviation that grows fastest, by `size` parts of the
-    scales; None where nothing grows. `sense`: 1 or -1, its first number that changes grows or shrinks.
-    """
-    rate, shape = _fastest(automaton, regime, t, y)
-    if not rate:
-        return None
-    largest = max(abs(x) for x in shape)
-    first = next(x for x in shape if abs(x) > GROWS * largest)
-    factor = size * sense * (1 if first > 0 else -1) / largest
-    moved = [v + factor * x * s for v, x, s in zip(y, shape, automaton.scale, strict=True)]
-    return tuple(regime.project(t, moved))
-
-
-def _fastest(automaton: Automaton, regime: Regime, t: float, y: Sequence[float]) -> tuple[float, list[float]]:
-    """The largest rate of growth [1/s] and its deviation in parts of the scales; 0 where none grows."""
     import numpy as np
 
     scale = automaton.scale
@@ -57,16 +36,12 @@ def _fastest(automaton: Automaton, regime: Regime, t: float, y: Sequence[float])
     u, sizes, vt = np.linalg.svd(places)
     rank = int((sizes > 1e-3 * STEP).sum())
     if rank == 0:
-        return 0.0, []
+        return 0.0
     basis = u[:, :rank]
     inverse = vt[:rank].T / sizes[:rank]
     reduced = basis.T @ rates @ inverse
-    values, vectors = np.linalg.eig(reduced)
-    k = int(np.argmax(values.real))
-    rate = float(values[k].real)
-    if rate * automaton.time_scale <= GROWS:
-        return 0.0, []
-    return rate, [float(x) for x in (basis @ vectors[:, k]).real]
+    rate = float(max(np.linalg.eigvals(reduced).real))
+    return rate if rate * automaton.time_scale > GROWS else 0.0
 
 
 def growth_note(automaton: Automaton, regime: Regime, t: float, y: Sequence[float]) -> str:

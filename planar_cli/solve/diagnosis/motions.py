@@ -6,14 +6,13 @@ that is seen from their rank at a general place. Data contradict each other wher
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Collection, Iterable
-from contextlib import suppress
 from decimal import Decimal
 from itertools import islice
 
 import sympy as sp
 
-from planar_cli.calculus.first import first_extreme
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.equation.plain import derivative
 from planar_cli.equation.sample import anywhere
@@ -39,7 +38,7 @@ from planar_cli.solve.regimes.regime_sequence import RegimeSequence
 from planar_cli.solve.regimes.timeline import Demand, Stop
 
 AGREES = Decimal("1e-7")
-SAMPLES = 60
+SAMPLES, CLOSER = 60, 5
 ROOTS = 20
 BEFORE = 1e-6
 """What happens within this part of a stretch before its end happens at its end."""
@@ -344,13 +343,13 @@ def passed_before(course: MotionEquations, followed: Followed, value: Valuation)
 
 
 def _nearest(g: Callable[[float], float], times: list[float]) -> tuple[float, float]:
-    """The smallest size of a function and when it has it: by samples, and the best of them looked at closely."""
-    k = min(range(len(times)), key=lambda i: abs(g(times[i])))
-    with suppress(NoValue):
-        near = first_extreme(lambda t: abs(g(t)), times[max(k - 1, 0)], times[min(k + 1, len(times) - 1)], -1)
-        if near is not None:
-            return near.value, near.at
-    return abs(g(times[k])), times[k]
+    """The smallest size of a function and when it has it: by samples, and again about the best of them."""
+    best, at = math.inf, times[0]
+    for _ in range(CLOSER):
+        k, (best, at) = min(enumerate((abs(g(t)), t) for t in times), key=lambda found: found[1])
+        low, high = times[max(k - 1, 0)], times[min(k + 1, len(times) - 1)]
+        times = [low + (high - low) * i / SAMPLES for i in range(SAMPLES + 1)]
+    return best, at
 
 
 def _common(
