@@ -80,6 +80,9 @@ def _refuse_below(cursor: Cursor, first: Token, number: str, run: str, term_star
 def _known_unit(cursor: Cursor, begin: Token, number: str, run: str) -> Unit:
     """The parsed unit of the run; raises ParseError with the repair that fits best."""
     behind = cursor.text[begin.start + len(run) : begin.start + len(run) + 1]
+    if behind == "^":
+        hint = f"write the power at each unit, as in `1/(m^(1/2)*s^(1/2))`, or `({number} {run})^…` of the whole"
+        cursor.fail(f"a power behind the unit {run} can be read in two ways", hint, "PL204", begin)
     try:
         unit = parse_unit(run)
         if behind != "(":
