@@ -40,6 +40,18 @@ def route(*equations: Equation, targets: tuple[sp.Symbol, ...], **values: int) -
 # --- roots -----------------------------------------------------------------------------------------------------------
 
 
+@pytest.mark.parametrize(
+    ("residual", "first"),
+    [(sp.cos(A * X / B) + 1, sp.pi * B / A), (sp.sin(A * X / B), sp.S.Zero), (2 * sp.cos(A * X) - 1, sp.pi / (3 * A))],
+)
+def test_an_angle_that_grows_evenly_with_the_unknown(residual: sp.Expr, first: sp.Expr) -> None:
+    """In letters, with the turns of the angle, not of the unknown."""
+    chain = Chain(frozenset((X,)), {}, {X: None}, KNOWN, True, natural={X: Decimal(1)})
+    found = [b.formulas[X] for b in chain.branches([equation(residual)])]
+    assert any(sp.simplify(f - first) == 0 for f in found)
+    assert all(KNOWN.is_zero(residual.xreplace({X: f})) for f in found)
+
+
 def test_one_unknown_after_the_other() -> None:
     (branch,) = branches(Y - X - B, X - A, Z * Y - 16)
     assert branch.values == {X: 3, Y: 8, Z: 2}

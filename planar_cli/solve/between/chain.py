@@ -16,7 +16,7 @@ import sympy as sp
 from planar_cli.calculus.first import roots
 from planar_cli.calculus.polish import polish
 from planar_cli.equation.common_factors import together
-from planar_cli.equation.exact import PI, Unvalued, Valuation
+from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.equation.plain import letters
 from planar_cli.equation.scales import slack_of
 from planar_cli.errors import NoValue, Undecided
@@ -25,7 +25,7 @@ from planar_cli.solve.between.integrals_that_hold import taken_out
 from planar_cli.solve.between.linked import linked_blocks
 from planar_cli.solve.instant.branches import vanishes
 from planar_cli.solve.instant.elimination import Pending, alone, combined, eliminate
-from planar_cli.solve.instant.roots import Root, real_roots
+from planar_cli.solve.instant.roots import Root, real_roots, turning
 from planar_cli.solve.regimes.equations import Equation
 from planar_cli.solve.regimes.regime import number_function
 
@@ -350,14 +350,22 @@ class Chain:
         center = here(near) if near is not None and near in here.values else Decimal(0)
         center = Decimal(repr(self.truth[x])) if x in self.truth else center
         found: dict[str, Root] = {}
+        turn = _turn(residual, x)
+        whole = here(turn)
         for root in roots:
-            turns = int((center - root.value) / (2 * PI))
+            turns = int((center - root.value) / whole)
             for k in range(turns - 2, turns + 3):
-                value = root.value + 2 * PI * k
-                if abs(value - center) <= 2 * PI + Decimal("0.01"):
-                    expr = root.expression + 2 * sp.pi * k if root.expression is not None else None
+                value = root.value + whole * k
+                if abs(value - center) <= whole + Decimal("0.01"):
+                    expr = root.expression + turn * k if root.expression is not None else None
                     found[str(round(value, 25))] = Root(expr, value)
         return sorted(found.values(), key=lambda r: abs(r.value - center))
+
+
+def _turn(residual: sp.Expr, x: sp.Symbol) -> sp.Expr:
+    """After how much of x a trigonometric equation comes again: a whole turn of the one angle in which x stands."""
+    paces = {*turning(residual, x).values()}
+    return 2 * sp.pi / sp.Abs(paces.pop()) if len(paces) == 1 else 2 * sp.pi
 
 
 def _closed_roots(residual: sp.Expr, x: sp.Symbol, here: Valuation, symbolic: bool) -> list[Root] | None:

@@ -116,7 +116,9 @@ def _closed(numerator: sp.Expr, x: sp.Symbol, value: Valuation) -> list[sp.Expr]
         return []
     s, c = sp.Dummy("s"), sp.Dummy("c")
     flat = sp.expand_trig(numerator).subs({sp.sin(x): s, sp.cos(x): c})
-    if flat.has(x) or not flat.is_polynomial(s, c):
+    if flat.has(x):
+        return _of_one_angle(numerator, x, value)
+    if not flat.is_polynomial(s, c):
         return []
     poly = sp.Poly(flat, s, c)
     if poly.total_degree() != 1:
@@ -133,6 +135,28 @@ def _closed(numerator: sp.Expr, x: sp.Symbol, value: Valuation) -> list[sp.Expr]
         return [first, -first]
     lead, swing = sp.atan2(b, a), sp.acos(-k / sp.sqrt(a**2 + b**2))
     return [lead + swing, lead - swing]
+
+
+def _of_one_angle(numerator: sp.Expr, x: sp.Symbol, value: Valuation) -> list[sp.Expr]:
+    """Roots where x stands in one angle k x + b only, as that of a wheel that has rolled on a round track does."""
+    angles = turning(numerator, x)
+    if len(angles) != 1:
+        return []
+    ((angle, pace),) = angles.items()
+    whole = sp.Dummy("w", real=True)
+    inside = {f: f.func(whole) for f in numerator.atoms(sp.sin, sp.cos, sp.tan) if f.args[0] == angle}
+    flat = numerator.xreplace(inside)
+    if x in flat.free_symbols:
+        return []
+    start = angle.xreplace({x: sp.S.Zero})
+    return [cancelled((root - start) / pace) for root in _closed(flat, whole, value)]
+
+
+def turning(expr: sp.Expr, x: sp.Symbol) -> dict[sp.Expr, sp.Expr]:
+    """The angles of sines, cosines and tangents that grow evenly with x, each with its rate; empty if others hold x."""
+    angles = {f.args[0] for f in expr.atoms(sp.sin, sp.cos, sp.tan) if x in f.args[0].free_symbols}
+    paces = {a: sp.diff(a, x) for a in angles}
+    return {} if any(x in pace.free_symbols for pace in paces.values()) else paces
 
 
 def _by_factors(numerator: sp.Expr, x: sp.Symbol, value: Valuation) -> list[sp.Expr]:
