@@ -5,11 +5,11 @@ from __future__ import annotations
 from math import atan, pi, sqrt
 
 import pytest
-from answered import CORD
+from answered import CORD, assert_close, solve
 
 from planar_cli.problem.structure import load_text
 from planar_cli.simulate.answers import Answered
-from planar_cli.simulate.run import Settings, Simulation, simulate
+from planar_cli.simulate.run import Settings, Simulation, prepared, simulate
 
 THROWN = """
 title: Stone thrown up
@@ -152,3 +152,25 @@ def test_a_state_told_by_turns_just_after_a_balance() -> None:
     found = answers(text % "r(P).angle = 800 deg")
     assert found["t"].values == pytest.approx([800 * pi / 360])
     assert found["turned"].values == pytest.approx([800 * pi / 180])
+
+
+SHOT = """
+title: Shot straight up from a planet, a law of places alone
+given: {R: 6371 km, v_0: 8 km/s, g_0: 9.81 m/s^2}
+bodies: {P: {particle: [0, 0]}}
+motion: [a(P).y = -g_0*R^2/(R + y(P))^2, x(P) = 0]
+states:
+  1: [t = 0, v(P).y = v_0]
+  2: [v(P).y = 0]
+find: {H: y(P) @ 2}
+"""
+
+
+def test_how_quick_a_motion_is_that_only_a_law_tells() -> None:
+    """Minutes, as accelerations and lengths say, and not a second."""
+    problem, wrong = load_text(SHOT)
+    assert problem is not None, wrong
+    height = solve(SHOT)["H"]
+    assert_close(height, 6371e3 * 64e6 / (2 * 9.81 * 6371e3 - 64e6))
+    scales = prepared(problem, {}).model.scales
+    assert scales.time == pytest.approx((6371e3 / 9.81) ** 0.5)

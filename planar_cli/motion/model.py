@@ -23,6 +23,7 @@ from planar_cli.motion.source import Code, compiled
 from planar_cli.motion.terms import Term, evaluate
 from planar_cli.problem.facts import Facts, Mode, Skid, Wrench
 from planar_cli.problem.geometry import Vec
+from planar_cli.problem.ordinary import scales_of as ordinary
 from planar_cli.problem.scene import GROUND
 
 Choice = tuple[int, ...]
@@ -322,13 +323,13 @@ class Model:
         kept = independent(self.layout, [*said, *ties], self.scales).kept
         return [ties[k - len(said)] for k in kept if k >= len(said)]
 
-    def _demanded(self, drive: Constraint) -> float:
-        """The speed that a drive demands as drawn [m/s]."""
+    def _demanded(self, drive: Constraint, demand: Term) -> float:
+        """The speed [m/s] or acceleration [m/s²] that a drive demands as drawn, at rest."""
         slopes = [
             abs(t.value) * (1.0 if self.layout.slots[i].kind != "theta" else 1.0 / self.scene.extent)
             for i, t in drive.row.items()
         ]
-        largest, moving = max(slopes, default=0.0), abs(drive.moving.value)
+        largest, moving = max(slopes, default=0.0), abs(demand.value)
         return moving / largest if largest > 0 and math.isfinite(moving) else 0.0
 
     def _scales(self) -> Scales:
@@ -340,8 +341,9 @@ class Model:
                 if wrench.force is not None and wrench.body != GROUND and heaviest > 0:
                     x, y = self.graph.of(wrench.force.x).value, self.graph.of(wrench.force.y).value
                     accelerations += [abs(v) / heaviest for v in (x, y) if abs(v) > 0]
-        speeds = [self._demanded(drive) for drive in self.drives]
-        return scales_of(self.scene.extent, masses, accelerations, speeds)
+        accelerations += [self._demanded(drive, drive.rest) for drive in self.drives]
+        speeds = [self._demanded(drive, drive.moving) for drive in self.drives]
+        return scales_of(self.scene.extent, masses, accelerations, speeds, ordinary(self.scene.problem).time)
 
 
 def layout_of(scene: MovingScene) -> Layout:

@@ -36,12 +36,12 @@ class Scales:
 
 
 def scales_of(
-    length: float, masses: Sequence[float], accelerations: Sequence[float], speeds: Sequence[float]
+    length: float, masses: Sequence[float], accelerations: Sequence[float], speeds: Sequence[float], time: float
 ) -> Scales:
     """`accelerations`: gravity, forces by masses [m/s²], and `speeds` [m/s], all without sign; the quickest counts.
 
-    Where nothing moves or pushes the time scale is 1 s: nothing will happen in any time.
+    `time`: the scale [s] where nothing pushes or is driven as drawn; the start tells then what moves.
     """
     times = [math.sqrt(length / a) for a in accelerations if a > 0]
     times += [length / v for v in speeds if v > 0]
-    return Scales(length, max(masses, default=0.0) or 1.0, min(times, default=1.0))
+    return Scales(length, max(masses, default=0.0) or 1.0, min(times, default=time))

@@ -88,7 +88,7 @@ def _between_rims(point: Point, place: Rims, numbers: Numbers) -> Vec:
         return gap is not None and gap[0] > 0
 
     if below(r, s) and below(length, s):
-        inner: Vec = b - reach * (s / length)
+        inner: Vec = b + (a - b) * (s / length)
         return inner
     touching: Vec = a + reach * (r / length)
     return touching
