@@ -7,6 +7,7 @@ from fractions import Fraction
 from pathlib import Path
 
 import pytest
+import sympy as sp
 from answered import assert_close, solve
 from click.testing import CliRunner
 
@@ -218,3 +219,22 @@ def test_the_first_instant_at_which_a_vector_vanishes(
     file.write_text(text, encoding="utf-8")
     result = CliRunner().invoke(cli, ["solve", str(file)])
     assert result.exit_code == 0, result.output
+
+
+def test_a_direction_that_is_driven_is_not_the_opposite_one() -> None:
+    """x' = r' cos(2 t) - 2 r sin(2 t), r = 0.5 m + 0.1 m/s t."""
+    found = solve(
+        """
+title: Direction driven
+coordinates: {phi: rad, s: m}
+points: {O: [0, 0], P: {from: O, distance: s, angle: phi}}
+bodies: {p: {particle: P}}
+motion: [r(P).angle = (2 rad/s)*t, s = 0.5 m + (0.1 m/s)*t]
+find: {v: v(P).x}
+"""
+    )["v"]
+    assert found.expressions is not None
+    (formula,) = found.expressions
+    (t,) = formula.free_symbols
+    expected = sp.cos(2 * t) / 10 - 2 * (sp.Rational(1, 2) + t / 10) * sp.sin(2 * t)
+    assert sp.simplify(formula - expected) == 0

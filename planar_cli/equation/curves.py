@@ -65,7 +65,7 @@ def parameter(curve: Curve, pose: Pose, point: Vec, sign: Sign) -> sp.Expr:
     seen = point - pose.point(Vec(ZERO, ZERO))
     if curve.kind == "y":
         return simplified(sp.cos(pose.turn) * seen.x + sp.sin(pose.turn) * seen.y)
-    return _direction(seen, sign) - pose.turn
+    return direction_of(seen, sign) - pose.turn
 
 
 def bend_at(scene: CurveSetting, curve: Curve, pose: Pose, point: Vec) -> Bend:
@@ -90,7 +90,7 @@ def bend_at(scene: CurveSetting, curve: Curve, pose: Pose, point: Vec) -> Bend:
     return Bend(place, tangent / speed, simplified(cross / speed**3), sharpening)
 
 
-def _direction(seen: Vec, sign: Sign) -> sp.Expr:
+def direction_of(seen: Vec, sign: Sign) -> sp.Expr:
     """The angle of a vector: one of its own letters where it is written with that angle, so that turns are counted."""
     if seen.x == 0:
         return sign(seen.y) * sp.pi / 2

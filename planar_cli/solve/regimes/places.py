@@ -8,6 +8,7 @@ from dataclasses import replace
 import sympy as sp
 
 from planar_cli.equation.conditions import POSITION, order, vector_or_jet
+from planar_cli.equation.curves import direction_of
 from planar_cli.equation.plain import simplified
 from planar_cli.equation.quantities import Quantities
 from planar_cli.equation.setup import Setup
@@ -65,7 +66,10 @@ def _residuals(relation: Relation, paired: Relation | None, quantities: Quantiti
         yield vector.y - right.value * sp.sin(angle)
     elif _part_of(relation, "angle") is not None:
         vector = _whole(relation, quantities)
-        yield vector.y * sp.cos(right.value) - vector.x * sp.sin(right.value)
+        angle = direction_of(vector, quantities.scene.sign)
+        # Where the place is written with its direction, that is meant, and not the opposite one.
+        across = vector.y * sp.cos(right.value) - vector.x * sp.sin(right.value)
+        yield across if angle.has(sp.atan2) else angle - right.value
     else:
         left = vector_or_jet(relation.left, quantities, quantities.evaluator)
         difference = left - right
