@@ -88,7 +88,9 @@ class Timetable:
                         conditions.append(self._condition(statement))
                 case Relation():
                     conditions.append(self._condition(statement))
-        return Event(state.name, time, crossing, tuple(modes), tuple(conditions), after, rest, endless)
+        asked = [n for s in state.relations for n in walk(s) if isinstance(n, Quantity)]
+        turns = any(part.kind == "angle" for q in asked for part in q.parts)
+        return Event(state.name, time, crossing, tuple(modes), tuple(conditions), after, rest, endless, turns)
 
     # --- what tells it -----------------------------------------------------------------------------------------------
 
