@@ -174,3 +174,18 @@ def test_how_quick_a_motion_is_that_only_a_law_tells() -> None:
     assert_close(height, 6371e3 * 64e6 / (2 * 9.81 * 6371e3 - 64e6))
     scales = prepared(problem, {}).model.scales
     assert scales.time == pytest.approx((6371e3 / 9.81) ** 0.5)
+
+
+def test_what_the_start_takes_for_granted_is_told() -> None:
+    """Two weights on a rope over a peg: how they sway at the start is not in the file."""
+    text = """
+title: Weights on a rope that may sway
+plane: vertical
+points: {A: [0, -1 m], D: [0.5 m, 0], B: [1 m, -1 m]}
+bodies: {a: {particle: A, mass: 2 kg}, b: {particle: B, mass: 3 kg}}
+joints:
+  - rope: {path: [A, over D, B]}
+states: {1: [t = 0, v(a).y = 1 m/s], 2: [t = 0.2 s]}
+find: {y: y(a) @ 2}
+"""
+    assert any("without swaying of a, b" in note for note in simulated(text).run.trajectory.notes)

@@ -169,3 +169,5 @@ class Start:
     """The state."""
     choice: Choice | None = None
     """The modes to begin the search with; None: the natural ones."""
+    assumed: tuple[str, ...] = ()
+    """What the file does not say of it, in words."""

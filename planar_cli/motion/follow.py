@@ -99,7 +99,7 @@ class Follower:
 
     def _begin(self) -> None:
         self.automaton = self.stages.automaton((self.schedule.start,))
-        self.t, self.y = self.start.t, self.start.y
+        self.t, self.y, self.notes = self.start.t, self.start.y, [*self.start.assumed]
         self.choice = self.start.choice or (0,) * len(self.automaton.choices)
         self.waiting = Waiting(self.schedule, self.t)
         if not self._blow(self.schedule.start) and self.outcome is None:

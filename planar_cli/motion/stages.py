@@ -200,7 +200,7 @@ class SceneStages:
         reached = () if self._struck_at_once() else (self._first(),)
         idle = self._idle(reached)
         found = start_of(Model(self.scene, lambda m: m not in idle))
-        return Start(found.time, found.state)
+        return Start(found.time, found.state, None, found.assumed)
 
     def _struck_at_once(self) -> bool:
         """Does the second state stand just after the first? Then what takes hold there has not held before."""

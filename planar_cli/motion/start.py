@@ -222,7 +222,7 @@ class _Search:
         if not moving:
             return ()
         if self._hanging(moving):
-            return (f"{', '.join(sorted(moving))}: no swaying at the start",)
+            return (f"it begins without swaying of {', '.join(sorted(moving))}, as the file does not tell how",)
         if moving <= self.model.scene.speeds.keys():
             self.zeros.state = self._known()
             self._newton(firm, numbers)

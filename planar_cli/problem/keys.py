@@ -30,9 +30,7 @@ class PointPairKey:
 
 @record
 class BodyKey:
-    """The name of a body, or `ground` where `ground` is set, as str."""
-
-    ground: bool = False
+    """The name of a body, as str."""
 
 
 @record

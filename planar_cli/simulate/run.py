@@ -98,7 +98,7 @@ class Prepared:
             moved = [a + b for a, b in zip(y, shifts(self.model.scale, shift), strict=True)]
             y = tuple(self.model.regime().project(t, moved))
         self.stages.begin(t, y)
-        return Start(t, y)
+        return replace(self.start, y=y)
 
 
 @record

@@ -26,11 +26,10 @@ DEPARTS = "released at rest in an unstable equilibrium: the limit of a slight to
 
 @record
 class Departure:
-    """The free speed that a departure begins with, its value then, and the time in which a deviation grows e-fold."""
+    """The free speed that a departure begins with, and its value then."""
 
     speed: sp.Symbol
     value: Decimal
-    time: float
 
 
 def departure_of(
@@ -59,7 +58,7 @@ def departure_of(
     )
     pace = math.sqrt(growth)
     slope = abs(float(value(derivative(regime.rates[c.symbol], u))))
-    return Departure(u, Decimal(repr(sense * SLIGHT * pace * size / slope)), 1 / pace)
+    return Departure(u, Decimal(repr(sense * SLIGHT * pace * size / slope)))
 
 
 def _coordinate(regime: Regime, u: sp.Symbol) -> Coordinate | None:
