@@ -297,7 +297,7 @@ def _squared(
 ) -> tuple[Span, ...]:
     """a = g(q) + c v² with a constant c: v dv = a dq is linear in v², d(v²)/dq = 2 g + 2 c v²."""
     square = sp.Dummy("v2")
-    flat = expanded(a).subs(end.v**2, square)
+    flat = expanded(a).xreplace({end.v**2: square})
     c = sp.diff(flat, square)
     if flat.has(end.v, end.t) or c.has(end.q, square) or vanishes(c):
         return ()
