@@ -92,7 +92,8 @@ def _wrong_at_once(course: StatedMotion, start: Mapping[sp.Symbol, Decimal]) -> 
     value = course.base().extended(dict(start))
     for watch in course.regimes[0].watches:
         expr = watch.expr
-        if not expr.free_symbols & set(course.sought()) and value(expr) < -FOLLOWED * value.size(expr):
+        number = None if expr.free_symbols & set(course.sought()) else value.known(expr)
+        if number is not None and number < -FOLLOWED * value.size(expr):
             return watch.test.words
     return ""
 
