@@ -223,10 +223,11 @@ class Follower:
 
     def _returns(self, regime: Regime, end: float) -> Recurrence | None:
         """What looks whether the motion repeats itself, where it may end with that."""
-        if not self.rest_ends or end != self.until or not self.automaton.autonomous or not self.waiting.repeats:
+        if not self.rest_ends or end != self.until or not self.automaton.autonomous or not self.waiting.next():
             return None
         if self.returning is None:
-            self.returning = recurrence(regime.rates, self.t, self.y, self.automaton.scale)
+            watch = self._watch(regime)
+            self.returning = recurrence(regime.rates, self.t, self.y, self.automaton.scale, watch)
         return self.returning
 
     def _watch(self, regime: Regime) -> Watch:

@@ -10,9 +10,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from planar_cli.integrators.base import Rates, Step
+from planar_cli.motion.crossings import Watch
 
-RETURNS = 1e-7
-"""A state is the same as another up to this part of its scales."""
+RETURNS, NEARLY = 1e-7, 1e-4
+"""A state is the same as another up to this part of its scales; nearly the same is one that was missed by errors."""
 HALVINGS = 50
 
 
@@ -25,22 +26,33 @@ class Recurrence:
     across: tuple[float, ...]
     """The rates of the first state, each in parts of the square of its scale."""
     scale: Sequence[float]
+    watch: Watch
+    """What is awaited: also turns that it counts must be the same."""
+    awaited: Sequence[float]
+    """Its values in the first state."""
     behind: bool = False
     """Has the motion been on the side from which it came?"""
     period: float | None = None
     """After which it came back [s]."""
+    missed: bool = False
+    """Did it come back but for errors, so that later returns are chance?"""
 
     def passes(self, step: Step) -> None:
         """Look at the next step."""
         side = self._side(step.y1)
         if side < 0:
             self.behind = True
-        elif self.behind and self.period is None:
+        elif self.behind and self.period is None and not self.missed:
             self.behind = False
             t = self._crossed(step)
-            off = max(abs(a - b) / s for a, b, s in zip(step.at(t), self.y0, self.scale, strict=True))
-            if off <= RETURNS:
-                self.period = t - self.t0
+            off = self._off(t, step.at(t))
+            self.missed = RETURNS < off <= NEARLY
+            self.period = t - self.t0 if off <= RETURNS else None
+
+    def _off(self, t: float, y: list[float]) -> float:
+        """By how much a state is another than the first one, in parts of scales."""
+        awaited = zip(self.watch.values(t, y), self.awaited, self.watch.scales, strict=True)
+        return max(abs(a - b) / s for a, b, s in (*zip(y, self.y0, self.scale, strict=True), *awaited))
 
     def _side(self, y: Sequence[float]) -> float:
         """On which side of the plane through the first state another lies."""
@@ -58,7 +70,7 @@ class Recurrence:
         return high
 
 
-def recurrence(rates: Rates, t: float, y: tuple[float, ...], scale: Sequence[float]) -> Recurrence:
-    """Looks for the return of a state."""
+def recurrence(rates: Rates, t: float, y: tuple[float, ...], scale: Sequence[float], watch: Watch) -> Recurrence:
+    """Looks for the return of a state. `watch`: what is awaited."""
     across = tuple(r / s**2 for r, s in zip(rates(t, list(y)), scale, strict=True))
-    return Recurrence(t, y, across, scale)
+    return Recurrence(t, y, across, scale, watch, watch.values(t, list(y)))

@@ -62,8 +62,6 @@ class Event:
     """Reached when nothing moves."""
     endless: bool = False
     """At t = infinity: reached when the motion has settled."""
-    turns: bool = False
-    """Does what tells it count turns, so that it goes on where the motion comes back to where it was?"""
     back: int = 0
     """It comes before so many of the given times that are listed just before it: after them it never happens."""
 

@@ -48,12 +48,6 @@ class Waiting:
         """The states that have been reached, the first one of the file among them."""
         return (self.schedule.start, *(r.name for r in self.reached))
 
-    @property
-    def repeats(self) -> bool:
-        """Is there a next state, and can none come once the motion has come back to where it was?"""
-        following = self.next()
-        return bool(following) and not any(event.turns for event in following)
-
     def left(self) -> list[Event]:
         """The states that have not been reached."""
         waiting = {e.name for chain in self.chains for e in chain}

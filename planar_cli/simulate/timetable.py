@@ -88,9 +88,7 @@ class Timetable:
                         conditions.append(self._condition(statement))
                 case Relation():
                     conditions.append(self._condition(statement))
-        asked = [n for s in state.relations for n in walk(s) if isinstance(n, Quantity)]
-        turns = any(part.kind == "angle" for q in asked for part in q.parts)
-        return Event(state.name, time, crossing, tuple(modes), tuple(conditions), after, rest, endless, turns)
+        return Event(state.name, time, crossing, tuple(modes), tuple(conditions), after, rest, endless)
 
     # --- what tells it -----------------------------------------------------------------------------------------------
 
