@@ -113,8 +113,9 @@ def lissajous(plane: Plane) -> str | None:
         if len(angles) != 1 or sp.diff(next(iter(angles)), p).has(p):
             return None
         u = next(iter(angles))
-        rest = expanded(whole - whole.coeff(sp.cos(u)) * sp.cos(u) - whole.coeff(sp.sin(u)) * sp.sin(u))
-        if rest.has(p):
+        sizes = whole.coeff(sp.cos(u)), whole.coeff(sp.sin(u))
+        rest = expanded(whole - sizes[0] * sp.cos(u) - sizes[1] * sp.sin(u))
+        if any(part.has(p) for part in (*sizes, rest)):
             return None
     return "Lissajous figure"
 
@@ -169,8 +170,10 @@ def polar(plane: Plane, names: tuple[str, str]) -> Curve | None:
     """x = r cos θ and y = r sin θ with r and θ known along the path: the polar equation r = f(θ), and its name."""
     p, (x, y) = plane.trial.parameter, plane.path
     arguments = sorted({f.args[0] for f in without_tan(x + y, p).atoms(sp.sin, sp.cos) if f.has(p)}, key=sp.count_ops)
-    for angle in arguments:
-        if plane.trial.true(x * sp.sin(angle) - y * sp.cos(angle), {}):
+    turned = [sense * angle + quarter * sp.pi / 2 for angle in arguments for sense in (1, -1) for quarter in range(4)]
+    for angle in (*arguments, *turned):
+        ahead = angle in arguments or plane.trial.sign(x * sp.cos(angle) + y * sp.sin(angle)) == 1
+        if ahead and plane.trial.true(x * sp.sin(angle) - y * sp.cos(angle), {}):
             found = _around(plane, angle, names)
             if found is not None:
                 return found
