@@ -242,7 +242,12 @@ def _row(subject: Subject, kind: str, tolerance: float, step: float | None, refe
     part = 1.0 if step is None or member is None else by_halving(member.order)
     note = ran.refused
     if not note and ran.met != reference.met:
-        note = "meets other events than the reference"
+        alike = ran.met[-1] == reference.met[-1]
+        note = (
+            "meets other events than the reference"
+            if alike
+            else f"ends otherwise than the reference, at {ran.t1:.4g} s"
+        )
     return Row(
         integrator=kind,
         tolerance=None if step else tolerance,

@@ -94,12 +94,18 @@ def _line(title: str, study: Study) -> tuple[str, ...]:
     row = min(by_tolerance, key=lambda found: found[0])[1] if by_tolerance else None
     six = next((a.row for a in study.advice if a.digits == SIX), None)
     horizon = "-" if study.growth.horizon is None else f"{study.growth.horizon:.3g} s"
-    ended = study.ran.refused or (row.note if row is not None else "") or f"{len(study.ran.met) - 1} events"
+    ended = study.ran.refused or (row.note if row is not None else "") or _happened(study)
     figures = ("-",) * 5
     if row is not None:
         cells = _cells(row)
         figures = (cells[2], cells[3], cells[4], cells[5], cells[7])
     return (_cut(title), *figures, "-" if six is None else _time(six.seconds), _cut(ended), horizon)
+
+
+def _happened(study: Study) -> str:
+    """How many impacts, changes of mode and states there were; how the motion ended is told last, and not counted."""
+    count = len(study.ran.met) - 1
+    return f"{count} event{'' if count == 1 else 's'}"
 
 
 def _cut(text: str) -> str:
@@ -164,7 +170,7 @@ def _advised(advice: Advice) -> dict[str, Any]:
 
 def _head(study: Study) -> Iterator[str]:
     ran = study.ran
-    happened = f", with {len(ran.met)} events on the way" if ran.met else ""
+    happened = f", with {_happened(study)} on the way" if len(ran.met) > 1 else ""
     yield f"From t = {ran.t0:.6g} s to t = {ran.t1:.6g} s{happened}."
     yield f"Reference: {study.reference.words}."
     yield "Errors are parts of the scene's scales, the largest of all numbers that are compared."

@@ -59,20 +59,25 @@ class Heyoka(Peer):
         import heyoka
 
         segments = run.trajectory.segments
-        if len(segments) != 1 or not isinstance(segments[0].regime, Regime):
-            raise PlanarError("heyoka follows one regime: here modes change on the way")
+        regime = segments[0].regime
+        if (
+            not isinstance(regime, Regime)
+            or run.trajectory.transitions
+            or any(s.regime is not regime for s in segments)
+        ):
+            raise PlanarError("heyoka follows one regime: here it changes on the way, or something strikes")
         names = [f"y{i}" for i in range(len(segments[0].start))]
         variables = heyoka.make_vars(*names)
         functions: dict[str, Any] = {
             n: getattr(heyoka, n) for n in ("sin", "cos", "tan", "exp", "log", "sqrt", "atan2")
         }
-        rates = _as_formulas(segments[0].regime.source, functions)(heyoka.time, variables)
+        rates = _as_formulas(regime.source, functions)(heyoka.time, variables)
         system = [(v, heyoka.expression(r)) for v, r in zip(variables, rates, strict=True)]
         taylor = heyoka.taylor_adaptive(system, list(segments[0].start), tol=setting, compact_mode=True)
         taylor.time = segments[0].t0
         began = time.perf_counter()
         # The step is limited: where its last two coefficients vanish by symmetry it would leap (performance notes).
-        taylor.propagate_until(segments[0].t1, max_delta_t=run.model.time_scale)
+        taylor.propagate_until(segments[-1].t1, max_delta_t=run.model.time_scale)
         return Followed(tuple(float(v) for v in taylor.state), time.perf_counter() - began)
 
 

@@ -153,12 +153,24 @@ def _beginning(motion: StatedMotion) -> list[Equation]:
     if not motion.states:
         return []
     first = motion.first
-    placed = {x for d in motion.placed[first.name] for x in d.residual.free_symbols} - {first.t}
+    placed = _placed(motion)
     placed |= _unseen(motion) & {x for d in motion.demands[first.name] for x in d.residual.free_symbols}
     found = [e for e in drawn_equations(motion.regimes[0], first) if not e.residual.free_symbols & placed]
     later = [*motion.regimes, motion.beyond] if motion.beyond is not None else motion.regimes
     found += list(later_equations(later, first, motion.transfer(motion.regimes[0])))
     return found + list(loop_equations(motion.readers[first.name].regime, first, first))
+
+
+def _placed(motion: StatedMotion) -> set[sp.Symbol]:
+    """Letters of the first state that `motion` tells. Where it only ties several of them to each other, as on a
+    slanting line, and is met in the drawn position, the drawing tells them.
+    """
+    first, told = motion.first, motion.placed[motion.first.name]
+    found = {x for d in told for x in d.residual.free_symbols} - {first.t}
+    drawn = {first.letters[c.symbol]: c.drawn for c in motion.regimes[0].coordinates if c.drawn is not None}
+    ties = len(found) > len(told) and found <= set(drawn)
+    met = ties and all(motion.given().vanishes(d.residual.xreplace(drawn)) for d in told)
+    return set() if met else found
 
 
 def _unseen(motion: StatedMotion) -> set[sp.Symbol]:
