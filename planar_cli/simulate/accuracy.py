@@ -242,7 +242,7 @@ def _row(subject: Subject, kind: str, tolerance: float, step: float | None, refe
     part = 1.0 if step is None or member is None else by_halving(member.order)
     note = ran.refused
     if not note and ran.met != reference.met:
-        alike = ran.met[-1] == reference.met[-1]
+        alike = ran.met[-1:] == reference.met[-1:]
         note = (
             "meets other events than the reference"
             if alike

@@ -104,7 +104,7 @@ def _line(title: str, study: Study) -> tuple[str, ...]:
 
 def _happened(study: Study) -> str:
     """How many impacts, changes of mode and states there were; how the motion ended is told last, and not counted."""
-    count = len(study.ran.met) - 1
+    count = max(len(study.ran.met) - 1, 0)
     return f"{count} event{'' if count == 1 else 's'}"
 
 
