@@ -32,6 +32,7 @@ from planar_cli.problem.scene import (
     Composite,
     Curve,
     Find,
+    Foot,
     Line,
     Particle,
     Place,
@@ -115,6 +116,8 @@ class _Scene(Framing):
                 return replace(place, angle=self.angle(place.angle))
             case TwoFacts():
                 return self._two_facts(place)
+            case Foot(angle=angle) if angle is not None:
+                return replace(place, angle=self.angle(angle))
         return place
 
     def _two_facts(self, place: TwoFacts) -> TwoFacts:

@@ -6,6 +6,7 @@ import math
 from math import pi, sin
 
 import pytest
+import sympy as sp
 from answered import assert_close, first, solve
 
 from planar_cli.errors import NoSolution
@@ -69,3 +70,27 @@ def test_a_prescribed_motion_is_driven_at_will(extreme: str, sense: int) -> None
     found = solve(CARRIED.replace("EXTREME", extreme))
     beta = math.radians(20)
     assert_close(found["a"], 9.81 * math.tan(beta + sense * math.atan(0.5)))
+
+
+def test_two_limits_in_letters() -> None:
+    """A ladder between a rough floor and a rough wall; choices on the way have sin 2 beta for a factor."""
+    found = solve(
+        """
+title: Flattest ladder
+plane: vertical
+symbols: {m: kg, l: m, mu_1: 1, mu_2: 1}
+assume: [mu_1*mu_2 < 1]
+coordinates: {beta: deg}
+points: {A: [0, 0], B: {from: A, distance: l, angle: beta}}
+surfaces: {floor: {through: A, angle: 0 deg}, wall: {through: B, angle: 90 deg}}
+bodies: {ladder: {rod: [A, B], mass: m}}
+joints:
+  - contact: {between: [ladder, floor], at: A, mu: mu_1}
+  - contact: {between: [ladder, wall], at: B, mu: mu_2}
+instant: [at rest, mode(A) = stick, mode(B) = stick, beta is smallest]
+find: {beta: beta}
+"""
+    )
+    (expression,) = found["beta"].expressions or ()
+    one, other = sorted(expression.free_symbols, key=lambda s: s.name)
+    assert sp.simplify(sp.tan(expression) - (1 - one * other) / (2 * one)) == 0

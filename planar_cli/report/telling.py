@@ -342,20 +342,21 @@ class Telling:
             return []
         left = [r for i, r in enumerate(choice.roots) if i != choice.taken]
         if self.phrases.symbolic:
-            return self._other_formulas(x, left)
+            return self._other_formulas(x, left, choice)
         parts: list[Any] = ["other roots: "]
         for i, root in enumerate(left):
             parts += [", " if i else "", self.phrases.shown(x.symbol, root.value)]
         return [Paragraph(line(*parts, f" ({self._root_reason(choice)})"))]
 
-    def _other_formulas(self, x: SolvedLine, left: list[Any]) -> list[Block]:
+    def _other_formulas(self, x: SolvedLine, left: list[Any], choice: Any) -> list[Block]:
         """Of letters only the speed of a motion the other way is said."""
         if x.symbol not in self.system.tree.velocity_unknowns() or len(left) != 1 or left[0].expression is None:
             return []
         if not identically_zero(left[0].expression + x.formula):
             return []
         other = self.phrases.math(left[0].expression)
-        told = line("The other root, ", other, ", is the same motion the opposite way; the positive one is taken.")
+        positive = "; the positive one is taken" if choice.roots[choice.taken].value > 0 else ""
+        told = line("The other root, ", other, f", is the same motion the opposite way{positive}.")
         return [Paragraph(told)]
 
     def _root_reason(self, choice: Any) -> str:

@@ -7,6 +7,7 @@ only.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator
 from decimal import Decimal
 
@@ -122,7 +123,7 @@ def _closed(numerator: sp.Expr, x: sp.Symbol, value: Valuation) -> list[sp.Expr]
         return []
     poly = sp.Poly(flat, s, c)
     if poly.total_degree() != 1:
-        return _by_factors(numerator, x, value)
+        return _by_factors(numerator, x, value) or _of_one_angle(numerator, x, value)
     a, b, k = poly.coeff_monomial(c), poly.coeff_monomial(s), poly.coeff_monomial(1)
     if k == 0:
         base = sp.atan(cancelled(-a / b)) if b != 0 else sp.pi / 2
@@ -140,7 +141,7 @@ def _closed(numerator: sp.Expr, x: sp.Symbol, value: Valuation) -> list[sp.Expr]
 def _of_one_angle(numerator: sp.Expr, x: sp.Symbol, value: Valuation) -> list[sp.Expr]:
     """Roots where x stands in one angle k x + b only, as that of a wheel that has rolled on a round track does."""
     angles = turning(numerator, x)
-    if len(angles) != 1:
+    if len(angles) != 1 or x in angles:
         return []
     ((angle, pace),) = angles.items()
     whole = sp.Dummy("w", real=True)
@@ -149,7 +150,9 @@ def _of_one_angle(numerator: sp.Expr, x: sp.Symbol, value: Valuation) -> list[sp
     if x in flat.free_symbols:
         return []
     start = angle.xreplace({x: sp.S.Zero})
-    return [cancelled((root - start) / pace) for root in _closed(flat, whole, value)]
+    # A quick angle comes round several times while x goes round once.
+    turns = range(math.ceil(abs(pace)) if pace.is_number else 1)
+    return [cancelled((root + 2 * sp.pi * k - start) / pace) for root in _closed(flat, whole, value) for k in turns]
 
 
 def turning(expr: sp.Expr, x: sp.Symbol) -> dict[sp.Expr, sp.Expr]:

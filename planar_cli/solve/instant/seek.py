@@ -19,6 +19,7 @@ from planar_cli.solve.diagnosis.not_found import contradiction, not_found, open_
 from planar_cli.solve.instant.instant import Instant, Trial
 from planar_cli.solve.instant.seeker import Seeker, Sought
 from planar_cli.solve.instant.stationary import stationary_branches
+from planar_cli.units import PURE
 
 MOST_CHOICES = 40
 MOST_LIMITS = 2
@@ -110,13 +111,18 @@ def _best(seeker: Seeker, targets: set[sp.Symbol], rejected: list[Sought]) -> So
 
 
 def _preferred(held: list[Sought]) -> Sought | None:
-    """Of several branches the one with positive (for angles: the smallest) values; the others are kept beside it."""
+    """Of several branches the one with positive (for angles: the smallest) values, of the sought constants first; the
+    others are kept beside it.
+    """
     if not held:
         return None
 
-    def rank(s: Sought) -> tuple[int, Decimal]:
+    def rank(s: Sought) -> tuple[int, int, Decimal]:
+        ledger, solved = s.trial.system.scene.ledger, s.branch.algebra.value.values
+        sizes = [c for c in ledger.sought if not (ledger.units[c].angle and ledger.units[c].dimension == PURE)]
+        negative = sum(solved[c] < 0 for c in sizes if c in solved)
         values = [c.roots[c.taken].value for c in s.branch.choices]
-        return sum(v < 0 for v in values), sum((abs(v) for v in values), Decimal(0))
+        return negative, sum(v < 0 for v in values), sum((abs(v) for v in values), Decimal(0))
 
     ordered = sorted(held, key=rank)
     return replace(ordered[0], others=ordered[1:])
