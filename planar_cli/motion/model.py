@@ -341,7 +341,7 @@ class Model:
                 if wrench.force is not None and wrench.body != GROUND and heaviest > 0:
                     x, y = self.graph.of(wrench.force.x).value, self.graph.of(wrench.force.y).value
                     accelerations += [abs(v) / heaviest for v in (x, y) if abs(v) > 0]
-        accelerations += [self._demanded(drive, drive.rest) for drive in self.drives]
+        accelerations += [self._demanded(drive, drive.rest) for drive in self.drives if drive.rate is None]
         speeds = [self._demanded(drive, drive.moving) for drive in self.drives]
         return scales_of(self.scene.extent, masses, accelerations, speeds, ordinary(self.scene.problem).time)
 

@@ -7,6 +7,9 @@ from collections.abc import Sequence
 
 from planar_cli.records import record
 
+ROUNDED = 1e-12
+"""A motion as drawn that is slower, by this part, than the numbers of the file say is a rest that was rounded."""
+
 
 @record
 class Scales:
@@ -40,8 +43,9 @@ def scales_of(
 ) -> Scales:
     """`accelerations`: gravity, forces by masses [m/s²], and `speeds` [m/s], all without sign; the quickest counts.
 
-    `time`: the scale [s] where nothing pushes or is driven as drawn; the start tells then what moves.
+    `time`: that of the numbers of the file [s], where nothing pushes or is driven as drawn.
     """
     times = [math.sqrt(length / a) for a in accelerations if a > 0]
     times += [length / v for v in speeds if v > 0]
+    times = [t for t in times if t * ROUNDED < time]
     return Scales(length, max(masses, default=0.0) or 1.0, min(times, default=time))
