@@ -37,7 +37,9 @@ SAMPLE = (
     "motion/body-flywheel-of-many-turns",
     "motion/body-spiral-cam",
     "motion/hose-over-a-wall",
+    "motion/paths-from-three-frames",
     "motion/train-braking-on-a-curve",
+    "oscillations/disk-on-a-torsion-wire",
     "plans/ladder-slips",
     "systems/bob-on-a-cart",
 )
@@ -168,6 +170,11 @@ def test_a_sample_in_the_mirror(name: str) -> None:
 @pytest.mark.parametrize("name", TURNED)
 def test_a_sample_that_is_turned(name: str) -> None:
     assert_framed(ROOT / "problems" / f"{name}.yaml", QUARTER)
+
+
+@pytest.mark.parametrize("name", ["momentum/two-wheels-pressed-together", "motion/braking-before-an-obstacle"])
+def test_a_sample_that_is_turned_askew(name: str) -> None:
+    assert_framed(ROOT / "problems" / f"{name}.yaml", ASKEW)
 
 
 @pytest.mark.parametrize(("frame", "least"), [(MIRROR, 290), (QUARTER, 80), (ASKEW, 60)], ids=str)
