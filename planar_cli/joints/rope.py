@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import ClassVar
 
+from planar_cli.errors import Diagnostic
 from planar_cli.joints._rope_length import rope_length
 from planar_cli.joints._rope_path import RopePath, free_parts, stops_of
 from planar_cli.joints._swing import swing
@@ -13,7 +15,7 @@ from planar_cli.problem.expression import Side
 from planar_cli.problem.facts import Facts, Mode, Push, Row, Segment, Test
 from planar_cli.problem.keys import RopePathKey, RopeStop, SideKey, key
 from planar_cli.problem.residuals import Residual
-from planar_cli.problem.setting import Setting
+from planar_cli.problem.setting import Setting, WrittenScene
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -75,6 +77,17 @@ class Rope(Joint):
 
     def rims(self) -> tuple[tuple[str, str], ...]:
         return tuple((stop.name, stop.body) for stop in self.path if stop.way == "on" and stop.body is not None)
+
+    def objections(self, scene: WrittenScene) -> Iterable[Diagnostic]:
+        passed = {stop.name for stop in self.path if stop.way in ("over", "under")}
+        for body in scene.bodies:
+            if body.is_round and body.resists_turning and passed & {body.name, body.hub_point}:
+                text = f"{body.name} has mass, and a rope over it has one tension and does not turn it"
+                hint = (
+                    f"where it turns with the rope write two ropes wound on it, `[A, S on {body.name}]` and "
+                    f"`[T on {body.name}, B]`; where it is smooth, give the body `inertia: 0`"
+                )
+                yield Diagnostic(self.mark, "PL457", text, hint)
 
     def modes(self, scene: Setting) -> tuple[Mode, ...]:
         segments, spins, actions = free_parts(self._route(), scene)

@@ -174,7 +174,8 @@ def sizes_are_positive(scope: Scope) -> Iterator[Diagnostic]:
         if isinstance(tree, Name) and tree.name in scope.numbers:
             tree = scope.numbers[tree.name].value or tree
         negative = isinstance(tree, Negate) and isinstance(tree.operand, Number)
-        if negative or (isinstance(tree, Number) and tree.value * tree.sense <= 0):
+        nothing = isinstance(tree, Number) and tree.value == 0 and "inertia" not in formula.what
+        if negative or nothing or (isinstance(tree, Number) and tree.value * tree.sense < 0):
             hint = "leave the mass out for a body without mass" if "mass" in formula.what else ""
             yield Diagnostic(formula.mark, "PL454", f"{formula.what} is not more than zero", hint)
 

@@ -160,6 +160,10 @@ _PHYSICS = {
     ),
     "PL455": "A joint is between two different things, of which at least one can move, and of shapes that fit it.",
     "PL456": "`flat` is a body lying on another in a horizontal plane, seen from above.",
+    "PL457": (
+        "One rope has one tension: it slides over the pulleys that it passes `over` or `under`. A pulley with mass "
+        "that turns with the rope has two ropes wound on it; one that is smooth has `inertia: 0`."
+    ),
     "PL460": "Every name under `answers` is that of a find, of the file or of one of its cases.",
     "PL461": (
         "The answer is of another kind than what is asked: number, vector `[x, y]`, `true` or `false`, or a mode word."

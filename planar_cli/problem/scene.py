@@ -8,7 +8,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from planar_cli.errors import Mark
-from planar_cli.problem.expression import Found, Law, Side, Statement
+from planar_cli.problem.expression import Found, Law, Number, Side, Statement
 from planar_cli.records import record
 
 if TYPE_CHECKING:
@@ -236,6 +236,17 @@ class Body:
     def is_round(self) -> bool:
         """Has it a round rim, itself or as what one of its parts may be?"""
         return isinstance(self.shape, Round | Composite)
+
+    @property
+    def hub_point(self) -> str | None:
+        """The centre of a round body."""
+        return self.shape.center if isinstance(self.shape, Round) else None
+
+    @property
+    def resists_turning(self) -> bool:
+        """Has it mass, and no moment of inertia that is written as zero?"""
+        massless = self.mass is None and self.weight is None and not self.any_mass
+        return not massless and not (isinstance(self.inertia, Number) and self.inertia.value == 0)
 
 
 @record
