@@ -151,6 +151,13 @@ class Setup:
             return written
         return self.unit_for(dimension_of(side, self.lookup)).text
 
+    def unit_asked(self, what: Side, kind: Kind) -> Unit:
+        """The unit in which something asked is shown: of a coordinate or unknown that with which it is declared."""
+        symbol = self.ledger.symbols.get(what.name) if isinstance(what, Name) else None
+        if symbol is not None and self.ledger.roles[symbol].kind in (RoleKind.COORDINATE, RoleKind.SOUGHT):
+            return self.ledger.units[symbol]
+        return self.unit_for(kind)
+
     def unit_for(self, kind: Kind) -> Unit:
         return default_unit(kind.dimension or PURE, kind.angle, self.ledger.us)
 

@@ -77,7 +77,10 @@ def in_si(unit: Unit) -> float:
 
 
 def usual_unit(what: Side, kinds: Kinds, us: bool) -> Unit:
-    """In which a quantity is shown where nobody said; an energy in joule, not in newton metre."""
+    """In which a quantity is shown where nobody said: a coordinate or unknown as declared; an energy in joule."""
+    declared = kinds.scope.numbers.get(what.name) if isinstance(what, Name) else None
+    if declared is not None and declared.value is None and declared.unit is not None:
+        return parse_unit(declared.unit)
     kind = dimension_of(what, kinds.of)
     usual = default_unit(kind.dimension or PURE, kind.angle, us)
     return JOULE if usual.text == "N*m" and is_energy(what) else usual

@@ -98,4 +98,4 @@ def _unit(motion: RegimeSequence, units: Mapping[str, str], find: Find) -> Unit 
             return Kind(IMPULSE)
         return setup.lookup(thing)
 
-    return setup.unit_for(dimension_of(what, lookup))
+    return setup.unit_asked(what, dimension_of(what, lookup))

@@ -254,7 +254,7 @@ class Finisher:
         if find.name in self.answer_units:
             return parse_unit(self.answer_units[find.name])
         kind: Kind = dimension_of(what, self.instant.setup.lookup)
-        return self.instant.setup.unit_for(kind)
+        return self.instant.setup.unit_asked(what, kind)
 
     def closed(self, expr: sp.Expr, stages: list[Stage], plainer: bool = True) -> sp.Expr:
         """The formula of a find down to the names of the file. `plainer`: to be read, and not only for its numbers?"""
