@@ -11,6 +11,7 @@ from planar_cli.problem.check_formulas import formulas_name_known_things
 from planar_cli.problem.check_names import distinct_names, members_found, points_found, reserved_names
 from planar_cli.problem.check_physics import (
     coefficients,
+    members_act,
     particles_move,
     partners_fit,
     plane_is_given,
@@ -41,6 +42,7 @@ CHECKS: tuple[Check, ...] = (
     coefficients,
     sizes_are_positive,
     partners_fit,
+    members_act,
     instant_or_states,
     statements_in_place,
     blows_have_spans,

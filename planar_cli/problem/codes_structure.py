@@ -164,6 +164,10 @@ _PHYSICS = {
         "One rope has one tension: it slides over the pulleys that it passes `over` or `under`. A pulley with mass "
         "that turns with the rope has two ropes wound on it; one that is smooth has `inertia: 0`."
     ),
+    "PL458": (
+        "A rope, a link, a spring or a damper holds a body by one of its points. A point that only stands where a "
+        "corner of a plate is, or a rim, belongs to no body: name it under `points` of that body."
+    ),
     "PL460": "Every name under `answers` is that of a find, of the file or of one of its cases.",
     "PL461": (
         "The answer is of another kind than what is asked: number, vector `[x, y]`, `true` or `false`, or a mode word."
