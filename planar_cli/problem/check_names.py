@@ -17,24 +17,18 @@ from planar_cli.problem.scene import (
     GROUND,
     Body,
     Circle,
-    Composite,
     Foot,
     Line,
     Midpoint,
-    Outline,
     Particle,
     Place,
-    Plate,
     Polar,
     Rims,
-    Rod,
-    Round,
-    Sector,
-    Shape,
     Towards,
     TwoFacts,
 )
 from planar_cli.problem.scope import Member, Scope, members_of, names_in
+from planar_cli.problem.whose_load import points_of_shape
 from planar_cli.problem.words import is_reserved
 
 BOOLEANS = frozenset("on off yes no true false null".split())
@@ -121,7 +115,7 @@ def points_found(scope: Scope) -> Iterator[Diagnostic]:
             yield from _missing(surface.shape.center, scope.points, "point", surface.mark)
         yield from _missing(surface.body, scope.bodies, "body", surface.mark)
     for body in scope.problem.bodies:
-        for used in (*_points_of_shape(body.shape), *body.points, body.about):
+        for used in (*points_of_shape(body.shape), *body.points, body.about):
             yield from _missing(used, scope.points, "point", body.mark)
 
 
@@ -142,20 +136,6 @@ def points_of_place(place: Place) -> tuple[str, ...]:
             return (place.a, place.b)
         case _:
             return ()
-
-
-def _points_of_shape(shape: Shape) -> tuple[str | None, ...]:
-    match shape:
-        case Particle():
-            return (shape.place if isinstance(shape.place, str) else None,)
-        case Rod():
-            return (shape.start, shape.end)
-        case Round() | Plate() | Outline():
-            return (shape.center,)
-        case Sector():
-            return (shape.apex,)
-        case Composite():
-            return tuple(name for piece in shape.pieces for name in _points_of_shape(piece.shape))
 
 
 def _missing(name: str | None, known: Iterable[str], what: str, mark: Mark) -> Iterator[Diagnostic]:

@@ -26,6 +26,7 @@ from planar_cli.problem.reading import Report
 from planar_cli.problem.scene import Body, Case, Point, Problem, Surface
 from planar_cli.problem.touching_points import with_touching_points
 from planar_cli.problem.unnamed_places import free_names, with_named_places
+from planar_cli.problem.whose_load import with_bodies
 from planar_cli.registry import modules
 
 Scene = tuple[tuple[Point, ...], tuple[Surface, ...], tuple[Body, ...], tuple[Joint, ...], tuple[Load, ...]]
@@ -187,5 +188,5 @@ def _scene(whole: Fields, numbers: frozenset[str]) -> Scene:
         read_surface,
         read_body,
         touching[0],
-        () if loads is None else read_loads(loads, names, report),
+        () if loads is None else with_bodies(read_loads(loads, names, report), touching[0], read_body, report),
     )
