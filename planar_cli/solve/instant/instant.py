@@ -37,6 +37,8 @@ from planar_cli.solve.principled import at_instants, position_of
 
 MOST_MODES = 400
 TINY = Decimal("1e-25")
+OPEN = "velocities are open"
+"""The objection to modes in which nothing tells how fast the parts move."""
 
 
 @record
@@ -214,7 +216,7 @@ class Instant:
         if any(v.conflict for v in velocities):
             return Trial(choice, system, velocities, (), "velocities")
         if any(v.free for v in velocities):
-            return Trial(choice, system, velocities, (), "velocities are open")
+            return Trial(choice, system, velocities, (), OPEN)
         outcomes = tuple(
             accelerate(system, vel, v, self.free, given or {}) for vel, v in zip(velocities, valuations, strict=True)
         )
