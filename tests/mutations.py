@@ -82,7 +82,7 @@ class _Walk:
             for key, value in section.pairs:
                 if key.text in NAMED and isinstance(value, Mapping):
                     known = self.names.setdefault(key.text, [])
-                    known.extend(name for name in value.keys() if name not in known)
+                    known.extend(name for name in _keys(value) if name not in known)
 
     def mutants(self) -> Iterator[Mutant]:
         yield from self._inside(self.root, (), ())
@@ -119,7 +119,9 @@ class _Walk:
             for kind, new, start in self._changed(tokens, i, node, keys):
                 text = node.text[:start] + new + node.text[token.end :]
                 place = f"{node.mark.line}:{node.mark.column + node.quoted + token.start}"
-                yield Mutant(self.file, kind, at, False, text, place, f"{node.text} -> {text}")
+                # A bound rejects what lies beyond it, and may do so wherever it stands on this side.
+                other = _contrary(node) if "<" in node.text or ">" in node.text.replace("->", "") else None
+                yield Mutant(self.file, kind, at, False, text, place, f"{node.text} -> {text}", False, other)
 
     def _changed(
         self, tokens: Sequence[Token], i: int, node: Scalar, keys: tuple[str, ...]
@@ -141,6 +143,10 @@ class _Walk:
         for names in self.names.values():
             if token.text in names and len(names) > 1:
                 yield "name", names[(names.index(token.text) + 1) % len(names)], token.start
+
+
+def _keys(node: Mapping) -> list[str]:
+    return [key.text for key, _ in node.pairs]
 
 
 def _cases(root: Mapping) -> list[Mapping]:
@@ -283,7 +289,8 @@ def run(
     found = [(m, *judged(m, base[m.file], e)) for m, e in zip(tried, results, strict=True)]
     implied = [i for i, (m, outcome, _) in enumerate(found) if outcome == UNCHANGED and m.contrary]
     against = [replace(found[i][0], new=found[i][0].contrary) for i in implied]
-    for i, m, end in zip(implied, against, Supervisor(solved, jobs, limit, _unseen).run([(m.file, m) for m in against]), strict=True):
+    ends = Supervisor(solved, jobs, limit, _unseen).run([(m.file, m) for m in against])
+    for i, m, end in zip(implied, against, ends, strict=True):
         outcome, detail = judged(m, base[m.file], end)
         found[i] = (m, outcome, detail) if outcome in (UNCHANGED, FAULT) else (m, "implied", detail)
     return found

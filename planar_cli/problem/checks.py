@@ -28,6 +28,7 @@ from planar_cli.problem.check_times import (
 from planar_cli.problem.check_vectors import vectors_are_vectors
 from planar_cli.problem.scene import Problem
 from planar_cli.problem.scope import Scope
+from planar_cli.problem.unused import check_unknowns
 
 Check = Callable[[Scope], Iterator[Diagnostic]]
 
@@ -58,6 +59,7 @@ def check(problem: Problem) -> list[Diagnostic]:
     """All that is wrong with a problem and its cases, each once."""
     found = {d: None for scope in scopes(problem) for run in CHECKS for d in run(scope)}
     found.update(dict.fromkeys(check_answers(problem)))
+    found.update(dict.fromkeys(check_unknowns(problem)))
     return list(found)
 
 

@@ -168,6 +168,10 @@ _PHYSICS = {
         "A rope, a link, a spring or a damper holds a body by one of its points. A point that only stands where a "
         "corner of a plate is, or a rim, belongs to no body: name it under `points` of that body."
     ),
+    "PL459": (
+        "An unknown is declared, and nothing uses it: no body, joint, load or find, and no relation that has more in "
+        "it than numbers. Say what it is, such as `x(P) = s`, ask for it under `find`, or leave it out."
+    ),
     "PL460": "Every name under `answers` is that of a find, of the file or of one of its cases.",
     "PL461": (
         "The answer is of another kind than what is asked: number, vector `[x, y]`, `true` or `false`, or a mode word."
