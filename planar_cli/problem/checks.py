@@ -59,8 +59,8 @@ def check(problem: Problem) -> list[Diagnostic]:
     """All that is wrong with a problem and its cases, each once."""
     found = {d: None for scope in scopes(problem) for run in CHECKS for d in run(scope)}
     found.update(dict.fromkeys(check_answers(problem)))
-    found.update(dict.fromkeys(check_unknowns(problem)))
-    return list(found)
+    # What uses a name may be just what is wrong.
+    return list(found) or list(check_unknowns(problem))
 
 
 def scopes(problem: Problem) -> Iterator[Scope]:

@@ -20,7 +20,7 @@ def check_unknowns(problem: Problem) -> Iterator[Diagnostic]:
     used = set().union(*(used_names(part) for part in parts))
     seen: dict[str, Symbol] = {s.name: s for part in reversed(parts) for s in part.unknowns}
     for name, symbol in seen.items():
-        if name not in used:
+        if name not in used and symbol.unit is not None:
             text = f"nothing uses the unknown {name}"
             hint = f"say what it is, such as `x(P) = {name}`, or ask for it under `find`; else leave it out"
             yield Diagnostic(symbol.mark, "PL459", text, hint)
