@@ -128,13 +128,17 @@ class Curve:
 
 @record
 class Surface:
-    """`body`: the body that carries it (None: the ground); `speed`: of a belt running along its angle."""
+    """`body`: the body that carries it (None: the ground); `speed`: of a belt running along its angle.
+
+    `inferred`: the floor of a file that says only `ground`, on which its bodies stand.
+    """
 
     name: str
     shape: Line | Circle | Curve
     body: str | None
     speed: Side | None
     mark: Mark
+    inferred: bool = False
 
 
 @record

@@ -43,6 +43,13 @@ def free_names(stem: str, everything: Iterable[Node]) -> Iterator[str]:
             yield f"{stem}_{number}"
 
 
+def free_name(name: str, everything: Iterable[Node]) -> str:
+    """The name itself, or that with a number, where the file uses it."""
+    nodes = list(everything)
+    used = any(word == name for node in nodes for word in _words(node))
+    return next(free_names(name, nodes)) if used else name
+
+
 def _words(node: Node) -> Iterator[str]:
     match node:
         case Scalar(text=text):
