@@ -116,8 +116,8 @@ find: {t_end: t @ end}
 """
 
 
-def test_a_motion_that_ends_at_once_from_a_start_beside_it(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_start_beside_that_of_what_slides_slides_too(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     file = tmp_path / "braking.yaml"
     file.write_text(BRAKING, encoding="utf-8")
     assert cli.run(["accuracy", str(file)]) == 0
-    assert "grows is not told" in capsys.readouterr().out
+    assert "A unit in the last place at the start is 3.5e+00 units at the end" in capsys.readouterr().out
