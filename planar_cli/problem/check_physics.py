@@ -24,10 +24,13 @@ POSITIVE = (
     "stiffness",
 )
 
+NO_PLANE = frozenset("x y r v theta omega mass I IC KE momentum H path_length".split())
+"""Quantities of one instant that no weight has a part in."""
+
 
 def plane_is_given(scope: Scope) -> Iterator[Diagnostic]:
-    """`plane` is required once a body has mass."""
-    if scope.problem.plane is not None:
+    """`plane` is required once a body has mass, and more is asked than places and velocities of one instant."""
+    if scope.problem.plane is not None or _needs_no_plane(scope):
         return
     heavy = next((body for body in scope.problem.bodies if has_mass(body)), None)
     if heavy is not None:
@@ -35,6 +38,20 @@ def plane_is_given(scope: Scope) -> Iterator[Diagnostic]:
         yield Diagnostic(
             heavy.mark, "PL450", message, "write `plane: vertical` (weight acts, -y) or `plane: horizontal`"
         )
+
+
+def _needs_no_plane(scope: Scope) -> bool:
+    """Is nothing asked but what shapes and velocities tell at one instant?"""
+    problem = scope.problem
+    if problem.states or problem.coordinates or not problem.find:
+        return False
+    asked = [node for find in problem.find for node in walk(find.found.what)]
+    words = {node.word for node in asked if isinstance(node, Quantity)}
+    return words <= NO_PLANE and not any(isinstance(node, Name) and node.name in _sought(scope) for node in asked)
+
+
+def _sought(scope: Scope) -> set[str]:
+    return {s.name for s in (*scope.problem.unknowns, *scope.problem.coordinates)} | {"t"}
 
 
 def has_mass(body: Body) -> bool:

@@ -65,10 +65,6 @@ _FORM = {
     "PL333": (
         "`about` names the point about which `inertia` or `radius_of_gyration` is given; without these it says nothing."
     ),
-    "PL334": (
-        "A particle is at a named point, `particle: P`, at coordinates, `[x, y]`, or `free`, when its place "
-        "follows from relations. A place that is described goes under `points`."
-    ),
     "PL340": (
         "`symbols`, `unknowns` and `coordinates` give each name a unit, `1` for a pure number. A value goes "
         "under `given`."

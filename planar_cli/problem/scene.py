@@ -219,7 +219,7 @@ Shape = Particle | Rod | Round | Sector | Plate | Outline | Composite
 
 @record
 class Body:
-    """`mass`, `weight`: one of them or neither (massless); `any_mass`: `mass: any`, must cancel.
+    """`mass`, `weight`: one of them or neither (massless); `any_mass`, `any_inertia`: `any`, must cancel.
 
     `inertia`, `gyration` replace the uniform value; about the mass centre, or about the point `about`.
     `points`: further named points that belong to the body.
@@ -235,6 +235,7 @@ class Body:
     about: str | None
     points: tuple[str, ...]
     mark: Mark
+    any_inertia: bool = False
 
     @property
     def is_round(self) -> bool:
