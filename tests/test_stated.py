@@ -126,3 +126,31 @@ def test_an_unknown_that_nothing_uses_is_refused(tmp_path: Path) -> None:
 
 def test_a_number_that_nothing_uses_is_told(tmp_path: Path) -> None:
     assert "Not used   c" in page(tmp_path, FALL.format(more="", state=""))
+
+
+SLOPE = """
+title: Crate on a slope, in letters
+plane: vertical
+symbols: {{mu: 1, beta: deg, m: kg}}
+{more}
+points: {{P: [0, 0]}}
+surfaces: {{slope: {{through: P, angle: beta}}}}
+bodies: {{crate: {{particle: P, mass: m}}}}
+joints: [{{contact: {{between: [crate, slope], at: P, mu: mu, name: C}}}}]
+instant: [at rest{mode}]
+find: {{a: a(crate).along(beta)}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("mode", "more", "told"),
+    [
+        (", mode(C) = stick", "", "Assume   μ cos β > sin β, which the file leaves open"),
+        (", mode(C) = slip", "", "Assume   sin β > μ cos β, which the file leaves open"),
+        ("", "assume: [mu > tan(beta)]", "Assume   crate at P does not slip"),
+    ],
+)
+def test_a_decision_that_rests_on_letters_is_told(tmp_path: Path, mode: str, more: str, told: str) -> None:
+    text = page(tmp_path, SLOPE.format(mode=mode, more=more))
+    assert told in text
+    assert text.count("which the file leaves open") == (not more)

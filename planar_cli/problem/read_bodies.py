@@ -180,6 +180,9 @@ def _rod(fields: Fields) -> Rod:
     start = reading.name(node.items[0], "a point", fields.report)
     end = node.items[1]
     if isinstance(end, Scalar) and NAME.fullmatch(end.text):
+        if end.text == start:
+            text = f"a rod is given by two points, and both are {start}"
+            fields.report.add(end.mark, "PL322", text, "`rod: [A, B]` or `[A, 30 deg]`")
         return Rod(start, end.text, None, length)
     return Rod(start, None, reading.side(end, "angle", fields.report), length)
 

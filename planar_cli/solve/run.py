@@ -22,7 +22,7 @@ from planar_cli.solve.diagnosis.lengths import demand_lengths
 from planar_cli.solve.diagnosis.open_data import demand_determined, demand_passable
 from planar_cli.solve.instant.by_direction import SPEEDS, alike, is_settled, with_speeds, with_statements
 from planar_cli.solve.instant.finish import Finisher, not_reached
-from planar_cli.solve.instant.instant import OPEN, Instant, Lift, Trial, make_instant, search_modes
+from planar_cli.solve.instant.instant import OPEN, Instant, Lift, Trial, make_instant, search
 from planar_cli.solve.instant.seek import seek
 from planar_cli.solve.instant.sign_pairs import BothWays, demand_one_way
 from planar_cli.solve.instant.verify import Disagreement
@@ -307,7 +307,7 @@ def _solve(
             if (told := _by_direction(instant, finds, units, state)) is None:
                 raise
             return told
-    held, rejected = search_modes(instant, instant.scene.valuations)
+    held, rejected = search(instant)
     if not held and any(t.objection == OPEN for t in rejected):
         singular_position(instant, rejected, finds)
         if (told := _by_direction(instant, finds, units, state)) is not None:
