@@ -2,40 +2,38 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable
+from typing import Any
 
 import sympy as sp
 
 from planar_cli.equation.common_factors import factor_terms
 from planar_cli.equation.plain import longer
 from planar_cli.problem.facts import Test
-from planar_cli.solve.instant.instant import TINY
-
-if TYPE_CHECKING:
-    from planar_cli.solve.instant.finish import Finisher
+from planar_cli.solve.instant.instant import TINY, Trial
 
 LONGEST = 60
 """A condition of more operations is not told."""
 
 
-def conditions(finisher: Finisher) -> tuple[sp.Expr, ...]:
-    """Expressions in letters of the file that are positive as the modes are assumed, and need not be."""
-    system, scene = finisher.system, finisher.scene
-    if not finisher.symbolic or not any(b.mass != 0 for b in scene.bodies.values()):
+def conditions(trial: Trial, formulas: Callable[[list[sp.Expr]], list[sp.Expr]]) -> tuple[sp.Expr, ...]:
+    """Expressions in letters of the file that are positive as the modes are assumed, and need not be. `formulas`:
+    what expressions of the unknowns are in names of the file.
+    """
+    system, scene = trial.system, trial.system.scene
+    if not scene.ledger.symbolic or not any(b.mass != 0 for b in scene.bodies.values()):
         return ()
-    exprs = [e for mode in system.modes.values() for t in mode.tests if (e := _tested(finisher, t)) is not None]
+    exprs = [e for mode in system.modes.values() for t in mode.tests if (e := _tested(trial, t)) is not None]
     if not exprs:
         return ()
-    _, stages, _ = finisher.work(exprs, ())
-    letters = set(finisher.ledger.letters)
-    closed = [finisher.closed(e, stages) for e in exprs]
-    plain = [_without_factors(scene, e) for e in closed if e.free_symbols <= letters and not longer(e, LONGEST)]
+    letters = set(scene.ledger.letters)
+    plain = [_without_factors(scene, e) for e in formulas(exprs) if e.free_symbols <= letters and not longer(e, LONGEST)]
     return tuple(scene.not_always_positive(e for e in plain if e.free_symbols))
 
 
-def _tested(finisher: Finisher, test: Test) -> sp.Expr | None:
+def _tested(trial: Trial, test: Test) -> sp.Expr | None:
     """What is not negative in a test of forces that the equations determine, or of a slip that begins."""
-    system, outcome = finisher.system, finisher.trial.outcomes[0]
+    system, outcome = trial.system, trial.outcomes[0]
     if test.pushes and all(n in system.symbols and outcome.push(n) is not None for n, _ in test.pushes):
         return sp.Add(*(c * system.symbols[n] for n, c in test.pushes), sp.sympify(test.constant))
     if test.row is None or system.motion is None or abs(outcome.assembly.row_speed(test.row)) > TINY:

@@ -61,8 +61,13 @@ class Finisher:
         exprs = [e for es in sides.values() for e in es]
         solution, stages, value = self.work(exprs, finds)
         self._demand_reached(unreached(stages, exprs), finds)
-        solution.conditions = conditions(self)
+        solution.conditions = conditions(self.trial, self._formulas)
         return solution, [self._found(f, sides[f.name], value, stages, quantities) for f in finds]
+
+    def _formulas(self, exprs: list[sp.Expr]) -> list[sp.Expr]:
+        """Expressions of the unknowns in names of the file."""
+        _, stages, _ = self.work(exprs, ())
+        return [self.closed(e, stages) for e in exprs]
 
     def work(self, exprs: list[sp.Expr], finds: tuple[Find, ...]) -> tuple[InstantSolution, list[Stage], Valuation]:
         """The stages that expressions need, carried out and checked."""
