@@ -27,7 +27,8 @@ def conditions(trial: Trial, formulas: Callable[[list[sp.Expr]], list[sp.Expr]])
     if not exprs:
         return ()
     letters = set(scene.ledger.letters)
-    plain = [_without_factors(scene, e) for e in formulas(exprs) if e.free_symbols <= letters and not longer(e, LONGEST)]
+    told = [e for e in formulas(exprs) if e.free_symbols <= letters and not longer(e, LONGEST)]
+    plain = [_without_factors(scene, e) for e in told]
     return tuple(scene.not_always_positive(e for e in plain if e.free_symbols))
 
 
