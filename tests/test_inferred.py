@@ -84,6 +84,44 @@ instant: [at rest]
 find: {value: a(slider).x}
 """
 
+BED = """
+title: Box on the bed of a lorry that speeds up, both joint and body called box
+plane: vertical
+points: {C: [0, 0], D: [-1 m, -0.2 m]}
+bodies: {lorry: {points: [D, C], center: D, mass: 20 kg}, box: {particle: C, mass: 2 kg}}
+surfaces: {bed: {through: C, angle: 0 deg, body: lorry}}
+joints:
+  - guide: {body: lorry, along: 0 deg}
+  - contact: {between: [box, bed], mu: 0.3}
+motion: [a(lorry).x = 1 m/s^2]
+instant: [v(lorry).x = 3 m/s, v(box/lorry).x = 0]
+find: {value: friction(box).x}
+"""
+
+CALLED = """
+title: Disk called as its centre
+plane: vertical
+points: {A: [0, 0.5 m], C: [0, 0], B: [1 m, 0.5 m]}
+surfaces: {floor: {through: C, angle: 0 deg}}
+bodies: {A: {disk: A, radius: 0.5 m, mass: 3 kg}, AB: {rod: [A, B]}}
+joints:
+  - rolling: {between: [A, floor]}
+  - pin: {at: A, between: [A, AB]}
+  - guide: {point: B, along: 0 deg}
+loads:
+  - force: {at: B, magnitude: 9 N, angle: 0 deg}
+instant: [at rest]
+find: {value: a(A).x}
+"""
+
+SYSTEM = """
+title: All bodies together
+plane: horizontal
+bodies: {P: {particle: [0, 2 m], mass: 2 kg}, Q: {particle: [1 m, 2 m], mass: 2 kg}}
+instant: [v(P).x = 3 m/s, v(P).y = 0, v(Q).x = 1 m/s, v(Q).y = 1 m/s]
+find: {value: KE()}
+"""
+
 
 @pytest.mark.parametrize(
     ("text", "value"),
@@ -95,6 +133,9 @@ find: {value: a(slider).x}
         (INERTIA, 0.4),
         (SPEED, 6),
         (SLIDER, 1.5),
+        (BED, 2),
+        (CALLED, 2),
+        (SYSTEM, 11),
     ],
 )
 def test_value(text: str, value: float) -> None:
@@ -105,3 +146,18 @@ def test_value(text: str, value: float) -> None:
 def test_a_plane_where_weight_may_have_a_part(asked: str) -> None:
     _, diagnostics = load_text(SPEED.replace("v(A).y", asked))
     assert [d.code for d in diagnostics] == ["PL450"]
+
+
+@pytest.mark.parametrize(
+    ("text", "code"),
+    [
+        (CALLED.replace("a(A).x", "v(B/A).x"), "PL427"),
+        (CALLED.replace("a(A).x", "reaction(A).x").replace("[A, floor]", "[A, floor], at: C"), "PL424"),
+        (SYSTEM.replace("KE()", "H()"), "PL208"),
+        (SYSTEM.replace("KE()", "KE"), "PL410"),
+        (SYSTEM.replace("Q: {particle: [1 m, 2 m]", "Q: {sector: Q, radius: 1 m, span: 90 deg"), "PL403"),
+    ],
+)
+def test_what_may_mean_two_things(text: str, code: str) -> None:
+    _, diagnostics = load_text(text)
+    assert [d.code for d in diagnostics] == [code]

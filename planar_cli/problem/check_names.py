@@ -15,6 +15,7 @@ from planar_cli.problem.keys import (
 from planar_cli.problem.reading import did_you_mean
 from planar_cli.problem.scene import (
     GROUND,
+    At,
     Body,
     Circle,
     Foot,
@@ -22,8 +23,10 @@ from planar_cli.problem.scene import (
     Midpoint,
     Particle,
     Place,
+    Plate,
     Polar,
     Rims,
+    Round,
     Towards,
     TwoFacts,
 )
@@ -58,7 +61,7 @@ def _other_name(name: str) -> str:
 
 
 def distinct_names(scope: Scope) -> Iterator[Diagnostic]:
-    """All names of a file differ; a particle may share its point's name."""
+    """All names of a file differ; a particle may share its point's name, a disk or plate that of its centre."""
     seen: dict[str, tuple[str, Mark]] = {}
     for name, what, mark in _all_names(scope):
         if name not in seen:
@@ -66,15 +69,17 @@ def distinct_names(scope: Scope) -> Iterator[Diagnostic]:
             continue
         before, place = seen[name]
         body = scope.bodies.get(name)
-        if (
-            body is not None
-            and isinstance(body.shape, Particle)
-            and body.shape.place == name
-            and "a point" in (before, what)
-        ):
+        if body is not None and _middle(body) == name and "a point" in (before, what):
             continue
         message = f"'{name}' names {what} here and {before} in line {place.line}"
         yield Diagnostic(mark, "PL402", message, _repair(name, body, before, what))
+
+
+def _middle(body: Body) -> str | At | None:
+    """The point that a body may share its name with: its place, or its centre, where its mass centre is too."""
+    if isinstance(body.shape, Particle):
+        return body.shape.place
+    return body.shape.center if isinstance(body.shape, Round | Plate) else None
 
 
 def _repair(name: str, body: Body | None, before: str, what: str) -> str:

@@ -122,6 +122,10 @@ _NAMES = {
     "PL426": (
         "A vector stands where a number is due, or a number beside a vector. Ask for a part: `v(P).x`, `v(P).mag`."
     ),
+    "PL427": (
+        "A disk or plate may have the name of its centre. `v(P/A)` is then seen either from a frame that moves with "
+        "the point A and does not turn, or from the body A: give the body another name."
+    ),
     "PL430": (
         "`instant` says what holds at the one instant asked about; `states` names several. A file has one of the two."
     ),
