@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
@@ -11,13 +11,11 @@ import sympy as sp
 from planar_cli.equation.displacement import Displacement
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.ledger import Ledger
+from planar_cli.equation.plain import derivative, letters, simplified
 from planar_cli.errors import Mark, refuse
 from planar_cli.problem.expression import Relation, Side
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import Problem
-
-FEW = 12
-"""So many draws are tried where every try solves the scene."""
 
 
 class Decided:
@@ -42,12 +40,6 @@ class Decided:
     if TYPE_CHECKING:
 
         def value(self, side: Side) -> sp.Expr: ...
-
-    def redraw(self, holds: Callable[[Valuation], bool]) -> bool:
-        """Take draws for which this holds as well. False: none was found among a few."""
-        found = self.ledger.valuations(lambda v: self._agrees(v) and holds(v), FEW)
-        self._valuations = found or self._valuations
-        return bool(found)
 
     def forget_valuations(self) -> None:
         """Draw the numbers anew when they are asked for again: symbols were added."""
@@ -143,6 +135,23 @@ class Decided:
 
     def is_zero(self, expr: Any) -> bool:
         return expr == 0 or all(v.is_zero(expr) for v in self.valuations)
+
+    def steady(self, direction: Vec) -> Vec | None:
+        """A direction written with what moves, without it where it stays the same for the numbers of the file."""
+        if self.displacement is None:
+            return None
+        inside = {*letters(direction.x), *letters(direction.y)}
+        own = [c for c in self.displacement.coordinates if c.symbol in inside]
+        if not own or any(c.drawn is None for c in own) or inside & {*self.ledger.coordinates}:
+            return None
+        slopes = (derivative(e, c.symbol) for c in own for e in (direction.x, direction.y))
+        if not all(self.is_zero(slope) for slope in slopes):
+            return None
+        upright, level = self.is_zero(direction.x), self.is_zero(direction.y)
+        if upright or level:
+            way = sp.Integer(1 if self.valuations[0](direction.y if upright else direction.x) > 0 else -1)
+            return Vec(sp.S.Zero, way) if upright else Vec(way, sp.S.Zero)
+        return Vec(*(simplified(self.as_drawn(e)) for e in (direction.x, direction.y)))
 
     def vanishes(self, expr: Any) -> bool:
         """Is it zero in all that this scene may be?"""

@@ -223,6 +223,10 @@ class Scene(Decided):
         )
         root = sp.sqrt(factored(simple) if simple.free_symbols else simple)
         # A length along a slanting line is a difference of places, on the side where it is drawn.
+        return self._sided(root)
+
+    def _sided(self, root: sp.Expr) -> sp.Expr:
+        """A root in which sizes of places are written for the side where they are drawn."""
         inside = {a: self.on_side(a.args[0], self.sign(a.args[0]) or 1) for a in root.atoms(sp.Abs)}
         return root.xreplace(inside) if inside else root
 
@@ -328,7 +332,12 @@ class Scene(Decided):
         return self.bodies[body].mass * self.ledger.symbols["g"]
 
     def root(self, square: Any) -> sp.Expr:
-        return sp.sqrt(square)
+        plain = sp.sqrt(square)
+        if not plain.free_symbols:
+            return plain
+        # A complete square has a root without one.
+        whole = sp.sqrt(factored(expanded(sp.sympify(square))))
+        return self._sided(whole) if whole.has(sp.Abs) else plain
 
     def middle(self) -> Vec:
         """The mean of all drawn points."""

@@ -124,4 +124,6 @@ def _tangent(rope: RopePath, scene: Setting, start: Stop, end: Stop) -> tuple[Ve
         return reach / distance, distance
     length = scene.root(reach.dot(reach) - offset**2)
     direction = (reach * length - reach.turned() * offset) / reach.dot(reach)
-    return direction, length
+    # What hangs straight down keeps its part of the rope upright, as do parts along the line of what slides.
+    steady = scene.steady(direction)
+    return (direction, length) if steady is None else (steady, reach.dot(steady))

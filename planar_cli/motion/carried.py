@@ -322,12 +322,14 @@ class Carried:
     def length(self, v: Vec) -> Term:
         """|v|; where it is zero as drawn, it has a direction from there on."""
         square = self.graph.of(v.dot(v))
-        if square.zero and not square.constant:
-            return self.graph.call("sqrt", square + TINIEST)
-        return length_of(self.graph, v)
+        grows = square.zero and not square.constant
+        return self.graph.call("sqrt", square + TINIEST) if grows else length_of(self.graph, v)
 
     def root(self, square: Any) -> Term:
         return self.graph.call("sqrt", self.graph.of(square))
+
+    def steady(self, direction: Vec) -> None:
+        """Numbers need no plainer formula."""
 
     def surface_direction(self, surface: Surface) -> Vec:
         """The direction of a straight surface, which turns with the body that carries it."""

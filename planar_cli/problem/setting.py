@@ -74,6 +74,9 @@ class Setting(Protocol):
         """On which side a contact presses that the drawing leaves open (Mode.side); 0: not known."""
 
     def root(self, square: Any) -> Any: ...
+    def steady(self, direction: Vec) -> Vec | None:
+        """A direction written with what moves, without it where it stays the same however things move."""
+
     def with_relations(self, relations: tuple[Statement, ...], expr: Any) -> Any: ...
     def refuse(self, mark: Mark, code: str, message: str, hint: str = "") -> Exception: ...
 

@@ -49,11 +49,11 @@ from planar_cli.solve.following.starts import (
     Start,
     balanced,
     certain_start,
-    resting,
     resting_though_sought,
     trial_start,
     untold,
 )
+from planar_cli.solve.following.stillness import hanging, resting, unturned
 from planar_cli.solve.following.traced import Traced
 from planar_cli.solve.principled import principle_of
 from planar_cli.solve.regimes.first_modes import first_modes
@@ -106,6 +106,9 @@ class ModeSearch(ModeChoice):
             if agreeing is not None:
                 modes = agreeing
                 continue
+            if hangs := hanging(sequence):
+                modes = modes.with_resting(hangs)
+                continue
             finds = asked_finds(sequence, self.units)
             course = first_equations(stated_motion(sequence))
             demand_mass(course, course.base())
@@ -153,6 +156,9 @@ class ModeSearch(ModeChoice):
                 raise self.lack or clash(course, early) or self._exhausted(course.modes, 0)
             return other
         if isinstance(start, dict) and untold(course):
+            spins = unturned(course, start, asked_letters(finds))
+            if spins:
+                return course.modes.with_resting(spins | course.modes.stretches[0].resting)
             # A wrong assumption may be why a state says nothing: at rest nothing comes to rest.
             other = self._tried(course, start)
             if other is not None:
@@ -224,7 +230,8 @@ class ModeSearch(ModeChoice):
             return changed
         course = self._relate(course, finds)
         if followed.lost:
-            found = self._led(course, finds, candidates(course))
+            branches = candidates(course)
+            found = self._led(course, finds, branches) if branches else None
             if found is None:
                 raise self.lack or Undecided(f"the motion can not be followed: {followed.lost}")
             return found

@@ -10,9 +10,10 @@ from enum import Enum
 import sympy as sp
 
 from planar_cli.equation.exact import CERTAIN, Valuation
-from planar_cli.equation.plain import derivative, identically_zero, longer
+from planar_cli.equation.plain import derivative
 from planar_cli.solve.between.motion_equations import MotionEquations
 from planar_cli.solve.between.stated_motion import StatedMotion
+from planar_cli.solve.following.stillness import resting
 from planar_cli.solve.regimes.regime import Regime
 from planar_cli.solve.regimes.regime_sequence import RegimeSequence
 
@@ -38,10 +39,6 @@ def started(
         if number is not None:
             found[letter] = sp.Rational(str(number))
     return found
-
-
-LONG = 300
-"""A formula with more operations is not looked at for being zero."""
 
 
 class Start(Enum):
@@ -92,47 +89,6 @@ def resting_though_sought(course: MotionEquations) -> frozenset[str]:
         return frozenset()
     found = _first_letters(course)
     return resting(course, found[0]) if len(found) == 1 else frozenset()
-
-
-def resting(course: StatedMotion, start: Mapping[sp.Symbol, Decimal]) -> frozenset[str]:
-    """Free speeds that are zero at the start and that nothing sets in motion, whatever the others do: also those that
-    rest from the beginning, and may move in modes that were found since.
-    """
-    stretches = course.modes.stretches
-    held = stretches[0].resting
-    idle = {u for u in course.regimes[0].free if start.get(u) == 0}
-    idle |= {u for r in course.regimes for u in r.free if u.name in held}
-    acting = list(zip(course.regimes, stretches, strict=False))
-    while idle:
-        moved = {
-            u for u in idle for r, s in acting if u.name not in s.resting and not _stays(course, r, u, idle, start)
-        }
-        if not moved:
-            return frozenset(u.name for u in idle)
-        idle -= moved
-    return frozenset()
-
-
-def _stays(
-    course: StatedMotion, regime: Regime, u: sp.Symbol, idle: set[sp.Symbol], start: Mapping[sp.Symbol, Decimal]
-) -> bool:
-    """Does nothing act on a speed while these speeds vanish, and what moves with them alone is where it was drawn?"""
-    if u not in regime.accelerations:
-        return False
-    still = dict.fromkeys(idle, sp.S.Zero)
-    rate = regime.accelerations[u].subs(still)
-    if rate == 0:
-        return True
-    base = course.base()
-    for c in regime.coordinates:
-        if c.drawn is None or c.symbol not in rate.free_symbols or regime.rates[c.symbol].subs(still) != 0:
-            continue
-        # What the first state does not tell rests where it was drawn.
-        drawn = base.known(c.drawn)
-        if drawn is not None and abs(drawn - start.get(c.symbol, drawn)) > CERTAIN:
-            return False
-        rate = rate.subs(c.symbol, c.drawn)
-    return not longer(rate, LONG) and identically_zero(rate)
 
 
 def untold(course: RegimeSequence) -> bool:

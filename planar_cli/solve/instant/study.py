@@ -38,11 +38,17 @@ class Velocities:
 
 
 def solve_velocities(
-    system: System, value: Valuation, at_rest: bool, seek: bool = True, given: dict[sp.Symbol, Decimal] | None = None
+    system: System,
+    value: Valuation,
+    at_rest: bool,
+    seek: bool = True,
+    given: dict[sp.Symbol, Decimal] | None = None,
+    sways: bool = False,
 ) -> Velocities:
     """All velocity conditions at once; what stays free is zero at rest.
 
-    `seek`: constants that are sought may be columns too. `given`: velocities that are known already.
+    `seek`: constants that are sought may be columns too. `given`: velocities that are known already. `sways`: what
+    hangs may sway, though nothing tells that it does.
     """
     ledger = system.scene.ledger
     rates = [r for r, _ in system.scene.evaluator.motions.values() if isinstance(r, sp.Symbol)]
@@ -66,7 +72,7 @@ def solve_velocities(
             rows.append([ONE if c == x else ZERO for c in columns] + [-number])
             sources.append(Condition("given", x.name, x))
     solved = solve(rows, len(columns))
-    for x in _swaying(system, columns, solved):
+    for x in () if sways else _swaying(system, columns, solved):
         rows.append([ONE if c == x else ZERO for c in columns] + [ZERO])
         sources.append(Condition("given", f"{x.name}: nothing makes it sway", x))
     solved = solve(rows, len(columns))

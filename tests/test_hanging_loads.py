@@ -1,0 +1,96 @@
+"""What hangs on ropes and starts at rest does not sway: its motion is told as the course tells it, not step by step."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+from answered import solve
+
+from planar_cli.errors import Undecided
+
+OVER_A_DISK = """
+title: Two loads on a rope over a light disk, drawn in numbers
+plane: vertical
+given: {m1: 4 kg, m2: 6 kg, r: 0.1 m}
+points: {O: [0, 2 m], A: [-0.1 m, 1 m], B: [0.1 m, 1 m]}
+bodies:
+  A: {particle: A, mass: m1}
+  B: {particle: B, mass: m2}
+  pulley: {disk: O, radius: r}
+joints:
+  - pin: {at: O, between: [ground, pulley]}
+  - rope: {path: [A, over pulley, B], name: cord}
+states:
+  1: [at rest]
+  2: [y(A) = 1.5 m]
+find: {v: v(B).mag @ 2, T: tension(cord) @ 2}
+"""
+
+FROM_A_TABLE = """
+title: A block on a rough table, and a load over a light disk
+plane: vertical
+given: {m1: 4 kg, m2: 6 kg, r: 0.1 m, mu: 0.2}
+points: {O: [0, 0], A: [-1 m, r], B: [r, -0.5 m]}
+surfaces: {table: {through: A, angle: 0 deg}}
+bodies:
+  A: {particle: A, mass: m1}
+  B: {particle: B, mass: m2}
+  pulley: {disk: O, radius: r}
+joints:
+  - pin: {at: O, between: [ground, pulley]}
+  - contact: {between: [A, table], mu: mu}
+  - rope: {path: [A, over pulley, B], name: cord}
+states:
+  1: [at rest]
+  2: [x(A) = -0.6 m]
+find: {v: v(B).mag @ 2, T: tension(cord) @ 2}
+"""
+
+MOVING_DISK = """
+title: A load that hangs from a disk in a loop of the rope
+plane: vertical
+given: {m1: 4 kg, m2: 6 kg, r: 0.1 m}
+points: {O: [0, 2 m], G: [0.2 m, 1 m], A: [-0.1 m, 1 m], C: [0.3 m, 2 m]}
+bodies:
+  A: {particle: A, mass: m1}
+  pulley: {disk: O, radius: r}
+  low: {disk: G, radius: r, mass: m2, inertia: 0}
+joints:
+  - pin: {at: O, between: [ground, pulley]}
+  - rope: {path: [A, over pulley, under low, C], name: cord}
+states:
+  1: [at rest]
+  2: [y(G) = 1.3 m]
+find: {v: v(A).mag @ 2, T: tension(cord) @ 2}
+"""
+
+
+def _told(text: str) -> dict[str, float]:
+    """The answers, of a motion that is derived and not only followed."""
+    found = solve(text)
+    assert all(a.expressions is not None for a in found.values())
+    return {name: float(a.values[0]) for name, a in found.items() if a.values}
+
+
+def test_two_loads_over_a_disk() -> None:
+    found = _told(OVER_A_DISK)
+    assert found["v"] == pytest.approx(math.sqrt(2 * 9.81 * 2 / 10 * 0.5))
+    assert found["T"] == pytest.approx(2 * 4 * 6 * 9.81 / 10)
+
+
+def test_a_block_on_a_table_and_a_load() -> None:
+    found = _told(FROM_A_TABLE)
+    assert found["v"] == pytest.approx(math.sqrt(2 * 9.81 * (6 - 0.2 * 4) / 10 * 0.4))
+    assert found["T"] == pytest.approx(6 * 4 * 1.2 * 9.81 / 10)
+
+
+def test_a_disk_in_a_loop_of_the_rope() -> None:
+    found = _told(MOVING_DISK)
+    assert found["T"] == pytest.approx(3 * 4 * 6 * 9.81 / 22)
+    assert found["v"] == pytest.approx(math.sqrt(2 * 9.81 * (4 * 0.6 - 6 * 0.3) / (4 + 6 / 4)))
+
+
+def test_a_state_that_is_the_other_way() -> None:
+    with pytest.raises(Undecided, match="a free part of cord has run out"):
+        solve(MOVING_DISK.replace("1.3 m", "0.7 m"))
