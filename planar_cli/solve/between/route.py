@@ -283,7 +283,7 @@ class Router:
         if any(e.residual.has(sp.Integral) for e in equations):
             return False
         rows = self._slopes(equations, unknowns)
-        if rows is None:
+        if rows is None or not all(c.is_finite() for row in rows for c in row):
             return False
         scaled = [[c / (max(abs(v) for v in row) or Decimal(1)) for c in row] for row in rows]
         return abs(_determinant(scaled)) > Decimal("1e-18")
