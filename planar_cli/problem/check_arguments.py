@@ -21,6 +21,10 @@ STATED = frozenset("reached period frequency stable".split())
 
 FRAMED = frozenset("x y r v a rho path".split())
 """Quantities that are seen from a point or from a body."""
+
+RELATIVE = frozenset("x y r v a theta omega alpha coriolis rho path path_length IC".split())
+"""What is asked of one thing as seen from another."""
+
 OWN = "own"
 """Stands for the kinds of joints and loads among whose `quantities` a word is."""
 
@@ -99,6 +103,11 @@ def _second(quantity: Quantity, takes: Takes, scope: Scope) -> Iterator[Diagnost
         yield Diagnostic(quantity.mark, "PL421", f"{quantity.word}(…) takes one thing, not two", hint)
         return
     yield from _thing(quantity, 1, takes.second, scope)
+    one, other = quantity.things
+    if one == other and quantity.word in RELATIVE:
+        message = f"{quantity.word}({one}/{other}) is always zero: {one} as seen from itself"
+        hint = f"name what moves against {one}, or write `{quantity.word}({one})`"
+        yield Diagnostic(quantity.mark, "PL421", message, hint)
 
 
 def _instant(quantity: Quantity) -> Iterator[Diagnostic]:

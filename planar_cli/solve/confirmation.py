@@ -364,6 +364,8 @@ class _Compared:
 def _of_no_motion(f: Found) -> str:
     """Why a find belongs to no single motion; "" where it does."""
     assert f.find is not None
+    if any(v.is_infinite() for v in f.values or ()):
+        return "is infinite, and no motion is followed so far"
     words = [n.word for n in walk(f.find.found.what) if isinstance(n, Quantity)]
     return next((NOT_FOLLOWED[w] for w in words if w in NOT_FOLLOWED), "")
 
