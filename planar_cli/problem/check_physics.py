@@ -232,7 +232,7 @@ def partners_fit(scope: Scope) -> Iterator[Diagnostic]:
         elif len(between) > 1 and {scope.carrier(name) for name in between} == {GROUND}:
             yield Diagnostic(joint.mark, "PL455", f"{what} joins only fixed things", "name the body that moves")
         stops = [stop.name for stop in scope.stops(joint)]
-        again = next((a for a, b in pairwise(stops) if a == b), None)
+        again = next((a for a, b in pairwise(stops) if a and a == b), None)
         if again is not None:
             yield Diagnostic(joint.mark, "PL455", f"{what} goes from {again} to itself", "name two different points")
         yield from joint.objections(scope.problem)
