@@ -161,3 +161,44 @@ def test_a_plane_where_weight_may_have_a_part(asked: str) -> None:
 def test_what_may_mean_two_things(text: str, code: str) -> None:
     _, diagnostics = load_text(text)
     assert [d.code for d in diagnostics] == [code]
+
+
+CIRCLES = """
+title: A point at a distance on a line
+given: {l: 2 m, b: 3 m}
+points: {O: [0, 0], A: [0, l], B: PLACE}
+find: {value: x(B)}
+"""
+
+
+@pytest.mark.parametrize(
+    "place",
+    [
+        "{distances: {A: b}, line: [O, 0 deg], side: right}",
+        "{distances: {A: b}, line: {through: O, angle: 0 deg}, side: right}",
+        "{distances: {A: b}, on: {through: O, angle: 0 deg}, side: right}",
+        "{from: A, distance: b, on: [O, 0 deg], side: right}",
+    ],
+)
+def test_a_point_on_a_line(place: str) -> None:
+    assert_close(solve(CIRCLES.replace("PLACE", place))["value"], 5**0.5, 9)
+
+
+@pytest.mark.parametrize(
+    ("place", "code", "hint"),
+    [
+        ("{distances: {A: b}, line: [O, 0 deg], on: [O, 0 deg]}", "PL321", "give one of them"),
+        ("{from: A, distance: b, on: [O, 0 deg], x: b}", "PL321", ""),
+        ("{from: A, length: b, angle: 30 deg}", "PL310", "write `distance: b`"),
+    ],
+)
+def test_a_point_that_is_told_twice_or_otherwise(place: str, code: str, hint: str) -> None:
+    _, diagnostics = load_text(CIRCLES.replace("PLACE", place))
+    assert (code, hint) in [(d.code, d.hint if hint else "") for d in diagnostics]
+
+
+def test_a_list_of_unknowns() -> None:
+    _, diagnostics = load_text(CIRCLES.replace("PLACE", "[u, w]").replace("points", "unknowns: [u, w]\npoints"))
+    assert [(d.code, d.hint) for d in diagnostics] == [
+        ("PL301", "write `unknowns: {u: UNIT, w: UNIT}`, each with its unit: N, deg, m/s, or `1` for a pure number")
+    ]

@@ -114,10 +114,13 @@ def _own() -> Schema:
 
 def _point() -> Schema:
     place, side = ref("place"), ref("side")
+    pair = {"type": "array", "items": [place, side], "minItems": 2, "maxItems": 2}
+    line = {"anyOf": [pair, record({"through": place, "angle": side}, ["through", "angle"])]}
+    lines = {"line": line, "on": line}
     facts = {
         "x": side,
         "y": side,
-        "line": {"type": "array", "items": [place, side], "minItems": 2, "maxItems": 2},
+        **lines,
         "distances": named(side, "point: distance"),
         "side": {"enum": list(SIDES)},
     }
@@ -126,6 +129,7 @@ def _point() -> Schema:
             listing(side, 2, 2),
             record({"from": place, "distance": side, "angle": side}, ["from", "distance", "angle"]),
             record({"from": place, "towards": place, "distance": side}, ["from", "towards", "distance"]),
+            *(record({"from": place, "distance": side, k: line, "side": facts["side"]}, ["from", k]) for k in lines),
             record({"midpoint": listing(place, 2, 2)}, ["midpoint"]),
             record(facts, []),
         ]

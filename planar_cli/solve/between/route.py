@@ -254,9 +254,9 @@ class Router:
         return len(solved.null) == len(columns) - len(equations)
 
     def _slopes(self, equations: Iterable[Equation], unknowns: Sequence[sp.Symbol]) -> list[list[Decimal]] | None:
-        """How much each equation changes with each unknown; None: that has no value."""
+        """How much each equation changes with each unknown; None: that has no value, or none that is finite."""
         rows = [[self.value.known(derivative(self.residual(e), x)) for x in unknowns] for e in equations]
-        found = [[c for c in row if c is not None] for row in rows]
+        found = [[c for c in row if c is not None and c.is_finite()] for row in rows]
         return found if all(len(row) == len(unknowns) for row in found) else None
 
     def _hidden(self, equation: Equation, x: sp.Symbol) -> float | None:
