@@ -14,7 +14,8 @@ from planar_cli.problem.geometry import Vec
 
 
 def driving_pushes(system: System, free: Motion) -> tuple[Push, ...]:
-    """One unknown push for each law of `motion`: it does work through that motion alone.
+    """One unknown push for each law of `motion`: it does work through that motion alone. An acceleration of bodies
+    without mass that is stated for the instant is driven too: no force on them could tell it.
 
     `free`: a motion in which no body hangs on another; the law's coefficients there are the push's components.
     """
@@ -28,15 +29,17 @@ def driving_pushes(system: System, free: Motion) -> tuple[Push, ...]:
                 parts[symbol] = (edge.body, part)
     found: list[Push] = []
     for relation, always in system.statements.relations:
-        if not always or order(relation, names) > 2:
+        if order(relation, names) > 2 or not (always or order(relation, names) == ACCELERATION):
             continue
-        for condition in stated([(relation, True)], quantities, quantities.evaluator, names, ACCELERATION):
+        for condition in stated([(relation, always)], quantities, quantities.evaluator, names, ACCELERATION):
             for expr in condition.rows():
                 form = linear_form(expr, parts)
+                if not always and any(system.scene.bodies[parts[s][0]].mass != 0 for s in form.terms):
+                    continue
                 actions = _actions(system, {parts[s]: c for s, c in form.terms.items()})
                 if actions:
                     found.append(Push(f"drive_{len(found) + 1}", "drive", "", relation.text, actions))
-        if not any(p.place == relation.text for p in found):
+        if always and not any(p.place == relation.text for p in found):
             actions = _through_coordinate(system, relation)
             if actions:
                 found.append(Push(f"drive_{len(found) + 1}", "drive", "", relation.text, actions))

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 
 from planar_cli.errors import Mark
 from planar_cli.problem.expression import Side, Statement
@@ -174,8 +173,7 @@ def _of_member(member: Member) -> Iterator[Formula]:
     for spec in keys_of(type(member)):
         value = getattr(member, spec.name)
         if value is not None and not isinstance(value, str):
-            for formula in _of_key(value, spec, f"{spec.name} of the {member.kind}"):
-                yield replace(formula, unit=None) if spec.name in member.derived else formula
+            yield from _of_key(value, spec, f"{spec.name} of the {member.kind}")
 
 
 def _of_key(value: object, spec: KeySpec, what: str) -> Iterator[Formula]:

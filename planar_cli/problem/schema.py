@@ -25,7 +25,6 @@ from planar_cli.problem.keys import (
     StatementsKey,
     WordKey,
     keys_of,
-    spellings,
 )
 from planar_cli.problem.read_points import SIDES
 from planar_cli.problem.read_sections import PLANES
@@ -114,13 +113,10 @@ def _own() -> Schema:
 
 def _point() -> Schema:
     place, side = ref("place"), ref("side")
-    pair = {"type": "array", "items": [place, side], "minItems": 2, "maxItems": 2}
-    line = {"anyOf": [pair, record({"through": place, "angle": side}, ["through", "angle"])]}
-    lines = {"line": line, "on": line}
     facts = {
         "x": side,
         "y": side,
-        **lines,
+        "line": {"type": "array", "items": [place, side], "minItems": 2, "maxItems": 2},
         "distances": named(side, "point: distance"),
         "side": {"enum": list(SIDES)},
     }
@@ -129,7 +125,6 @@ def _point() -> Schema:
             listing(side, 2, 2),
             record({"from": place, "distance": side, "angle": side}, ["from", "distance", "angle"]),
             record({"from": place, "towards": place, "distance": side}, ["from", "towards", "distance"]),
-            *(record({"from": place, "distance": side, k: line, "side": facts["side"]}, ["from", k]) for k in lines),
             record({"midpoint": listing(place, 2, 2)}, ["midpoint"]),
             record(facts, []),
         ]
@@ -166,15 +161,10 @@ def _kind(member: type) -> Schema:
     choices: tuple[Choice, ...] = vars(member).get("choices", ())
     keys = {spec.name: {**_key(spec.type, spec), "description": spec.doc} for spec in specs}
     keys |= {"name": ref("name"), "during": SPAN}
-    others = spellings(keys)
-    meant = {key: other for other, key in others.items()}
-    keys |= {other: keys[key] for other, key in others.items()}
-    made = record(keys, [spec.name for spec in specs if spec.required and spec.name not in meant])
+    made = record(keys, [spec.name for spec in specs if spec.required])
     made["description"] = (member.__doc__ or "").partition("\n")[0]
-    chosen = [{"oneOf": [group(g, choice.names(), meant) for g in choice.groups]} for choice in choices]
-    needed = [{"oneOf": [group((s.name,), frozenset(), meant)]} for s in specs if s.required and s.name in meant]
-    if chosen or needed:
-        made["allOf"] = chosen + needed
+    if choices:
+        made["allOf"] = [{"oneOf": [group(g, choice.names()) for g in choice.groups]} for choice in choices]
     return made
 
 

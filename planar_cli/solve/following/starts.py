@@ -13,7 +13,7 @@ from planar_cli.equation.exact import CERTAIN, Valuation
 from planar_cli.equation.plain import derivative
 from planar_cli.solve.between.motion_equations import MotionEquations
 from planar_cli.solve.between.stated_motion import StatedMotion
-from planar_cli.solve.following.stillness import resting
+from planar_cli.solve.following.stillness import acted_on, resting
 from planar_cli.solve.regimes.regime import Regime
 from planar_cli.solve.regimes.regime_sequence import RegimeSequence
 
@@ -107,9 +107,11 @@ def balanced(course: StatedMotion, start: Mapping[sp.Symbol, Decimal]) -> frozen
         changes = [*regime.rates.values(), *regime.accelerations.values()]
         if not regime.free or any(start.get(u, 1) for u in regime.free):
             return frozenset()
-        if any(regime.time in e.free_symbols for e in changes):
+        if any(regime.time in e.free_symbols for e in changes) or not all(s in start for s in regime.letters):
             return frozenset()
-        if not all(_vanishes(e, start, value) for e in changes):
+        if not all(_vanishes(e, start, value) for e in regime.rates.values()):
+            return frozenset()
+        if regime.accelerations and acted_on(course, regime, set(regime.free), start):
             return frozenset()
     return frozenset(u.name for r in course.regimes for u in r.free)
 

@@ -57,7 +57,7 @@ def resting(course: RegimeSequence, start: Mapping[sp.Symbol, Decimal]) -> froze
     idle |= {u for r in course.regimes for u in r.free if u.name in held}
     acting = list(zip(course.regimes, stretches, strict=False))
     while idle:
-        moved = {u for r, s in acting for u in _moved(course, r, idle, start) if u.name not in s.resting}
+        moved = {u for r, s in acting for u in acted_on(course, r, idle, start) if u.name not in s.resting}
         if not moved:
             return frozenset(u.name for u in idle)
         idle -= moved
@@ -78,6 +78,22 @@ def unturned(
     )
 
 
+def acted_on(
+    course: RegimeSequence, regime: Regime, idle: set[sp.Symbol], start: Mapping[sp.Symbol, Decimal]
+) -> set[sp.Symbol]:
+    """Those of these speeds on which something acts while all of them vanish."""
+    own = {u for u in idle if u in regime.free}
+    plain = dict.fromkeys(idle, sp.S.Zero)
+    worked = {u for u in own if u in regime.accelerations and regime.accelerations[u].subs(plain) == 0}
+    asked = {u: regime.general.rate_of(u) for u in own - worked}
+    if not asked:
+        return idle - own
+    places = _places(course, regime, idle, start)
+    least = {u: CERTAIN * n * 10**15 for u, n in course.natural(asked).items()}
+    kept = {u for u, a in asked.items() if places and all(_is_none(p.get(a), least[u]) for p in places)}
+    return idle - own | asked.keys() - kept
+
+
 def _is_apart(course: StatedMotion, regime: Regime, u: sp.Symbol, asked: Collection[sp.Symbol]) -> bool:
     """Does nothing tell how a speed changes, and nothing else depend on it or on what moves with it?"""
     own = regime.general.rate_of(u)
@@ -93,22 +109,6 @@ def _is_apart(course: StatedMotion, regime: Regime, u: sp.Symbol, asked: Collect
     others = [a for s, a in regime.accelerations.items() if s != u]
     watched = [*(w.expr for w in regime.watches), *regime.slips, *(e for _, e in regime.sided.values())]
     return mine.isdisjoint(asked) and all(mine.isdisjoint(e.free_symbols) for e in (*later, *said, *others, *watched))
-
-
-def _moved(
-    course: RegimeSequence, regime: Regime, idle: set[sp.Symbol], start: Mapping[sp.Symbol, Decimal]
-) -> set[sp.Symbol]:
-    """Those of these speeds on which something acts while all of them vanish."""
-    own = {u for u in idle if u in regime.free}
-    plain = dict.fromkeys(idle, sp.S.Zero)
-    worked = {u for u in own if u in regime.accelerations and regime.accelerations[u].subs(plain) == 0}
-    asked = {u: regime.general.rate_of(u) for u in own - worked}
-    if not asked:
-        return idle - own
-    places = _places(course, regime, idle, start)
-    least = {u: CERTAIN * n * 10**15 for u, n in course.natural(asked).items()}
-    kept = {u for u, a in asked.items() if places and all(_is_none(p.get(a), least[u]) for p in places)}
-    return idle - own | asked.keys() - kept
 
 
 def _is_none(number: Decimal | None, least: Decimal) -> bool:

@@ -216,7 +216,7 @@ def _general(
     rests = tuple(s for s in independent if s.name in resting)
     independent = tuple(s for s in independent if s.name not in resting)
     trial = instant.try_choice(choice, valuations, given=given)
-    if trial.objection == "contradiction" and instant.add_drivers():
+    if any(outcome.solved.conflict is not None for outcome in trial.outcomes) and instant.add_drivers():
         trial = instant.try_choice(choice, valuations, given=given)
     quantities = trial.system.quantities() if trial.outcomes else trial.system.quantities_of(trial.system.first, None)
     coordinates = (*_user_coordinates(instant, made), *displacement.coordinates)
