@@ -76,8 +76,6 @@ class Answering:
             found, passage = CurveReader(asked.reader.regime, starts).answer(find)
             return AnsweredFind(found, passage=passage)
         parts = list(asked.parts())
-        if isinstance(what, Quantity) and what.word == "frequency" and asked.unit is not None and asked.unit.angle:
-            parts = [2 * sp.pi * p for p in parts]
         passing = self.throughout.route(parts)
         if passing is not None:
             parts = [put_in(p, passing) for p in parts]

@@ -41,9 +41,17 @@ class AskedFind:
 
     def parts(self) -> tuple[sp.Expr, ...]:
         """It in symbols of states, or of the general position where it holds throughout."""
+        factor = 2 * sp.pi if self._circular else 1
         if self.at is not None:
-            return tuple(self.reader.at(self.at, part) for part in self.raw)
-        return tuple(self.reader.closed(part) for part in self.raw)
+            return tuple(factor * self.reader.at(self.at, part) for part in self.raw)
+        return tuple(factor * self.reader.closed(part) for part in self.raw)
+
+    @property
+    def _circular(self) -> bool:
+        """Is a frequency asked for in a unit of angular velocity?"""
+        what = self.find.found.what
+        of_swings = isinstance(what, Quantity) and what.word == "frequency"
+        return of_swings and self.unit is not None and self.unit.angle
 
 
 def asked_finds(motion: RegimeSequence, units: Mapping[str, str]) -> tuple[AskedFind, ...]:
