@@ -12,6 +12,7 @@ from planar_cli.joints.base import Joint
 from planar_cli.loads.base import Load
 from planar_cli.problem import read_sections as sections
 from planar_cli.problem import reading
+from planar_cli.problem.assumed_of_unknowns import with_assumed
 from planar_cli.problem.checks import check
 from planar_cli.problem.fields import Fields
 from planar_cli.problem.in_time import in_time
@@ -142,7 +143,7 @@ def _read(file: str, whole: Fields) -> Problem:
     points, surfaces, bodies, joints, loads = _scene(whole, numbers)
     resting = RestingPoints(bodies, points)
     title, text, source, note = (sections.words(whole, key) for key in WORDS)
-    return Problem(
+    problem = Problem(
         file=file,
         title=title,
         text=text,
@@ -169,6 +170,7 @@ def _read(file: str, whole: Fields) -> Problem:
         method=sections.one_of(whole, "method", modules("principles")),
         us=sections.is_us(given),
     )
+    return with_assumed(problem)
 
 
 def _scene(whole: Fields, numbers: frozenset[str]) -> Scene:
