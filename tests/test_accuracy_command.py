@@ -100,3 +100,24 @@ def test_runs_that_meet_impacts_are_compared_at_them() -> None:
     assert coarse.met == fine.met
     assert any(words.startswith("impact") for words in coarse.met)
     assert max(abs(a - b) for a, b in zip(coarse.values, fine.values, strict=True)) < 1e-10
+
+
+BRAKING = """
+title: A block slips to rest
+plane: vertical
+points: {A: [0, 0]}
+surfaces: {floor: {through: A, angle: 0 deg}}
+bodies: {block: {particle: A, mass: 2 kg}}
+joints: [{contact: {between: [block, floor], mu: 0.3}}]
+states:
+  start: [t = 0, v(block).x = 3 m/s]
+  end: [mode(block) = stick]
+find: {t_end: t @ end}
+"""
+
+
+def test_a_start_beside_that_of_what_slides_slides_too(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = tmp_path / "braking.yaml"
+    file.write_text(BRAKING, encoding="utf-8")
+    assert cli.run(["accuracy", str(file)]) == 0
+    assert "A unit in the last place at the start is 3.5e+00 units at the end" in capsys.readouterr().out

@@ -359,6 +359,27 @@ def test_compare_tells_what_is_reached_in_part(tmp_path: Path, capsys: pytest.Ca
     assert rows["energy"]["objection"] == "method energy alone does not reach t_2"
 
 
+WAGON = """
+title: Wagon with a pendulum
+plane: vertical
+given: {M: 3 kg, m: 1 kg, l: 2 m, beta: 40 deg}
+points: {W: [0, 0], P: {from: W, distance: l, angle: beta - 90 deg}}
+bodies: {wagon: {particle: W, mass: M}, bob: {particle: P, mass: m}}
+joints:
+  - guide: {point: W, along: 0 deg}
+  - rope: {path: [W, P]}
+states: {1: [t = 0, at rest], 2: [x(bob) = x(wagon)]}
+find: {V: v(wagon).x @ 2}
+"""
+
+
+def test_compare_tells_what_only_several_laws_reach(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    rows = compared(tmp_path, capsys, WAGON)
+    assert next(iter(rows)) == "together"
+    assert rows["together"]["answers"] == ["V"]
+    assert all(row["objection"] for method, row in rows.items() if method != "together")
+
+
 def test_compare_as_a_table(capsys: pytest.CaptureFixture[str]) -> None:
     assert cli.run(["solve", str(example("4-18")), "--compare"]) == 0
     lines = [line.split() for line in capsys.readouterr().out.splitlines() if line.strip()]

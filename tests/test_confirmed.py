@@ -11,9 +11,11 @@ from typing import Any
 
 import pytest
 import sympy as sp
+from answered import solve
 
 from planar_cli.cli import run
 from planar_cli.equation.exact import Settled
+from planar_cli.errors import NoSolution
 from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.structure import load_text
 from planar_cli.report.json_document import solution_data
@@ -179,3 +181,32 @@ find: {T: period(1)}
 def test_what_belongs_to_no_motion_is_not_compared() -> None:
     part = solved(SWING).parts[0]
     assert part.confirmed.apart == {"T": "small oscillations are about an equilibrium, not along a motion"}
+
+
+EMBEDDED = """
+title: A bullet in a block that slides to rest
+plane: vertical
+given: {m: 20 g, M: 2 kg, v: 400 m/s, mu: 0.35}
+points: {P: [0, 0]}
+surfaces: {floor: {through: P, angle: 0}}
+bodies: {bullet: {particle: P, mass: m}, block: {particle: P, mass: M}}
+joints:
+  - contact: {between: [block, floor], mu: mu}
+  - weld: {at: P, between: [bullet, block], during: before->stop}
+states:
+  before: [t = 0, v(bullet).x = v, block at rest]
+  after: [just after before]
+  stop: [v(block).x = 0]
+find: {v: v(block).x @ after}
+"""
+
+
+def test_answers_that_rest_on_a_velocity_that_is_not_told_are_none() -> None:
+    """With an upward velocity of the bullet the floor could hold the block: then it would not slide at all."""
+    with pytest.raises(NoSolution) as caught:
+        solve(EMBEDDED)
+    (told,) = caught.value.diagnostics
+    assert (told.code, told.mark.line) == ("PL704", 12)
+    assert "`v(bullet).y = …`" in told.hint
+    found = solve(EMBEDDED.replace("v(bullet).x = v,", "v(bullet).x = v, v(bullet).y = 0,"))
+    assert float(found["v"].values[0]) == pytest.approx(400 * 0.02 / 2.02)

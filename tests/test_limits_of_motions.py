@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import log, sqrt
+from math import log, sqrt, tanh
 
 import pytest
 from answered import first, solve
@@ -71,3 +71,25 @@ states: {{start: [t = 0, x = 0, dot(x) = 0], {states}}}
 find: {{t: t @ near, v: dot(x) @ end, x: x @ near}}
 """)
     assert [first(found[name]) for name in ("t", "v", "x")] == pytest.approx([log(20), 2, 2 * (log(20) - 0.95)])
+
+
+DIVER = """
+title: A diver whose terminal speed is known
+plane: vertical
+given: {m: 80 kg, v_t: 60 m/s}
+unknowns: {c: kg/m}
+points: {P: [0, 0]}
+bodies: {diver: {particle: P, mass: m}}
+loads: [{drag: {body: diver, magnitude: c*v(diver).mag^2}}]
+states:
+  0: [t = 0, at rest]
+  far: [t = infinity, v(diver).mag = v_t]
+  1: [t = 5 s]
+find: {c: c, v: v(diver).mag @ 1}
+"""
+
+
+def test_a_constant_that_the_end_of_a_motion_tells() -> None:
+    found = solve(DIVER)
+    assert first(found["c"]) == pytest.approx(9.81 * 80 / 3600)
+    assert first(found["v"]) == pytest.approx(60 * tanh(9.81 * 5 / 60))

@@ -151,7 +151,7 @@ class MassReader:
             value = mass * self.evaluator.value(body.gyration) ** 2
             if body.about is not None:
                 value = value - mass * self._shift(body, shape)
-        elif isinstance(body.shape, Outline) and mass != 0:
+        elif body.any_inertia or (isinstance(body.shape, Outline) and mass != 0):
             symbol = self.ledger.letter(self._free(name), unit)
             self.cancelling.append(symbol)
             return symbol

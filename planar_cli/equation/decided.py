@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
@@ -16,6 +16,9 @@ from planar_cli.errors import Mark, refuse
 from planar_cli.problem.expression import Relation, Side
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import Problem
+
+FEW = 12
+"""So many draws are tried where every try solves the scene."""
 
 
 class Decided:
@@ -40,6 +43,12 @@ class Decided:
     if TYPE_CHECKING:
 
         def value(self, side: Side) -> sp.Expr: ...
+
+    def redraw(self, holds: Callable[[Valuation], bool]) -> bool:
+        """Take draws for which this holds as well. False: none was found among a few."""
+        found = self.ledger.valuations(lambda v: self._agrees(v) and holds(v), FEW)
+        self._valuations = found or self._valuations
+        return bool(found)
 
     def forget_valuations(self) -> None:
         """Draw the numbers anew when they are asked for again: symbols were added."""

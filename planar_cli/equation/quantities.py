@@ -34,6 +34,8 @@ LATER = {
     "stable",
 }
 
+ALONG = "write `.along` or `.across`"
+
 
 def only(value: sp.Expr) -> Jet:
     """A quantity whose rate one instant does not tell."""
@@ -337,6 +339,8 @@ class Quantities:
                 return resolved(v, self.direction(part), part.kind == "along")
             case "r" | "theta":
                 reach = self._q_r(Quantity("r", q.things, None, (), None, q.mark))
+                if self.scene.is_zero(reach.x.value) and self.scene.is_zero(reach.y.value):
+                    raise refuse(part.mark, "PL556", f".{part.kind} of what is at the centre: no direction", ALONG)
                 return resolved(v, reach * (constant(1) / magnitude(reach)), part.kind == "r")
         return self._natural(v, part, q)
 
@@ -347,7 +351,7 @@ class Quantities:
         speed = magnitude(vector_jet(velocity, None, None)).value
         if speed == 0:
             raise refuse(
-                part.mark, "PL556", f".{part.kind} where the speed is zero", "on a circle use `.along` or `.across`"
+                part.mark, "PL556", f".{part.kind} where the speed is zero", ALONG
             )
         value = Vec(v.x.value, v.y.value)
         if part.kind == "t":

@@ -67,6 +67,7 @@ class Setup:
         scene: type[Scene] = Scene,
     ) -> None:
         self.problem, self.statements, self.earlier = problem, statements, earlier
+        self.open_form = open_form
         self.parted = course.parted if course is not None else {}
         written = (*problem.given, *problem.symbols, *problem.unknowns, *problem.coordinates)
         names = frozenset(s.name for s in written)

@@ -19,4 +19,6 @@ def solved(problem: Problem) -> Solved:
         return Solved(None, time.perf_counter() - began, str(error))
     digits = [instant.checks.get("digits") for part in solution.parts for instant in part.instants]
     known = [d for d in digits if d is not None]
-    return Solved(min(known, default=None), time.perf_counter() - began, "" if known else "nothing was compared")
+    read_off = any(part.followed is not None for part in solution.parts)
+    why = "it reads them off a motion that is followed" if read_off else "nothing was compared"
+    return Solved(min(known, default=None), time.perf_counter() - began, "" if known else why)

@@ -6,6 +6,7 @@ from dataclasses import replace
 from typing import Any
 
 from planar_cli.errors import Mark
+from planar_cli.joints._tangency import demand_above, demand_common_tangent
 from planar_cli.problem.facts import (
     Action,
     Anchor,
@@ -65,6 +66,7 @@ class Touching:
         left = tangent.turned()
         self.left = left
         self._face(self._outward(left))
+        demand_above(self.base, self.normal, contact.between, contact.at, scene, contact.mark)
         self.words = f"{self.mover.body} at {contact.at}"
 
     def _face(self, outward: int) -> None:
@@ -96,6 +98,7 @@ class Touching:
         """Mover and base: a corner or rim slides on the other outline; of two rims, the moving one on the fixed one."""
         scene, contact = self.scene, self.contact
         a, b = (scene.outline(p, self.place, contact.mark) for p in contact.between)
+        demand_common_tangent(contact.between, contact.at, a, b, scene, contact.mark)
         if (
             a.body == "ground"
             or (b.kind == "corner" and a.kind != "corner")

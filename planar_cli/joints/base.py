@@ -22,7 +22,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import Any, ClassVar
 
 from planar_cli.errors import Diagnostic
 from planar_cli.problem.blows import in_a_blow
@@ -60,6 +60,10 @@ class Joint(Entry, ABC):
     def blows(self, scene: StruckSetting) -> tuple[Mode, ...]:
         """The ways in which the joint may act in a blow: pushes are impulses, accelerations the velocities after it."""
         return tuple(in_a_blow(mode) for mode in self.modes(scene))
+
+    def restitutes(self, scene: StruckSetting) -> Any:
+        """By how much more slowly its partners part after a blow than they approached, 0 to 1; None: it tells none."""
+        return None
 
     @abstractmethod
     def residuals(self, scene: Setting, mode: Mode) -> tuple[Residual, ...]:

@@ -74,6 +74,10 @@ class Impact(Joint):
         """The name of the restitution where it is left out."""
         return f"e_{self.name}"
 
+    def restitutes(self, scene: StruckSetting) -> Any:
+        """The coefficient of restitution."""
+        return scene.unknown(self.open_name, "1") if self.restitution is None else scene.value(self.restitution)
+
     def told(self, constants: Mapping[str, float]) -> Impact:
         """With the restitution that a blow has told."""
         if self.restitution is not None or self.open_name not in constants:
@@ -122,7 +126,7 @@ class Impact(Joint):
         return Row(self.name, title, pulls, pace=pace)
 
     def _rebound(self, scene: StruckSetting, a: str, b: str, meeting: Meeting) -> Row:
-        e = scene.unknown(self.open_name, "1") if self.restitution is None else scene.value(self.restitution)
+        e = self.restitutes(scene)
         title = f"restitution between {self.between[0]} and {self.between[1]}, along the common normal"
         return self._apart(a, b, meeting, meeting.normal, title, -e * self._approach(scene, a, b, meeting))
 

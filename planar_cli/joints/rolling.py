@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from planar_cli.joints._outline_residuals import stuck
+from planar_cli.joints._tangency import demand_above, demand_common_tangent
 from planar_cli.joints._touching import away
 from planar_cli.joints.base import Joint
 from planar_cli.problem.facts import Action, Facts, Joining, Mode, Push
@@ -72,6 +73,7 @@ class Rolling(Joint):
                 f"{self.name}: a corner can not roll",
                 "rolling needs a round rim on a rim, rack or surface",
             )
+        demand_common_tangent(self.between, self.at, a, b, scene, self.mark)
         same = scene.sign(a.tangent.dot(b.tangent))
         tangent = b.tangent
         joining = Joining(
@@ -86,6 +88,7 @@ class Rolling(Joint):
         normal = tangent.turned()
         if scene.sign(away(a, b, place, scene).dot(normal)) < 0:
             normal = -normal
+        demand_above(b, normal, self.between, self.at, scene, self.mark)
         pushes = []
         for stem, kind, direction in (("N", "normal", normal), ("F", "friction", tangent)):
             actions = (Action(a.body, place, direction), Action(b.body, place, -direction))

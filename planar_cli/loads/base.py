@@ -22,7 +22,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import Any, ClassVar, Self
 
 from planar_cli.problem.entry import Entry
 from planar_cli.problem.facts import Effect, Mode, Wrench
@@ -53,6 +53,12 @@ class Load(Entry, ABC):
     """Is its force always against the velocity, whose sense may be open?"""
     dissipates: ClassVar[bool] = False
     """Does it turn motion into heat?"""
+    turns_only: ClassVar[bool] = False
+    """Is it a couple, which a particle cannot take?"""
+
+    def in_full(self) -> Self:
+        """The load with what its short forms stand for, once its body is known."""
+        return self
 
     def modes(self, scene: Setting) -> tuple[Mode, ...]:
         """The ways in which the load may act, where there are several; tests and idle loads go by `mode_key`."""

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import ClassVar
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from typing import ClassVar, Self
 
+from planar_cli.errors import Mark
 from planar_cli.loads.base import Load
-from planar_cli.problem.expression import Side
+from planar_cli.problem.expression import Binary, Number, Part, Quantity, Side
 from planar_cli.problem.facts import Effect, Wrench
-from planar_cli.problem.keys import BodyKey, MagnitudeKey, Table, key
+from planar_cli.problem.keys import BodyKey, Choice, MagnitudeKey, SideKey, Table, key
 from planar_cli.problem.setting import MovingSetting
 
 
@@ -18,7 +20,7 @@ class Drag(Load):
 
     Meaning
         The force acts at the mass centre of `body` against its velocity; the magnitude may use quantities, such as
-        `c*v(b).mag^2`.
+        `c*v(b).mag^2`. `quadratic: c` stands for just this, and `linear: c` for c v; both together are added.
 
     YAML
         title: Skydiver
@@ -48,14 +50,41 @@ class Drag(Load):
     line: ClassVar[str] = "drag on {}"
     opposes: ClassVar[bool] = True
     dissipates: ClassVar[bool] = True
+    choices: ClassVar[tuple[Choice, ...]] = (
+        Choice(
+            (("magnitude",), ("linear",), ("quadratic",), ("linear", "quadratic")),
+            "`magnitude: c*v(b).mag^2`, or `quadratic: c` for the same, or `linear: c` for c v",
+        ),
+    )
 
-    body: str = key(BodyKey(), "the body that is braked")
-    magnitude: Side | Table = key(MagnitudeKey("N"), "its magnitude, such as `c*v(b).mag^2`")
+    body: str = key(BodyKey(), "the body that is braked; left out where one alone can be meant", default="")
+    magnitude: Side | Table | None = key(MagnitudeKey("N"), "its magnitude, such as `c*v(b).mag^2`", default=None)
+    linear: Side | None = key(SideKey("N*s/m"), "c of a magnitude c v", default=None)
+    quadratic: Side | None = key(SideKey("kg/m"), "c of a magnitude c v^2", default=None)
+
+    def in_full(self) -> Self:
+        """With the magnitude of `linear` and `quadratic` as it would be written out."""
+        found = self.magnitude
+        for power, side in ((1, self.linear), (2, self.quadratic)):
+            if side is not None:
+                term = Binary("*", side, self._speed(power, side.mark), side.mark)
+                found = term if found is None or isinstance(found, Table) else Binary("+", found, term, side.mark)
+        return replace(self, magnitude=found)
+
+    def _speed(self, power: int, mark: Mark) -> Side:
+        speed = Quantity("v", (self.body,), None, (Part("mag", None, mark),), None, mark)
+        return speed if power == 1 else Binary("^", speed, Number(Fraction(power), None, 1, mark), mark)
+
+    @property
+    def derived(self) -> frozenset[str]:
+        short = self.linear is not None or self.quadratic is not None
+        return frozenset(("magnitude",)) if short else frozenset()
 
     def wrenches(self, scene: MovingSetting) -> tuple[Wrench, ...]:
         center = scene.center(self.body)
         velocity = scene.velocity(center, self.body)
         if scene.vanishes(velocity.dot(velocity)):
             return ()
+        assert self.magnitude is not None
         magnitude = scene.size(self.magnitude, self.mark)
         return (Wrench(self.name, "drag", self.body, center, scene.against(velocity, magnitude), 0, magnitude),)

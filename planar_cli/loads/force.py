@@ -62,7 +62,7 @@ class Force(Load):
         ),
     )
 
-    body: str = key(BodyKey(), "the body it acts on")
+    body: str = key(BodyKey(), "the body it acts on; left out where one alone can be meant", default="")
     at: str | None = key(PointKey(), "the point of the body where it acts; a particle needs none", default=None)
     wound_at: str | None = key(PointKey(), "the rim point where a cord leaves the body and unwinds", default=None)
     magnitude: Side | Table = key(MagnitudeKey("N"), "its magnitude, or a table over time")

@@ -48,11 +48,12 @@ class Torque(Load):
 
     kind: ClassVar[str] = "torque"
     effect: ClassVar[Effect] = Effect("applied torque", rank=2)
+    turns_only: ClassVar[bool] = True
     choices: ClassVar[tuple[Choice, ...]] = (
-        Choice((("body",), ("between",)), "`body: b`, or `between: [a, b]`: on b, reversed on a"),
+        Choice(((), ("body",), ("between",)), "`body: b`, or `between: [a, b]`: on b, reversed on a"),
     )
 
-    body: str | None = key(BodyKey(), "the body it turns", default=None)
+    body: str | None = key(BodyKey(), "the body it turns; left out where one alone can be meant", default=None)
     between: tuple[str, ...] | None = key(PartnersKey(), "on the second body, reversed on the first", default=None)
     moment: Side | Table = key(MagnitudeKey("N*m"), "the moment, counterclockwise positive, or a table over time")
 

@@ -100,6 +100,8 @@ def _inertia(drawing: Drawing, body: Body, shape: Uniform, mass: Term) -> Term:
         radius = drawing.sides.value(body.gyration)
         value = mass * radius * radius
         return value if body.about is None else value - mass * _shift(drawing, body, shape.center)
+    if body.any_inertia:
+        return drawing.sides.graph.number(ANY_MASS)
     if isinstance(body.shape, Outline) and not (mass.constant and mass.value == 0):
         # Its moment of inertia is not told, so that it must cancel as a mass may.
         return mass * ANY_MASS

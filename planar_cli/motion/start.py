@@ -221,16 +221,16 @@ class _Search:
         moving = self._moved(free)
         if not moving:
             return ()
-        if self._hanging(moving):
+        if self._hanging(set(moving)):
             return (f"it begins without swaying of {', '.join(sorted(moving))}, as the file does not tell how",)
-        if moving <= self.model.scene.speeds.keys():
+        if moving.keys() <= self.model.scene.speeds.keys():
             self.zeros.state = self._known()
             self._newton(firm, numbers)
             return ()
         names = ", ".join(sorted(moving))
+        known = ", ".join(f"`{part} = …`" for name in sorted(moving) for part in moving[name][:1])
         raise self._unknown(
-            f"the velocity of {names} at the start is not told",
-            "write `at rest`, or what is known of it: `omega(b) = …`, `v(b).x = …`",
+            f"the velocity of {names} at the start is not told", f"write `at rest`, or what is known of it: {known}"
         )
 
     def _bilateral(self) -> list[Constraint]:
@@ -297,14 +297,16 @@ class _Search:
             for s in slots
         ]
 
-    def _moved(self, free: Iterable[Sequence[float]]) -> set[str]:
-        """The bodies that move in some of these motions."""
-        found = set()
+    def _moved(self, free: Iterable[Sequence[float]]) -> dict[str, list[str]]:
+        """The bodies that move in some of these motions, with what moves of them."""
+        found: dict[str, list[str]] = {}
         for vector in free:
             top = max(abs(v) / s for v, s in zip(vector, self.zeros.sizes[: self.half], strict=True))
             for slot, v, s in zip(self.layout.slots, vector, self.zeros.sizes, strict=False):
                 if slot.body and abs(v) / s > AGREES * top:
-                    found.add(slot.body)
+                    part = f"omega({slot.body})" if slot.kind == "theta" else f"v({slot.body}).{slot.kind}"
+                    if part not in found.setdefault(slot.body, []):
+                        found[slot.body].append(part)
         return found
 
     def _hanging(self, bodies: set[str]) -> bool:

@@ -10,7 +10,7 @@ from planar_cli.joints.base import Joint
 from planar_cli.problem.check_names import missing_state
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.reading import did_you_mean, listed
-from planar_cli.problem.scene import GROUND
+from planar_cli.problem.scene import GROUND, Particle
 from planar_cli.problem.scope import Member, Scope
 from planar_cli.records import record
 from planar_cli.registry import members
@@ -18,6 +18,12 @@ from planar_cli.registry import members
 SPANNED = frozenset("work impulse heat path_length mean count".split())
 STATED = frozenset("reached period frequency stable".split())
 
+
+FRAMED = frozenset("x y r v a rho path".split())
+"""Quantities that are seen from a point or from a body."""
+
+RELATIVE = frozenset("x y r v a theta omega alpha coriolis rho path path_length IC".split())
+"""What is asked of one thing as seen from another."""
 
 OWN = "own"
 """Stands for the kinds of joints and loads among whose `quantities` a word is."""
@@ -84,6 +90,7 @@ def arguments(quantity: Quantity, scope: Scope) -> Iterator[Diagnostic]:
     yield from _thing(quantity, 0, takes.first, scope)
     if len(quantity.things) > 1:
         yield from _second(quantity, takes, scope)
+        yield from _seen_from(quantity, scope)
     elif takes.both:
         example = {"coriolis": "coriolis(P/b)", "H": "H(b/P)"}[quantity.word]
         message = f"{quantity.word}({quantity.things[0]}) leaves open about or against what"
@@ -96,6 +103,11 @@ def _second(quantity: Quantity, takes: Takes, scope: Scope) -> Iterator[Diagnost
         yield Diagnostic(quantity.mark, "PL421", f"{quantity.word}(…) takes one thing, not two", hint)
         return
     yield from _thing(quantity, 1, takes.second, scope)
+    one, other = quantity.things
+    if one == other and quantity.word in RELATIVE:
+        message = f"{quantity.word}({one}/{other}) is always zero: {one} as seen from itself"
+        hint = f"name what moves against {one}, or write `{quantity.word}({one})`"
+        yield Diagnostic(quantity.mark, "PL421", message, hint)
 
 
 def _instant(quantity: Quantity) -> Iterator[Diagnostic]:
@@ -158,13 +170,29 @@ def _ambiguous(quantity: Quantity, members: list[Member], scope: Scope) -> Itera
     yield from _on_whom(quantity, joints[0], scope)
 
 
+def _seen_from(quantity: Quantity, scope: Scope) -> Iterator[Diagnostic]:
+    """`v(P/A)` is seen from the point A or from the body A: not the same where both are called A and the body turns."""
+    if quantity.word not in FRAMED or len(quantity.things) < 2:
+        return
+    name = quantity.things[1]
+    body = scope.bodies.get(name)
+    if body is None or isinstance(body.shape, Particle) or name not in scope.points:
+        return
+    message = f"{quantity.word}({quantity.things[0]}/{name}) is seen from the point {name} or from the body {name}"
+    yield Diagnostic(quantity.mark, "PL427", message, f"give the body another name than that of its point {name}")
+
+
 def _on_whom(quantity: Quantity, joint: Member, scope: Scope) -> Iterator[Diagnostic]:
     """Between two moving bodies a vector must say on which it acts."""
     partners = scope.partners(joint)
     if len(quantity.things) > 1 or not isinstance(joint, Joint):
         return
+    name = quantity.things[0]
+    body = scope.bodies.get(name) if name in partners else None
+    of_body = body is not None and (isinstance(body.shape, Particle) or name not in scope.points)
+    if of_body and quantity.word != "impulse":
+        return  # called by one of its bodies, the joint tells what it does to that one
     if quantity.word in ("reaction", "friction", "moment", "impulse") and len(partners) > 1 and GROUND not in partners:
-        name = quantity.things[0]
         message = f"{quantity.word}({name}) leaves open on which body: {listed(partners)}"
         yield Diagnostic(
             quantity.mark, "PL424", message, f"write `{quantity.word}({name}/{partners[0]})` for that on {partners[0]}"

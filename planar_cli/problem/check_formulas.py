@@ -23,7 +23,7 @@ from planar_cli.problem.reading import did_you_mean
 from planar_cli.problem.scene import GROUND
 from planar_cli.problem.scope import Scope
 from planar_cli.problem.walk import Tree, children
-from planar_cli.problem.words import CONSTANTS, QUANTITIES
+from planar_cli.problem.words import CONSTANTS, OF_ALL, QUANTITIES
 from planar_cli.units import ATOMS
 
 SUBSCRIPTED = re.compile(r"([A-Za-z]+)_([A-Za-z0-9]\w*)")
@@ -113,6 +113,8 @@ def _name_hint(name: str, known: set[str], scope: Scope, direction: bool) -> str
     things = {*scope.point_like, *scope.members}
     if match and match[1] in QUANTITIES and match[2] in things:
         return f"a quantity is written with a bracket: `{match[1]}({match[2]})`"
+    if name in OF_ALL:
+        return f"write `{name}(all)` for the whole system, `{name}(b)` for a body"
     if name in ATOMS:
         return f"a value is a number with its unit: `5 {name}`"
     if name in scope.surfaces and direction:

@@ -15,26 +15,23 @@ from planar_cli.problem.keys import (
 from planar_cli.problem.reading import did_you_mean
 from planar_cli.problem.scene import (
     GROUND,
+    At,
     Body,
     Circle,
-    Composite,
     Foot,
     Line,
     Midpoint,
-    Outline,
     Particle,
     Place,
     Plate,
     Polar,
     Rims,
-    Rod,
     Round,
-    Sector,
-    Shape,
     Towards,
     TwoFacts,
 )
 from planar_cli.problem.scope import Member, Scope, members_of, names_in
+from planar_cli.problem.whose_load import points_of_shape
 from planar_cli.problem.words import is_reserved
 
 BOOLEANS = frozenset("on off yes no true false null".split())
@@ -64,7 +61,7 @@ def _other_name(name: str) -> str:
 
 
 def distinct_names(scope: Scope) -> Iterator[Diagnostic]:
-    """All names of a file differ; a particle may share its point's name."""
+    """All names of a file differ; a particle may share its point's name, a disk or plate that of its centre."""
     seen: dict[str, tuple[str, Mark]] = {}
     for name, what, mark in _all_names(scope):
         if name not in seen:
@@ -72,15 +69,17 @@ def distinct_names(scope: Scope) -> Iterator[Diagnostic]:
             continue
         before, place = seen[name]
         body = scope.bodies.get(name)
-        if (
-            body is not None
-            and isinstance(body.shape, Particle)
-            and body.shape.place == name
-            and "a point" in (before, what)
-        ):
+        if body is not None and _middle(body) == name and "a point" in (before, what):
             continue
         message = f"'{name}' names {what} here and {before} in line {place.line}"
         yield Diagnostic(mark, "PL402", message, _repair(name, body, before, what))
+
+
+def _middle(body: Body) -> str | At | None:
+    """The point that a body may share its name with: its place, or its centre, where its mass centre is too."""
+    if isinstance(body.shape, Particle):
+        return body.shape.place
+    return body.shape.center if isinstance(body.shape, Round | Plate) else None
 
 
 def _repair(name: str, body: Body | None, before: str, what: str) -> str:
@@ -121,7 +120,7 @@ def points_found(scope: Scope) -> Iterator[Diagnostic]:
             yield from _missing(surface.shape.center, scope.points, "point", surface.mark)
         yield from _missing(surface.body, scope.bodies, "body", surface.mark)
     for body in scope.problem.bodies:
-        for used in (*_points_of_shape(body.shape), *body.points, body.about):
+        for used in (*points_of_shape(body.shape), *body.points, body.about):
             yield from _missing(used, scope.points, "point", body.mark)
 
 
@@ -142,20 +141,6 @@ def points_of_place(place: Place) -> tuple[str, ...]:
             return (place.a, place.b)
         case _:
             return ()
-
-
-def _points_of_shape(shape: Shape) -> tuple[str | None, ...]:
-    match shape:
-        case Particle():
-            return (shape.place if isinstance(shape.place, str) else None,)
-        case Rod():
-            return (shape.start, shape.end)
-        case Round() | Plate() | Outline():
-            return (shape.center,)
-        case Sector():
-            return (shape.apex,)
-        case Composite():
-            return tuple(name for piece in shape.pieces for name in _points_of_shape(piece.shape))
 
 
 def _missing(name: str | None, known: Iterable[str], what: str, mark: Mark) -> Iterator[Diagnostic]:

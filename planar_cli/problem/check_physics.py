@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from fractions import Fraction
+from itertools import pairwise
 
 from planar_cli.errors import Diagnostic
 from planar_cli.problem.expression import Binary, Name, Negate, Number, Quantity, Side
 from planar_cli.problem.formulas import formulas
 from planar_cli.problem.scene import GROUND, At, Body, Composite, Foot, Particle, Polar, Towards, TwoFacts
-from planar_cli.problem.scope import Scope
+from planar_cli.problem.scope import Scope, members_of
+from planar_cli.problem.shapes import own_points
 from planar_cli.problem.walk import Tree, walk
 
 POSITIVE = (
@@ -23,10 +25,13 @@ POSITIVE = (
     "stiffness",
 )
 
+NO_PLANE = frozenset("x y r v theta omega mass I IC KE momentum H path_length".split())
+"""Quantities of one instant that no weight has a part in."""
+
 
 def plane_is_given(scope: Scope) -> Iterator[Diagnostic]:
-    """`plane` is required once a body has mass."""
-    if scope.problem.plane is not None:
+    """`plane` is required once a body has mass, and more is asked than places and velocities of one instant."""
+    if scope.problem.plane is not None or _needs_no_plane(scope):
         return
     heavy = next((body for body in scope.problem.bodies if has_mass(body)), None)
     if heavy is not None:
@@ -34,6 +39,20 @@ def plane_is_given(scope: Scope) -> Iterator[Diagnostic]:
         yield Diagnostic(
             heavy.mark, "PL450", message, "write `plane: vertical` (weight acts, -y) or `plane: horizontal`"
         )
+
+
+def _needs_no_plane(scope: Scope) -> bool:
+    """Is nothing asked but what shapes and velocities tell at one instant?"""
+    problem = scope.problem
+    if problem.states or problem.coordinates or not problem.find:
+        return False
+    asked = [node for find in problem.find for node in walk(find.found.what)]
+    words = {node.word for node in asked if isinstance(node, Quantity)}
+    return words <= NO_PLANE and not any(isinstance(node, Name) and node.name in _sought(scope) for node in asked)
+
+
+def _sought(scope: Scope) -> set[str]:
+    return {s.name for s in (*scope.problem.unknowns, *scope.problem.coordinates)} | {"t"}
 
 
 def has_mass(body: Body) -> bool:
@@ -180,6 +199,26 @@ def sizes_are_positive(scope: Scope) -> Iterator[Diagnostic]:
             yield Diagnostic(formula.mark, "PL454", f"{formula.what} is not more than zero", hint)
 
 
+def members_act(scope: Scope) -> Iterator[Diagnostic]:
+    """A joint or load between points acts on a body of which at least one of them is a point."""
+    problem = scope.problem
+    members = members_of(problem)
+    owned = {p for b in problem.bodies for p in (b.name, *own_points(b.shape), *b.points)}
+    owned |= {point for member in members for point, _ in member.attachments()}
+    owned |= {s.name for s in problem.surfaces if s.body is not None}
+    laws: list[Tree] = [*(law.statement for law in problem.motion), *(problem.instant or ())]
+    for member in members if problem.bodies else ():
+        named = scope.mentioned(member) & scope.points.keys()
+        others = scope.mentioned(member) - named
+        if not named or others or named & owned or _moves_with_coordinate(named, scope):
+            continue
+        if not any(_mentions(law, named) for law in laws):
+            listed = ", ".join(sorted(named))
+            text = f"the {member.kind} acts on nothing: no body has the point {listed.replace(', ', ' or ')}"
+            hint = "name the one that moves with a body under `points` of that body; a corner has no name by itself"
+            yield Diagnostic(member.mark, "PL458", text, hint)
+
+
 def partners_fit(scope: Scope) -> Iterator[Diagnostic]:
     """A joint is between two different things that can move against each other, of the shapes it needs."""
     for joint in scope.problem.joints:
@@ -192,4 +231,8 @@ def partners_fit(scope: Scope) -> Iterator[Diagnostic]:
             )
         elif len(between) > 1 and {scope.carrier(name) for name in between} == {GROUND}:
             yield Diagnostic(joint.mark, "PL455", f"{what} joins only fixed things", "name the body that moves")
+        stops = [stop.name for stop in scope.stops(joint)]
+        again = next((a for a, b in pairwise(stops) if a and a == b), None)
+        if again is not None:
+            yield Diagnostic(joint.mark, "PL455", f"{what} goes from {again} to itself", "name two different points")
         yield from joint.objections(scope.problem)

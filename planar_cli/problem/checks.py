@@ -11,6 +11,7 @@ from planar_cli.problem.check_formulas import formulas_name_known_things
 from planar_cli.problem.check_names import distinct_names, members_found, points_found, reserved_names
 from planar_cli.problem.check_physics import (
     coefficients,
+    members_act,
     particles_move,
     partners_fit,
     plane_is_given,
@@ -27,6 +28,7 @@ from planar_cli.problem.check_times import (
 from planar_cli.problem.check_vectors import vectors_are_vectors
 from planar_cli.problem.scene import Problem
 from planar_cli.problem.scope import Scope
+from planar_cli.problem.unused import check_unknowns
 
 Check = Callable[[Scope], Iterator[Diagnostic]]
 
@@ -41,6 +43,7 @@ CHECKS: tuple[Check, ...] = (
     coefficients,
     sizes_are_positive,
     partners_fit,
+    members_act,
     instant_or_states,
     statements_in_place,
     blows_have_spans,
@@ -56,7 +59,8 @@ def check(problem: Problem) -> list[Diagnostic]:
     """All that is wrong with a problem and its cases, each once."""
     found = {d: None for scope in scopes(problem) for run in CHECKS for d in run(scope)}
     found.update(dict.fromkeys(check_answers(problem)))
-    return list(found)
+    # What uses a name may be just what is wrong.
+    return list(found) or list(check_unknowns(problem))
 
 
 def scopes(problem: Problem) -> Iterator[Scope]:

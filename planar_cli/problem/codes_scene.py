@@ -67,6 +67,15 @@ _SCENE = {
         "write `normal: 0 deg`, the direction of the common normal."
     ),
     "PL527": "Two corners touch: the direction of the contact is open. One side needs a rim, an edge or a surface.",
+    "PL534": (
+        "A rim that touches something has its tangent there. Where the two cross, either the point does not lie where "
+        "the radius is at right angles to the surface, or the surface has another direction."
+    ),
+    "PL535": (
+        "A contact or rolling on the `ground` is on a horizontal floor, of a body that stands on it: a wheel, a "
+        "particle, an upright plate, or what touches it with the point `at`. Anything else needs a surface of its own: "
+        "`surfaces: {wall: {through: B, angle: 90 deg}}`."
+    ),
     "PL540": "The direction of a force is missing. Write `angle: 30 deg` or `towards: P`.",
     "PL541": "The ends of a spring are at the same place, so that its pull has no direction.",
     "PL542": "A relaxed position is given by values of the coordinates: `relaxed_at: [theta = 30 deg]`.",

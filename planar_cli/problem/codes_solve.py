@@ -98,6 +98,10 @@ _SOLVE = {
         "What is given holds both ways, as a speed without its direction does, and the answers differ. The "
         "message gives them, and the relation that would choose, such as `v(B).x > 0`."
     ),
+    "PL619": (
+        "The data of a blow make a coefficient of restitution that is not between 0 and 1: bodies would part faster "
+        "than they approached, or pass through each other. Correct the speeds or the masses."
+    ),
 }
 
 CODES_SOLVE: Mapping[str, str] = MappingProxyType(_SOLVE)

@@ -65,10 +65,6 @@ _FORM = {
     "PL333": (
         "`about` names the point about which `inertia` or `radius_of_gyration` is given; without these it says nothing."
     ),
-    "PL334": (
-        "A particle is at a named point, `particle: P`, at coordinates, `[x, y]`, or `free`, when its place "
-        "follows from relations. A place that is described goes under `points`."
-    ),
     "PL340": (
         "`symbols`, `unknowns` and `coordinates` give each name a unit, `1` for a pure number. A value goes "
         "under `given`."
@@ -126,6 +122,10 @@ _NAMES = {
     "PL426": (
         "A vector stands where a number is due, or a number beside a vector. Ask for a part: `v(P).x`, `v(P).mag`."
     ),
+    "PL427": (
+        "A disk or plate may have the name of its centre. `v(P/A)` is then seen either from a frame that moves with "
+        "the point A and does not turn, or from the body A: give the body another name."
+    ),
     "PL430": (
         "`instant` says what holds at the one instant asked about; `states` names several. A file has one of the two."
     ),
@@ -163,6 +163,14 @@ _PHYSICS = {
     "PL457": (
         "One rope has one tension: it slides over the pulleys that it passes `over` or `under`. A pulley with mass "
         "that turns with the rope has two ropes wound on it; one that is smooth has `inertia: 0`."
+    ),
+    "PL458": (
+        "A rope, a link, a spring or a damper holds a body by one of its points. A point that only stands where a "
+        "corner of a plate is, or a rim, belongs to no body: name it under `points` of that body."
+    ),
+    "PL459": (
+        "An unknown is declared, and nothing uses it: no body, joint, load or find, and no relation that has more in "
+        "it than numbers. Say what it is, such as `x(P) = s`, ask for it under `find`, or leave it out."
     ),
     "PL460": "Every name under `answers` is that of a find, of the file or of one of its cases.",
     "PL461": (

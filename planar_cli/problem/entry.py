@@ -31,6 +31,11 @@ class Entry:
     during: tuple[str, str] | None
     mark: Mark
 
+    @property
+    def derived(self) -> frozenset[str]:
+        """Keys whose value was made of that of others, which have their own dimensions."""
+        return frozenset()
+
     def attachments(self) -> tuple[tuple[str, str], ...]:
         """Pairs (point, body or surface): the points that belong to a body because the entry names them together."""
         return ()

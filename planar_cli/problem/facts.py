@@ -251,7 +251,7 @@ class Outline:
     None otherwise. `body`: who carries it.
     `curve`: the surface whose curve y(x) or r(theta) it is.
     `drift`: the belt's surface velocity or None. `extent`: for a straight edge the distances of its ends from the
-    point, behind and ahead.
+    point, behind and ahead. `floor`: what touches it stands on it, and does not hang below.
     """
 
     kind: str
@@ -264,6 +264,7 @@ class Outline:
     extent: tuple[Any, Any] | None = None
     curve: str = ""
     sharpening: Any = 0
+    floor: bool = False
 
 
 @record

@@ -8,7 +8,7 @@ from collections.abc import Mapping as Dict
 from planar_cli.errors import Mark
 from planar_cli.problem import reading
 from planar_cli.problem.expression import Side
-from planar_cli.problem.nodes import Mapping, Node
+from planar_cli.problem.nodes import Mapping, Node, Scalar
 from planar_cli.problem.reading import Report
 
 
@@ -44,7 +44,9 @@ class Fields:
             self._nodes[key] = value
             self._marks[key] = mark
             return
-        hint = self._slips.get(key) or reading.did_you_mean(key, self.allowed, "allowed are ")
+        hint = self._slips.get(key, "")
+        hint = hint.replace("…", value.text) if isinstance(value, Scalar) else hint
+        hint = hint or reading.did_you_mean(key, self.allowed, "allowed are ")
         self.report.add(mark, "PL310", f"unknown key '{key}' in {self.what}", hint)
 
     def __contains__(self, key: str) -> bool:

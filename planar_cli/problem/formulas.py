@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 from planar_cli.errors import Mark
 from planar_cli.problem.expression import Side, Statement
@@ -173,7 +174,8 @@ def _of_member(member: Member) -> Iterator[Formula]:
     for spec in keys_of(type(member)):
         value = getattr(member, spec.name)
         if value is not None and not isinstance(value, str):
-            yield from _of_key(value, spec, f"{spec.name} of the {member.kind}")
+            for formula in _of_key(value, spec, f"{spec.name} of the {member.kind}"):
+                yield replace(formula, unit=None) if spec.name in member.derived else formula
 
 
 def _of_key(value: object, spec: KeySpec, what: str) -> Iterator[Formula]:

@@ -10,6 +10,7 @@ A member of a shelf is a frozen dataclass; each field is one YAML key, declared 
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import MISSING, field, fields
 from typing import Any
 
@@ -157,6 +158,16 @@ class KeySpec:
     type: KeyType
     doc: str
     required: bool
+
+
+SPELT = {"point": "at", "at": "point"}
+"""Keys that mean another one, in entries that have only the other."""
+
+
+def spellings(names: Iterable[str]) -> dict[str, str]:
+    """Other spellings of these keys of an entry: each with the key that it means."""
+    known = frozenset(names)
+    return {other: meant for other, meant in SPELT.items() if meant in known and other not in known}
 
 
 def key(key_type: KeyType, doc: str, *, default: Any = MISSING, name: str | None = None) -> Any:

@@ -99,7 +99,7 @@ def _surface(scene: Outlined, surface: Surface, point: Vec, mark: Mark) -> Outli
         tangent = scene.surface_direction(surface)
         off = (point - scene.carried(body, shape.through)).cross(tangent)
         _demand_on(scene.is_zero(scene.as_drawn(off)), surface, mark, "let the line go `through:` it")
-        return Outline("straight", body, tangent, drift=_drift(scene, surface, tangent))
+        return Outline("straight", body, tangent, drift=_drift(scene, surface, tangent), floor=surface.inferred)
     if isinstance(shape, Circle):
         center, radius = scene.carried(body, shape.center), scene.value(shape.radius)
         out = point - center

@@ -59,8 +59,9 @@ class Reactions:
     def force(self, q: Quantity, kinds: tuple[str, ...] | None) -> Vec:
         """The sum of a joint's forces of these kinds (None: all) on the named body."""
         skids = [w for w in self.wrenches if w.kind == "skid" and self.joints.get(w.name) == q.things[0]]
+        named = q.things[-1] if any(w.body == q.things[-1] for w in skids) else None
         for wrench in skids:
-            if wrench.force is not None and (len(q.things) == 1 or wrench.body == q.things[1]):
+            if wrench.force is not None and (wrench.body == named or (named is None and len(q.things) == 1)):
                 return wrench.force
         chosen = [(p, e) for p, e in self._of(q) if p.unit == "N" and (kinds is None or p.kind in kinds)]
         if not chosen:
@@ -74,7 +75,7 @@ class Reactions:
         return total
 
     def _body(self, q: Quantity, pushes: list[Push]) -> str:
-        """On whom: the body after the slash, or the one whose partner is the ground."""
+        """On whom: the body after the slash, else the one beside the ground, else that of the joint's name."""
         bodies = list(dict.fromkeys(a.body for p in pushes for a in p.actions))
         if len(q.things) == 2:
             if q.things[1] not in bodies:
@@ -85,6 +86,8 @@ class Reactions:
         moving = [b for b in bodies if b != GROUND]
         if len(moving) == 1:
             return moving[0]
+        if q.things[0] in bodies:
+            return q.things[0]
         raise refuse(
             q.mark,
             "PL559",

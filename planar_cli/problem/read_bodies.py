@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from planar_cli.errors import Mark
 from planar_cli.problem import reading
-from planar_cli.problem.expression import Name
+from planar_cli.problem.expression import Name, Number
 from planar_cli.problem.fields import Fields
 from planar_cli.problem.nodes import Mapping, Node, Scalar, Sequence
 from planar_cli.problem.read_points import coordinates
@@ -84,15 +84,18 @@ def read_bodies(node: Node, report: Report, numbers: frozenset[str]) -> tuple[Bo
 
 
 def _body(name: str, shape: Shape, fields: Fields, key: Scalar) -> Body:
-    any_mass = _is_any(fields)
+    any_mass, any_inertia = _is_any(fields, "mass"), _is_any(fields, "inertia")
     mass = None if any_mass else fields.side("mass")
     weight = fields.side("weight")
     if "mass" in fields and weight is not None:
         fields.report.add(
             fields.place("weight"), "PL332", f"{fields.what} has both mass and weight", "give one of them"
         )
-    inertia, gyration = fields.side("inertia"), fields.side("radius_of_gyration")
-    if inertia is not None and gyration is not None:
+    inertia = None if any_inertia else fields.side("inertia")
+    gyration = fields.side("radius_of_gyration")
+    if isinstance(mass, Number) and mass.value == 0 and inertia is not None:
+        mass = None  # a wheel that is light, and is still hard to turn
+    if "inertia" in fields and gyration is not None:
         fields.report.add(
             fields.place("radius_of_gyration"),
             "PL332",
@@ -104,7 +107,9 @@ def _body(name: str, shape: Shape, fields: Fields, key: Scalar) -> Body:
         fields.report.add(
             fields.place("about"), "PL333", "'about' says about which point the inertia is taken; there is no inertia"
         )
-    return Body(name, shape, mass, weight, any_mass, inertia, gyration, about, _names(fields, "points"), key.mark)
+    return Body(
+        name, shape, mass, weight, any_mass, inertia, gyration, about, _names(fields, "points"), key.mark, any_inertia
+    )
 
 
 def _settled(shape: Shape, numbers: frozenset[str], mark: Mark) -> Shape:
@@ -117,8 +122,8 @@ def _settled(shape: Shape, numbers: frozenset[str], mark: Mark) -> Shape:
     return shape
 
 
-def _is_any(fields: Fields) -> bool:
-    node = fields.node("mass")
+def _is_any(fields: Fields, key: str) -> bool:
+    node = fields.node(key)
     return isinstance(node, Scalar) and node.text == "any"
 
 
@@ -161,10 +166,6 @@ def _particle(fields: Fields) -> Particle:
         return Particle(coordinates(node, fields.report) or "")
     if node is None or (isinstance(node, Scalar) and node.text == "free"):
         return Particle(None)
-    if isinstance(node, Mapping):
-        hint = "give the place a name under `points`, then `particle: P`; or `[x, y]`, or `free`"
-        fields.report.add(node.mark, "PL334", "a particle is at a named point, at coordinates, or free", hint)
-        return Particle("")
     return Particle(reading.name(node, "a point, `[x, y]` or `free`", fields.report))
 
 
@@ -179,6 +180,9 @@ def _rod(fields: Fields) -> Rod:
     start = reading.name(node.items[0], "a point", fields.report)
     end = node.items[1]
     if isinstance(end, Scalar) and NAME.fullmatch(end.text):
+        if end.text == start:
+            text = f"a rod is given by two points, and both are {start}"
+            fields.report.add(end.mark, "PL322", text, "`rod: [A, B]` or `[A, 30 deg]`")
         return Rod(start, end.text, None, length)
     return Rod(start, None, reading.side(end, "angle", fields.report), length)
 

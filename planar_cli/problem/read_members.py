@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import Field
+import re
+from dataclasses import Field, replace
 from typing import Any
 
 from planar_cli.joints.base import Joint
 from planar_cli.loads.base import Load
 from planar_cli.problem import reading
 from planar_cli.problem.fields import Fields
-from planar_cli.problem.keys import KeySpec, RopeStop, keys_of
+from planar_cli.problem.keys import Choice, KeySpec, RopeStop, keys_of, spellings
 from planar_cli.problem.nodes import Mapping, Node, Scalar
 from planar_cli.problem.read_values import Names, read_value
 from planar_cli.problem.reading import Report
@@ -126,7 +127,16 @@ class _Entry:
         allowed = (*(spec.name for spec in specs), *COMMON)
         slips = {key: hint for key, hint in SLIPS.items() if key not in allowed}
         example = f"{self.kind.text}: {{{', '.join(f'{spec.name}: …' for spec in specs if spec.required)}}}"
-        return Fields(self.value, allowed, f"the {self.kind.text}", self.report, slips, example)
+        return Fields(self._as_meant(allowed), allowed, f"the {self.kind.text}", self.report, slips, example)
+
+    def _as_meant(self, allowed: tuple[str, ...]) -> Node:
+        """What is written, with another spelling of a key as that key, where the key itself is not written too."""
+        if not isinstance(self.value, Mapping):
+            return self.value
+        written, meant = frozenset(self.value.keys()), spellings(allowed)
+        known = {other: key for other, key in meant.items() if key not in written}
+        renamed = ((replace(key, text=known.get(key.text, key.text)), value) for key, value in self.value.pairs)
+        return Mapping(tuple(renamed), self.value.mark)
 
     def _value(self, fields: Fields, spec: KeySpec) -> Any:
         node = fields.need(spec.name, spec.doc) if spec.required else fields.node(spec.name)
@@ -144,7 +154,18 @@ class _Entry:
                 place = fields.place(min(written)) if written else self.kind.mark
                 about = listed_groups(choice.groups)
                 message = f"the {self.kind.text} takes {about}; here is {said}"
-                self.report.add(place, "PL314", message, f"write {choice.hint}")
+                self.report.add(place, "PL314", message, f"write {self._hint(choice, fields)}")
+
+    @staticmethod
+    def _hint(choice: Choice, fields: Fields) -> str:
+        """The hint of a choice, with the names that the file has at its keys."""
+        hint = choice.hint
+        for key in fields.present() & choice.names():
+            node = fields.node(key)
+            if isinstance(node, Scalar) and reading.NAME.fullmatch(node.text):
+                before, found, after = re.split(rf"(`{key}: [A-Za-z]\w*`)|$", hint, maxsplit=1)
+                hint = f"{before}`{key}: {node.text}`{after}" if found else hint
+        return hint
 
     def _name(self, fields: Fields, values: dict[str, Any]) -> str:
         """`name:`, else that of its point, else that of its first body."""

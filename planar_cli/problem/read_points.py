@@ -5,7 +5,7 @@ from __future__ import annotations
 from planar_cli.problem import reading
 from planar_cli.problem.expression import Side
 from planar_cli.problem.fields import Fields
-from planar_cli.problem.nodes import Node, Scalar, Sequence
+from planar_cli.problem.nodes import Mapping, Node, Scalar, Sequence
 from planar_cli.problem.reading import Report
 from planar_cli.problem.scene import (
     At,
@@ -21,7 +21,21 @@ from planar_cli.problem.scene import (
     TwoFacts,
 )
 
-POINT_KEYS = ("from", "distance", "angle", "towards", "midpoint", "x", "y", "line", "distances", "side")
+POINT_KEYS = ("from", "distance", "angle", "towards", "midpoint", "x", "y", "line", "on", "distances", "side")
+POINT_SLIPS = {
+    "length": "write `distance: …`",
+    "r": "write `distance: …`",
+    "to": "write `towards: …`",
+    "toward": "write `towards: …`",
+    "direction": "write `angle: …`, or `towards: B`",
+    "theta": "write `angle: …`",
+    "dx": "write `[x, y]`, or `{from: A, distance: l, angle: 30 deg}`",
+    "dy": "write `[x, y]`, or `{from: A, distance: l, angle: 30 deg}`",
+    "at": "write the place itself: `A: [0, 0.2 m]`",
+    "polar": "write `{from: A, distance: l, angle: 30 deg}`",
+    "between": "write `midpoint: [A, B]`",
+}
+LINE_KEYS = ("through", "angle")
 SURFACE_KEYS = ("through", "angle", "center", "radius", "y", "r", "body", "speed")
 SIDES = ("left", "right", "above", "below")
 POINT_EXAMPLE = "A: [0, 0.2 m]"
@@ -60,7 +74,7 @@ def _place(node: Node, what: str, report: Report) -> Place:
     if isinstance(node, Scalar):
         report.add(node.mark, "PL320", f"{what} has no place that can be read: '{node.text}'", POINT_FORMS)
         return TwoFacts(None, None, None, (), None)
-    fields = Fields(node, POINT_KEYS, what, report)
+    fields = Fields(node, POINT_KEYS, what, report, POINT_SLIPS)
     if "midpoint" in fields:
         return _midpoint(fields)
     if "from" in fields:
@@ -93,9 +107,12 @@ def pair_of_names(node: Node | None, example: str, report: Report) -> tuple[str,
     return reading.name(node.items[0], "a point", report), reading.name(node.items[1], "a point", report)
 
 
-def _from(fields: Fields) -> Polar | Towards:
+def _from(fields: Fields) -> Polar | Towards | TwoFacts:
     origin = fields.need_name("from", "a point")
     distance = fields.need_side("distance")
+    if fields.present() & {"line", "on"}:
+        _alone(fields, {"from", "distance", "line", "on", "side"})
+        return TwoFacts(None, None, _line(fields), ((origin, distance),), _side_word(fields))
     if "towards" in fields:
         _alone(fields, {"from", "distance", "towards"})
         return Towards(origin, fields.need_name("towards", "a point"), distance)
@@ -106,7 +123,7 @@ def _from(fields: Fields) -> Polar | Towards:
 def _two_facts(fields: Fields) -> TwoFacts:
     line = _line(fields)
     distances = _distances(fields)
-    facts = len(distances) + sum(key in fields for key in ("x", "y", "line"))
+    facts = len(distances) + sum(key in fields for key in ("x", "y", "line", "on"))
     stray = fields.present() & {"distance", "angle", "towards"}
     if stray:
         fields.report.add(fields.place(min(stray)), "PL321", f"{fields.what} needs the key 'from'", POINT_FORMS)
@@ -126,9 +143,14 @@ def _side_word(fields: Fields) -> str | None:
 
 
 def _line(fields: Fields) -> tuple[str, Side] | None:
-    node = fields.node("line")
+    node = fields.node("line") or fields.node("on")
     if node is None:
         return None
+    if "line" in fields and "on" in fields:
+        fields.report.add(fields.place("on"), "PL321", f"{fields.what} has both line and on", "give one of them")
+    if isinstance(node, Mapping):
+        inner = Fields(node, LINE_KEYS, f"the line of {fields.what}", fields.report)
+        return inner.need_name("through", "a point"), inner.need_side("angle")
     if not isinstance(node, Sequence) or len(node.items) != 2:
         fields.report.add(node.mark, "PL322", "a line is a point and an angle", "write `line: [A, 30 deg]`")
         return None

@@ -61,12 +61,24 @@ def with_units(whole: Fields, section: str) -> tuple[Symbol, ...]:
     node = whole.node(section)
     if node is None:
         return ()
+    if isinstance(node, Sequence):
+        return _without_units(node, section, whole)
     example = {"symbols": "symbols: {L: m}", "unknowns": "unknowns: {F: N}"}.get(section, "coordinates: {theta: deg}")
     return tuple(
         Symbol(key.text, None, _unit(key, value, section, whole), key.mark)
         for key, value in reading.pairs(node, section, whole.report, example)
         if _is_name(key, whole)
     )
+
+
+def _without_units(node: Sequence, section: str, whole: Fields) -> tuple[Symbol, ...]:
+    """A list of names, which is refused; the names are known all the same."""
+    listed = [item for item in node.items if isinstance(item, Scalar)]
+    named = [item for item in listed if reading.NAME.fullmatch(item.text)]
+    pairs = ", ".join(f"{item.text}: UNIT" for item in named) or "F: N"
+    hint = f"write `{section}: {{{pairs}}}`, each with its unit: N, deg, m/s, or `1` for a pure number"
+    whole.report.add(node.mark, "PL301", f"{section} holds names with their units, not a list", hint)
+    return tuple(Symbol(item.text, None, "", item.mark) for item in named)
 
 
 def _unit(key: Scalar, node: Node, section: str, whole: Fields) -> str:

@@ -128,13 +128,17 @@ class Curve:
 
 @record
 class Surface:
-    """`body`: the body that carries it (None: the ground); `speed`: of a belt running along its angle."""
+    """`body`: the body that carries it (None: the ground); `speed`: of a belt running along its angle.
+
+    `inferred`: the floor of a file that says only `ground`, on which its bodies stand.
+    """
 
     name: str
     shape: Line | Circle | Curve
     body: str | None
     speed: Side | None
     mark: Mark
+    inferred: bool = False
 
 
 @record
@@ -215,7 +219,7 @@ Shape = Particle | Rod | Round | Sector | Plate | Outline | Composite
 
 @record
 class Body:
-    """`mass`, `weight`: one of them or neither (massless); `any_mass`: `mass: any`, must cancel.
+    """`mass`, `weight`: one of them or neither (massless); `any_mass`, `any_inertia`: `any`, must cancel.
 
     `inertia`, `gyration` replace the uniform value; about the mass centre, or about the point `about`.
     `points`: further named points that belong to the body.
@@ -231,6 +235,7 @@ class Body:
     about: str | None
     points: tuple[str, ...]
     mark: Mark
+    any_inertia: bool = False
 
     @property
     def is_round(self) -> bool:

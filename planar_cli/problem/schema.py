@@ -25,6 +25,7 @@ from planar_cli.problem.keys import (
     StatementsKey,
     WordKey,
     keys_of,
+    spellings,
 )
 from planar_cli.problem.read_points import SIDES
 from planar_cli.problem.read_sections import PLANES
@@ -113,10 +114,13 @@ def _own() -> Schema:
 
 def _point() -> Schema:
     place, side = ref("place"), ref("side")
+    pair = {"type": "array", "items": [place, side], "minItems": 2, "maxItems": 2}
+    line = {"anyOf": [pair, record({"through": place, "angle": side}, ["through", "angle"])]}
+    lines = {"line": line, "on": line}
     facts = {
         "x": side,
         "y": side,
-        "line": {"type": "array", "items": [place, side], "minItems": 2, "maxItems": 2},
+        **lines,
         "distances": named(side, "point: distance"),
         "side": {"enum": list(SIDES)},
     }
@@ -125,6 +129,7 @@ def _point() -> Schema:
             listing(side, 2, 2),
             record({"from": place, "distance": side, "angle": side}, ["from", "distance", "angle"]),
             record({"from": place, "towards": place, "distance": side}, ["from", "towards", "distance"]),
+            *(record({"from": place, "distance": side, k: line, "side": facts["side"]}, ["from", k]) for k in lines),
             record({"midpoint": listing(place, 2, 2)}, ["midpoint"]),
             record(facts, []),
         ]
@@ -161,10 +166,15 @@ def _kind(member: type) -> Schema:
     choices: tuple[Choice, ...] = vars(member).get("choices", ())
     keys = {spec.name: {**_key(spec.type, spec), "description": spec.doc} for spec in specs}
     keys |= {"name": ref("name"), "during": SPAN}
-    made = record(keys, [spec.name for spec in specs if spec.required])
+    others = spellings(keys)
+    meant = {key: other for other, key in others.items()}
+    keys |= {other: keys[key] for other, key in others.items()}
+    made = record(keys, [spec.name for spec in specs if spec.required and spec.name not in meant])
     made["description"] = (member.__doc__ or "").partition("\n")[0]
-    if choices:
-        made["allOf"] = [{"oneOf": [group(g, choice.names()) for g in choice.groups]} for choice in choices]
+    chosen = [{"oneOf": [group(g, choice.names(), meant) for g in choice.groups]} for choice in choices]
+    needed = [{"oneOf": [group((s.name,), frozenset(), meant)]} for s in specs if s.required and s.name in meant]
+    if chosen or needed:
+        made["allOf"] = chosen + needed
     return made
 
 

@@ -19,7 +19,7 @@ NEEDED = {
 DOCS = {
     "mass": "its mass; `any` where it is not given and must cancel",
     "weight": "its weight instead of its mass",
-    "inertia": "moment of inertia about the mass centre, or about `about`",
+    "inertia": "moment of inertia about the mass centre, or about `about`; `any` where it must cancel",
     "radius_of_gyration": "about the mass centre, or about `about`",
 }
 
@@ -28,7 +28,7 @@ def _value(shape: str) -> Schema:
     """What stands at the key of a shape."""
     match shape:
         case "particle":
-            return {"anyOf": [ref("name"), listing(ref("side"), 2, 2)]}
+            return ref("place")
         case "rod":
             ends = [ref("place"), {"anyOf": [ref("place"), ref("side")]}]
             return {"type": "array", "items": ends, "minItems": 2, "maxItems": 2}

@@ -41,8 +41,13 @@ def listing(item: Schema, least: int, most: int = 0) -> Schema:
     return {**made, "maxItems": most} if most else made
 
 
-def group(keys: tuple[str, ...], all_keys: frozenset[str]) -> Schema:
-    """These keys, and none of the others of a choice."""
+def group(keys: tuple[str, ...], all_keys: frozenset[str], meant: Mapping[str, str]) -> Schema:
+    """These keys, and none of the others of a choice; `meant`: other spellings of keys, each stands for its key."""
     others = sorted(all_keys - frozenset(keys))
-    made: Schema = {"required": list(keys)} if keys else {}
+    others += [meant[key] for key in others if key in meant]
+    plain = [key for key in keys if key not in meant]
+    made: Schema = {"required": plain} if plain else {}
+    either = [{"oneOf": [{"required": [key]}, {"required": [meant[key]]}]} for key in keys if key in meant]
+    if either:
+        made["allOf"] = either
     return {**made, "not": {"anyOf": [{"required": [key]} for key in others]}} if others else made

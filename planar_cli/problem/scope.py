@@ -112,7 +112,7 @@ class Scope:
         ]
         holder = member.holder() if isinstance(member, Joint) else None
         named += [] if holder is None else [holder]
-        named += [stop.body for stop in self._stops(member) if stop.body]
+        named += [stop.body for stop in self.stops(member) if stop.body]
         return tuple(self.carrier(n) for n in named)
 
     def mentioned(self, member: Member) -> set[str]:
@@ -123,7 +123,8 @@ class Scope:
         return found
 
     @staticmethod
-    def _stops(member: Member) -> tuple[RopeStop, ...]:
+    def stops(member: Member) -> tuple[RopeStop, ...]:
+        """The stops of a rope; of anything else none."""
         path = getattr(member, "path", ())
         return tuple(stop for stop in path if isinstance(stop, RopeStop))
 

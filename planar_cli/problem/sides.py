@@ -30,6 +30,7 @@ from planar_cli.problem.words import (
     DIRECTED_PARTS,
     FUNCTIONS,
     MODES,
+    OF_ALL,
     PART_HABITS,
     PARTS,
     QUANTITIES,
@@ -289,6 +290,8 @@ class SideParser(InstantParser):
 
     def _things(self, word: Token) -> tuple[str, ...]:
         cursor = self.cursor
+        if word.text in OF_ALL and cursor.is_sign(")"):
+            return ("all",)
         things = [self._thing(word)]
         while cursor.accept("/"):
             things.append(self._thing(word))

@@ -15,8 +15,9 @@ from planar_cli.problem import reading
 from planar_cli.problem.assumed_of_unknowns import with_assumed
 from planar_cli.problem.checks import check
 from planar_cli.problem.fields import Fields
+from planar_cli.problem.grounds import Floor, with_floor
 from planar_cli.problem.in_time import in_time
-from planar_cli.problem.nodes import Mapping, Node, read_file, read_text
+from planar_cli.problem.nodes import Mapping, Node, Scalar, read_file, read_text
 from planar_cli.problem.points_at_rest import RestingPoints
 from planar_cli.problem.read_bodies import read_bodies
 from planar_cli.problem.read_cases import OWN, merged
@@ -26,7 +27,8 @@ from planar_cli.problem.read_values import Names
 from planar_cli.problem.reading import Report
 from planar_cli.problem.scene import Body, Case, Point, Problem, Surface
 from planar_cli.problem.touching_points import with_touching_points
-from planar_cli.problem.unnamed_places import free_names, with_named_places
+from planar_cli.problem.unnamed_places import free_name, free_names, with_named_places
+from planar_cli.problem.whose_load import with_bodies
 from planar_cli.registry import modules
 
 Scene = tuple[tuple[Point, ...], tuple[Surface, ...], tuple[Body, ...], tuple[Joint, ...], tuple[Load, ...]]
@@ -183,11 +185,17 @@ def _scene(whole: Fields, numbers: frozenset[str]) -> Scene:
     read_body = () if bodies is None else read_bodies(bodies, report, numbers)
     names = Names(frozenset(b.name for b in read_body), frozenset(s.name for s in read_surface))
     read_joint = () if joints is None else read_joints(joints, names, report)
-    touching = with_touching_points(read_joint, read_body, read_surface, free_names("C", everything), report)
+    names_c, plane = free_names("C", everything), whole.node("plane")
+    said = plane.text if isinstance(plane, Scalar) else None
+    named = [node for key in KEYS if key not in WORDS and (node := whole.node(key)) is not None]
+    floor = Floor(said, free_name("floor", named), names_c)
+    standing = with_floor(read_joint, read_body, floor, report)
+    read_surface = (*read_surface, *standing.surfaces)
+    touching = with_touching_points(standing.joints, read_body, read_surface, names_c, report)
     return (
-        (*(() if points is None else read_points(points, report)), *touching[1]),
+        (*(() if points is None else read_points(points, report)), *standing.points, *touching[1]),
         read_surface,
         read_body,
         touching[0],
-        () if loads is None else read_loads(loads, names, report),
+        () if loads is None else with_bodies(read_loads(loads, names, report), touching[0], read_body, report),
     )

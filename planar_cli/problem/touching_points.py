@@ -12,7 +12,7 @@ from typing import Any
 from planar_cli.joints.base import Joint
 from planar_cli.problem.expression import Side
 from planar_cli.problem.reading import Report
-from planar_cli.problem.scene import Body, Circle, Foot, Line, Particle, Place, Point, Rims, Rod, Round, Surface
+from planar_cli.problem.scene import GROUND, Body, Circle, Foot, Line, Particle, Place, Point, Rims, Rod, Round, Surface
 from planar_cli.records import record
 
 HINT = "the point where they touch"
@@ -55,8 +55,10 @@ def with_touching_points(
         elif found is not None:
             points.append(Point(next(names), found, joint.mark))
             read.append(replace(touching, at=points[-1].name))
-        else:
+        elif GROUND not in touching.between:
             report.add(joint.mark, "PL311", f"the {joint.kind} needs the key 'at'", HINT)
+            read.append(joint)
+        else:
             read.append(joint)
     return tuple(read), tuple(points)
 

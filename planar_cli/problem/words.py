@@ -29,6 +29,9 @@ QUANTITIES: Mapping[str, Form] = MappingProxyType(
     }
 )
 
+OF_ALL = frozenset(("KE", "PE", "mass", "momentum"))
+"""Quantities that with an empty bracket are those of the whole system."""
+
 _PHRASES = frozenset(("is", "largest", "smallest", "at", "equilibrium", "just", "during", "in", "cw", "ccw"))
 _BOOLEANS = frozenset(("on", "off", "yes", "no", "true", "false", "null"))
 _OWNERS = frozenset(("ground", "all"))

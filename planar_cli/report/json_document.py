@@ -17,7 +17,7 @@ from planar_cli.equation.plain import PRINTABLE, longer
 from planar_cli.homework.verdict import Verdict
 from planar_cli.report.effects import effects
 from planar_cli.report.narrate import phrases_in
-from planar_cli.report.words import answer_text, rounded, si_text, told_unit
+from planar_cli.report.words import answer_text, in_si, rounded, si_text, told_unit
 from planar_cli.solve.instant.algebra import Line
 from planar_cli.solve.instant.instant import Trial
 from planar_cli.solve.instant.stages import Stage
@@ -84,7 +84,9 @@ def failure_data(problem: str, outcome: str, message: str, diagnostics: Sequence
 
 
 def _answer(found: Found, part: PartSolution, figures: int) -> dict[str, Any]:
-    unit = told_unit(found.unit, found.energy)
+    # Formulas are in SI units whatever is asked.
+    formula = found.values is None and bool(found.expressions)
+    unit = told_unit(in_si(found.unit) if formula else found.unit, found.energy)
     digits = part.instants[-1].checks.get("digits") if part.instants else _digits(found, part)
     return {
         "value": _value(found),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from planar_cli.problem.unused import unused
 from planar_cli.report.blocks import Answer, Block, Check, Document, Heading, Note, Paragraph, line
 from planar_cli.report.checks import check_blocks
 from planar_cli.report.discussion import discussion_lines
@@ -28,6 +29,8 @@ def narrate(solution: Solution, figures: int = 4, audience: str = "exam", why: s
     if why is not None and not any(f.name == why for part in solution.parts for f in part.found):
         raise KeyError(why)
     told: set[tuple[str, ...]] = set()
+    if surplus := unused(problem):
+        blocks.append(Note("Not used", line(f"{', '.join(surplus)}: nothing that is asked or acts names it")))
     for part in solution.parts:
         if why is not None and not any(f.name == why for f in part.found):
             continue

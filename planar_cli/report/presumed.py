@@ -19,6 +19,7 @@ LONGEST = 30
 def presumed_notes(part: PartSolution, phrases: Phrases) -> Iterator[Note]:
     """One line for each sign: the file may `assume` it, or the other."""
     signs = [e for instant in part.instants for e in instant.instant.scene.presumed()]
+    signs += [e for instant in part.instants for e in instant.conditions]
     if part.motion is not None:
         signs += part.motion.presumed
     for expr in dict.fromkeys(signs):

@@ -198,7 +198,7 @@ def answer_line(found: Found, phrases: Phrases) -> Line:
         for i, expr in enumerate(found.expressions or ()):
             parts += [Text("[" if i == 0 and found.kind == "vector" else ", " if i else ""), Math(expr)]
         line = (*parts, Text("]")) if found.kind == "vector" else tuple(p for p in parts if p != Text(""))
-        return (*line, *_unit_of_formula(found, phrases))
+        return (*_in_asked_unit(line, found, phrases), *_unit_of_formula(found, phrases))
     numbers = [display(v, found.unit) for v in found.values]
     unit = told_unit(found.unit, found.energy)
     if found.kind == "vector":
@@ -211,11 +211,28 @@ def answer_line(found: Found, phrases: Phrases) -> Line:
 
 
 def _unit_of_formula(found: Found, phrases: Phrases) -> Line:
-    """In which units a formula counts that holds time, coordinates and numbers, but no other letters."""
-    if phrases.letters or found.unit.text == "1":
+    """In which units a formula counts that holds time, coordinates and numbers, but no other letters; with letters it
+    has the unit that these make of it, whatever was asked.
+    """
+    if phrases.letters:
+        asked = found.find.found.unit if found.find is not None else None
+        if asked is None or found.unit.angle or display(Decimal(1), found.unit) == 1:
+            return ()
+        return (Text(f" (it has the unit of its letters; {_unit_only(asked)} is for numbers)"),)
+    if found.unit.text == "1":
         return ()
     timed = any(s.name == "t" for e in found.expressions or () for s in e.free_symbols)
-    return (Text(f" (in {_unit_only(si_text(found.unit))}{', t in s' if timed else ''})"),)
+    return (Text(f" (in {_unit_only(found.unit.text)}{', t in s' if timed else ''})"),)
+
+
+def _in_asked_unit(line: Line, found: Found, phrases: Phrases) -> Line:
+    """A formula, whose numbers are in SI units, times what makes it one in the unit of the answer."""
+    factor = display(Decimal(1), found.unit)
+    if phrases.letters or factor == 1 or all(e == 0 for e in found.expressions or ()):
+        return line
+    head = Text(f"{significant(factor, phrases.figures)} · ")
+    whole = found.kind == "vector" or not (found.expressions or (sp.S.One,))[0].is_Add
+    return (head, *line) if whole else (head, Text("("), *line, Text(")"))
 
 
 def curve_line(curve: Curve, phrases: Phrases, hodograph: bool = False) -> Line:

@@ -139,7 +139,7 @@ class Study:
 
     rows: tuple[Row, ...]
     reference: Reference
-    growth: Growth
+    growth: Growth | None
     advice: tuple[Advice, ...]
     ran: Ran
     """The run of the reference."""
@@ -308,11 +308,13 @@ def _checks(subject: Subject, ran: Ran, settings: Sequence[tuple[str, float]]) -
             yield kind, tolerance, largest(ran.values, check.values)
 
 
-def _growth(subject: Subject, finest: float) -> Growth:
-    """How the difference of two starts grows until they meet different events, or the end."""
+def _growth(subject: Subject, finest: float) -> Growth | None:
+    """How the difference of two starts grows until they meet different events, or the end; None: that is at once."""
     other = subject.run(AUTOMATIC, finest, None, SHIFT)
     plain = subject.run(AUTOMATIC, finest)
     end = min(plain.t1, other.t1)
+    if end == plain.t0:
+        return None
     times = [plain.t0 + (end - plain.t0) * k / SAMPLES for k in range(SAMPLES + 1)]
     return growth([(t, largest(plain.path(t), other.path(t))) for t in times], SHIFT)
 

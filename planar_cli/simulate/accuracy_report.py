@@ -8,6 +8,8 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import Any
 
+from planar_cli.integrators.base import EPSILON
+from planar_cli.motion.estimate import Growth
 from planar_cli.records import record
 from planar_cli.simulate.accuracy import Advice, Row, Study
 from planar_cli.simulate.diagram import diagram
@@ -93,7 +95,7 @@ def _line(title: str, study: Study) -> tuple[str, ...]:
     by_tolerance = [(abs(math.log(r.tolerance / MIDDLE)), r) for r in study.rows if r.tolerance]
     row = min(by_tolerance, key=lambda found: found[0])[1] if by_tolerance else None
     six = next((a.row for a in study.advice if a.digits == SIX), None)
-    horizon = "-" if study.growth.horizon is None else f"{study.growth.horizon:.3g} s"
+    horizon = "-" if study.growth is None or study.growth.horizon is None else f"{study.growth.horizon:.3g} s"
     ended = study.ran.refused or (row.note if row is not None else "") or _happened(study)
     figures = ("-",) * 5
     if row is not None:
@@ -158,7 +160,7 @@ def _study_data(study: Study) -> dict[str, Any]:
             for r in study.rows
         ],
         "recommended": [_advised(a) for a in study.advice],
-        "growth": {"factor": grown.factor, "horizon": grown.horizon, "extrapolated": grown.extrapolated},
+        "growth": None if grown is None else _growth_data(grown),
     }
 
 
@@ -184,12 +186,24 @@ def _conclusions(study: Study) -> Iterator[str]:
         else:
             yield f"{advice.digits} digits: {row.integrator} with {row.setting}, {_time(row.seconds)}"
     grown = study.growth
+    if grown is None:
+        yield "How a unit in the last place at the start grows is not told: a motion that begins with it ends at once."
+        return
     yield f"A unit in the last place at the start is {grown.factor:.1e} units at the end."
     if grown.horizon is None:
-        yield "Digits keep their meaning throughout."
+        yield f"Up to {_meaningful(grown)} digits mean something throughout."
     else:
         how = "If differences go on growing like that, digits" if grown.extrapolated else "Digits"
         yield f"{how} mean nothing beyond t = {grown.horizon:.3g} s."
+
+
+def _growth_data(grown: Growth) -> dict[str, Any]:
+    return {"factor": grown.factor, "horizon": grown.horizon, "extrapolated": grown.extrapolated}
+
+
+def _meaningful(grown: Growth) -> int:
+    """How many digits are left of a number in machine arithmetic."""
+    return math.floor(-math.log10(EPSILON * max(grown.factor, 1.0)))
 
 
 def _why_none(study: Study, digits: int) -> str:

@@ -94,11 +94,19 @@ class Prepared:
     def begin(self, shift: float) -> Start:
         """Forget earlier runs. `shift`: the start is displaced by this part of the scales, as far as joints allow."""
         t, y = self.start.t, self.start.y
+        self.stages.begin(t, y)
         if shift:
             moved = [a + b for a, b in zip(y, shifts(self.model.scale, shift), strict=True)]
-            y = tuple(self.model.regime().project(t, moved))
-        self.stages.begin(t, y)
+            y = tuple(self._first_regime().project(t, moved))
+            self.stages.begin(t, y)
         return replace(self.start, y=y)
+
+    def _first_regime(self) -> Regime:
+        """The modes that the motion begins with; where these are not told, the natural ones."""
+        automaton, start = self.stages.automaton((_first(self.problem),)), self.start
+        choice = start.choice or (0,) * len(automaton.choices)
+        found = resolve(Instant(automaton, start.t, start.y, choice, "", TOLERANCE))
+        return automaton.model.regime(found.choice) if isinstance(found, Resolved) else self.model.regime()
 
 
 @record

@@ -10,17 +10,17 @@ class Solved:
     """One problem solved."""
 
     digits: int | None
-    """To so many digits two independent roads agree; None where there is no solution."""
+    """To so many digits two independent roads agree; None where none are known."""
     seconds: float
     """With the import of what it needs."""
     why: str = ""
-    """Why there is no solution."""
+    """Why none are known."""
 
     @property
     def words(self) -> str:
         """As a sentence."""
         if self.digits is None:
-            return f"`planar solve` gives no answer: {self.why}"
+            return f"`planar solve` has no digits to tell of its answers: {self.why}"
         return (
             f"`planar solve` takes {self.seconds:.2g} s and is certain of {self.digits} digits, however many are asked."
         )

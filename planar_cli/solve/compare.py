@@ -13,6 +13,8 @@ from planar_cli.solve.run import solve_problem
 from planar_cli.solve.solved_problem import PartSolution
 
 NOT_REACHED = "PL570"
+TOGETHER = "together"
+"""No method by itself: any law of any of them."""
 
 
 @record
@@ -27,26 +29,30 @@ class Row:
 
 
 def compare_methods(problem: Problem) -> tuple[Row, ...]:
-    """One row for each principle of the shelf, the shortest plan first."""
+    """One row for each principle of the shelf, the shortest plan first; before them, where none reaches everything, one
+    for their laws together.
+    """
     rows = []
     for principle in every_principle():
         objection = principle.objection(problem)
         kind = principle.kind
         rows.append(Row(kind, 0, 0, (), objection) if objection else _row(problem, kind))
-    return tuple(sorted(rows, key=lambda r: (bool(r.objection), r.equations, not principle_of(r.method).usual)))
+    rows = sorted(rows, key=lambda r: (bool(r.objection), r.equations, not principle_of(r.method).usual))
+    together = [_row(problem, None)] if problem.method is None and all(r.objection for r in rows) else []
+    return (*together, *rows)
 
 
-def _row(problem: Problem, kind: str) -> Row:
-    """What one method makes of a problem; of finds that it does not reach it is said why."""
+def _row(problem: Problem, kind: str | None) -> Row:
+    """What one method makes of a problem, or all together; of finds that it does not reach it is said why."""
     try:
         solution = solve_problem(problem, kind)
     except FileProblem as error:
-        if any(d.code != NOT_REACHED for d in error.diagnostics):
+        if kind is None or any(d.code != NOT_REACHED for d in error.diagnostics):
             raise
         return _partly(problem, kind, error.diagnostics[0].message)
     names = tuple(f.name for part in solution.parts for f in part.found)
     efforts = [_effort(part) for part in solution.parts]
-    return Row(kind, sum(n for n, _ in efforts), max((b for _, b in efforts), default=0), names, "")
+    return Row(kind or TOGETHER, sum(n for n, _ in efforts), max((b for _, b in efforts), default=0), names, "")
 
 
 def _partly(problem: Problem, kind: str, why: str) -> Row:

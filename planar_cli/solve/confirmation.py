@@ -40,6 +40,7 @@ TOUCHING = 3e-6
 FAINT = 1e-9
 """Speeds below this part of their scale may be the rounding of rest."""
 DIFFERENT = "PL720"
+AT_REST = (0.0, 0.0, 0.0)
 READ_OFF = "rests on a number that only the motion that was followed gives"
 NOT_ABLE = {
     "PL702": "the equations of motion do not tell how it goes on",
@@ -118,10 +119,15 @@ def _confirmed(
         estimate=False,
         times=times,
     )
+    untold: tuple[Diagnostic, ...] = ()
     try:
         other = simulate(asked, settings) if run is None else answered(run)
     except (FileProblem, NoSolution) as refused:
-        return _unable(problem, found, refused)
+        settings = replace(settings, speeds={**{b.name: AT_REST for b in problem.bodies}, **taken.speeds})
+        still = _from_rest(asked, settings, refused)
+        if still is None:
+            return _unable(problem, found, refused)
+        other, untold = still, tuple(refused.diagnostics)
     whole = _stopped(problem, other.run, taken)
     if whole:
         return Confirmation("", frozenset(), {f.name: whole for f in found})
@@ -131,11 +137,24 @@ def _confirmed(
         compared = _Compared(simulate(asked, replace(settings, estimate=True)), trace, instance)
         seen = [compared.see(f) for f in found]
     wrong = [s for s in seen if s.other]
+    if wrong and untold:
+        # With another velocity where the file tells none there are other answers.
+        raise NoSolution(untold)
     if wrong:
         raise _disagreement(problem, wrong, instance)
     same = frozenset(s.name for s in seen if not s.why)
     words = f"motion followed by independent facts: {len(same)} of {len(found)} answers agree" if same else ""
     return Confirmation(words, same, {s.name: s.why for s in seen if s.why})
+
+
+def _from_rest(problem: Problem, settings: Settings, refused: FileProblem | NoSolution) -> Simulation | None:
+    """The motion that begins with no velocity but what the file tells; None: not that keeps it from being followed."""
+    if isinstance(refused, NoSolution) or refused.diagnostics[0].code not in NOT_BEGUN:
+        return None
+    try:
+        return simulate(problem, settings)
+    except (FileProblem, NoSolution):
+        return None
 
 
 # --- what it comes to ------------------------------------------------------------------------------------------------
@@ -345,6 +364,8 @@ class _Compared:
 def _of_no_motion(f: Found) -> str:
     """Why a find belongs to no single motion; "" where it does."""
     assert f.find is not None
+    if any(v.is_infinite() for v in f.values or ()):
+        return "is infinite, and no motion is followed so far"
     words = [n.word for n in walk(f.find.found.what) if isinstance(n, Quantity)]
     return next((NOT_FOLLOWED[w] for w in words if w in NOT_FOLLOWED), "")
 

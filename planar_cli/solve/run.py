@@ -17,10 +17,12 @@ from planar_cli.errors import FileProblem, Mark, NoSolution, NotReached, Undecid
 from planar_cli.problem.scene import Find, Problem
 from planar_cli.solve.diagnosis.cases import demand_cancelled, several, several_cases
 from planar_cli.solve.diagnosis.clash import check_positions, demand_drawn
-from planar_cli.solve.diagnosis.failures import OPEN, explain_failure, place, singular_position
+from planar_cli.solve.diagnosis.failures import explain_failure, place, singular_position
+from planar_cli.solve.diagnosis.lengths import demand_lengths
 from planar_cli.solve.diagnosis.open_data import demand_determined, demand_passable
+from planar_cli.solve.instant.by_direction import SPEEDS, alike, is_settled, with_speeds, with_statements
 from planar_cli.solve.instant.finish import Finisher, not_reached
-from planar_cli.solve.instant.instant import Instant, Lift, Trial, make_instant, search_modes
+from planar_cli.solve.instant.instant import OPEN, Instant, Lift, Trial, make_instant, search
 from planar_cli.solve.instant.seek import seek
 from planar_cli.solve.instant.sign_pairs import BothWays, demand_one_way
 from planar_cli.solve.instant.verify import Disagreement
@@ -83,6 +85,7 @@ def _by(problem: Problem, method: str | None) -> Problem:
 def _part(problem: Problem, case: str, units: dict[str, str], earlier: dict[str, Earlier]) -> PartSolution:
     """One part; what is not decided otherwise is read off the motion, if there is one."""
     numbers = numbers_of(earlier)
+    demand_lengths(problem, earlier)
     if not problem.states[1:]:
         return _confirmed(problem, _derived(problem, case, units, earlier), numbers)
     from planar_cli.solve.followed import (
@@ -296,10 +299,19 @@ def _solve(
 ) -> tuple[InstantSolution, list[Found]]:
     check_positions(instant)
     if instant.must_seek():
-        return _seek(instant, finds, units, state)
-    held, rejected = search_modes(instant, instant.scene.valuations)
+        try:
+            return _seek(instant, finds, units, state)
+        except BothWays:
+            raise
+        except NoSolution:
+            if (told := _by_direction(instant, finds, units, state)) is None:
+                raise
+            return told
+    held, rejected = search(instant)
     if not held and any(t.objection == OPEN for t in rejected):
         singular_position(instant, rejected, finds)
+        if (told := _by_direction(instant, finds, units, state)) is not None:
+            return told
         try:
             return _seek(instant, finds, units, state)
         except BothWays:
@@ -309,6 +321,20 @@ def _solve(
     if not held:
         raise explain_failure(instant, rejected, finds)
     return _held(instant, several(instant, held), tuple(rejected), finds, units, state)
+
+
+def _by_direction(
+    instant: Instant, finds: tuple[Find, ...], units: dict[str, str], state: str
+) -> tuple[InstantSolution, list[Found]] | None:
+    """Answers that depend on the direction of open speeds alone, where inequalities tell it; None: there are none."""
+    told: list[tuple[InstantSolution, list[Found]]] = []
+    for speed in SPEEDS:
+        for statements in with_speeds(instant.statements, speed):
+            other = with_statements(instant, statements)
+            if other.must_seek() or is_settled(other):
+                told.append(_solve(other, finds, units, state))
+                break
+    return told[0] if len(told) == len(SPEEDS) and alike(*told) else None
 
 
 def _held(

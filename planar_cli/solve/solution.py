@@ -44,7 +44,7 @@ class InstantSolution:
     """One instant worked out. `rejected`: the first assumption and others, with why they fail. `value`: numbers of all.
 
     `sought`: the branch taken where constants, speeds or extremes were sought; `left_out`: those that were not.
-    `quiet`: it only tells velocities at a blow.
+    `quiet`: it only tells velocities at a blow. `conditions`: what is positive where its modes hold, and need not be.
     """
 
     state: str
@@ -58,3 +58,4 @@ class InstantSolution:
     sought: Any = None
     left_out: tuple[Any, ...] = ()
     quiet: bool = False
+    conditions: tuple[sp.Expr, ...] = ()

@@ -254,9 +254,9 @@ class Router:
         return len(solved.null) == len(columns) - len(equations)
 
     def _slopes(self, equations: Iterable[Equation], unknowns: Sequence[sp.Symbol]) -> list[list[Decimal]] | None:
-        """How much each equation changes with each unknown; None: that has no value."""
+        """How much each equation changes with each unknown; None: that has no value, or none that is finite."""
         rows = [[self.value.known(derivative(self.residual(e), x)) for x in unknowns] for e in equations]
-        found = [[c for c in row if c is not None] for row in rows]
+        found = [[c for c in row if c is not None and c.is_finite()] for row in rows]
         return found if all(len(row) == len(unknowns) for row in found) else None
 
     def _hidden(self, equation: Equation, x: sp.Symbol) -> float | None:
@@ -283,7 +283,7 @@ class Router:
         if any(e.residual.has(sp.Integral) for e in equations):
             return False
         rows = self._slopes(equations, unknowns)
-        if rows is None:
+        if rows is None or not all(c.is_finite() for row in rows for c in row):
             return False
         scaled = [[c / (max(abs(v) for v in row) or Decimal(1)) for c in row] for row in rows]
         return abs(_determinant(scaled)) > Decimal("1e-18")

@@ -9,9 +9,7 @@ from planar_cli.solve.diagnosis.clash import BLAMED, clash
 from planar_cli.solve.diagnosis.open_data import at_change_point, at_dead_centre, open_velocities
 from planar_cli.solve.diagnosis.words import false_words
 from planar_cli.solve.instant.inequalities import Broken
-from planar_cli.solve.instant.instant import Instant, Trial
-
-OPEN = "velocities are open"
+from planar_cli.solve.instant.instant import OPEN, Instant, Trial
 
 
 def place(instant: Instant, finds: tuple[Find, ...]) -> Mark:

@@ -13,9 +13,10 @@ import sympy as sp
 
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.equation.motion import Twist
-from planar_cli.errors import NoValue
+from planar_cli.errors import Diagnostic, NoSolution, NoValue
 from planar_cli.problem.geometry import Vec
 from planar_cli.solve.between.solved_motion import SolvedMotion
+from planar_cli.solve.diagnosis.words import short
 from planar_cli.solve.impulsive.impact import Blow
 from planar_cli.solve.instant.instant import Trial
 from planar_cli.solve.instant.verify import Disagreement
@@ -47,6 +48,8 @@ def _checked(blow: Blow, value: Valuation, far: frozenset[str] | None) -> Iterat
         raise Disagreement(f"{name}: all impulses at once give other velocities")
     if digits is not None:
         yield f"{name} solved at once for all bodies: agrees to {digits} digits"
+    if not _symbolic(blow):
+        _demand_restitution(blow, trial, here, name)
     if not _symbolic(blow) and not blow.scene.problem.loads:
         lost = _energy_lost(blow, trial, here)
         if lost < -SAME * _energy(blow, here):
@@ -58,6 +61,25 @@ def _checked(blow: Blow, value: Valuation, far: frozenset[str] | None) -> Iterat
     for other in _others(blow, trial, here, far):
         words = ", ".join(m.words for m in other.system.modes.values() if m.words)
         yield f"{name} may also end otherwise: {words}"
+
+
+def _demand_restitution(blow: Blow, trial: Trial, here: Valuation, name: str) -> None:
+    """NoSolution: the data make bodies part faster than they approached, or still approach."""
+    wrong = []
+    for joint in blow.struck.joints:
+        mode = trial.system.modes.get(joint.name)
+        ratio = joint.restitutes(blow.scene) if joint.strikes and mode is not None and mode.name != "apart" else None
+        if ratio is None:
+            continue
+        number = here(sp.sympify(ratio))
+        if -SAME <= number <= 1 + SAME:
+            continue
+        found = f"the data of {name} make the coefficient of restitution {short(number)}"
+        why = "bodies do not part faster than they approached" if number > 1 else "they would pass through each other"
+        hint = "correct the speeds or masses: it lies between 0 and 1"
+        wrong.append(Diagnostic(joint.mark, "PL619", f"{found}: {why}", hint))
+    if wrong:
+        raise NoSolution(wrong)
 
 
 def _symbolic(blow: Blow) -> bool:

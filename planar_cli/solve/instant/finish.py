@@ -19,6 +19,7 @@ from planar_cli.problem.expression import Quantity, Relation, Side
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.outermost import is_energy
 from planar_cli.problem.scene import Find
+from planar_cli.solve.instant.conditions import conditions
 from planar_cli.solve.instant.instant import Instant, Trial
 from planar_cli.solve.instant.seeker import Sought
 from planar_cli.solve.instant.stages import Stage, StageMaker, acceleration_unknowns, needed
@@ -60,7 +61,13 @@ class Finisher:
         exprs = [e for es in sides.values() for e in es]
         solution, stages, value = self.work(exprs, finds)
         self._demand_reached(unreached(stages, exprs), finds)
+        solution.conditions = conditions(self.trial, self._formulas)
         return solution, [self._found(f, sides[f.name], value, stages, quantities) for f in finds]
+
+    def _formulas(self, exprs: list[sp.Expr]) -> list[sp.Expr]:
+        """Expressions of the unknowns in names of the file."""
+        _, stages, _ = self.work(exprs, ())
+        return [self.closed(e, stages) for e in exprs]
 
     def work(self, exprs: list[sp.Expr], finds: tuple[Find, ...]) -> tuple[InstantSolution, list[Stage], Valuation]:
         """The stages that expressions need, carried out and checked."""

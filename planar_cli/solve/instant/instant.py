@@ -6,6 +6,7 @@ import itertools
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from decimal import Decimal
+from functools import partial
 from typing import Any
 
 import sympy as sp
@@ -37,6 +38,8 @@ from planar_cli.solve.principled import at_instants, position_of
 
 MOST_MODES = 400
 TINY = Decimal("1e-25")
+OPEN = "velocities are open"
+"""The objection to modes in which nothing tells how fast the parts move."""
 
 
 @record
@@ -214,7 +217,7 @@ class Instant:
         if any(v.conflict for v in velocities):
             return Trial(choice, system, velocities, (), "velocities")
         if any(v.free for v in velocities):
-            return Trial(choice, system, velocities, (), "velocities are open")
+            return Trial(choice, system, velocities, (), OPEN)
         outcomes = tuple(
             accelerate(system, vel, v, self.free, given or {}) for vel, v in zip(velocities, valuations, strict=True)
         )
@@ -236,6 +239,10 @@ class Instant:
             if false is not None:
                 return Trial(choice, system, velocities, outcomes, false.words, broken=false)
         return Trial(choice, system, velocities, outcomes, "")
+
+    def holds_at(self, choice: tuple[int, ...], value: Valuation) -> bool:
+        """Does a choice hold with these numbers?"""
+        return not self.try_choice(choice, (value,)).objection
 
     @staticmethod
     def _speeds(system: System, given: dict[sp.Symbol, Decimal] | None) -> dict[sp.Symbol, Decimal] | None:
@@ -313,6 +320,16 @@ def held(modes: tuple[Mode, ...]) -> tuple[Mode, ...]:
     """The modes in which a joint holds: where nothing is said of forces, nothing parts or slackens."""
     found = tuple(m for m in modes if not m.parted) or modes
     return (replace(found[0], words="", tests=()),) if len(found) == 1 else found
+
+
+def search(instant: Instant) -> tuple[list[Trial], list[Trial]]:
+    """As `search_modes`; of letters draws are taken with which a choice holds, where the first ones have none."""
+    held, rejected = search_modes(instant, instant.scene.valuations)
+    doubtful = [t.choice for t in rejected if t.tests] if instant.scene.ledger.symbolic and not held else []
+    for choice in doubtful:
+        if instant.scene.redraw(partial(instant.holds_at, choice)):
+            return search_modes(instant, instant.scene.valuations)
+    return held, rejected
 
 
 def search_modes(instant: Instant, valuations: tuple[Valuation, ...]) -> tuple[list[Trial], list[Trial]]:

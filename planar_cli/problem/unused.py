@@ -1,0 +1,79 @@
+"""Names that a file declares and that nothing uses: what stands in a file takes part, or is told not to."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from planar_cli.errors import Diagnostic
+from planar_cli.problem.expression import Name, Quantity, Relation, Statement
+from planar_cli.problem.scene import Problem, Symbol
+from planar_cli.problem.walk import walk
+
+UNNAMED = frozenset(("mark", "text", "unit"))
+"""Fields that hold no name."""
+
+
+def check_unknowns(problem: Problem) -> Iterator[Diagnostic]:
+    """An unknown that nothing uses but the relation which states it."""
+    parts = [problem, *(case.problem for case in problem.cases)]
+    used = set().union(*(used_names(part) for part in parts))
+    seen: dict[str, Symbol] = {s.name: s for part in reversed(parts) for s in part.unknowns}
+    for name, symbol in seen.items():
+        if name not in used and symbol.unit is not None:
+            text = f"nothing uses the unknown {name}"
+            hint = f"say what it is, such as `x(P) = {name}`, or ask for it under `find`; else leave it out"
+            yield Diagnostic(symbol.mark, "PL459", text, hint)
+
+
+def unused(problem: Problem) -> list[str]:
+    """The names of `given`, `symbols` and `surfaces` on which neither the scene nor a find of any part rests."""
+    parts = [problem, *(case.problem for case in problem.cases)]
+    used = set().union(*(used_names(part) for part in parts))
+    declared = [s.name for s in (*problem.given, *problem.symbols)] + [s.name for s in problem.surfaces]
+    return [name for name in declared if name not in used]
+
+
+def used_names(problem: Problem) -> set[str]:
+    """Every name that bodies, joints, loads, statements or finds rest on, directly or by other names."""
+    known = {s.name for s in (*problem.given, *problem.symbols, *problem.unknowns, *problem.coordinates)}
+    rests: dict[str, set[str]] = {s.name: _named(s.value) for s in problem.given}
+    rests.update({p.name: _named(p.place) for p in problem.points})
+    rests.update({s.name: _named((s.shape, s.speed, s.body)) for s in problem.surfaces})
+    stated = [*problem.assume, *(law.statement for law in problem.motion), *(problem.instant or ())]
+    stated += [s for state in problem.states for s in state.relations]
+    ties = [names for s in stated if (names := _only_names(s, known)) is not None]
+    scene = (problem.bodies, problem.joints, problem.loads, [s for s in stated if _only_names(s, known) is None])
+    roots = _named(scene) | _named([f.found.what for f in problem.find])
+    # Weight and the friction of what lies on a table rest on g without naming it.
+    return _reached(roots, rests, ties) | {"g"}
+
+
+def _reached(roots: set[str], rests: Mapping[str, set[str]], ties: list[set[str]]) -> set[str]:
+    """All names to which these lead. `ties`: the names of a relation, of which one leads to the others."""
+    found: set[str] = set()
+    left = set(roots)
+    while left:
+        found |= left
+        further = set().union(*(rests.get(name, set()) for name in left), *(t for t in ties if t & found))
+        left = further - found
+    return found
+
+
+def _only_names(statement: Statement, known: set[str]) -> set[str] | None:
+    """The names of a relation between numbers of the file alone; None: it says more."""
+    if not isinstance(statement, Relation):
+        return None
+    nodes = [*walk(statement.left), *walk(statement.right)]
+    names = {n.name for n in nodes if isinstance(n, Name)}
+    return names if names and names <= known and not any(isinstance(n, Quantity) for n in nodes) else None
+
+
+def _named(value: Any) -> set[str]:
+    """All words in a value: names, and what may be one."""
+    if isinstance(value, str):
+        return {value}
+    if isinstance(value, tuple | list | frozenset):
+        return set().union(*(_named(v) for v in value))
+    slots = [s for kind in type(value).__mro__ for s in getattr(kind, "__slots__", ()) if s not in UNNAMED]
+    return set().union(*(_named(getattr(value, s)) for s in slots))

@@ -1,0 +1,66 @@
+"""Speeds that a file leaves open but for their direction: `v(crate).x > 0` tells which way friction acts.
+
+Each such inequality is given a speed that makes it true. What comes out the same for two speeds depends on the
+direction alone.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from decimal import Decimal
+from fractions import Fraction
+
+from planar_cli.equation.setup import Setup
+from planar_cli.equation.system import Statements
+from planar_cli.problem.expression import Binary, Number, Relation
+from planar_cli.problem.outermost import quantities_in
+from planar_cli.solve.instant.instant import OPEN, TINY, Instant, search_modes
+from planar_cli.solve.solution import Found, InstantSolution
+
+SPEEDS = (Fraction(37, 29), Fraction(83, 31))
+"""Two speeds (m/s or rad/s) with no simple ratio."""
+RATES = frozenset(("v", "omega", "dot"))
+
+
+def with_speeds(statements: Statements, speed: Fraction) -> Iterator[Statements]:
+    """The statements with the first inequality of velocities as a speed, with the first two, and so on."""
+    now = statements
+    for relation in statements.inequalities:
+        if any(q.word in RATES for side in (relation.left, relation.right) for q in quantities_in(side)):
+            left = tuple(r for r in now.inequalities if r is not relation)
+            now = replace(now, inequalities=left, relations=(*now.relations, (_as_speed(relation, speed), False)))
+            yield now
+
+
+def _as_speed(relation: Relation, speed: Fraction) -> Relation:
+    """The relation as an equation: the sides differ by this speed, as its sign says."""
+    sign = "+" if relation.operator.startswith(">") else "-"
+    right = Binary(sign, relation.right, Number(speed, None, 1, relation.mark), relation.mark)
+    return replace(relation, operator="=", right=right)
+
+
+def with_statements(instant: Instant, statements: Statements) -> Instant:
+    """The instant with other statements."""
+    setup = instant.setup
+    other = Instant(Setup(setup.problem, statements, setup.earlier, setup.open_form))
+    other.lift = instant.lift
+    return other
+
+
+def is_settled(instant: Instant) -> bool:
+    """Do the statements leave no speed open?"""
+    held, rejected = search_modes(instant, instant.scene.valuations)
+    return bool(held) or not any(t.objection == OPEN for t in rejected)
+
+
+def alike(one: tuple[InstantSolution, list[Found]], other: tuple[InstantSolution, list[Found]]) -> bool:
+    """Do both solutions have the same modes and answers?"""
+    return one[0].trial.choice == other[0].trial.choice and all(
+        a.word == b.word and _close(a.values or (), b.values or ()) and (a.values is None) == (b.values is None)
+        for a, b in zip(one[1], other[1], strict=True)
+    )
+
+
+def _close(one: tuple[Decimal, ...], other: tuple[Decimal, ...]) -> bool:
+    return all(abs(a - b) <= TINY * max(abs(a), abs(b)) for a, b in zip(one, other, strict=True))

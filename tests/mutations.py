@@ -1,0 +1,330 @@
+"""Nothing that a problem file states is ignored: every statement, number, key, unit and name is changed in turn.
+
+    .venv/bin/python tests/mutations.py [--kind number] [--sample 2000] [--seed 1] [--files problems/friction]
+
+A mutant is refused, has no solution, has another answer, or has the same answer and another page (what a mass that
+cancels is multiplied with is told). What is none of it, and what ends in a fault, is an offender and is listed.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import random
+import sys
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+from planar_cli.errors import FileProblem, NoSolution, Undecided
+from planar_cli.homework.checking import solve_and_compare
+from planar_cli.homework.supervisor import Supervisor
+from planar_cli.problem import nodes
+from planar_cli.problem.checks import check
+from planar_cli.problem.nodes import Mapping, Node, Scalar
+from planar_cli.problem.reading import Report
+from planar_cli.problem.structure import read_problem
+from planar_cli.problem.tokens import ParseError, Token, tokenize
+from planar_cli.problem.words import QUANTITIES
+from planar_cli.registry import members
+from planar_cli.report.json_document import solution_data
+from planar_cli.report.narrate import narrate
+from planar_cli.units import UnitError, parse_unit
+
+Path_ = tuple[int, ...]
+"""Where a node is: by the numbers of the children (of a mapping: of its pairs) from the root."""
+
+KINDS = ("statement", "number", "sign", "key", "unit", "name")
+TEXTS = frozenset(("title", "text", "source", "note", "tolerance", "variants", "figure", "method"))
+"""What is only told, or what tells how to solve; names and the figures of answers are no part of the mechanics."""
+STATEMENTS = frozenset(("motion", "instant", "assume", "joints", "loads", "relaxed_at"))
+NAMED = frozenset(("given", "symbols", "unknowns", "coordinates", "points", "surfaces", "bodies", "states"))
+OFF = "1.07"
+UNCHANGED, FAULT = "unchanged", "fault"
+
+
+@dataclass(frozen=True, slots=True)
+class Mutant:
+    """One change of one file: `at` the node, `new` the text in its place (None: the node goes), `key`: of its key."""
+
+    file: str
+    kind: str
+    at: Path_
+    key: bool
+    new: str | None
+    place: str
+    what: str
+    free: bool = False
+    """Only a name is exchanged for a new one: where nothing else calls it, nothing has changed."""
+    contrary: str | None = None
+    """What says the contrary of the statement that goes: a statement that follows from others is checked by them."""
+
+
+# --- mutants ----------------------------------------------------------------------------------------------------------
+
+
+def mutants(file: str) -> list[Mutant]:
+    """All mutants of a file, in its order."""
+    _, root, wrong = nodes.read_file(file)
+    assert isinstance(root, Mapping), wrong
+    return list(_Walk(file, root).mutants())
+
+
+class _Walk:
+    """All nodes of a file, with the keys that lead to them."""
+
+    def __init__(self, file: str, root: Mapping) -> None:
+        self.file, self.root = file, root
+        self.names: dict[str, list[str]] = {}
+        for section in (root, *_cases(root)):
+            for key, value in section.pairs:
+                if key.text in NAMED and isinstance(value, Mapping):
+                    known = self.names.setdefault(key.text, [])
+                    known.extend(name for name in _keys(value) if name not in known)
+
+    def mutants(self) -> Iterator[Mutant]:
+        yield from self._inside(self.root, (), ())
+
+    def _inside(self, node: Node, at: Path_, keys: tuple[str, ...]) -> Iterator[Mutant]:
+        if isinstance(node, Scalar):
+            if not node.quoted or keys[:1] != ("answers",):
+                yield from self._scalar(node, at, keys)
+        elif isinstance(node, Mapping):
+            for i, (key, value) in enumerate(node.pairs):
+                if key.text in TEXTS and (not keys or keys[0] == "cases"):
+                    continue
+                place = f"{key.mark.line}:{key.mark.column}"
+                name = key.text + key.text[-1]
+                free = bool(keys) and keys[-1] in NAMED | {"find", "cases"}
+                yield Mutant(self.file, "key", (*at, i), True, name, place, f"{key.text} -> {name}", free)
+                yield from self._inside(value, (*at, i), (*keys, key.text))
+        else:
+            for i, item in enumerate(node.items):
+                if _are_statements(keys):
+                    place = f"{item.mark.line}:{item.mark.column}"
+                    what, other = f"without {_said(item)}", _contrary(item)
+                    yield Mutant(self.file, "statement", (*at, i), False, None, place, what, False, other)
+                yield from self._inside(item, (*at, i), keys)
+
+    def _scalar(self, node: Scalar, at: Path_, keys: tuple[str, ...]) -> Iterator[Mutant]:
+        try:
+            tokens = tokenize(node.text, node.mark)
+        except ParseError:
+            return
+        if keys[:1] == ("answers",) or keys[0] in TEXTS:
+            return
+        for i, token in enumerate(tokens):
+            for kind, new, start in self._changed(tokens, i, node, keys):
+                text = node.text[:start] + new + node.text[token.end :]
+                place = f"{node.mark.line}:{node.mark.column + node.quoted + token.start}"
+                # A bound rejects what lies beyond it, and may do so wherever it stands on this side.
+                other = _contrary(node) if "<" in node.text or ">" in node.text.replace("->", "") else None
+                yield Mutant(self.file, kind, at, False, text, place, f"{node.text} -> {text}", False, other)
+
+    def _changed(
+        self, tokens: Sequence[Token], i: int, node: Scalar, keys: tuple[str, ...]
+    ) -> Iterator[tuple[str, str, int]]:
+        """Kind of change, what stands instead of token `i`, and from where on it stands there."""
+        token, before = tokens[i], tokens[i - 1] if i else None
+        if token.kind == "number" and not _is_label(tokens, i, keys) and float(token.text):
+            yield "number", f"{float(token.text) * float(OFF):.6g}", token.start
+            if not (before and before.text == "^"):
+                yield "sign", f"(-{token.text})" if before else f"-{token.text}", token.start
+        if token.kind != "name":
+            return
+        unit = (before and (before.kind == "number" or before.text in (")", "in"))) or _declares(keys)
+        if unit and token.text not in ("is", "at", "just") and (other := _other_unit(token.text)):
+            yield "unit", other, token.start
+            return
+        if tokens[i + 1].text == "(" and token.text in QUANTITIES:
+            return
+        for names in self.names.values():
+            if token.text in names and len(names) > 1:
+                yield "name", names[(names.index(token.text) + 1) % len(names)], token.start
+
+
+def _keys(node: Mapping) -> list[str]:
+    return [key.text for key, _ in node.pairs]
+
+
+def _cases(root: Mapping) -> list[Mapping]:
+    cases = root.get("cases")
+    return [] if not isinstance(cases, Mapping) else [v for _, v in cases.pairs if isinstance(v, Mapping)]
+
+
+def _are_statements(keys: tuple[str, ...]) -> bool:
+    """Is a list below these keys one of statements? In a state, in a case, or in a section of its own."""
+    return keys[-1] in STATEMENTS or (len(keys) > 1 and keys[-2] == "states")
+
+
+def _declares(keys: tuple[str, ...]) -> bool:
+    return len(keys) > 1 and keys[-2] in ("symbols", "unknowns", "coordinates")
+
+
+def _is_label(tokens: Sequence[Token], i: int, keys: tuple[str, ...]) -> bool:
+    """A state may be called by a number."""
+    beside = {tokens[i - 1].text if i else "", tokens[i + 1].text}
+    return keys[-1] == "during" or bool(beside & {"@", "->", "during", "after"}) or _declares(keys)
+
+
+def _other_unit(text: str) -> str | None:
+    try:
+        dimension = parse_unit(text).dimension
+    except UnitError:
+        return None
+    return "kg" if dimension != parse_unit("kg").dimension else "m"
+
+
+def _contrary(node: Node) -> str | None:
+    """A statement that is false where this one is true."""
+    if not isinstance(node, Scalar):
+        return None
+    for sign, other in (("<=", ">"), (">=", "<"), ("<", ">"), (">", "<"), ("=", ">"), ("largest", "smallest")):
+        if sign in node.text:
+            return node.text.replace(sign, other)
+    return None
+
+
+def _said(node: Node) -> str:
+    match node:
+        case Scalar():
+            return node.text
+        case Mapping():
+            return "{" + ", ".join(f"{k.text}: {_said(v)}" for k, v in node.pairs) + "}"
+    return "[" + ", ".join(_said(item) for item in node.items) + "]"
+
+
+def mutated(node: Node, at: Path_, mutant: Mutant) -> Node | None:
+    """The tree with the change at a path below `node`; None: nothing is left of it."""
+    if isinstance(node, Mapping):
+        pairs = list(node.pairs)
+        key, value = pairs[at[0]]
+        if len(at) == 1 and mutant.key:
+            pairs[at[0]] = (replace(key, text=mutant.new or ""), value)
+        else:
+            rest = mutated(value, at[1:], mutant)
+            pairs[at[0] : at[0] + 1] = [] if rest is None else [(key, rest)]
+        return replace(node, pairs=tuple(pairs))
+    if isinstance(node, Scalar):
+        return None if mutant.new is None else replace(node, text=mutant.new)
+    items = list(node.items)
+    if len(at) == 1 and mutant.new is None:
+        del items[at[0]]
+    else:
+        rest = mutated(items[at[0]], at[1:], mutant)
+        items[at[0] : at[0] + 1] = [] if rest is None else [rest]
+    return replace(node, items=tuple(items)) if items else None
+
+
+# --- outcomes ---------------------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """What came of a file or mutant. `answers`: to all digits, by name; `page`: all that is told."""
+
+    kind: str
+    detail: str = ""
+    answers: str = ""
+    page: str = ""
+
+
+def solved(task: tuple[str, Mutant | None]) -> Outcome:
+    """A file as it stands, or with one change, worked out in this process."""
+    file, mutant = task
+    _, root, wrong = nodes.read_file(file)
+    assert root is not None, wrong
+    tree = root if mutant is None else mutated(root, mutant.at, mutant)
+    assert tree is not None
+    report = Report()
+    problem = read_problem(file, tree, report)
+    try:
+        for diagnostic in check(problem):
+            report.take(diagnostic)
+        if found := report.sorted():
+            raise FileProblem(found)
+        solution, verdicts = solve_and_compare(problem)
+    except (FileProblem, NoSolution) as error:
+        kind = "refused" if isinstance(error, FileProblem) else "no solution"
+        place = "" if error.diagnostics and error.diagnostics[0].mark.line else "no place: "
+        return Outcome(kind, place + ", ".join(sorted({d.code for d in error.diagnostics})))
+    except Undecided as error:
+        return Outcome("undecided", str(error))
+    data = solution_data(solution, verdicts, 12, None)
+    page = members("formats")["markdown"]().render(narrate(solution, 12, "exam", None))
+    answers: Any = data["answers"]
+    return Outcome("solved", "", json.dumps(answers, default=str, sort_keys=True), page)
+
+
+def judged(mutant: Mutant, base: Outcome, ended: Any) -> tuple[str, str]:
+    """The outcome of a mutant in a word or two, and what more there is to say."""
+    if ended.verdict != "ok":
+        return (FAULT if ended.verdict in ("fault", "crashed") else "undecided"), str(ended.result)
+    outcome: Outcome = ended.result
+    if outcome.kind != "solved":
+        return outcome.kind, outcome.detail
+    if outcome.answers != base.answers:
+        return "another answer", ""
+    if outcome.page != base.page:
+        return "told", ""
+    return ("a name" if mutant.free else UNCHANGED), ""
+
+
+def run(
+    files: Sequence[str], kinds: Sequence[str], sample: int | None, seed: int, jobs: int, limit: float
+) -> list[tuple[Mutant, str, str]]:
+    """Every mutant of a sample with its outcome."""
+    known = [m for file in files for m in mutants(file) if m.kind in kinds]
+    if sample is not None and sample < len(known):
+        known = sorted(random.Random(seed).sample(known, sample), key=known.index)
+    needed = sorted({m.file for m in known})
+    ended = Supervisor(solved, jobs, limit, _unseen).run([(file, None) for file in needed])
+    base = {file: e.result for file, e in zip(needed, ended, strict=True) if e.verdict == "ok"}
+    tried = [m for m in known if m.file in base and base[m.file].kind == "solved"]
+    if left := sorted(set(needed) - {m.file for m in tried}):
+        sys.stderr.write(f"not solved within the limit, left out: {', '.join(left)}\n")
+    results = Supervisor(solved, jobs, limit, _unseen).run([(m.file, m) for m in tried])
+    found = [(m, *judged(m, base[m.file], e)) for m, e in zip(tried, results, strict=True)]
+    implied = [i for i, (m, outcome, _) in enumerate(found) if outcome == UNCHANGED and m.contrary]
+    against = [replace(found[i][0], new=found[i][0].contrary) for i in implied]
+    ends = Supervisor(solved, jobs, limit, _unseen).run([(m.file, m) for m in against])
+    for i, m, end in zip(implied, against, ends, strict=True):
+        outcome, detail = judged(m, base[m.file], end)
+        found[i] = (m, outcome, detail) if outcome in (UNCHANGED, FAULT) else (m, "implied", detail)
+    return found
+
+
+def _unseen(_done: int) -> None:
+    """Nobody looks at the progress."""
+
+
+def main() -> None:
+    """Run, count, and list the offenders."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--kind", action="append", choices=KINDS, help="only these kinds of mutants")
+    parser.add_argument("--files", nargs="+", default=["problems"], help="files and folders")
+    parser.add_argument("--largest", type=int, default=256_000, help="leave out files of more bytes")
+    parser.add_argument("--sample", type=int, help="so many mutants, drawn by the seed")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--limit", type=float, default=20, help="seconds a mutant")
+    wanted = parser.parse_args()
+    files = sorted({str(f) for p in map(Path, wanted.files) for f in ([p] if p.is_file() else p.rglob("*.yaml"))})
+    files = [file for file in files if Path(file).stat().st_size <= wanted.largest]
+    kinds = wanted.kind or KINDS
+    results = run(files, kinds, wanted.sample, wanted.seed, wanted.jobs, wanted.limit)
+    counts = Counter((m.kind, outcome) for m, outcome, _ in results)
+    outcomes = sorted({outcome for _, outcome in counts})
+    print(f"{len(results)} mutants of {len({m.file for m, _, _ in results})} files")
+    print("".join(f"{cell:>16}" for cell in ("", *outcomes)))
+    for kind in kinds:
+        print("".join(f"{cell!s:>16}" for cell in (kind, *(counts[kind, o] for o in outcomes))))
+    for mutant, outcome, detail in results:
+        if outcome in (UNCHANGED, FAULT) or detail.startswith("no place"):
+            print(f"{mutant.file}:{mutant.place} {mutant.kind} {outcome} {detail}: {mutant.what}")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,204 @@
+"""Files that leave out what can only mean one thing."""
+
+from __future__ import annotations
+
+import pytest
+from answered import assert_close, solve
+
+from planar_cli.problem.structure import load_text
+
+SLOPE = """
+title: Disk on a smooth slope, of any distribution of its mass
+plane: vertical
+points: {C: [0, 0], G: {from: C, distance: 0.2 m, angle: 60 deg}}
+surfaces: {slope: {through: C, angle: -30 deg}}
+bodies: {disk: {disk: G, radius: 0.2 m, mass: 2 kg, inertia: any}}
+joints:
+  - contact: {between: [disk, slope], mu: 0}
+instant: [at rest]
+find: {value: a(G).along(-30 deg)}
+"""
+
+LIGHT = """
+title: Wheel without mass that is hard to turn
+plane: vertical
+bodies: {wheel: {disk: [0, 0], radius: 0.2 m, mass: 0, inertia: 3 kg*m^2}}
+joints:
+  - pin: {at: [0, 0], between: [ground, wheel]}
+loads:
+  - torque: {moment: 6 N*m}
+instant: [at rest]
+find: {value: alpha(wheel)}
+"""
+
+SLIDES = """
+title: Block that slides
+plane: vertical
+surfaces: {floor: {through: [0, 0], angle: 0 deg}}
+bodies: {block: {particle: [0, 0], mass: 20 kg}}
+joints:
+  - contact: {between: [block, floor], mu_k: 0.2}
+loads:
+  - force: {magnitude: 60 N, angle: 0 deg}
+instant: [v(block).x = 1 m/s]
+find: {value: a(block).x}
+"""
+
+BOWL = """
+title: Bead in a bowl, its place constructed
+plane: vertical
+bodies: {bead: {particle: {from: [0, 0], distance: 1 m, angle: -60 deg}, mass: 1 kg}}
+surfaces: {bowl: {center: [0, 0], radius: 1 m}}
+joints:
+  - contact: {between: [bead, bowl], mu: 0}
+instant: [at rest]
+find: {value: N(bead)}
+"""
+
+INERTIA = """
+title: Moment of inertia, which no weight has a part in
+bodies: {wheel: {disk: [0, 0], radius: 0.2 m, mass: 20 kg}}
+find: {value: I(wheel)}
+"""
+
+SPEED = """
+title: Speed, which no weight has a part in
+points: {O: [0, 0], A: [2 m, 0]}
+bodies: {bar: {rod: [O, A], mass: 20 kg}}
+joints:
+  - pin: {at: O, between: [ground, bar]}
+instant: [omega(bar) = 3 rad/s]
+find: {value: v(A).y}
+"""
+
+SLIDER = """
+title: Slider on a rod, its pin by its place
+plane: horizontal
+points: {B: [1 m, 0]}
+bodies: {slider: {particle: B, mass: 2 kg}}
+joints:
+  - guide: {point: [1 m, 0], along: 0 deg}
+loads:
+  - force: {at: [1 m, 0], magnitude: 6 N, angle: 60 deg}
+instant: [at rest]
+find: {value: a(slider).x}
+"""
+
+BED = """
+title: Box on the bed of a lorry that speeds up, both joint and body called box
+plane: vertical
+points: {C: [0, 0], D: [-1 m, -0.2 m]}
+bodies: {lorry: {points: [D, C], center: D, mass: 20 kg}, box: {particle: C, mass: 2 kg}}
+surfaces: {bed: {through: C, angle: 0 deg, body: lorry}}
+joints:
+  - guide: {body: lorry, along: 0 deg}
+  - contact: {between: [box, bed], mu: 0.3}
+motion: [a(lorry).x = 1 m/s^2]
+instant: [v(lorry).x = 3 m/s, v(box/lorry).x = 0]
+find: {value: friction(box).x}
+"""
+
+CALLED = """
+title: Disk called as its centre
+plane: vertical
+points: {A: [0, 0.5 m], C: [0, 0], B: [1 m, 0.5 m]}
+surfaces: {floor: {through: C, angle: 0 deg}}
+bodies: {A: {disk: A, radius: 0.5 m, mass: 3 kg}, AB: {rod: [A, B]}}
+joints:
+  - rolling: {between: [A, floor]}
+  - pin: {at: A, between: [A, AB]}
+  - guide: {point: B, along: 0 deg}
+loads:
+  - force: {at: B, magnitude: 9 N, angle: 0 deg}
+instant: [at rest]
+find: {value: a(A).x}
+"""
+
+SYSTEM = """
+title: All bodies together
+plane: horizontal
+bodies: {P: {particle: [0, 2 m], mass: 2 kg}, Q: {particle: [1 m, 2 m], mass: 2 kg}}
+instant: [v(P).x = 3 m/s, v(P).y = 0, v(Q).x = 1 m/s, v(Q).y = 1 m/s]
+find: {value: KE()}
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        (SLOPE, 9.81 / 2),
+        (LIGHT, 2),
+        (SLIDES, 3 - 0.2 * 9.81),
+        (BOWL, 9.81 * 3**0.5 / 2),
+        (INERTIA, 0.4),
+        (SPEED, 6),
+        (SLIDER, 1.5),
+        (BED, 2),
+        (CALLED, 2),
+        (SYSTEM, 11),
+    ],
+)
+def test_value(text: str, value: float) -> None:
+    assert_close(solve(text)["value"], value, 9)
+
+
+@pytest.mark.parametrize("asked", ["a(A).y", "reaction(O).y", "alpha(bar)"])
+def test_a_plane_where_weight_may_have_a_part(asked: str) -> None:
+    _, diagnostics = load_text(SPEED.replace("v(A).y", asked))
+    assert [d.code for d in diagnostics] == ["PL450"]
+
+
+@pytest.mark.parametrize(
+    ("text", "code"),
+    [
+        (CALLED.replace("a(A).x", "v(B/A).x"), "PL427"),
+        (CALLED.replace("a(A).x", "reaction(A).x").replace("[A, floor]", "[A, floor], at: C"), "PL424"),
+        (SYSTEM.replace("KE()", "H()"), "PL208"),
+        (SYSTEM.replace("KE()", "KE"), "PL410"),
+        (SYSTEM.replace("Q: {particle: [1 m, 2 m]", "Q: {sector: Q, radius: 1 m, span: 90 deg"), "PL403"),
+    ],
+)
+def test_what_may_mean_two_things(text: str, code: str) -> None:
+    _, diagnostics = load_text(text)
+    assert [d.code for d in diagnostics] == [code]
+
+
+CIRCLES = """
+title: A point at a distance on a line
+given: {l: 2 m, b: 3 m}
+points: {O: [0, 0], A: [0, l], B: PLACE}
+find: {value: x(B)}
+"""
+
+
+@pytest.mark.parametrize(
+    "place",
+    [
+        "{distances: {A: b}, line: [O, 0 deg], side: right}",
+        "{distances: {A: b}, line: {through: O, angle: 0 deg}, side: right}",
+        "{distances: {A: b}, on: {through: O, angle: 0 deg}, side: right}",
+        "{from: A, distance: b, on: [O, 0 deg], side: right}",
+    ],
+)
+def test_a_point_on_a_line(place: str) -> None:
+    assert_close(solve(CIRCLES.replace("PLACE", place))["value"], 5**0.5, 9)
+
+
+@pytest.mark.parametrize(
+    ("place", "code", "hint"),
+    [
+        ("{distances: {A: b}, line: [O, 0 deg], on: [O, 0 deg]}", "PL321", "give one of them"),
+        ("{from: A, distance: b, on: [O, 0 deg], x: b}", "PL321", ""),
+        ("{from: A, length: b, angle: 30 deg}", "PL310", "write `distance: b`"),
+    ],
+)
+def test_a_point_that_is_told_twice_or_otherwise(place: str, code: str, hint: str) -> None:
+    _, diagnostics = load_text(CIRCLES.replace("PLACE", place))
+    assert (code, hint) in [(d.code, d.hint if hint else "") for d in diagnostics]
+
+
+def test_a_list_of_unknowns() -> None:
+    _, diagnostics = load_text(CIRCLES.replace("PLACE", "[u, w]").replace("points", "unknowns: [u, w]\npoints"))
+    assert [(d.code, d.hint) for d in diagnostics] == [
+        ("PL301", "write `unknowns: {u: UNIT, w: UNIT}`, each with its unit: N, deg, m/s, or `1` for a pure number")
+    ]

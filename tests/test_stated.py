@@ -1,0 +1,156 @@
+"""What a file states takes part: it is used, checked, told, or the file is refused."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from answered import assert_close, solve, solved
+
+from planar_cli.errors import FileProblem, NoSolution
+from planar_cli.homework.checking import read
+from planar_cli.registry import members
+from planar_cli.report.narrate import narrate
+from planar_cli.solve.run import solve_problem
+
+CRATE = """
+title: Crate on a rough floor
+plane: vertical
+{more}
+points: {{P: [0, 0]}}
+surfaces: {{floor: {{through: P, angle: 0 deg}}}}
+bodies: {{crate: {{particle: P, mass: 2 kg}}}}
+joints: [{{contact: {{between: [crate, floor], at: P, mu: {mu}}}}}]
+loads: [{{force: {{body: crate, magnitude: {force}, angle: 0 deg}}}}]
+instant: [{instant}]
+find: {{{find}}}
+"""
+ROD = """
+title: Rod
+plane: vertical
+points: {{A: [0, 0], B: [0.4 m, 0]}}
+bodies: {{AB: {{rod: [A, B], length: {length}, mass: 2 kg}}}}
+joints: [{{pin: {{at: A, between: [ground, AB]}}}}]
+instant: [at rest]
+find: {{alpha: alpha(AB)}}
+"""
+BLOW = """
+title: Two disks
+plane: horizontal
+points: {{P: [0, 0], Q: [0, 0]}}
+{more}
+bodies: {{a: {{particle: P, mass: 1 kg}}, b: {{particle: Q, mass: 1 kg}}}}
+joints: [{{impact: {{between: [a, b], normal: 0 deg{restitution}, during: 1->2}}}}]
+states:
+  1: [v(a).x = 1 m/s, v(a).y = 0, v(b).x = 0, v(b).y = 0]
+  2: [just after 1, v(b).x = {after}]
+find: {{v: v(a).x @ 2}}
+"""
+CAR = """
+title: Car that gathers speed
+points: {P: [0, 0]}
+bodies: {b: {particle: P}}
+motion: [v(b).x = 3 m/s + 2 m/s^2 * t, v(b).y = 0]
+find: {v: v(b).x in km/h}
+"""
+FALL = """
+title: Stone
+plane: vertical
+given: {{c: 3 m}}
+{more}
+points: {{P: [0, 0]}}
+bodies: {{b: {{particle: P, mass: 2 kg}}}}
+states: {{1: [t = 0, at rest], 2: [t = 1 s{state}]}}
+find: {{v: v(b).y @ 2}}
+"""
+
+
+def crate(instant: str, find: str = "a: a(crate).x", mu: str = "0.3", force: str = "10 N", more: str = "") -> str:
+    return CRATE.format(instant=instant, find=find, mu=mu, force=force, more=more)
+
+
+def refused(text: str) -> str:
+    """The code of what is wrong with a text."""
+    with pytest.raises((FileProblem, NoSolution)) as raised:
+        solve(text)
+    (diagnostic,) = raised.value.diagnostics
+    assert diagnostic.mark.line > 0
+    return diagnostic.code
+
+
+def page(tmp_path: Path, text: str) -> str:
+    file = tmp_path / "problem.yaml"
+    file.write_text(text, encoding="utf-8")
+    told: str = members("formats")["terminal"]().render(narrate(solve_problem(read(str(file)))))
+    return told
+
+
+@pytest.mark.parametrize(("sign", "a"), [(">", "2.057"), ("<", "7.943")])
+def test_an_inequality_tells_the_way_of_a_slip(sign: str, a: str) -> None:
+    assert_close(solve(crate(f"'v(crate).x {sign} 0'"))["a"], a)
+
+
+def test_a_direction_is_enough_where_a_coefficient_is_sought() -> None:
+    text = crate("'v(crate).x > 0', a(crate).x = -3 m/s^2", "mu: mu", "mu", "0 N", "unknowns: {mu: 1}")
+    assert_close(solve(text)["mu"], "0.305810397553516819571865443425")
+
+
+def test_a_direction_does_not_tell_a_speed() -> None:
+    assert refused(crate("'v(crate).x > 0'", "v: v(crate).x")) == "PL604"
+
+
+def test_known_numbers_that_contradict_each_other() -> None:
+    assert refused(crate("at rest, F = q", force="F", more="given: {F: 10 N, q: 7 N}")) == "PL616"
+
+
+def test_a_length_fits_the_places() -> None:
+    assert refused(ROD.format(length="0.5 m")) == "PL615"
+    assert_close(solve(ROD.format(length="0.4 m"))["alpha"], "-36.7875")
+
+
+@pytest.mark.parametrize(("more", "restitution"), [("", ""), ("unknowns: {e: 1}", ", restitution: e")])
+def test_bodies_do_not_part_faster_than_they_met(more: str, restitution: str) -> None:
+    assert refused(BLOW.format(more=more, restitution=restitution, after="1.4 m/s")) == "PL619"
+    assert refused(BLOW.format(more=more, restitution=restitution, after="0.4 m/s")) == "PL619"
+    assert_close(solve(BLOW.format(more=more, restitution=restitution, after="0.8 m/s"))["v"], "0.2")
+
+
+def test_a_formula_is_in_the_unit_that_is_asked(tmp_path: Path) -> None:
+    assert "v = 3.6 · (3 + 2 t) (in km/h, t in s)" in page(tmp_path, CAR)
+
+
+def test_an_unknown_that_nothing_uses_is_refused(tmp_path: Path) -> None:
+    assert refused(FALL.format(more="unknowns: {s: m}", state=", s = 0.5 m")) == "PL459"
+    assert_close(solved(tmp_path, FALL.format(more="unknowns: {s: m}", state=", y(b) = -s"))["v"], "-9.81")
+
+
+def test_a_number_that_nothing_uses_is_told(tmp_path: Path) -> None:
+    assert "Not used   c" in page(tmp_path, FALL.format(more="", state=""))
+
+
+SLOPE = """
+title: Crate on a slope, in letters
+plane: vertical
+symbols: {{mu: 1, beta: deg, m: kg}}
+{more}
+points: {{P: [0, 0]}}
+surfaces: {{slope: {{through: P, angle: beta}}}}
+bodies: {{crate: {{particle: P, mass: m}}}}
+joints: [{{contact: {{between: [crate, slope], at: P, mu: mu, name: C}}}}]
+instant: [at rest{mode}]
+find: {{a: a(crate).along(beta)}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("mode", "more", "told"),
+    [
+        (", mode(C) = stick", "", "Assume   μ cos β > sin β, which the file leaves open"),
+        (", mode(C) = slip", "", "Assume   sin β > μ cos β, which the file leaves open"),
+        ("", "assume: [mu > tan(beta)]", "Assume   crate at P does not slip"),
+    ],
+)
+def test_a_decision_that_rests_on_letters_is_told(tmp_path: Path, mode: str, more: str, told: str) -> None:
+    text = page(tmp_path, SLOPE.format(mode=mode, more=more))
+    assert told in text
+    assert text.count("which the file leaves open") == (not more)
