@@ -2,8 +2,16 @@
 
     .venv/bin/python tests/mutations.py [--kind number] [--sample 2000] [--seed 1] [--files problems/friction]
 
-A mutant is refused, has no solution, has another answer, or has the same answer and another page (what a mass that
-cancels is multiplied with is told). What is none of it, and what ends in a fault, is an offender and is listed.
+A mutant is refused, has no solution, has another answer, or has the same answer and another page ("told": a mass that
+cancels stands in the equations). It may have the very same page for a reason:
+
+    implied   a statement follows from others: its contrary is refused or changes something; so does that of a bound
+    drawn     a place or size on which nothing rests: where a floor goes through, the radius of a disk on a pin
+    assumed   what is only assumed of letters, and no answer rests on it
+    asked     a find asks for another thing of the same value
+    a name    a name that nothing else uses is spelt otherwise
+
+What is none of it ("unchanged"), ends in a fault, or is refused without a place is an offender and is listed.
 """
 
 from __future__ import annotations
@@ -41,6 +49,8 @@ TEXTS = frozenset(("title", "text", "source", "note", "tolerance", "variants", "
 """What is only told, or what tells how to solve; names and the figures of answers are no part of the mechanics."""
 STATEMENTS = frozenset(("motion", "instant", "assume", "joints", "loads", "relaxed_at"))
 NAMED = frozenset(("given", "symbols", "unknowns", "coordinates", "points", "surfaces", "bodies", "states"))
+SIZES = frozenset("particle rod disk ring sphere sector plate center radius hub width height points".split())
+A_NAME = "a name"
 OFF = "1.07"
 UNCHANGED, FAULT = "unchanged", "fault"
 
@@ -56,8 +66,8 @@ class Mutant:
     new: str | None
     place: str
     what: str
-    free: bool = False
-    """Only a name is exchanged for a new one: where nothing else calls it, nothing has changed."""
+    reason: str = ""
+    """Why its page may be that of the file: one of the words above; "": there is none."""
     contrary: str | None = None
     """What says the contrary of the statement that goes: a statement that follows from others is checked by them."""
 
@@ -97,15 +107,16 @@ class _Walk:
                     continue
                 place = f"{key.mark.line}:{key.mark.column}"
                 name = key.text + key.text[-1]
-                free = bool(keys) and keys[-1] in NAMED | {"find", "cases"}
-                yield Mutant(self.file, "key", (*at, i), True, name, place, f"{key.text} -> {name}", free)
+                reason = A_NAME if keys and keys[-1] in NAMED | {"find", "cases"} else ""
+                yield Mutant(self.file, "key", (*at, i), True, name, place, f"{key.text} -> {name}", reason)
                 yield from self._inside(value, (*at, i), (*keys, key.text))
         else:
             for i, item in enumerate(node.items):
                 if _are_statements(keys):
                     place = f"{item.mark.line}:{item.mark.column}"
                     what, other = f"without {_said(item)}", _contrary(item)
-                    yield Mutant(self.file, "statement", (*at, i), False, None, place, what, False, other)
+                    reason = _reason((*keys, ""))
+                    yield Mutant(self.file, "statement", (*at, i), False, None, place, what, reason, other)
                 yield from self._inside(item, (*at, i), keys)
 
     def _scalar(self, node: Scalar, at: Path_, keys: tuple[str, ...]) -> Iterator[Mutant]:
@@ -121,7 +132,7 @@ class _Walk:
                 place = f"{node.mark.line}:{node.mark.column + node.quoted + token.start}"
                 # A bound rejects what lies beyond it, and may do so wherever it stands on this side.
                 other = _contrary(node) if "<" in node.text or ">" in node.text.replace("->", "") else None
-                yield Mutant(self.file, kind, at, False, text, place, f"{node.text} -> {text}", False, other)
+                yield Mutant(self.file, kind, at, False, text, place, f"{node.text} -> {text}", _reason(keys), other)
 
     def _changed(
         self, tokens: Sequence[Token], i: int, node: Scalar, keys: tuple[str, ...]
@@ -143,6 +154,14 @@ class _Walk:
         for names in self.names.values():
             if token.text in names and len(names) > 1:
                 yield "name", names[(names.index(token.text) + 1) % len(names)], token.start
+
+
+def _reason(keys: tuple[str, ...]) -> str:
+    """Why a number or name below these keys may change nothing."""
+    own = keys[2:] if keys[0] == "cases" else keys
+    if own[:1] in (("points",), ("surfaces",)) or own[-1] in SIZES:
+        return "drawn"
+    return {"find": "asked", "assume": "assumed"}.get(own[0], "")
 
 
 def _keys(node: Mapping) -> list[str]:
@@ -269,7 +288,12 @@ def judged(mutant: Mutant, base: Outcome, ended: Any) -> tuple[str, str]:
         return "another answer", ""
     if outcome.page != base.page:
         return "told", ""
-    return ("a name" if mutant.free else UNCHANGED), ""
+    return mutant.reason or UNCHANGED, ""
+
+
+def offends(outcome: str, detail: str) -> bool:
+    """Is it a fault, a change that nothing notices, or a refusal without a place?"""
+    return outcome in (UNCHANGED, FAULT) or detail.startswith("no place")
 
 
 def run(
@@ -322,7 +346,7 @@ def main() -> None:
     for kind in kinds:
         print("".join(f"{cell!s:>16}" for cell in (kind, *(counts[kind, o] for o in outcomes))))
     for mutant, outcome, detail in results:
-        if outcome in (UNCHANGED, FAULT) or detail.startswith("no place"):
+        if offends(outcome, detail):
             print(f"{mutant.file}:{mutant.place} {mutant.kind} {outcome} {detail}: {mutant.what}")
 
 

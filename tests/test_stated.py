@@ -154,3 +154,37 @@ def test_a_decision_that_rests_on_letters_is_told(tmp_path: Path, mode: str, mor
     text = page(tmp_path, SLOPE.format(mode=mode, more=more))
     assert told in text
     assert text.count("which the file leaves open") == (not more)
+
+
+DRUM = """
+title: Weight on a drum
+plane: vertical
+points: {{O: [0, 0], T: [{arm}, 0], Q: [{arm}, -1 m]}}
+bodies:
+  drum: {{disk: O, radius: 0.3 m, hub: 0.2 m, mass: 4 kg}}
+  weight: {{particle: Q, mass: 1 kg}}
+joints:
+  - pin: {{at: O, between: [ground, drum]}}
+  - rope: {{path: [Q, T on drum], name: cord}}
+instant: [at rest]
+find: {{S: tension(cord)}}
+"""
+
+
+@pytest.mark.parametrize("arm", ["0.25 m", "0"])
+def test_a_cord_leaves_a_rim(arm: str) -> None:
+    assert refused(DRUM.format(arm=arm)) == "PL522"
+    assert_close(solve(DRUM.format(arm="0.3 m"))["S"], "6.54")
+
+
+@pytest.mark.parametrize("find", ["v(P/P).x", "a(O).theta"])
+def test_what_has_no_direction_is_refused(find: str) -> None:
+    text = """
+title: Point on a circle
+points: {{O: [0, 0], P: [1 m, 0]}}
+bodies: {{b: {{rod: [O, P]}}}}
+joints: [{{pin: {{at: O, between: [ground, b]}}}}]
+motion: [omega(b) = 2 rad/s]
+find: {{f: {find}}}
+"""
+    assert refused(text.format(find=find)) == ("PL421" if "/" in find else "PL556")

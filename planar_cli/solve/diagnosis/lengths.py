@@ -1,54 +1,98 @@
-"""Lengths of rods that are stated beside the places of both ends: they are checked."""
+"""Sizes that are stated beside the places that tell them, and are checked: rods between two points, cords on drums."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from decimal import Decimal
 from typing import Any
 
 import sympy as sp
 
-from planar_cli.equation.setup import Earlier
-from planar_cli.errors import Diagnostic, NoSolution
+from planar_cli.equation.scene import Scene
+from planar_cli.equation.setup import Earlier, Setup, first_unit
+from planar_cli.equation.system import Statements
+from planar_cli.errors import Diagnostic, Mark, NoSolution
 from planar_cli.problem.expression import Side
-from planar_cli.problem.scene import Body, Problem, Rod
-from planar_cli.solve.diagnosis.words import in_unit, unit_of
-from planar_cli.solve.instant.instant import Instant, make_instant
+from planar_cli.problem.keys import RopeStop
+from planar_cli.problem.scene import Body, Problem, Rod, Round
+from planar_cli.problem.scope import members_of
+from planar_cli.solve.diagnosis.words import in_unit
+from planar_cli.units import LENGTH, default_unit, parse_unit
 
 ROUNDED = Decimal("5e-4")
 """Places are drawn with some four digits: a length may differ from their distance by this part."""
 
+Length = tuple[Body, str, str, Side]
+"""A rod, its two points, and its length."""
+Cord = tuple[Round, str, str, Mark]
+"""A round body, its name, the point where a cord leaves it, and where that is said."""
+
 
 def demand_lengths(problem: Problem, earlier: Mapping[str, Earlier]) -> None:
-    """NoSolution: a rod is said to be longer or shorter than the distance of its ends."""
-    places = {p.name for p in problem.points}
-    stated: list[tuple[Body, str, str, Side]] = []
-    for body in problem.bodies:
-        match body.shape:
-            case Rod(start, str(end), _, length) if length is not None and {start, end} <= places:
-                stated.append((body, start, end, length))
-    if not stated:
+    """NoSolution: a rod is not as long as its ends are apart, or a cord leaves a drum where there is no rim."""
+    rods, cords = list(_rods(problem)), list(_cords(problem))
+    if not rods and not cords:
         return
     now: tuple[Any, ...] = problem.instant or (problem.states[0].relations if problem.states else ())
-    instant = make_instant(problem, tuple(law.statement for law in problem.motion), now, dict(earlier), False)
-    wrong = [found for one in stated if (found := _unfit(instant, *one)) is not None]
+    statements = Statements.of(tuple(law.statement for law in problem.motion), now)
+    scene = Setup(problem, statements, earlier, False).scene
+    wrong = [d for d in (*(_unfit(scene, *r) for r in rods), *(_off_rim(scene, *c) for c in cords)) if d is not None]
     if wrong:
         raise NoSolution(wrong)
 
 
-def _unfit(instant: Instant, body: Body, start: str, end: str, side: Side) -> Diagnostic | None:
-    scene, value = instant.scene, instant.scene.valuations[0]
-    length = sp.sympify(scene.value(side))
+def _rods(problem: Problem) -> Iterator[Length]:
+    places = {p.name for p in problem.points}
+    for body in problem.bodies:
+        match body.shape:
+            case Rod(start, str(end), _, length) if length is not None and {start, end} <= places:
+                yield body, start, end, length
+
+
+def _cords(problem: Problem) -> Iterator[Cord]:
+    drums = {b.name: b.shape for b in problem.bodies if isinstance(b.shape, Round)}
+    for member in members_of(problem):
+        named = [(stop.body, stop.name) for stop in getattr(member, "path", ()) if isinstance(stop, RopeStop)]
+        named += [(getattr(member, "body", None), getattr(member, "wound_at", None) or "")]
+        for body, point in named:
+            if body in drums and point:
+                yield drums[body], body, point, member.mark
+
+
+def _unfit(scene: Scene, body: Body, start: str, end: str, side: Side) -> Diagnostic | None:
+    value, length = scene.valuations[0], sp.sympify(scene.value(side))
     apart = sp.sympify(scene.length(scene.point(end) - scene.point(start)))
     if scene.rests_on_sought(apart) or scene.rests_on_sought(length):
         text = f"the length of {body.name} and the places of {start} and {end} both tell how far apart these are"
         return Diagnostic(body.mark, "PL615", text, f"leave `length` out, and state `r({end}/{start}).mag = …`")
-    off = value(apart - length)
-    if abs(off) <= ROUNDED * abs(value(length)):
+    if abs(value(apart - length)) <= ROUNDED * abs(value(length)):
         return None
     text = f"{body.name} does not reach from {start} to {end}"
     if not scene.ledger.symbolic:
-        unit = unit_of(instant, side)
-        told, between = in_unit(value(length), unit), in_unit(value(apart), unit)
+        told, between = _shown(scene, value(length), side), _shown(scene, value(apart), side)
         text = f"{body.name} has the length {told}, but from {start} to {end} there are {between}"
     return Diagnostic(body.mark, "PL615", text, "leave `length` out, as the places tell it, or correct a place")
+
+
+def _off_rim(scene: Scene, shape: Round, body: str, point: str, mark: Mark) -> Diagnostic | None:
+    value = scene.valuations[0]
+    arm = scene.point(point) - scene.point(shape.center)
+    square = sp.sympify(arm.dot(arm))
+    rims = [r for r in (shape.radius, shape.hub) if r is not None]
+    radii = [sp.sympify(scene.value(r)) for r in rims]
+    if any(scene.rests_on_sought(e) for e in (square, *radii)):
+        return None
+    far = value(square).sqrt()
+    if any(abs(far - value(r)) <= ROUNDED * value(r) for r in radii):
+        return None
+    text = f"the cord leaves {body} at {point}, which is on no rim of it"
+    if not scene.ledger.symbolic:
+        sizes = " or ".join(_shown(scene, value(r), s) for r, s in zip(radii, rims, strict=True))
+        text += f": {_shown(scene, far, shape.radius)} from its centre, and not {sizes}"
+    return Diagnostic(mark, "PL522", text, f"draw {point} on the rim, or correct `radius:` or `hub:`")
+
+
+def _shown(scene: Scene, value: Decimal, side: Side) -> str:
+    """A length in the unit of the file."""
+    written = first_unit(side)
+    return in_unit(value, default_unit(LENGTH, us=scene.problem.us) if written is None else parse_unit(written))
