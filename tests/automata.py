@@ -21,7 +21,7 @@ class Always:
 
     scene: Automaton
 
-    def automaton(self, reached: Sequence[str]) -> Automaton:
+    def automaton(self, reached: Sequence[str], striking: str = "") -> Automaton:
         """The same always."""
         return self.scene
 

@@ -96,3 +96,28 @@ def test_a_ring_struck_from_within_whoever_is_named_first() -> None:
         assert found["x"].values == pytest.approx([0.5 + u * t])
         assert found["y"].values == pytest.approx([-depth + w * t - g * t * t / 2])
         assert found["v"].values == pytest.approx([(u**2 + (w - g * t) ** 2) ** 0.5])
+
+
+HOOK = """
+title: Falling bar whose end catches on a hook
+plane: vertical
+given: {m: 4 kg, l: 1 m, h: 0.8 m}
+points: {A: [0, 0], B: [l, 0]}
+bodies: {bar: {rod: [A, B], mass: m}}
+joints:
+  - pin: {at: A, between: [ground, bar], during: %s}
+states:
+  1: [v(bar).x = 0, v(bar).y = -sqrt(2*g*h), omega(bar) = 0]
+  2: [just after 1]
+  3: [theta(bar) = -90 deg]
+find: {w: omega(bar) @ 2, loss: KE(bar) @ 1 - KE(bar) @ 2, last: omega(bar) @ 3}
+"""
+
+
+@pytest.mark.parametrize("span", ["1->3", "2->3"])
+def test_what_takes_hold_from_the_state_just_after_a_blow_makes_the_blow(span: str) -> None:
+    """About A the momentum stays: m v l/2 = m l^2/3 ω; then m l^2/6 (ω_3^2 - ω^2) = m g l/2."""
+    found = answers(HOOK % span)
+    speed = 1.5 * (2 * 9.81 * 0.8) ** 0.5
+    numbers = [found[n].values[0] for n in ("w", "loss", "last")]
+    assert numbers == pytest.approx([-speed, 9.81 * 0.8, -((speed**2 + 3 * 9.81) ** 0.5)])

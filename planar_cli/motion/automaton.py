@@ -152,8 +152,10 @@ class Automaton(Protocol):
 class Stages(Protocol):
     """The scene with what acts in it at each stage of the schedule."""
 
-    def automaton(self, reached: Sequence[str]) -> Automaton:
-        """The scene once these states have been reached."""
+    def automaton(self, reached: Sequence[str], striking: str = "") -> Automaton:
+        """The scene once these states have been reached; `striking`: in the blow before this state, which joints that
+        begin with it make too.
+        """
 
     def applied(self, after: str, t: float, y: Sequence[float]) -> Mapping[str, tuple[float, ...]]:
         """The impulses of loads, by their names, in the blow that ends in the state `after`, for each velocity."""

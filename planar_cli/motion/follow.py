@@ -117,7 +117,7 @@ class Follower:
     def _blow(self, state: str) -> bool:
         """What strikes, takes hold or lets go when a state has been reached; False where nothing does."""
         follower = self.waiting.just_after(state)
-        changed = self._act(self.waiting.names)
+        changed = self._act(self.waiting.names, follower.name if follower is not None else "")
         if follower is None:
             if changed:
                 self._settle(f"the state {state}", striking=True)
@@ -133,9 +133,9 @@ class Follower:
         self._finish()
         return True
 
-    def _act(self, reached: Sequence[str]) -> bool:
-        """Let act what acts once these states have been reached; True where that changes."""
-        automaton = self.stages.automaton(reached)
+    def _act(self, reached: Sequence[str], striking: str) -> bool:
+        """Let act what acts once these states are reached (`striking`: see the stages); True where that changes."""
+        automaton = self.stages.automaton(reached, striking)
         if automaton is self.automaton:
             return False
         old = dict(zip(self.automaton.choices, self.choice, strict=True))

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 
 from planar_cli.integrators.base import Step
+from planar_cli.joints.base import Joint
 from planar_cli.motion.automaton import Choice, Outside, Start
 from planar_cli.motion.constraints import Constraint
 from planar_cli.motion.dense import null_space
@@ -186,12 +187,16 @@ class SceneStages:
             automaton.model.begin()
             automaton.note(t, y)
 
-    def automaton(self, reached: Sequence[str]) -> SceneAutomaton:
-        """The scene once these states have been reached."""
-        acting = tuple(self._acts(m, reached) for m in (*self.passing, *self.laws))
+    def automaton(self, reached: Sequence[str], striking: str = "") -> SceneAutomaton:
+        """The scene once these states have been reached; `striking`: in the blow before this state, in which joints
+        that begin with it take hold.
+        """
+        acting = tuple(self._acts(m, reached) or self._takes_hold(m, striking) for m in (*self.passing, *self.laws))
         if acting not in self._made:
-            idle = self._idle(reached)
-            laws = [law for law in self.laws if self._acts(law, reached)]
+            members = zip((*self.passing, *self.laws), acting, strict=True)
+            here = [m for m, acts in members if acts]
+            idle = [m for m in self.passing if m not in here]
+            laws = [law for law in self.laws if law in here]
             self._made[acting] = SceneAutomaton(HybridModel(self.scene, lambda m: m not in idle, laws))
         return self._made[acting]
 
@@ -214,6 +219,12 @@ class SceneStages:
 
     def _idle(self, reached: Sequence[str]) -> list[Member]:
         return [m for m in self.passing if not self._acts(m, reached)]
+
+    @staticmethod
+    def _takes_hold(member: Member | Law, state: str) -> bool:
+        """Is it a joint that acts from this state on, so that the blow before it makes it hold?"""
+        lasts = isinstance(member, Joint) and not member.strikes
+        return lasts and member.during is not None and member.during[0] == state
 
     def applied(self, after: str, t: float, y: Sequence[float]) -> Mapping[str, tuple[float, ...]]:
         """The impulses of the loads that strike before the state `after`."""

@@ -257,10 +257,11 @@ def _followed(scene: Prepared, settings: Settings, shift: float, known: _Known) 
     if until <= start.t:
         text = f"the motion begins at t = {start.t:g} s, so it can not end at t = {until:g} s"
         raise FileProblem([Diagnostic(Mark(problem.file, 1, 1), "PL704", text, "write a later time behind --until")])
-    names = [first]
+    names, followers = [first], {e.name for e in events if e.after}
 
     def heard(reached: Reached) -> None:
-        regime = stages.automaton(tuple(names)).model.regime(reached.choice)
+        striking = reached.name if reached.name in followers else ""
+        regime = stages.automaton(tuple(names), striking).model.regime(reached.choice)
         measures.moments[reached.name] = Moment(regime, {}, reached.t, reached.y)
         names.append(reached.name)
 
