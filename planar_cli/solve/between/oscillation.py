@@ -17,7 +17,7 @@ import mpmath
 import sympy as sp
 
 from planar_cli.equation.exact import DIGITS, Sample, Unvalued, Valuation
-from planar_cli.equation.plain import derivative, simplified
+from planar_cli.equation.plain import derivative, identically_zero, simplified
 from planar_cli.errors import Diagnostic, FileProblem, Mark, NoSolution, NoValue, Undecided
 from planar_cli.problem.expression import Quantity
 from planar_cli.records import record
@@ -38,7 +38,7 @@ class Oscillation:
     stop: Stop
     regime: Regime
     speeds: tuple[sp.Symbol, ...]
-    """The free speeds u."""
+    """The free speeds u; a rotation that enters no force is left out."""
     laws: tuple[sp.Expr, ...]
     """du/dt of each, a formula of the general position."""
     stiffness: tuple[tuple[sp.Expr, ...], ...]
@@ -83,9 +83,27 @@ def linearised(regime: Regime, stop: Stop) -> Oscillation:
         # Places are put in before anything is simplified: there most terms vanish.
         return stop.at(expr.xreplace(still))
 
-    stiffness = tuple(tuple(at_rest(-_slope(law, u, rates)) for u in speeds) for law in laws)
-    damping = tuple(tuple(at_rest(-derivative(law, u)) for u in speeds) for law in laws)
-    return Oscillation(stop, regime, speeds, laws, stiffness, damping)
+    stiffness = [[at_rest(-_slope(law, u, rates)) for u in speeds] for law in laws]
+    damping = [[at_rest(-derivative(law, u)) for u in speeds] for law in laws]
+    free = [j for j, u in enumerate(speeds) if _turns_only(regime, u) and _enters_nothing(j, stiffness, damping)]
+    kept = [j for j in range(len(speeds)) if j not in free] or list(range(len(speeds)))
+
+    def of_kept(rows: list[list[sp.Expr]]) -> tuple[tuple[sp.Expr, ...], ...]:
+        return tuple(tuple(rows[i][j] for j in kept) for i in kept)
+
+    own = tuple(speeds[j] for j in kept), tuple(laws[j] for j in kept)
+    return Oscillation(stop, regime, *own, of_kept(stiffness), of_kept(damping))
+
+
+def _turns_only(regime: Regime, u: sp.Symbol) -> bool:
+    """Is a free speed that of a rotation?"""
+    moved = [c for c in regime.coordinates if regime.rates[c.symbol].has(u)]
+    return bool(moved) and all(c.unit == "rad" for c in moved)
+
+
+def _enters_nothing(j: int, stiffness: list[list[sp.Expr]], damping: list[list[sp.Expr]]) -> bool:
+    """Does no law change with a deviation of this freedom, or with its speed?"""
+    return all(identically_zero(row[j]) for row in (*stiffness, *damping))
 
 
 def _slope(law: sp.Expr, u: sp.Symbol, rates: dict[sp.Symbol, dict[sp.Symbol, sp.Expr]]) -> sp.Expr:
