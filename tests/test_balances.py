@@ -35,6 +35,22 @@ joints:
 states: {1: [t = 0, at rest], 2: [theta(rod) = -90 deg]}
 find: {v: v(wagon).x @ 2}
 """
+PACKAGE = """
+title: A package slides on the bed of a car that brakes
+plane: vertical
+points: {C: [0, 0], P: [0, 1 m]}
+surfaces: {bed: {through: P, angle: 0 deg, body: car}}
+bodies: {car: {particle: C, mass: 1000 kg}, package: {particle: P, mass: 10 kg}}
+joints:
+  - guide: {body: car, along: 0 deg}
+  - contact: {between: [package, bed], mu: 0.4}
+loads:
+  - force: {body: car, magnitude: 5 kN, angle: 180 deg}
+states:
+  1: [t = 0, v(car).x = 20 m/s, v(package).x = 20 m/s]
+  2: [t = 3 s]
+find: {v: v(package/car).x @ 2}
+"""
 
 
 def followed(text: str) -> Trajectory:
@@ -44,9 +60,11 @@ def followed(text: str) -> Trajectory:
     return simulate(problem, Settings(momenta=True, estimate=False)).run.trajectory
 
 
-@pytest.mark.parametrize("text", [ROCKET, WAGON])
+@pytest.mark.parametrize("text", [ROCKET, WAGON, PACKAGE])
 def test_momenta_add_up(text: str) -> None:
-    """Of a mass that shrinks, too; a momentum that stays zero is measured by what is usual in the scene."""
+    """Of a mass that shrinks, too, and where a load moves on a body that can not turn; a momentum that stays zero is
+    measured by what is usual in the scene.
+    """
     trajectory = followed(text)
     assert not trajectory.outcome.refused
     for segment in trajectory.segments:

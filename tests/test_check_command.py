@@ -34,6 +34,16 @@ joints:
 instant: [at rest]
 find: {a: a(A).mag, normal: N(A), state: mode(A)}
 """
+ROCKET = """
+title: Rocket
+plane: vertical
+symbols: {m0: kg, q: kg/s, u: m/s, T: s}
+bodies: {rocket: {particle: [0, 0], mass: m0 - q*t}}
+loads:
+  - stream: {body: rocket, rate: q, leaves: {at: rocket, speed: u, angle: -90 deg}}
+states: {0: [t = 0, at rest], 1: [t = T]}
+find: {v: v(rocket).y @ 1}
+"""
 
 
 # --- comparison ------------------------------------------------------------------------------------------------------
@@ -97,6 +107,18 @@ def test_formulas_and_words(answer: str, agrees: bool) -> None:
     found = verdict(SLOPE, answer)
     assert found.agrees is agrees
     assert bool(found.message) is not agrees
+
+
+@pytest.mark.parametrize(
+    ("answer", "agrees"),
+    [
+        ("v: u*log(m0/(m0 - q*T)) - g*T", True),
+        ("v: u*log(m0) - T*g - u*log(m0 - T*q)", True),
+        ("v: u*log(m0/(m0 - q*T)) + g*T", False),
+    ],
+)
+def test_formulas_that_are_not_real_for_all_letters(answer: str, agrees: bool) -> None:
+    assert verdict(ROCKET, answer).agrees is agrees
 
 
 def test_a_message_says_how_far_off() -> None:

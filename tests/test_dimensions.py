@@ -145,3 +145,25 @@ def test_angle_is_remembered() -> None:
     kinds |= {"theta/(2*pi)": False, "theta/pi": False, "theta*pi": True, "theta/(pi*t)": True}
     found = {text: dimension_of(parse_side(text, START), lookup).angle for text in kinds}
     assert found == kinds
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "l*log(m) - g/2*t^2 - l*log(m - 2 kg)",
+        "-(log(F) - log(m) - log(g))",
+        "2*log(l) - log(F/k*l)",
+        "log(m)*l - l*(log(2*m) + 3)",
+    ],
+)
+def test_logarithms_that_make_up_for_each_other(text: str) -> None:
+    report: list[Diagnostic] = []
+    dimension_of(parse_side(text, START), lookup, report)
+    assert not report
+
+
+@pytest.mark.parametrize("text", ["log(m)", "log(m) + log(m)", "log(F) - log(m)", "l*log(m) - 2*l*log(m)"])
+def test_logarithms_that_depend_on_the_unit(text: str) -> None:
+    report: list[Diagnostic] = []
+    dimension_of(parse_side(text, START), lookup, report)
+    assert {d.code for d in report} == {"PL222"}

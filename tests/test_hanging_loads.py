@@ -94,3 +94,29 @@ def test_a_disk_in_a_loop_of_the_rope() -> None:
 def test_a_state_that_is_the_other_way() -> None:
     with pytest.raises(Undecided, match="a free part of cord has run out"):
         solve(MOVING_DISK.replace("1.3 m", "0.7 m"))
+
+
+ON_A_DRUM = """
+title: Load that is drawn nearer to the drum than it rises
+plane: vertical
+given: {r: 5 in}
+points: {A: [0, 0], E: [-r, 0], B: [-r, -20 in]}
+bodies:
+  drum: {disk: A, radius: r}
+  load: {particle: B}
+joints:
+  - pin: {at: A, between: [ground, drum]}
+  - guide: {point: B, along: 90 deg}
+  - rope: {path: [E on drum, B], name: cable}
+motion: [alpha(drum) = -3 rad/s^2]
+states:
+  0: [t = 0, omega(drum) = -4 rad/s]
+  2: [t = 2 s]
+find: {rise: y(B) @ 2 - y(B) @ 0}
+"""
+
+
+def test_a_rope_that_is_drawn_too_short_is_told() -> None:
+    with pytest.raises(Undecided, match=r":15: .*a free part of cable has run out.*draw it longer"):
+        solve(ON_A_DRUM)
+    assert float(solve(ON_A_DRUM.replace("-20 in", "-80 in"))["rise"].values[0]) == pytest.approx(70 * 0.0254)

@@ -142,14 +142,22 @@ class _Comparison:
         solved = self.found.expressions or ()
         texts = _joined(exprs), self._formulas()
         errors = []
-        for valuation in self.scene.valuations:
-            draw = self._with_lines(valuation)
-            if any(draw.known(e) is None for e in (*exprs, *solved)):
-                return self._told(*texts, False, None)
+        for draw in self._draws((*exprs, *solved)):
             wanted = tuple(draw(e) for e in exprs)
             off = _size(tuple(draw(a) - w for a, w in zip(solved, wanted, strict=True)))
             errors.append(off / max(_size(wanted), *(draw.size(e) * EXACT for e in (*exprs, *solved)), EXACT))
+        if not errors:
+            return self._told(*texts, False, None)
         return self._told(*texts, max(errors) <= tolerance, max(errors))
+
+    def _draws(self, exprs: tuple[sp.Expr, ...]) -> list[Valuation]:
+        """Draws at which all of some formulas are real: a logarithm or a root need not be everywhere."""
+        for valuations in (self.scene.valuations, self.scene.everywhere()):
+            draws = [self._with_lines(v) for v in valuations]
+            real = [d for d in draws if all(d.known(e) is not None for e in exprs)]
+            if len(real) == len(valuations) or (real and valuations is not self.scene.valuations):
+                return real
+        return []
 
     def _with_lines(self, draw: Valuation) -> Valuation:
         """The draw with the solution's lines: a long formula still holds names of intermediates."""

@@ -3,7 +3,8 @@
     p' = Σ F,   H' = Σ M        of all loads, and of what the joints do to the ground, reversed
 
 What bodies do to each other does not count: whether it cancels is what the balance shows. A mass that grows or shrinks
-in time brings or takes m' v, as seen from the body.
+in time brings or takes m' v, as seen from the body. A body that is a particle does not turn: what presses on a surface
+of it, away from its point, has a moment about that point, which goes to whatever keeps the body from turning, outside.
 """
 
 from __future__ import annotations
@@ -35,7 +36,7 @@ def outside_of(model: HybridModel, regime: Regime) -> Outside | None:
             loads[i] = loads[i] + growth * slot.rate if i in loads else growth * slot.rate
     terms = list(_of_column(model, loads))
     for push in regime.reactions:
-        terms += _on_ground(model, [a for a in push.actions if a.body == GROUND])
+        terms += _to_outside(model, push.actions)
     code = compiled([graph.of(t) for t in terms], layout.state, layout.time)
     count = len(regime.reactions)
 
@@ -65,13 +66,20 @@ def _of_column(model: HybridModel, column: Mapping[int, Term]) -> tuple[Term, Te
     return force_x, force_y, moment
 
 
-def _on_ground(model: HybridModel, actions: Sequence[Action]) -> tuple[Term, Term, Term]:
-    """What a unit of a push does to the ground."""
-    graph = model.graph
+def _to_outside(model: HybridModel, actions: Sequence[Action]) -> tuple[Term, Term, Term]:
+    """What a unit of a push does to the ground, and to what keeps the particles from turning."""
+    graph, layout = model.graph, model.layout
     force, moment = Vec(graph.number(0.0), graph.number(0.0)), graph.number(0.0)
     for action in actions:
+        frame = layout.frames.get(action.body)
+        if action.body != GROUND and (frame is None or frame.theta is not None):
+            continue
         moment = moment + graph.of(action.couple)
-        if action.force is not None:
-            force = force + action.force
-            moment = moment + graph.of(action.point.cross(action.force))
+        if action.force is None:
+            continue
+        if frame is None:
+            force, arm = force + action.force, action.point
+        else:
+            arm = action.point - Vec(layout.slots[frame.x].coordinate, layout.slots[frame.y].coordinate)
+        moment = moment + graph.of(arm.cross(action.force))
     return graph.of(force.x), graph.of(force.y), graph.of(moment)

@@ -30,7 +30,8 @@ from planar_cli.problem.expression import (
     Statement,
     Word,
 )
-from planar_cli.problem.walk import walk
+from planar_cli.problem.logarithms import same_in_all_units
+from planar_cli.problem.walk import rational, walk
 from planar_cli.records import record
 from planar_cli.units import Dimension, UnitError, default_unit, describe, parse_unit
 
@@ -156,6 +157,8 @@ class _Inference:
     def __init__(self, lookup: Lookup, report: Report) -> None:
         self.lookup = lookup
         self.report = report
+        self.sums: list[Side] = []
+        """The sums in which the side stands that is looked at."""
 
     def complain(self, mark: Mark, code: str, message: str, hint: str = "") -> None:
         self.report.append(Diagnostic(mark, code, message, hint))
@@ -217,10 +220,22 @@ class _Inference:
             if side.name == "abs" or kind.dimension is None:
                 return kind
             return Kind(kind.dimension ** Fraction(1, 2))
+        if side.name == "log" and self._in_whole_sum(side):
+            return PURE
         message = side.name + "(…) is taken of an angle or a pure number, not of {}"
         example = f"`{side.name}(30 deg)`" if side.name in ("sin", "cos", "tan") else f"`{side.name}(x/l)`"
         self._pure(side.argument, "PL222", message, example)
         return ANGLE if side.name in ("asin", "acos", "atan") else PURE
+
+    def _in_whole_sum(self, log: Function) -> bool:
+        """Is it a logarithm of something with a unit, in a sum with others that make up for it?"""
+
+        def dimension(side: Side) -> Dimension | None:
+            return _Inference(self.lookup, []).number(side).dimension
+
+        if not self.sums or dimension(log.argument) in (None, units.PURE):
+            return False
+        return any(same_in_all_units(s, dimension) for s in self.sums)
 
     # -- quantities -----------------------------------------------------------------------------
 
@@ -260,9 +275,11 @@ class _Inference:
         while isinstance(left, Binary):
             spine.append(left)
             left = left.left
+        self.sums.append(side)
         kind = self.number(left)
         for binary in reversed(spine):
             kind = self._binary(binary, kind)
+        self.sums.pop()
         return kind
 
     def _binary(self, side: Binary, left: Kind) -> Kind:
@@ -331,23 +348,6 @@ class _Inference:
         hint = "modes stick, slip, apart, tip, taut, slack stand behind `mode(j) =`; other words only under `find`"
         words = left.word or right.word
         self.complain(relation.mark, "PL226", f"{words} cannot be compared with {right if left.word else left}", hint)
-
-
-def rational(side: Side) -> Fraction | None:
-    """The value of a side of plain numbers, such as `1/2` or `-(3)`; None for anything else."""
-    match side:
-        case Number(value=value, unit=None):
-            return value
-        case Negate(operand=operand):
-            inner = rational(operand)
-            return None if inner is None else -inner
-        case Binary(operator=operator, left=first, right=second):
-            left, right = rational(first), rational(second)
-            if left is None or right is None or operator == "^" or (operator == "/" and right == 0):
-                return None
-            return {"+": left + right, "-": left - right, "*": left * right}.get(operator, left / (right or 1))
-        case _:
-            return None
 
 
 def _mark(side: Side) -> Mark:

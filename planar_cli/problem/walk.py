@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from fractions import Fraction
 
 from planar_cli.problem.expression import (
     Binary,
@@ -10,6 +11,7 @@ from planar_cli.problem.expression import (
     Function,
     Grouped,
     Negate,
+    Number,
     PointPair,
     Quantity,
     Relation,
@@ -44,3 +46,20 @@ def walk(tree: Tree) -> Iterator[Tree]:
     yield tree
     for child in children(tree):
         yield from walk(child)
+
+
+def rational(side: Side) -> Fraction | None:
+    """The value of a side of plain numbers, such as `1/2` or `-(3)`; None for anything else."""
+    match side:
+        case Number(value=value, unit=None):
+            return value
+        case Negate(operand=operand):
+            inner = rational(operand)
+            return None if inner is None else -inner
+        case Binary(operator=operator, left=first, right=second):
+            left, right = rational(first), rational(second)
+            if left is None or right is None or operator == "^" or (operator == "/" and right == 0):
+                return None
+            return {"+": left + right, "-": left - right, "*": left * right}.get(operator, left / (right or 1))
+        case _:
+            return None

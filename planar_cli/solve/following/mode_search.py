@@ -233,7 +233,9 @@ class ModeSearch(ModeChoice):
             branches = candidates(course)
             found = self._led(course, finds, branches) if branches else None
             if found is None:
-                raise self.lack or Undecided(f"the motion can not be followed: {followed.lost}")
+                mark = course.states[0].mark
+                text = f"{mark.file}:{mark.line}: the motion can not be followed: {followed.lost}"
+                raise self.lack or Undecided(text)
             return found
         if followed.missed is not None:
             related = self._related(*(self.loose or (course, finds)), followed.missed)
