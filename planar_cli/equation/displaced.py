@@ -20,7 +20,7 @@ from planar_cli.equation.pose import HERE, Pose
 from planar_cli.equation.scene import Scene
 from planar_cli.errors import NOWHERE
 from planar_cli.problem.geometry import Vec
-from planar_cli.problem.scene import GROUND, Circle, Curve, Line, Polar, Round
+from planar_cli.problem.scene import GROUND, Circle, Composite, Curve, Line, Polar, Round, Sector
 
 ZERO = sp.S.Zero
 
@@ -134,7 +134,8 @@ class Displacer:
         own = Pose(body.center, body.center, before, now)
         parent = self.poses[edge.parent]
         if joining.rolling is not None:
-            return Pose(body.center, self._rolled(edge, now - before), before, now)
+            rim = self._rim_center(edge)
+            return Pose(body.center, self._rolled(edge, rim, now - before) + own.vector(body.center - rim), before, now)
         start = joining.point
         if joining.path is None:
             meeting = parent.point(start)
@@ -254,20 +255,31 @@ class Displacer:
             self.coordinates[-1] = replace(self.coordinates[-1], factor=rate)
         return Vec(at.x.subs(variable, symbol), at.y.subs(variable, symbol))
 
-    def _rolled(self, edge: Edge, turn: sp.Expr) -> Vec:
-        """The centre of a disk that has unrolled its arc on a line or on another rim."""
+    def _rim_center(self, edge: Edge) -> Vec:
+        """The centre of the arc on which a body rolls; its mass centre may lie elsewhere."""
+        joining, center = edge.joining, self.scene.bodies[edge.body].center
+        assert joining is not None
+        assert joining.rolling is not None
+        own = joining.rolling.base if edge.backward else joining.rolling.mover
+        if own == 0:
+            return center
+        rim: Vec = joining.point + joining.rolling.tangent.turned() / own
+        off = rim - center
+        return center if self.scene.is_zero(off.dot(off)) else rim
+
+    def _rolled(self, edge: Edge, rim: Vec, turn: sp.Expr) -> Vec:
+        """The centre of a rim that has unrolled its arc on a line or on another rim."""
         joining = edge.joining
         assert joining is not None
         assert joining.rolling is not None
         roll, parent, start = joining.rolling, self.poses[edge.parent], joining.point
-        center = self.scene.bodies[edge.body].center
         own, other = (roll.base, roll.mover) if edge.backward else (roll.mover, roll.base)
         relative = turn - parent.turn
         drift = joining.drift or Vec(ZERO, ZERO)
         way = drift.dot(roll.tangent) * self.time * (-1 if edge.backward else 1)
         if other == 0:
-            height = roll.tangent.cross(center - start)
-            return parent.point(center + roll.tangent * (way - height * relative))
+            height = roll.tangent.cross(rim - start)
+            return parent.point(rim + roll.tangent * (way - height * relative))
         if own == 0:
             raise self.scene.refuse(
                 self.scene.problem.bodies[0].mark,
@@ -277,12 +289,9 @@ class Displacer:
             )
         # Same arc on both rims: (ψ - θ_b) ρ_b = (ψ - θ_a) ρ_a, ψ the direction of the line of centres.
         hub = start + roll.tangent.turned() / other
-        own_center = start + roll.tangent.turned() / own
         rho_own, rho_other = 1 / own, 1 / other
         psi = simplified((rho_other * parent.turn - rho_own * turn) / (rho_other - rho_own))
-        arm = own_center - hub
-        pose = Pose(hub, parent.point(hub), ZERO, psi)
-        return pose.point(hub + arm) + (pose.vector(center - own_center) if own_center != center else Vec(ZERO, ZERO))
+        return Pose(hub, parent.point(hub), ZERO, psi).point(start + roll.tangent.turned() / own)
 
     # --- points of contact -------------------------------------------------------------------------------------------
 
@@ -308,7 +317,7 @@ class Displacer:
 
     def _touching(self, at: str, between: tuple[str, ...]) -> Vec | None:
         place = self.scene.point(at)
-        rounds = [(p, c) for p in between if (c := self._round(p)) is not None]
+        rounds = [(p, c) for p in between if (c := self._round(p, place)) is not None]
         if len(rounds) == 2:
             (a, ca), (b, cb) = rounds
             reach = cb - ca
@@ -326,14 +335,17 @@ class Displacer:
     def _carried(self, partner: str, center: Vec) -> Vec:
         return self.poses[self.scene.carrier(partner)].point(center)
 
-    def _round(self, partner: str) -> Vec | None:
-        """The centre of a disk or of a circular surface."""
+    def _round(self, partner: str, place: Vec) -> Vec | None:
+        """The centre of a disk, of a circular surface, or of the arc of a body that is round at a place."""
         surface = self.scene.surfaces.get(partner)
         if surface is not None:
             return self.scene.point(surface.shape.center) if isinstance(surface.shape, Circle) else None
         body = self.scene.bodies.get(partner)
         if body is not None and isinstance(body.shape, Round):
             return self.scene.point(body.shape.center)
+        if body is not None and isinstance(body.shape, Composite | Sector):
+            outline = self.scene.outline(partner, place, NOWHERE)
+            return outline.center if outline.kind == "arc" else None
         return None
 
     def _straight(self, partner: str, place: Vec) -> bool:

@@ -290,7 +290,7 @@ class Follower:
         grazed = [c.index for c in run.crossings if c.index < number and c.way == "grazes"]
         spent = next((g for g in (regime.guards[i] for i in (*fallen, *grazed)) if g.kind == LENGTH), None)
         if spent is not None:
-            words = f"at t = {self.t:.9g} s a free part of {spent.joint} has run out: draw it longer, or end before that"
+            words = f"at t = {self.t:.9g} s a free part of {spent.joint} has run out: draw it longer, or end before"
             self.outcome = Outcome("spent", words, self.t, spent.joint, "PL712")
             return
         for guard in (regime.guards[i] for i in grazed if regime.guards[i].kind == "gap"):
