@@ -75,3 +75,8 @@ class NotReached(NoValue):
 
 class Undecided(PlanarError):
     """Not decided within the limits; the message says what was tried."""
+
+
+def undecided_at(mark: Mark, text: str) -> Undecided:
+    """The same with the line of the file that it is about."""
+    return Undecided(f"{mark.file}:{mark.line}: {text}")

@@ -198,3 +198,57 @@ def test_frequencies_of_bobs_of_very_unlike_mass(upper: int, lower: int, frequen
     assert len(up) == 2
     for omega, wanted in zip(up, frequencies, strict=True):
         assert abs(omega - mpmath.mpf(wanted)) <= 1e-10 * omega
+
+
+ECCENTRIC = """
+title: A body that rolls with its rim, its mass centre beside the centre of that
+plane: vertical
+given: {m: 2 kg, r: 0.2 m}
+points: {O: [0, r], C: [0, 0], Q: [0, r/2]}
+surfaces: {floor: {through: C, angle: 0 deg}}
+bodies: {half: BODY}
+joints:
+  - rolling: {between: [half, floor], at: C}
+states: {rest: [equilibrium]}
+find: {T: period(rest)}
+"""
+
+
+@pytest.mark.parametrize(
+    ("body", "period"),
+    [
+        (
+            "{parts: [{disk: O, radius: r, mass: m}, {particle: Q, mass: m}]}",
+            2 * math.pi * math.sqrt(1.75 * 0.2 / (0.5 * 9.81)),
+        ),
+        (
+            "{sector: O, radius: r, span: 180 deg, angle: -90 deg, mass: m}",
+            math.pi * math.sqrt(2 * (9 * math.pi - 16) * 0.2 / 9.81) / 2,
+        ),
+    ],
+)
+def test_a_rim_that_rolls_about_a_centre_beside_the_mass_centre(tmp_path: Path, body: str, period: float) -> None:
+    found = solved(tmp_path, ECCENTRIC.replace("BODY", body))
+    assert number(found["T"]) == pytest.approx(period)
+
+
+CRADLE = """
+title: An eccentric disk in a bowl
+plane: vertical
+given: {m: 2 kg, r: 0.2 m, R: 0.8 m}
+points: {A: [0, R], O: [0, r], C: [0, 0], Q: [0, r/2]}
+surfaces: {bowl: {center: A, radius: R}}
+bodies: {half: {parts: [{disk: O, radius: r, mass: m}, {particle: Q, mass: m}]}}
+joints:
+  - rolling: {between: [half, bowl], at: C}
+states: {rest: [equilibrium]}
+find: {T: period(rest)}
+"""
+
+
+def test_a_rim_that_rolls_in_a_bowl(tmp_path: Path) -> None:
+    """V = 2 m g (-(R - r) cos ψ - r/4 cos θ), (R - r) ψ = -r θ, turning about the lowest point."""
+    stiffness = 2 * 2 * 9.81 * (0.6 * (0.2 / 0.6) ** 2 + 0.05)
+    assert number(solved(tmp_path, CRADLE)["T"]) == pytest.approx(
+        2 * math.pi * math.sqrt(1.75 * 2 * 0.2**2 / stiffness)
+    )

@@ -13,7 +13,7 @@ from decimal import Decimal
 import sympy as sp
 
 from planar_cli.equation.exact import Unvalued, Valuation
-from planar_cli.errors import Diagnostic, NoSolution, NoValue, Undecided
+from planar_cli.errors import Diagnostic, NoSolution, NoValue, Undecided, undecided_at
 from planar_cli.solve.between.alternatives import chosen_extreme, one_of
 from planar_cli.solve.between.asked_finds import AskedFind, asked_finds, asked_letters
 from planar_cli.solve.between.branch_order import candidates
@@ -232,11 +232,9 @@ class ModeSearch(ModeChoice):
         if followed.lost:
             branches = candidates(course)
             found = self._led(course, finds, branches) if branches else None
-            if found is None:
-                mark = course.states[0].mark
-                text = f"{mark.file}:{mark.line}: the motion can not be followed: {followed.lost}"
-                raise self.lack or Undecided(text)
-            return found
+            if found is not None:
+                return found
+            raise self.lack or undecided_at(course.states[0].mark, f"the motion can not be followed: {followed.lost}")
         if followed.missed is not None:
             related = self._related(*(self.loose or (course, finds)), followed.missed)
             if related is not None:
