@@ -188,3 +188,44 @@ motion: [omega(b) = 2 rad/s]
 find: {{f: {find}}}
 """
     assert refused(text.format(find=find)) == ("PL421" if "/" in find else "PL556")
+
+
+@pytest.mark.parametrize(
+    ("states", "motion"),
+    [("at rest, F < q", ""), ("at rest, F = q", ""), ("at rest", "F = q")],
+)
+def test_known_numbers_are_compared_wherever_they_stand(states: str, motion: str) -> None:
+    text = f"""
+title: Block
+plane: vertical
+given: {{F: 10 N, q: 7 N}}
+points: {{P: [0, 0]}}
+bodies: {{b: {{particle: P, mass: 2 kg}}}}
+joints: [{{guide: {{point: P, along: 0 deg}}}}]
+loads: [{{force: {{body: b, magnitude: F, angle: 0 deg}}}}]
+motion: [{motion}]
+states: {{1: [t = 0, {states}], 2: [t = 2 s]}}
+find: {{v: v(b).x @ 2}}
+"""
+    assert refused(text if motion else text.replace("motion: []\n", "")) == "PL616"
+
+
+@pytest.mark.parametrize(
+    ("joint", "code"),
+    [
+        ("link: {between: [O, Q]}", "PL541"),
+        ("rope: {path: [O, Q], name: cord}", "PL541"),
+        ("rope: {path: [O, P, P], name: cord}", "PL455"),
+    ],
+)
+def test_what_is_drawn_at_one_place_has_no_direction(joint: str, code: str) -> None:
+    text = f"""
+title: Ball
+plane: vertical
+points: {{O: [0, 0], Q: [0, 0], P: [0, -1 m]}}
+bodies: {{b: {{points: [P, Q], center: P, mass: 2 kg}}}}
+joints: [{{{joint}}}]
+instant: [at rest]
+find: {{a: a(P).y}}
+"""
+    assert refused(text) == code

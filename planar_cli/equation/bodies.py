@@ -92,6 +92,10 @@ class MassReader:
         shape = uniform(body.shape, self.measures, body.name)
         if isinstance(body.shape, Rod) and body.shape.end is not None:
             length = self.span(body.shape.start, body.shape.end)
+            reach = self.points(body.shape.end) - self.points(body.shape.start)
+            if reach.x == 0 and reach.y == 0:
+                text = f"both ends of {body.name} are at the same place"
+                raise refuse(body.mark, "PL615", text, "draw them apart")
             shape = shape if length is None else replace(shape, gyration_squared=length**2 / 12)
         mass = self._mass(body)
         rigid = not isinstance(body.shape, Particle)

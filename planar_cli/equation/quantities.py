@@ -332,6 +332,9 @@ class Quantities:
             case "mag":
                 return magnitude(v)
             case "angle":
+                if v.x.value == 0 and v.y.value == 0:
+                    text = "the angle of a vector that is zero: it has no direction"
+                    raise refuse(part.mark, "PL556", text, "ask for `.mag`")
                 counted = counted_angle(self.scene, Vec(v.x.value, v.y.value)) if q.word == "r" else None
                 found = direction_angle(v)
                 return found if counted is None else Jet(counted, found.rate, found.second)
@@ -339,7 +342,7 @@ class Quantities:
                 return resolved(v, self.direction(part), part.kind == "along")
             case "r" | "theta":
                 reach = self._q_r(Quantity("r", q.things, None, (), None, q.mark))
-                if self.scene.is_zero(reach.x.value) and self.scene.is_zero(reach.y.value):
+                if self.scene.vanishes(reach.x.value) and self.scene.vanishes(reach.y.value):
                     raise refuse(part.mark, "PL556", f".{part.kind} of what is at the centre: no direction", ALONG)
                 return resolved(v, reach * (constant(1) / magnitude(reach)), part.kind == "r")
         return self._natural(v, part, q)

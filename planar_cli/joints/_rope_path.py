@@ -113,11 +113,14 @@ def _tangent(rope: RopePath, scene: Setting, start: Stop, end: Stop) -> tuple[Ve
     for stop, other, way in ((start, end, 1), (end, start, -1)):
         if stop.rim is not None:
             arm = stop.rim - stop.center
+            _demand_apart(rope, scene, arm)
             along = arm.turned() / scene.length(arm)
             towards = scene.sign(((other.rim or other.center) - stop.rim).dot(along)) * way
             direction = along * towards
+            _demand_apart(rope, scene, Vec((end.center - start.center).dot(direction), 0))
             return direction, (end.center - start.center).dot(direction)
     reach = end.center - start.center
+    _demand_apart(rope, scene, reach)
     offset = end.side * end.radius - start.side * start.radius
     if offset == 0:
         distance = scene.length(reach)
@@ -127,3 +130,10 @@ def _tangent(rope: RopePath, scene: Setting, start: Stop, end: Stop) -> tuple[Ve
     # What hangs straight down keeps its part of the rope upright, as do parts along the line of what slides.
     steady = scene.steady(direction)
     return (direction, length) if steady is None else (steady, reach.dot(steady))
+
+
+def _demand_apart(rope: RopePath, scene: Setting, reach: Vec) -> None:
+    """Refuse a straight part without length."""
+    if scene.vanishes(reach.dot(reach)):
+        text = f"two stops of {rope.name} are at the same place: the rope has no direction there"
+        raise scene.refuse(rope.mark, "PL541", text, "draw them apart, and where a rope is wound on its rim")

@@ -60,6 +60,8 @@ class Link(Joint):
         a, b = self.between
         start, end = Anchor(scene.owner(a), scene.point(a)), Anchor(scene.owner(b), scene.point(b))
         reach = end.point - start.point
+        if scene.vanishes(reach.dot(reach)):
+            raise scene.refuse(self.mark, "PL541", f"the ends of {self.name} coincide: the link has no direction")
         length = scene.value(self.length) if self.length is not None else scene.length(reach)
         direction = reach / length
         joining = swing(self.name, (a, start), (b, end), direction, 1 / length)

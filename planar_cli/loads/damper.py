@@ -56,7 +56,10 @@ class Damper(Load):
 
     def wrenches(self, scene: MovingSetting) -> tuple[Wrench, ...]:
         start, end = (scene.point(p) for p in self.between)
-        along = (end - start) / scene.length(end - start)
+        reach = end - start
+        if scene.vanishes(reach.dot(reach)):
+            raise scene.refuse(self.mark, "PL541", f"the ends of {self.name} coincide: the damper has no direction")
+        along = reach / scene.length(reach)
         bodies = tuple(scene.owner(p) for p in self.between)
         rate = (scene.velocity(end, bodies[1]) - scene.velocity(start, bodies[0])).dot(along)
         if scene.vanishes(rate):

@@ -86,6 +86,9 @@ class Force(Load):
     def _direction(self, scene: MovingSetting, point: Vec) -> Vec:
         if self.towards is not None:
             reach = scene.point(self.towards) - point
+            if scene.vanishes(reach.dot(reach)):
+                text = f"{self.name} acts at {self.towards} and points to it: it has no direction"
+                raise scene.refuse(self.mark, "PL541", text, "name another point, or write `angle: 30 deg`")
             found: Vec = reach / scene.length(reach)
             return found
         if self.angle is None:

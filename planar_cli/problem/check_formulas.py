@@ -50,6 +50,9 @@ def _tree(tree: Tree, formula: Formula, scope: Scope, direction: bool) -> Iterat
             for point in (tree.to, tree.origin):
                 if point not in scope.point_like:
                     yield _no_thing(point, "point", sorted(scope.points), tree.mark)
+            if tree.to == tree.origin:
+                text = f"from {tree.to} to itself there is no direction"
+                yield Diagnostic(tree.mark, "PL421", text, "name two points")
         case JustAfter():
             yield from missing_state(tree.state, scope, tree.mark)
         case AtRest(body=str(body)) | Equilibrium(body=str(body)):

@@ -231,6 +231,9 @@ def partners_fit(scope: Scope) -> Iterator[Diagnostic]:
             )
         elif len(between) > 1 and {scope.carrier(name) for name in between} == {GROUND}:
             yield Diagnostic(joint.mark, "PL455", f"{what} joins only fixed things", "name the body that moves")
+        elif len(between) == 2 and scope.carrier(between[0]) == scope.carrier(between[1]):
+            text = f"{between[0]} and {between[1]} are one body, and {what} is between two"
+            yield Diagnostic(joint.mark, "PL455", text, "name two different partners")
         stops = [stop.name for stop in scope.stops(joint)]
         again = next((a for a, b in pairwise(stops) if a and a == b), None)
         if again is not None:

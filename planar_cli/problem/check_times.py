@@ -31,6 +31,10 @@ def statements_in_place(scope: Scope) -> Iterator[Diagnostic]:
             yield Diagnostic(
                 law.statement.mark, "PL431", f"'{law.statement.text}' does not hold all the time", "write it in a state"
             )
+        elif isinstance(law.statement, Relation) and law.statement.operator != "=":
+            text = f"'{law.statement.text}' drives nothing: `motion` has equations"
+            hint = "write it in a state, where it chooses; between letters under `assume`"
+            yield Diagnostic(law.statement.mark, "PL431", text, hint)
     for statement in p.instant or ():
         if isinstance(statement, JustAfter):
             yield Diagnostic(

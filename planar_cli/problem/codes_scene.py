@@ -77,7 +77,7 @@ _SCENE = {
         "`surfaces: {wall: {through: B, angle: 90 deg}}`."
     ),
     "PL540": "The direction of a force is missing. Write `angle: 30 deg` or `towards: P`.",
-    "PL541": "The ends of a spring are at the same place, so that its pull has no direction.",
+    "PL541": "The ends of a spring, damper, link or part of a rope are at the same place: its pull has no direction.",
     "PL542": "A relaxed position is given by values of the coordinates: `relaxed_at: [theta = 30 deg]`.",
     "PL543": "`speed:` makes a belt that runs along a line. For a round surface that moves let a disk turn instead.",
 }

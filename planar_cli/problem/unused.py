@@ -42,8 +42,8 @@ def used_names(problem: Problem) -> set[str]:
     rests.update({s.name: _named((s.shape, s.speed, s.body)) for s in problem.surfaces})
     stated = [*problem.assume, *(law.statement for law in problem.motion), *(problem.instant or ())]
     stated += [s for state in problem.states for s in state.relations]
-    ties = [names for s in stated if (names := _only_names(s, known)) is not None]
-    scene = (problem.bodies, problem.joints, problem.loads, [s for s in stated if _only_names(s, known) is None])
+    ties = [names for s in stated if (names := only_names(s, known)) is not None]
+    scene = (problem.bodies, problem.joints, problem.loads, [s for s in stated if only_names(s, known) is None])
     roots = _named(scene) | _named([f.found.what for f in problem.find])
     # Weight and the friction of what lies on a table rest on g without naming it.
     return _reached(roots, rests, ties) | {"g"}
@@ -60,7 +60,7 @@ def _reached(roots: set[str], rests: Mapping[str, set[str]], ties: list[set[str]
     return found
 
 
-def _only_names(statement: Statement, known: set[str]) -> set[str] | None:
+def only_names(statement: Statement, known: set[str]) -> set[str] | None:
     """The names of a relation between numbers of the file alone; None: it says more."""
     if not isinstance(statement, Relation):
         return None

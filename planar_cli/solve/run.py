@@ -18,7 +18,7 @@ from planar_cli.problem.scene import Find, Problem
 from planar_cli.solve.diagnosis.cases import demand_cancelled, several, several_cases
 from planar_cli.solve.diagnosis.clash import check_positions, demand_drawn
 from planar_cli.solve.diagnosis.failures import explain_failure, place, singular_position
-from planar_cli.solve.diagnosis.lengths import demand_lengths
+from planar_cli.solve.diagnosis.known import demand_stated
 from planar_cli.solve.diagnosis.open_data import demand_determined, demand_passable
 from planar_cli.solve.instant.by_direction import SPEEDS, alike, is_settled, with_speeds, with_statements
 from planar_cli.solve.instant.finish import Finisher, not_reached
@@ -85,7 +85,7 @@ def _by(problem: Problem, method: str | None) -> Problem:
 def _part(problem: Problem, case: str, units: dict[str, str], earlier: dict[str, Earlier]) -> PartSolution:
     """One part; what is not decided otherwise is read off the motion, if there is one."""
     numbers = numbers_of(earlier)
-    demand_lengths(problem, earlier)
+    demand_stated(problem, earlier)
     if not problem.states[1:]:
         return _confirmed(problem, _derived(problem, case, units, earlier), numbers)
     from planar_cli.solve.followed import (

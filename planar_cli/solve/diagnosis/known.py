@@ -1,0 +1,48 @@
+"""What a file says that can be checked before anything is solved: sizes beside places, relations of known numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import sympy as sp
+
+from planar_cli.equation.setup import Earlier, Setup, first_unit
+from planar_cli.equation.system import Statements
+from planar_cli.errors import Diagnostic, NoSolution
+from planar_cli.problem.dimensions import dimension_of
+from planar_cli.problem.expression import Relation
+from planar_cli.problem.scene import Problem
+from planar_cli.problem.unused import only_names
+from planar_cli.solve.diagnosis.lengths import demand_lengths
+from planar_cli.solve.diagnosis.words import in_unit
+from planar_cli.solve.instant.inequalities import holds
+from planar_cli.units import parse_unit
+
+
+def demand_stated(problem: Problem, earlier: Mapping[str, Earlier]) -> None:
+    """NoSolution: a size does not fit, or a relation of `motion` or of a state is false of numbers that are given."""
+    demand_lengths(problem, earlier)
+    names = {s.name for s in (*problem.given, *problem.symbols)}
+    stated = [law.statement for law in problem.motion] + [r for state in problem.states for r in state.relations]
+    relations = [r for r in stated if isinstance(r, Relation) and only_names(r, names) is not None]
+    if not relations:
+        return
+    setup = Setup(problem, Statements.of((), ()), earlier, True)
+    wrong = [found for r in relations if (found := _false(setup, r)) is not None]
+    if wrong:
+        raise NoSolution(wrong)
+
+
+def _false(setup: Setup, relation: Relation) -> Diagnostic | None:
+    left, right = (sp.sympify(setup.evaluator.value(s)) for s in (relation.left, relation.right))
+    value = setup.scene.valuations[0]
+    both = left - right
+    letters = setup.ledger.symbolic and not value.is_zero(both) and not both.is_number
+    if letters or setup.scene.rests_on_sought(both) or holds(relation.operator, both, value):
+        return None
+    written = first_unit(relation.left) or first_unit(relation.right)
+    kind = dimension_of(relation.left, setup.lookup)
+    unit = setup.unit_for(kind) if written is None else parse_unit(written)
+    told = " and ".join(in_unit(value(side), unit) for side in (left, right))
+    text = f"`{relation.text}` does not hold: the sides are {told}"
+    return Diagnostic(relation.mark, "PL616", text, "both sides are known: correct one, or declare it under `unknowns`")
