@@ -122,6 +122,33 @@ instant: [v(P).x = 3 m/s, v(P).y = 0, v(Q).x = 1 m/s, v(Q).y = 1 m/s]
 find: {value: KE()}
 """
 
+DRIVEN = """
+title: Rod driven by the rate of its coordinate
+plane: vertical
+coordinates: {theta: deg}
+points: {O: [0, 0], A: {from: O, distance: 2 m, angle: theta}}
+bodies: {OA: {rod: [O, A], mass: 6 kg}}
+joints:
+  - pin: {at: O, between: [ground, OA]}
+motion: [dot(theta) = 3 rad/s]
+instant: [theta = 0 deg]
+find: {value: reaction(O).x}
+"""
+
+CARRIED = """
+title: Block accelerated by the second rate of its coordinate
+plane: vertical
+coordinates: {s: m}
+points: {P: [s, 0]}
+surfaces: {floor: {through: [0, 0], angle: 0 deg}}
+bodies: {P: {particle: P, mass: 2 kg}}
+joints:
+  - contact: {between: [P, floor], mu: 0}
+motion: [ddot(s) = 3 m/s^2]
+states: {1: [t = 0, s = 0, dot(s) = 1 m/s], 2: [t = 2 s]}
+find: {value: s @ 2}
+"""
+
 
 @pytest.mark.parametrize(
     ("text", "value"),
@@ -136,6 +163,9 @@ find: {value: KE()}
         (BED, 2),
         (CALLED, 2),
         (SYSTEM, 11),
+        (DRIVEN, -54),
+        (DRIVEN.replace("instant: [theta = 0 deg]\n", "").replace("reaction(O).x", "v(A).mag"), 6),
+        (CARRIED, 8),
     ],
 )
 def test_value(text: str, value: float) -> None:

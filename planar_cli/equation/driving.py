@@ -8,9 +8,10 @@ from planar_cli.equation.conditions import ACCELERATION, order, stated
 from planar_cli.equation.form import linear_form
 from planar_cli.equation.motion import Motion
 from planar_cli.equation.system import System
-from planar_cli.problem.expression import Name, Relation
+from planar_cli.problem.expression import Name, Quantity, Relation, Side
 from planar_cli.problem.facts import Action, Push
 from planar_cli.problem.geometry import Vec
+from planar_cli.problem.walk import walk
 
 
 def driving_pushes(system: System, free: Motion) -> tuple[Push, ...]:
@@ -47,13 +48,15 @@ def driving_pushes(system: System, free: Motion) -> tuple[Push, ...]:
 
 
 def _through_coordinate(system: System, relation: Relation) -> tuple[Action, ...]:
-    """What drives a coordinate that is given as a function of time: a torque on the first body that turns with it, else
-    a force on the first whose centre goes with it.
+    """What drives a coordinate that is given as a function of time, or by its rate: a torque on the first body that
+    turns with it, else a force on the first whose centre goes with it.
     """
     ledger, scene = system.scene.ledger, system.scene
-    names = {side.name for side in (relation.left, relation.right) if isinstance(side, Name)}
+    sides = (relation.left, relation.right)
+    names = {side.name for side in sides if isinstance(side, Name)}
+    rates = {_of_rate(side) for side in sides} if sum(map(_has_rate, sides)) == 1 else set()
     for q in ledger.coordinates:
-        if q.name not in names or q not in ledger.values:
+        if q.name not in rates and (q.name not in names or q not in ledger.values):
             continue
         for name, body in scene.bodies.items():
             if scene.rigid(name) and (turn := sp.diff(body.theta, q)) != 0:
@@ -63,6 +66,18 @@ def _through_coordinate(system: System, relation: Relation) -> tuple[Action, ...
             if x != 0 or y != 0:
                 return _actions(system, {(name, "x"): x, (name, "y"): y})
     return ()
+
+
+def _of_rate(side: Side) -> str:
+    """The name of which a side is the rate, or ""."""
+    if isinstance(side, Quantity) and side.word in ("dot", "ddot") and isinstance(side.argument, Name):
+        return side.argument.name
+    return ""
+
+
+def _has_rate(side: Side) -> bool:
+    """Is a rate or another quantity of the motion in it?"""
+    return any(isinstance(node, Quantity) for node in walk(side))
 
 
 def _actions(system: System, terms: dict[tuple[str, str], sp.Expr]) -> tuple[Action, ...]:
