@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 from answered import assert_close, solve
 
+from planar_cli.errors import NoSolution
 from planar_cli.problem.structure import load_text
 
 SLOPE = """
@@ -232,3 +233,32 @@ def test_a_list_of_unknowns() -> None:
     assert [(d.code, d.hint) for d in diagnostics] == [
         ("PL301", "write `unknowns: {u: UNIT, w: UNIT}`, each with its unit: N, deg, m/s, or `1` for a pure number")
     ]
+
+
+GROWING = """
+title: Growth of a force from the moment of slipping
+plane: vertical
+unknowns: {c: N/s}
+surfaces: {floor: {through: [0, 0], angle: 0 deg}}
+bodies: {crate: {particle: [0, 0], mass: 10 kg}}
+joints:
+  - contact: {name: C, between: [crate, floor], mu: 0.4}
+loads:
+  - force: {magnitude: c*t, angle: 0 deg}
+states:
+  1: [t = 0, at rest]
+  2: [mode(C) = slip, TIME]
+find: {value: c}
+"""
+
+
+def test_a_mode_that_begins_at_a_time() -> None:
+    assert_close(solve(GROWING.replace("TIME", "t - t @ 1 = 5 s"))["value"], 0.4 * 98.1 / 5, 9)
+
+
+def test_a_mode_at_a_given_time_tells_no_constant() -> None:
+    with pytest.raises(NoSolution) as raised:
+        solve(GROWING.replace("TIME", "t = 5 s"))
+    (found,) = raised.value.diagnostics
+    assert (found.code, found.message) == ("PL623", "c is open: no state tells enough")
+    assert found.hint.startswith("where `mode(C) = slip` is to begin at `t = 5 s`")

@@ -18,8 +18,9 @@ from planar_cli.equation.plain import derivative
 from planar_cli.equation.sample import anywhere
 from planar_cli.equation.scales import slack_of
 from planar_cli.errors import NOWHERE, Diagnostic, Mark, NoSolution, NoValue, Undecided
-from planar_cli.problem.expression import Relation
+from planar_cli.problem.expression import Quantity, Relation
 from planar_cli.problem.scene import Problem
+from planar_cli.problem.walk import walk
 from planar_cli.solve.between.asked_finds import AskedFind, asked_letters
 from planar_cli.solve.between.balances import StateBalance
 from planar_cli.solve.between.events import FollowedSegment, events, is_zero, scale_of
@@ -110,8 +111,23 @@ def missing(course: MotionEquations) -> NoSolution | None:
     mark = first.mark if not sought else _mark_of(course, sought[0])
     what = " and ".join(", ".join(names).rsplit(", ", 1)) if len(names) > 1 else names[0]
     text = f"{what} {'is' if len(names) == 1 else 'are'} open: no state tells enough"
-    hint = "give one more relation in a state, as a place, a velocity or a time"
+    hint = _mode_at_a_time(course) or "give one more relation in a state, as a place, a velocity or a time"
     return _wrong(mark, "PL623", text, hint)
+
+
+def _mode_at_a_time(course: MotionEquations) -> str:
+    """What to write where a mode was meant to begin at the given time of its state; "": there is no such state."""
+    for state in course.states[1:]:
+        told = fixed_time(state.relations)
+        modes = [r for r in state.relations if isinstance(r, Relation) and _asks_mode(r)]
+        if told is not None and modes:
+            begins = f"where `{modes[0].text}` is to begin at `{told.text}`, write the time since the first state"
+            return f"{begins}: `t - t @ {course.first.name} = …`; at a given time it only says how it is then"
+    return ""
+
+
+def _asks_mode(relation: Relation) -> bool:
+    return any(isinstance(node, Quantity) and node.word == "mode" for node in walk(relation))
 
 
 def _open_impact(course: StatedMotion, loose: Collection[sp.Symbol]) -> NoSolution | None:
