@@ -272,8 +272,10 @@ class Scene(Decided):
         return self.bodies[body].center if body != GROUND else Vec(sp.S.Zero, sp.S.Zero)
 
     def center_name(self, body: str) -> str:
-        """The name of a body's mass centre in print."""
-        return self.bodies[body].center_name or body
+        """The name of a body's mass centre in print; of bodies that have theirs at one point, that of the body."""
+        name = self.bodies[body].center_name
+        shared = sum(b.center_name == name for b in self.bodies.values()) > 1
+        return body if shared or not name else name
 
     def mass(self, body: str) -> sp.Expr:
         return self.bodies[body].mass
