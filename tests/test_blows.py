@@ -828,3 +828,20 @@ def test_impulses_that_are_not_unique() -> None:
         solve(TWO_PINS.format(axis="x"))
     assert [d.code for d in caught.value.diagnostics] == ["PL603"]
     assert "A_x" in caught.value.diagnostics[0].message
+
+
+TOGETHER = """
+title: Two cars at a crossing
+plane: horizontal
+points: {O: [0, 0]}
+bodies: {A: {particle: O, mass: 3 kg}, B: {particle: O, mass: 1 kg}}
+joints: [{weld: {at: O, between: [A, B], during: 1->2}}]
+states:
+  1: [v(A).x = 4 m/s, v(A).y = 0, v(B).x = 0, v(B).y = 8 m/s]
+  2: [just after 1]
+find: {v: v(A) @ 2}
+"""
+
+
+def test_two_particles_at_one_point_are_two() -> None:
+    assert pair(solve(TOGETHER)["v"]) == pytest.approx((3, 2))

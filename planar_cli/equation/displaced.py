@@ -171,7 +171,7 @@ class Displacer:
         turning = (edge.spin or ZERO) - (spins.get(edge.parent) or ZERO)
         drift = joining.drift or Vec(ZERO, ZERO)
         extra = simplified(-height * turning + drift.dot(t))
-        name = self.scene.center_name(edge.body) or edge.body
+        name = self.scene.own_name(edge.body)
         words = f"way of {name}"
         w = self._coordinate(f"s_{name}", "m", ZERO, edge.slide, sp.S.One, words, edge.body)
         if self.coordinates and self.coordinates[-1].symbol == w:
@@ -180,7 +180,7 @@ class Displacer:
 
     def _free(self, edge: Edge) -> Pose:
         body = self.scene.bodies[edge.body]
-        name = self.scene.center_name(edge.body) or edge.body
+        name = self.scene.own_name(edge.body)
         assert edge.slide is not None
         assert edge.rise is not None
         open_place = body.center.x.is_Symbol and body.center.x in self.scene.open_places

@@ -272,7 +272,11 @@ class Scene(Decided):
         return self.bodies[body].center if body != GROUND else Vec(sp.S.Zero, sp.S.Zero)
 
     def center_name(self, body: str) -> str:
-        """The name of a body's mass centre in print; of bodies that have theirs at one point, that of the body."""
+        """The name of a body's mass centre in print."""
+        return self.bodies[body].center_name or body
+
+    def own_name(self, body: str) -> str:
+        """The name of what a body's mass centre has alone: of bodies that have theirs at one point, the body's."""
         name = self.bodies[body].center_name
         shared = sum(b.center_name == name for b in self.bodies.values()) > 1
         return body if shared or not name else name

@@ -20,8 +20,8 @@ A member states facts only and does not import SymPy at module level, so that re
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
 from planar_cli.errors import Diagnostic
@@ -71,3 +71,13 @@ class Joint(Entry, ABC):
 
         The independent check differentiates these itself, so nothing in them may come from the facts of `modes`.
         """
+
+
+def distinct(joints: Sequence[Joint]) -> tuple[Joint, ...]:
+    """Joints that share a name (both called by their point) are told apart by a number."""
+    seen: dict[str, int] = {}
+    found = []
+    for joint in joints:
+        seen[joint.name] = seen.get(joint.name, 0) + 1
+        found.append(joint if seen[joint.name] == 1 else replace(joint, name=f"{joint.name}_{seen[joint.name]}"))
+    return tuple(found)

@@ -8,7 +8,7 @@ from dataclasses import replace
 from functools import cached_property
 
 from planar_cli.integrators.base import Step
-from planar_cli.joints.base import Joint
+from planar_cli.joints.base import Joint, distinct
 from planar_cli.loads.base import Load, mode_key
 from planar_cli.motion.constraints import Constraint, coefficients, of_places
 from planar_cli.motion.drives import asked_of, drives_of
@@ -364,13 +364,3 @@ def layout_of(scene: MovingScene) -> Layout:
         drawn[frames[name].x] += ANYWHERE[0] * scene.extent
         drawn[frames[name].y] += ANYWHERE[1] * scene.extent
     return Layout(scene.graph, scene.time, tuple(slots), frames, scene.arm, tuple(drawn))
-
-
-def distinct(joints: Sequence[Joint]) -> tuple[Joint, ...]:
-    """Joints that share a name (both called by their point) are told apart by a number."""
-    seen: dict[str, int] = {}
-    found = []
-    for joint in joints:
-        seen[joint.name] = seen.get(joint.name, 0) + 1
-        found.append(joint if seen[joint.name] == 1 else replace(joint, name=f"{joint.name}_{seen[joint.name]}"))
-    return tuple(found)

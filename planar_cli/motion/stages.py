@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 
 from planar_cli.integrators.base import Step
-from planar_cli.joints.base import Joint
+from planar_cli.joints.base import Joint, distinct
 from planar_cli.motion.automaton import Choice, Outside, Start
 from planar_cli.motion.constraints import Constraint
 from planar_cli.motion.dense import null_space
@@ -172,7 +172,7 @@ class SceneStages:
 
     def __init__(self, scene: MovingScene) -> None:
         self.scene = scene
-        self.passing: list[Member] = list(_passing([*scene.problem.joints, *scene.loads()]))
+        self.passing: list[Member] = list(_passing([*distinct(scene.problem.joints), *scene.loads()]))
         """What acts between some states only."""
         self.laws: list[Law] = [law for law in scene.problem.motion if law.during is not None]
         """What `motion` prescribes between some states only."""

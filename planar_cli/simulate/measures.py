@@ -14,7 +14,8 @@ from typing import TypeVar
 
 from planar_cli.errors import Diagnostic, FileProblem, Mark, Undecided
 from planar_cli.integrators.base import OUTSIDE
-from planar_cli.motion.model import Model, distinct
+from planar_cli.joints.base import distinct
+from planar_cli.motion.model import Model
 from planar_cli.motion.quantities import Quantities
 from planar_cli.motion.regime import Regime
 from planar_cli.motion.routine import Routine

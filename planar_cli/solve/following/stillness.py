@@ -64,17 +64,13 @@ def resting(course: RegimeSequence, start: Mapping[sp.Symbol, Decimal]) -> froze
     return frozenset()
 
 
-def unturned(
-    course: StatedMotion, start: Mapping[sp.Symbol, Decimal], asked: Collection[sp.Symbol]
-) -> frozenset[str]:
+def unturned(course: StatedMotion, start: Mapping[sp.Symbol, Decimal], asked: Collection[sp.Symbol]) -> frozenset[str]:
     """Free speeds that are zero at the start, whose change nothing tells, and which nothing needs: a light pulley over
     which a smooth rope slides may turn, and nobody asks. `asked`: all symbols that finds ask for.
     """
     idle = [u for u in course.regimes[0].free if start.get(u) == 0]
     return frozenset(
-        u.name
-        for u in idle
-        if all(_is_apart(course, r, u, asked) for r in course.distinct_regimes() if u in r.free)
+        u.name for u in idle if all(_is_apart(course, r, u, asked) for r in course.distinct_regimes() if u in r.free)
     )
 
 

@@ -100,7 +100,7 @@ class Struck(Instant):
         return joint.blows(self.scene)
 
     def tree_builder(self, bodies: list[str]) -> TreeBuilder:
-        made = AfterTree(self.scene.ledger, self.scene.rigid, self.scene.center_name, bodies)
+        made = AfterTree(self.scene.ledger, self.scene.rigid, self.scene.own_name, bodies)
         made.known, made.mark = self.known, self.mark
         return made
 

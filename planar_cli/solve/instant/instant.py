@@ -19,7 +19,7 @@ from planar_cli.equation.motion import Motion, TreeBuilder
 from planar_cli.equation.setup import Setup, names_in
 from planar_cli.equation.system import Statements, System, make_system
 from planar_cli.errors import Undecided
-from planar_cli.joints.base import Joint
+from planar_cli.joints.base import Joint, distinct
 from planar_cli.loads.base import Load, mode_key
 from planar_cli.principles.base import Family, Principle
 from planar_cli.problem.expression import Side
@@ -82,7 +82,7 @@ class Instant:
         names = [b.name for b in self.scene.problem.bodies]
         self.builder = self.tree_builder(names)
         self.symbols: dict[str, sp.Symbol] = {}
-        apart = TreeBuilder(Ledger(), self.scene.rigid, self.scene.center_name, names)
+        apart = TreeBuilder(Ledger(), self.scene.rigid, self.scene.own_name, names)
         self.free = Motion(apart.build((), hang=False), self.scene.center, {})
         self.drivers: tuple[Push, ...] = ()
         self.plain = asked_by_axis(self.scene.problem, self.joints)
@@ -110,7 +110,7 @@ class Instant:
 
     def tree_builder(self, bodies: list[str]) -> TreeBuilder:
         """What makes the unknowns of the motion."""
-        return TreeBuilder(self.scene.ledger, self.scene.rigid, self.scene.center_name, bodies)
+        return TreeBuilder(self.scene.ledger, self.scene.rigid, self.scene.own_name, bodies)
 
     def name_of(self, push: Push) -> tuple[str, str]:
         """How a push is called, and its unit."""
@@ -289,16 +289,6 @@ class Instant:
             return None
         numbers = outcome.value.extended(unknowns_of(system, outcome))
         return broken(self.statements.inequalities, system.quantities(), numbers)
-
-
-def distinct(joints: tuple[Joint, ...]) -> tuple[Joint, ...]:
-    """Joints that share a name (both called by their point) are told apart by a number."""
-    seen: dict[str, int] = {}
-    found = []
-    for joint in joints:
-        seen[joint.name] = seen.get(joint.name, 0) + 1
-        found.append(joint if seen[joint.name] == 1 else replace(joint, name=f"{joint.name}_{seen[joint.name]}"))
-    return tuple(found)
 
 
 def asked_by_axis(problem: Problem, joints: tuple[Joint, ...]) -> frozenset[str]:

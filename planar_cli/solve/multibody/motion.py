@@ -22,10 +22,10 @@ from planar_cli.equation.exact import ZERO
 from planar_cli.equation.form import linear_form
 from planar_cli.equation.motion import Motion
 from planar_cli.equation.system import System
+from planar_cli.joints.base import distinct
 from planar_cli.problem.facts import Action, Wrench
 from planar_cli.problem.geometry import Vec
 from planar_cli.records import record
-from planar_cli.solve.instant.instant import distinct
 from planar_cli.solve.instant.worked import PARTS, Worked
 from planar_cli.solve.multibody.poses import NearPoses, Place
 from planar_cli.solve.multibody.sparse import CONSTANT, Echelon, Line
