@@ -171,6 +171,10 @@ class FormulaReader:
         values = None
         if not any(p.free_symbols & varying for p in parts):
             value = self.regime.general.instant.scene.valuations[0]
+            if any(value.known(s) is None for p in parts for s in p.free_symbols):
+                text = f"{find.name} rests on a motion that nothing in the file tells"
+                hint = "hold it by a joint, or say in `motion` how it moves"
+                raise NoSolution([Diagnostic(find.mark, "PL651", text, hint)])
             values = tuple(value.settled(p, p) for p in parts)
         short = all(not longer(p, CLOSED_OPS) and not rounded_inside(p) for p in parts)
         kind = "vector" if len(parts) == 2 else "number"

@@ -229,8 +229,11 @@ def project(
     with mpmath.workdps(DIGITS):
         for _ in range(STEPS):
             here = value.extended(at)
-            rest = mpmath.matrix([mpmath.mpf(str(here(e))) for e in exprs])
-            jacobian = mpmath.matrix([[mpmath.mpf(str(here(d))) for d in row] for row in slopes])
+            remains, rises = [here(e) for e in exprs], [[here(d) for d in row] for row in slopes]
+            if not all(v.is_finite() for row in (remains, *rises) for v in row):
+                break
+            rest = mpmath.matrix([mpmath.mpf(str(v)) for v in remains])
+            jacobian = mpmath.matrix([[mpmath.mpf(str(v)) for v in row] for row in rises])
             step = _shortest(jacobian, rest)
             at = {x: at[x] - Decimal(mpmath.nstr(step[i], DIGITS)) for i, x in enumerate(unknowns)}
             if max(abs(s) for s in step) < mpmath.mpf(str(SMALL)):
