@@ -70,7 +70,11 @@ class Decided:
             self._valuations = self.ledger.valuations(self._agrees) or self.ledger.valuations(self._assumed)
             if not self._valuations:
                 assumed = [a.mark for a in self.problem.assume if isinstance(a, Relation)]
-                text = "no numbers satisfy `assume`, or a length is not real"
+                text = (
+                    "no numbers satisfy `assume`, or a length is not real"
+                    if assumed
+                    else "no position was found near the drawn one in which the joints hold and every length is real"
+                )
                 raise refuse(assumed[0] if assumed else Mark(self.problem.file, 1, 1), "PL532", text)
         return self._valuations
 

@@ -54,9 +54,12 @@ def _through_coordinate(system: System, relation: Relation) -> tuple[Action, ...
     ledger, scene = system.scene.ledger, system.scene
     sides = (relation.left, relation.right)
     names = {side.name for side in sides if isinstance(side, Name)}
+    varying = {q.name for q in ledger.coordinates}
+    # Where one coordinate goes with another, no force from outside keeps that up.
+    alone = len(varying & {node.name for side in sides for node in walk(side) if isinstance(node, Name)}) == 1
     rates = {_of_rate(side) for side in sides} if sum(map(_has_rate, sides)) == 1 else set()
     for q in ledger.coordinates:
-        if q.name not in rates and (q.name not in names or q not in ledger.values):
+        if q.name not in rates and (q.name not in names or not (alone or q in ledger.values)):
             continue
         for name, body in scene.bodies.items():
             if scene.rigid(name) and (turn := sp.diff(body.theta, q)) != 0:

@@ -29,6 +29,7 @@ from planar_cli.solve.between.motion_equations import MotionEquations
 from planar_cli.solve.between.reached import asked_about
 from planar_cli.solve.between.stated_motion import StatedMotion
 from planar_cli.solve.diagnosis.failures import explain_failure, singular_position
+from planar_cli.solve.diagnosis.placed import driven_with
 from planar_cli.solve.diagnosis.words import in_unit, unit_of
 from planar_cli.solve.following.follower import Follower
 from planar_cli.solve.instant.instant import make_instant, search_modes
@@ -111,7 +112,8 @@ def missing(course: MotionEquations) -> NoSolution | None:
     mark = first.mark if not sought else _mark_of(course, sought[0])
     what = " and ".join(", ".join(names).rsplit(", ", 1)) if len(names) > 1 else names[0]
     text = f"{what} {'is' if len(names) == 1 else 'are'} open: no state tells enough"
-    hint = _mode_at_a_time(course) or "give one more relation in a state, as a place, a velocity or a time"
+    hint = _mode_at_a_time(course) or driven_with(course.problem, sought)
+    hint = hint or "give one more relation in a state, as a place, a velocity or a time"
     return _wrong(mark, "PL623", text, hint)
 
 

@@ -19,6 +19,7 @@ from planar_cli.equation.setup import Course, Setup
 from planar_cli.equation.system import Statements
 from planar_cli.problem.ordinary import Scales
 from planar_cli.problem.scene import Problem
+from planar_cli.solve.diagnosis.placed import placed_by_nothing
 from planar_cli.solve.instant.finish import Finisher, unreached
 from planar_cli.solve.instant.instant import Instant, Trial
 from planar_cli.solve.instant.stages import Stage, acceleration_unknowns, needed
@@ -216,13 +217,19 @@ def _general(
     rests = tuple(s for s in independent if s.name in resting)
     independent = tuple(s for s in independent if s.name not in resting)
     trial = instant.try_choice(choice, valuations, given=given)
-    if any(outcome.solved.conflict is not None for outcome in trial.outcomes) and instant.add_drivers():
+    if _contradicts(trial) and instant.add_drivers():
         trial = instant.try_choice(choice, valuations, given=given)
+    if _contradicts(trial) and (lack := placed_by_nothing(instant)) is not None:
+        raise lack
     quantities = trial.system.quantities() if trial.outcomes else trial.system.quantities_of(trial.system.first, None)
     coordinates = (*_user_coordinates(instant, made), *displacement.coordinates)
     parted = parted_joints(drawn, choice, displacement, coordinates) if loose else ()
     place = (quantities, course, constraints, kept, parted, rests)
     return General(instant, choice, coordinates, independent, trial, *place)
+
+
+def _contradicts(trial: Trial) -> bool:
+    return any(outcome.solved.conflict is not None for outcome in trial.outcomes)
 
 
 def _independent(
