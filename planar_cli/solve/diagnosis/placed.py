@@ -1,4 +1,4 @@
-"""A motion that the file writes down beside forces: places that nothing holds, laws that a force of their own keeps up."""
+"""A motion that the file writes down beside forces: places that nothing holds, laws kept up by a force of their own."""
 
 from __future__ import annotations
 
