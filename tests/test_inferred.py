@@ -262,3 +262,38 @@ def test_a_mode_at_a_given_time_tells_no_constant() -> None:
     (found,) = raised.value.diagnostics
     assert (found.code, found.message) == ("PL623", "c is open: no state tells enough")
     assert found.hint.startswith("where `mode(C) = slip` is to begin at `t = 5 s`")
+
+
+STATIC = """
+title: Block of which only the static coefficient is known
+plane: vertical
+surfaces: {floor: {through: [0, 0], angle: 0 deg}}
+bodies: {block: {particle: [0, 0], mass: 20 kg}}
+joints:
+  - contact: {between: [block, floor], mu_s: 0.2}
+loads:
+  - force: {magnitude: FORCE, angle: 0 deg}
+INSTANT
+find: {value: ASKED}
+"""
+
+
+@pytest.mark.parametrize(
+    ("force", "instant", "asked", "value"),
+    [
+        ("30 N", "instant: [at rest]", "friction(block).x", -30),
+        ("10 N/s * t", "states: {1: [t = 0, at rest], 2: [mode(block) = slip]}", "t @ 2", 0.02 * 196.2),
+    ],
+)
+def test_a_static_coefficient_alone(force: str, instant: str, asked: str, value: float) -> None:
+    text = STATIC.replace("FORCE", force).replace("INSTANT", instant).replace("ASKED", asked)
+    assert_close(solve(text)["value"], value, 9)
+
+
+def test_what_slides_needs_the_kinetic_coefficient() -> None:
+    text = STATIC.replace("FORCE", "60 N").replace("INSTANT", "instant: [at rest]")
+    assert solve(text.replace("ASKED", "mode(block)"))["value"].word == "slip"
+    with pytest.raises(
+        NoSolution, match="value depends on the kinetic friction at block, of which only `mu_s` is given"
+    ):
+        solve(text.replace("ASKED", "a(block).x"))

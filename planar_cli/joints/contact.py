@@ -22,8 +22,9 @@ class Contact(Joint):
     Meaning
         A body stands, leans or slides on another, or on a surface, at the point `at`; it may be left out for a
         particle, and for a round rim on an edge or another rim. Say what friction there is: `mu` (static and kinetic;
-        0 is smooth), or `mu_s` and `mu_k` (`mu_k` alone: it slides), or `friction`, a fixed limit of the force. Which
-        case holds is found, and asked by `mode(j)`: stick, slip, apart, or tip for a block.
+        0 is smooth), or `mu_s` and `mu_k` (`mu_k` alone: it slides; `mu_s` alone: does it slide, or at its limit), or
+        `friction`, a fixed limit of the force. Which case holds is found, and asked by `mode(j)`: stick, slip, apart,
+        or tip for a block.
 
     YAML
         title: Does the ladder slip?
@@ -59,9 +60,9 @@ class Contact(Joint):
     unilateral: ClassVar[bool] = True
     choices: ClassVar[tuple[Choice, ...]] = (
         Choice(
-            (("mu",), ("mu_s", "mu_k"), ("mu_k",), ("friction",)),
-            "`mu: 0` when it is smooth, `mu: 0.3`, or `mu_s: 0.3, mu_k: 0.2` (`mu_k` alone: it slides), "
-            "or `friction: 25 N`, a fixed limit",
+            (("mu",), ("mu_s", "mu_k"), ("mu_s",), ("mu_k",), ("friction",)),
+            "`mu: 0` when it is smooth, `mu: 0.3`, or `mu_s: 0.3, mu_k: 0.2` (`mu_k` alone: it slides; "
+            "`mu_s` alone: does it?), or `friction: 25 N`, a fixed limit",
         ),
     )
 
@@ -77,7 +78,7 @@ class Contact(Joint):
 
     def modes(self, scene: Setting) -> tuple[Mode, ...]:
         # Of what slides, the kinetic coefficient alone may be known: at rest it holds at least as much.
-        given = (self.mu_s or self.mu or self.mu_k, self.mu_k or self.mu, self.friction)
+        given = (self.mu_s or self.mu or self.mu_k, self.mu_k or self.mu or self.mu_s, self.friction)
         friction = Friction(*(None if side is None else scene.value(side) for side in given))
         return Touching(self._place(), scene, friction).modes()
 

@@ -75,8 +75,8 @@ class Guide(Joint):
     choices: ClassVar[tuple[Choice, ...]] = (
         Choice((("point",), ("body",)), "`point: B` when its body may turn, `body: b` when it cannot"),
         Choice(
-            ((), ("mu",), ("mu_s", "mu_k"), ("mu_k",)),
-            "`mu`, or `mu_s` and `mu_k`, or `mu_k` alone; none when it is smooth",
+            ((), ("mu",), ("mu_s", "mu_k"), ("mu_s",), ("mu_k",)),
+            "`mu`, or `mu_s` and `mu_k`, or one of the two alone; none when it is smooth",
         ),
     )
 
@@ -102,7 +102,7 @@ class Guide(Joint):
             back = -force if force is not None else None
             actions = (Action(joining.mover, joining.point, force, 1), Action(joining.base, joining.point, back, -1))
             pushes.append(Push(f"M_{self.name}", "couple", self.name, joining.place, actions, "N*m"))
-        static, kinetic = self.mu_s or self.mu or self.mu_k, self.mu_k or self.mu
+        static, kinetic = self.mu_s or self.mu or self.mu_k, self.mu_k or self.mu or self.mu_s
         if static is None or kinetic is None or scene.is_zero(scene.value(static)):
             return (Mode("slip", "", Facts((joining,), turning, tuple(pushes))),)
         pushes.append(self._push(f"F_{self.name}", "friction", joining, tangent))

@@ -66,6 +66,10 @@ _EQUILIBRIA = {
         "of them largest among those near it: a throw up a slope, and one down its other side. Give the side "
         "in the state, such as `x(P) > 0`."
     ),
+    "PL636": (
+        "The file gives the static coefficient of friction alone. Whether something slides, and what holds as long as "
+        "it does not, follows from it; what moves after it has slid depends on the kinetic coefficient."
+    ),
     "PL630": (
         "A state of equilibrium is solved on its own: free speeds and their rates vanish. Either no position does "
         "that, or several do; then say which is meant, by a coordinate or an inequality such as `x > 0`."

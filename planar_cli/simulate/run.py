@@ -29,6 +29,7 @@ from planar_cli.motion.transition import Moment as Instant
 from planar_cli.motion.transition import Resolved, resolve
 from planar_cli.problem.expression import Quantity, Relation, Side
 from planar_cli.problem.scene import Answer, Problem
+from planar_cli.problem.static_alone import demand_kinetic
 from planar_cli.records import record
 from planar_cli.simulate.agreement import demand_agreement
 from planar_cli.simulate.answers import Answered, Answers
@@ -185,6 +186,7 @@ def prepared(
     """The scene, and where its motion begins. `values`: numbers for letters and unknowns [SI]; `speeds`: of bodies at
     the start, where the file leaves them open.
     """
+    demand_kinetic(problem)
     stages = stages_of(problem, values, speeds or {})
     model = stages.automaton((_first(problem),)).model
     return Prepared(problem, stages, model, stages.start())

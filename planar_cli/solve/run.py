@@ -33,6 +33,7 @@ from planar_cli.solve.roads import in_general, is_curve, is_kinematic, runs_in_t
 from planar_cli.solve.solution import Found, InstantSolution
 from planar_cli.solve.solved_problem import PartSolution, Solution
 from planar_cli.solve.states import solve_states, stand_at_states
+from planar_cli.solve.static_alone import whatever_kinetic
 
 NO_MOTION = frozenset(("PL620", "PL621", "PL622"))
 """Verdicts that a motion which is followed to all states refutes."""
@@ -59,9 +60,9 @@ def solve_problem(problem: Problem, method: str | None = None) -> Solution:
     earlier: dict[str, Earlier] = {}
     parts: list[PartSolution] = []
     if problem.find:
-        parts.append(_part(problem, "", units, {}))
+        parts.append(whatever_kinetic(_part, problem, "", units, {}))
     for case in problem.cases:
-        part = _part(case.problem, case.name, units, earlier)
+        part = whatever_kinetic(_part, case.problem, case.name, units, earlier)
         parts.append(part)
         for found in part.found:
             if found.values is not None and len(found.values) == 1:
