@@ -304,7 +304,7 @@ def run(
     if sample is not None and sample < len(known):
         known = sorted(random.Random(seed).sample(known, sample), key=known.index)
     needed = sorted({m.file for m in known})
-    ended = Supervisor(solved, jobs, limit, _unseen).run([(file, None) for file in needed])
+    ended = Supervisor(solved, jobs, 3 * limit, _unseen).run([(file, None) for file in needed])
     base = {file: e.result for file, e in zip(needed, ended, strict=True) if e.verdict == "ok"}
     tried = [m for m in known if m.file in base and base[m.file].kind == "solved"]
     if left := sorted(set(needed) - {m.file for m in tried}):

@@ -234,7 +234,7 @@ def partners_fit(scope: Scope) -> Iterator[Diagnostic]:
         elif len(between) == 2 and scope.carrier(between[0]) == scope.carrier(between[1]):
             text = f"{between[0]} and {between[1]} are one body, and {what} is between two"
             yield Diagnostic(joint.mark, "PL455", text, "name two different partners")
-        stops = [stop.name for stop in scope.stops(joint)]
+        stops = ["" if stop.way in ("over", "under") else stop.name for stop in scope.stops(joint)]
         again = next((a for a, b in pairwise(stops) if a and a == b), None)
         if again is not None:
             yield Diagnostic(joint.mark, "PL455", f"{what} goes from {again} to itself", "name two different points")
