@@ -9,14 +9,17 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
+from decimal import Decimal
 
 import sympy as sp
 
 from planar_cli.equation.curves import curve_place
 from planar_cli.equation.displacement import Coordinate, CoordinateNames, Displacement
+from planar_cli.equation.expansion import expanded
 from planar_cli.equation.motion import Edge, Tree
-from planar_cli.equation.plain import simplified
+from planar_cli.equation.plain import derivative, simplified
 from planar_cli.equation.pose import HERE, Pose
+from planar_cli.equation.sample import anywhere
 from planar_cli.equation.scene import Scene
 from planar_cli.errors import NOWHERE
 from planar_cli.problem.geometry import Vec
@@ -307,7 +310,36 @@ class Displacer:
         rims = [pair for joint in self.scene.problem.joints for pair in joint.rims()]
         for point, body in (*rims, *(pair for load in self.scene.problem.loads for pair in load.rims())):
             found[point] = self._with_center(point, body)
+        for joint in self.scene.problem.joints:
+            found |= {point: self._tangent(point, body, other) for point, body, other in joint.tangents()}
         return found
+
+    def _tangent(self, point: str, body: str, other: str) -> Vec:
+        """Where a cord that runs straight to another point leaves a rim: P = C + ρ n + L t with t along the rim, so
+        that n = (ρ r - L r × k) / r² with r = P - C and L² = r² - ρ². What has mass hangs on its cord without swaying.
+        """
+        scene, drum = self.scene, self.scene.bodies[body].center
+        start, owner = scene.point(other), scene.owner(other, body)
+        if owner == GROUND or scene.bodies[owner].mass != 0:
+            return self._with_center(point, body)
+        arm = scene.point(point) - drum
+        reach = self.poses[owner].point(start) - self.poses[body].point(drum)
+        radius, way = scene.length(arm), scene.sign(arm.cross(start - drum))
+        length = sp.sqrt(expanded(reach.dot(reach) - radius**2))
+        normal: Vec = (reach * radius - reach.turned() * (length * way)) / reach.dot(reach)
+        if self._is_steady(normal):
+            return self._with_center(point, body)
+        place: Vec = self.poses[body].point(drum) + normal * radius
+        return place
+
+    def _is_steady(self, direction: Vec) -> bool:
+        """Does a direction stay the same, for the numbers of the file, however things move?"""
+        inside = direction.x.free_symbols | direction.y.free_symbols
+        moving = [c for c in self.coordinates if c.symbol in inside]
+        value = self.scene.valuations[0]
+        here = {c.symbol: (value.known(c.drawn or ZERO) or Decimal(0)) + anywhere(i) for i, c in enumerate(moving)}
+        slopes = (derivative(e, c.symbol) for c in moving for e in (direction.x, direction.y))
+        return all(value.extended(here).vanishes(slope) for slope in slopes)
 
     def _with_center(self, point: str, body: str) -> Vec:
         """A point of a rim that keeps its direction from the centre."""

@@ -78,6 +78,12 @@ class Rope(Joint):
     def rims(self) -> tuple[tuple[str, str], ...]:
         return tuple((stop.name, stop.body) for stop in self.path if stop.way == "on" and stop.body is not None)
 
+    def tangents(self) -> tuple[tuple[str, str, str], ...]:
+        if self.along is not None:
+            return ()
+        ends = ((self.path[0], self.path[1]), (self.path[-1], self.path[-2]))
+        return tuple((a.name, a.body, b.name) for a, b in ends if a.way == "on" and a.body and b.way == "point")
+
     def objections(self, scene: WrittenScene) -> Iterable[Diagnostic]:
         passed = {stop.name for stop in self.path if stop.way in ("over", "under")}
         for body in scene.bodies:

@@ -40,6 +40,10 @@ class Entry:
         """Pairs (point, body or surface): the points that belong to a body because the entry names them together."""
         return ()
 
+    def tangents(self) -> tuple[tuple[str, str, str], ...]:
+        """Triples (point, body, other point): of those cords that run straight from the rim to a point, how."""
+        return ()
+
     def rims(self) -> tuple[tuple[str, str], ...]:
         """Pairs (point, body): where a cord leaves a rim. Such a point keeps its direction from the body's centre."""
         return ()
