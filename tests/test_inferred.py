@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import radians, sin
+
 import pytest
 from answered import assert_close, solve
 
@@ -150,6 +152,18 @@ states: {1: [t = 0, s = 0, dot(s) = 1 m/s], 2: [t = 2 s]}
 find: {value: s @ 2}
 """
 
+CRATE = """
+title: Crate that lies on a slope with a whole face
+plane: vertical
+points: {A: [0, 0]}
+surfaces: {slope: {through: A, angle: -20 deg}}
+bodies: {box: {plate: {from: A, distance: 0.5 m, angle: 70 deg}, angle: -20 deg, width: 1 m, height: 1 m, mass: 10 kg}}
+joints:
+  - contact: {between: [box, slope], mu: 0.6}
+instant: [at rest]
+find: {value: friction(box).along(160 deg)}
+"""
+
 
 @pytest.mark.parametrize(
     ("text", "value"),
@@ -167,6 +181,7 @@ find: {value: s @ 2}
         (DRIVEN, -54),
         (DRIVEN.replace("instant: [theta = 0 deg]\n", "").replace("reaction(O).x", "v(A).mag"), 6),
         (CARRIED, 8),
+        (CRATE, 98.1 * sin(radians(20))),
     ],
 )
 def test_value(text: str, value: float) -> None:

@@ -145,7 +145,7 @@ def _plate(scene: Outlined, body: str, shape: Plate, point: Vec, mark: Mark) -> 
     """An edge of the rectangle through the point; both edges at a corner are offered by `edges_at`."""
     edges = edges_at(scene, body, shape, point)
     if not edges:
-        hint = "half the height below the centre, say"
+        hint = "let `at` be the corner that touches, or a point of the edge: half the height below the centre, say"
         raise refuse(mark, "PL522", f"the point of contact is not on an edge of {body}", hint)
     return edges[0] if len(edges) == 1 else Outline("corner", body)
 

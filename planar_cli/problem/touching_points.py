@@ -1,6 +1,7 @@
 """Where two bodies touch of which the file does not say it: only where the shapes leave no choice.
 
-A particle touches where it is; a round rim at the foot on a straight edge, or on the line of centres with another rim.
+A particle touches where it is; a round rim at the foot on a straight edge, or on the line of centres with another rim;
+a plate with the middle of the edge that lies flush on another (if none does, the point is not on the plate).
 """
 
 from __future__ import annotations
@@ -12,7 +13,21 @@ from typing import Any
 from planar_cli.joints.base import Joint
 from planar_cli.problem.expression import Side
 from planar_cli.problem.reading import Report
-from planar_cli.problem.scene import GROUND, Body, Circle, Foot, Line, Particle, Place, Point, Rims, Rod, Round, Surface
+from planar_cli.problem.scene import (
+    GROUND,
+    Body,
+    Circle,
+    Foot,
+    Line,
+    Particle,
+    Place,
+    Plate,
+    Point,
+    Rims,
+    Rod,
+    Round,
+    Surface,
+)
 from planar_cli.records import record
 
 HINT = "the point where they touch"
@@ -31,6 +46,13 @@ class _Straight:
 class _Rim:
     center: str
     radius: Side
+
+
+@record
+class _Face:
+    """An edge of a plate about its centre, which lies flush on a straight edge."""
+
+    center: str
 
 
 def with_touching_points(
@@ -74,10 +96,12 @@ def _place(partners: list[Body | Surface | None]) -> Place | str | None:
             return Rims(a.center, a.radius, b.center, b.radius)
         case [_Rim() as rim, _Straight() as line] | [_Straight() as line, _Rim() as rim]:
             return Foot(rim.center, line.through, line.angle, line.towards)
+        case [_Face() as face, _Straight() as line] | [_Straight() as line, _Face() as face]:
+            return Foot(face.center, line.through, line.angle, line.towards)
     return None
 
 
-def _edge(partner: Body | Surface | None) -> _Rim | _Straight | None:
+def _edge(partner: Body | Surface | None) -> _Rim | _Straight | _Face | None:
     match partner:
         case Surface(shape=Line(through=through, angle=angle)):
             return _Straight(through, angle, None)
@@ -85,6 +109,8 @@ def _edge(partner: Body | Surface | None) -> _Rim | _Straight | None:
             return _Rim(center, radius)
         case Body(shape=Round(center=center, radius=radius, hub=None)):
             return _Rim(center, radius)
+        case Body(shape=Plate(center=center)):
+            return _Face(center)
         case Body(shape=Rod(start=start, end=end, angle=angle)) if end is not None or angle is not None:
             return _Straight(start, None if end is not None else angle, end)
     return None
