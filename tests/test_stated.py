@@ -229,3 +229,14 @@ instant: [at rest]
 find: {{a: a(P).y}}
 """
     assert refused(text) == code
+
+
+@pytest.mark.parametrize(
+    ("instant", "code"),
+    [
+        ("at rest, m is smallest", "PL431"),
+        ("at rest, 'v(P).along(m) = 0'", "PL222"),
+    ],
+)
+def test_what_makes_no_sense_of_a_given_number_is_refused(instant: str, code: str) -> None:
+    assert refused(crate(instant, force="m*1 m/s^2", more="given: {m: 2 kg}")) == code

@@ -43,6 +43,11 @@ def statements_in_place(scope: Scope) -> Iterator[Diagnostic]:
                 f"'{statement.text}' stands in `states`",
                 "write `states: {1: […], 2: [just after 1]}`",
             )
+    known = {s.name for s in (*p.given, *p.symbols)}
+    for statement in (*(p.instant or ()), *(s for state in p.states for s in state.relations)):
+        if isinstance(statement, Extreme) and _is_known(statement.side, known):
+            text = f"'{statement.text}': its value is given, so that nothing is largest or smallest"
+            yield Diagnostic(statement.mark, "PL431", text, "declare it under `unknowns`")
     for statement in p.assume:
         if not isinstance(statement, Relation):
             yield Diagnostic(
@@ -50,6 +55,12 @@ def statements_in_place(scope: Scope) -> Iterator[Diagnostic]:
             )
     for formula in formulas(p):
         yield from _words(formula.tree)
+
+
+def _is_known(tree: Tree, known: set[str]) -> bool:
+    """Does a formula rest on numbers of the file alone?"""
+    nodes = list(walk(tree))
+    return all(n.name in known for n in nodes if isinstance(n, Name)) and not any(isinstance(n, Quantity) for n in nodes)
 
 
 def _words(tree: Tree) -> Iterator[Diagnostic]:

@@ -243,7 +243,9 @@ class _Inference:
         kind = self._argument(quantity)
         kind = self.lookup(quantity) or kind or self._table(quantity)
         for part in quantity.parts:
-            if part.direction is not None and not isinstance(part.direction, PointPair | Name):
+            # A name may be that of a body or surface.
+            named = isinstance(part.direction, Name) and self.lookup(part.direction) is None
+            if part.direction is not None and not isinstance(part.direction, PointPair) and not named:
                 self._pure(part.direction, "PL222", "a direction is an angle, not {}", "`.along(30 deg)`")
             if part.kind == "angle":
                 kind = ANGLE
