@@ -60,7 +60,8 @@ def statements_in_place(scope: Scope) -> Iterator[Diagnostic]:
 def _is_known(tree: Tree, known: set[str]) -> bool:
     """Does a formula rest on numbers of the file alone?"""
     nodes = list(walk(tree))
-    return all(n.name in known for n in nodes if isinstance(n, Name)) and not any(isinstance(n, Quantity) for n in nodes)
+    asked = any(isinstance(n, Quantity) for n in nodes)
+    return not asked and all(n.name in known for n in nodes if isinstance(n, Name))
 
 
 def _words(tree: Tree) -> Iterator[Diagnostic]:
