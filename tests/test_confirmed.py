@@ -210,3 +210,24 @@ def test_answers_that_rest_on_a_velocity_that_is_not_told_are_none() -> None:
     assert "`v(bullet).y = …`" in told.hint
     found = solve(EMBEDDED.replace("v(bullet).x = v,", "v(bullet).x = v, v(bullet).y = 0,"))
     assert float(found["v"].values[0]) == pytest.approx(400 * 0.02 / 2.02)
+
+
+CASES = """
+title: An unknown of another case
+plane: vertical
+unknowns: {F: N}
+bodies: {b: {particle: [0, 0], mass: 2 kg}}
+cases:
+  falls:
+    states: {0: [t = 0, at rest], 1: [t = 2 s]}
+    find: {v: v(b).y @ 1}
+  lifted:
+    loads:
+      - force: {body: b, magnitude: F, angle: 90 deg}
+    states: {0: [t = 0, at rest], 1: [t = 2 s, y(b) = 3 m]}
+    find: {F: F}
+"""
+
+
+def test_an_unknown_of_another_case_keeps_nothing_from_being_compared() -> None:
+    assert [sorted(part.confirmed.finds) for part in solved(CASES).parts] == [["v"], ["F"]]

@@ -67,11 +67,12 @@ class Rolling(Joint):
         if a.body == "ground" or (a.kind != "arc" and b.kind == "arc"):
             a, b = b, a
         if a.tangent is None or b.tangent is None:
+            corner = a.body if a.tangent is None else b.body
             raise scene.refuse(
                 self.mark,
                 "PL523",
-                f"{self.name}: a corner can not roll",
-                "rolling needs a round rim on a rim, rack or surface",
+                f"{self.name}: a corner can not roll, and {corner} has its end or a corner there",
+                "rolling needs a round rim on a rim, rack or surface; let a rack reach beyond the point on both sides",
             )
         demand_common_tangent(self.between, self.at, a, b, scene, self.mark)
         same = scene.sign(a.tangent.dot(b.tangent))

@@ -94,10 +94,17 @@ def _problem(file: str, node: Node | None, wrong: list[Diagnostic]) -> tuple[Pro
     if node is None:
         return None, report.sorted()
     problem = read_problem(file, node, report)
-    for diagnostic in check(problem):
+    for diagnostic in check(problem, unread=_unread(node, report.sorted())):
         report.take(diagnostic)
     found = report.sorted()
     return (None if found else problem), found
+
+
+def _unread(node: Node, wrong: list[Diagnostic]) -> bool:
+    """Is something wrong outside the bodies, where it is told what holds and drives them?"""
+    keys = [key for key, _ in node.pairs] if isinstance(node, Mapping) else []
+    sections = ([k.text for k in keys if (k.mark.line, k.mark.column) <= (d.mark.line, d.mark.column)] for d in wrong)
+    return any(before and before[-1] != "bodies" for before in sections)
 
 
 def read_problem(file: str, node: Node, report: Report) -> Problem:

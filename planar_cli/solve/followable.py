@@ -7,6 +7,7 @@ from dataclasses import replace
 from planar_cli.integrators.base import MOST_STEPS
 from planar_cli.problem.expression import JustAfter, Name, Quantity
 from planar_cli.problem.scene import Problem, State
+from planar_cli.problem.unused import used_names
 from planar_cli.problem.walk import walk
 from planar_cli.simulate.answers import NOT_FOLLOWED
 from planar_cli.solve.between.trace import Taken
@@ -24,8 +25,9 @@ def not_followed(problem: Problem, taken: Taken) -> str:
         for node in (n for r in state.relations for n in walk(r)):
             if isinstance(node, Quantity) and node.word in NOT_FOLLOWED:
                 return f"state {state.name} is told by {node.word}(…), which no motion has"
+    used = used_names(problem)
     names = [s.name for s in (*problem.symbols, *problem.unknowns)]
-    without = [n for n in names if n not in taken.letters]
+    without = [n for n in names if n not in taken.letters and n in used]
     return f"no number tells {', '.join(without)}" if without else ""
 
 

@@ -28,6 +28,7 @@ from planar_cli.solve.between.solved_motion import SolvedMotion
 from planar_cli.solve.between.stated_motion import StatedMotion
 from planar_cli.solve.between.throughout import Throughout
 from planar_cli.solve.curves.formulas import at_given_time
+from planar_cli.solve.diagnosis.cases import demand_cancelled
 from planar_cli.solve.diagnosis.motions import missing
 from planar_cli.solve.following.foreseen import fitting_draws
 from planar_cli.solve.following.mode_search import ModeSearch
@@ -82,6 +83,7 @@ def _told(solved: SolvedMotion, case: str) -> PartSolution:
     found = integrated(found, asked_letters(found.finds).union(*(s.derivation.needs for s in route.steps)))
     answering = Answering(course, route, found.value, found.spans, throughout)
     answers = tuple(answering.answer(a) for a in found.finds)
+    demand_cancelled(course.scene, [a.found.find for a in answers], [a.found for a in answers])
     instants = _instants(course)
     passages = tuple(a.passage for a in answers if a.passage is not None)
     tale = Tale(passages, whole=False) if passages else None

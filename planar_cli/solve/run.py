@@ -358,7 +358,7 @@ def _held(
             raise
     if len(held) > 1:
         raise several_cases(instant, held, [found for _, found in solutions], place(instant, finds))
-    demand_cancelled(instant, finds, solutions[0][1])
+    demand_cancelled(instant.scene, finds, solutions[0][1])
     return solutions[0]
 
 
