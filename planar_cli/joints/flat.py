@@ -63,6 +63,12 @@ class Flat(Joint):
         if scene.plane == "vertical":
             message, hint = "a flat contact needs `plane: horizontal`", "in a vertical plane write `contact`"
             yield Diagnostic(self.mark, "PL456", message, hint)
+        light = {b.name: b.is_massless for b in scene.bodies}
+        upper, lower = self.between
+        if light.get(upper) and light.get(lower) is False:
+            message = f"{upper} has no mass, so nothing presses it on {lower}"
+            hint = f"the first of `between` lies on the second: write `between: [{lower}, {upper}]`"
+            yield Diagnostic(self.mark, "PL456", message, hint)
 
     def modes(self, scene: Setting) -> tuple[Mode, ...]:
         """The pressure carries the weight; friction holds the body, or acts at its mass centre against its sliding."""

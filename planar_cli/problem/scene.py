@@ -248,10 +248,14 @@ class Body:
         return self.shape.center if isinstance(self.shape, Round) else None
 
     @property
+    def is_massless(self) -> bool:
+        """Is nothing said of its mass?"""
+        return self.mass is None and self.weight is None and not self.any_mass
+
+    @property
     def resists_turning(self) -> bool:
         """Has it mass, and no moment of inertia that is written as zero?"""
-        massless = self.mass is None and self.weight is None and not self.any_mass
-        return not massless and not (isinstance(self.inertia, Number) and self.inertia.value == 0)
+        return not self.is_massless and not (isinstance(self.inertia, Number) and self.inertia.value == 0)
 
 
 @record
