@@ -372,11 +372,13 @@ class Scene(Decided):
             if point is not None and body in self.bodies and body not in owners.setdefault(point, []):
                 owners[point].append(body)
 
+        # A point that is called like a body is that body's before it is any other's.
+        for body in self.problem.bodies:
+            if body.name in self.points:
+                belongs(body.name, body.name)
         for body in self.problem.bodies:
             for point in (*own_points(body.shape), *body.points):
                 belongs(point, body.name)
-            if body.name in self.points:
-                belongs(body.name, body.name)
         for joint in self.problem.joints:
             for point, body_name in joint.attachments():
                 belongs(point, self.carrier(body_name))

@@ -153,11 +153,13 @@ class Carried:
             if body in self.places and body not in owners.setdefault(point, []):
                 owners[point].append(body)
 
+        # A point that is called like a body is that body's before it is any other's.
+        for body in self.problem.bodies:
+            if body.name in points_of(self.problem) or body.name in self.free:
+                belongs(body.name, body.name)
         for body in self.problem.bodies:
             for point in (*own_points(body.shape), *body.points):
                 belongs(point, body.name)
-            if body.name in points_of(self.problem) or body.name in self.free:
-                belongs(body.name, body.name)
         members: tuple[Joint | Load, ...] = (*self.problem.joints, *self.problem.loads)
         for member in members:
             for point, name in member.attachments():
