@@ -11,8 +11,6 @@ import sys
 from collections.abc import Mapping
 from typing import Any
 
-from planar_cli.joints.base import Joint
-from planar_cli.loads.base import Load
 from planar_cli.motion.masses import Drawn, drawn_bodies
 from planar_cli.motion.places import Drawing, length_of, points_of, unit_vector
 from planar_cli.motion.reference import Reference, reference_of
@@ -154,16 +152,15 @@ class Carried:
                 owners[point].append(body)
 
         # A point that is called like a body is that body's before it is any other's.
-        for body in self.problem.bodies:
-            if body.name in points_of(self.problem) or body.name in self.free:
-                belongs(body.name, body.name)
+        for name in (b.name for b in self.problem.bodies):
+            if name in points_of(self.problem) or name in self.free:
+                belongs(name, name)
         for body in self.problem.bodies:
             for point in (*own_points(body.shape), *body.points):
                 belongs(point, body.name)
-        members: tuple[Joint | Load, ...] = (*self.problem.joints, *self.problem.loads)
-        for member in members:
-            for point, name in member.attachments():
-                belongs(point, self.carrier(name))
+        for member in (*self.problem.joints, *self.problem.loads):
+            for point, partner in member.attachments():
+                belongs(point, self.carrier(partner))
         return owners, own | {b.name for b in self.problem.bodies}
 
     def rates(self) -> dict[Term, Term]:
