@@ -22,6 +22,11 @@ these states; a joint that starts with moving parts starts with an impulse).
       - impact: {between: [A, B], restitution: 0.8, during: 1->2}    normal: an angle, if the shapes leave it open;
                                                                restitution left out: unknown; mu
 
+`at` may be left out of `contact` and `rolling` where the shapes tell it: a particle, a wheel on an edge or another rim,
+a plate with a face on an edge. `between: [wheel, ground]` is a horizontal floor below the wheel, the particle, the
+upright plate or the point `at`, unless `plane: horizontal`; anything else that is touched is a surface. `mu_k` alone:
+it slides; `mu_s` alone: whether it slides, and what does not depend on the kinetic coefficient.
+
 A contact always says its friction. When the surface is rough and no coefficient is given, write `unknowns: {mu: 1}` and
 `mu: mu`. `planar explain pin` (guide, rope, …) prints the page of each.
 """

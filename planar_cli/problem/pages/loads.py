@@ -21,6 +21,9 @@ its keys. Any entry may have `name:` and `during: 1->2`.
           enters: {at: A, speed: 15 m/s, angle: 0 deg}
           leaves: {at: B, speed: 15 m/s, angle: 90 deg}
 
+`body` may be left out where one alone can be meant: the only body, the one to which the point belongs, for a torque the
+only one that turns. `drag: {quadratic: c}` is c v^2 and `drag: {linear: c}` is c v.
+
 Magnitudes of force, torque and drag, and the rate of a stream, may use `t`, quantities, and tables of instants and
 values (straight lines between them, constant before the first and after the last); speeds and angles of a stream may
 use `t` and quantities:

@@ -18,6 +18,9 @@ Points are given as drawn: at the instant, or at the first state (with `coordina
 A point of no body is fixed, unless it is written with a coordinate. A point that is named with a body in a joint or
 load belongs to that body. Sizes of points use names, not quantities and not the time.
 
+`line` may also be written `{through: A, angle: 30 deg}`, and as `on`; `{from: A, distance: l, on: [B, 0 deg]}` is the
+point of the line at this distance.
+
 A place may also be written where it is used: `at: [1 m, 0]`, `rod: [[0, 0], {from: A, distance: l, angle: 30 deg}]`.
 Where the same is written twice, it is the same point.
 
