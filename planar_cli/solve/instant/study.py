@@ -290,11 +290,29 @@ def _holds(value: Decimal, strict: bool) -> bool:
     return value > CERTAIN * 10**8 if strict else value >= -CERTAIN * 10**8
 
 
+def _least(vector: list[Decimal], free: list[list[Decimal]]) -> list[Decimal]:
+    """The smallest vector left where these may be added in any amount: a rope may take what friction need not."""
+    for i, way in enumerate(free):
+        size = sum((c * c for c in way), ZERO)
+        if size <= CERTAIN:
+            continue
+        others = [_across(other, way, size) for other in free[i + 1 :]]
+        return _least(_across(vector, way, size), others)
+    return vector
+
+
+def _across(vector: list[Decimal], way: list[Decimal], size: Decimal) -> list[Decimal]:
+    """The part of a vector across a direction, of which the square is `size`."""
+    along = sum((a * b for a, b in zip(vector, way, strict=True)), ZERO) / size
+    return [a - along * b for a, b in zip(vector, way, strict=True)]
+
+
 def _measure(test: Test, assembly: Assembly, solved: Solved) -> tuple[Decimal, dict[int, Decimal]]:
     """The value of a test and its slopes along what is free."""
     if test.within:
         limit = assembly.value(test.constant)
-        parts = [solved.values[assembly.columns[n]] for n in test.within]
+        columns = [assembly.columns[n] for n in test.within]
+        parts = _least([solved.values[j] for j in columns], [[v[j] for j in columns] for v in solved.null.values()])
         return ONE - sum((p * p for p in parts), ZERO) / limit**2, {}
     line: dict[int, Decimal] = {-1: certain(sp.sympify(test.constant), assembly.value)}
     for name, factor in test.pushes:
