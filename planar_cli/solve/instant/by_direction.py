@@ -13,7 +13,7 @@ from fractions import Fraction
 
 from planar_cli.equation.setup import Setup
 from planar_cli.equation.system import Statements
-from planar_cli.problem.expression import Binary, Number, Relation
+from planar_cli.problem.expression import Binary, Number, Quantity, Relation
 from planar_cli.problem.outermost import quantities_in
 from planar_cli.solve.instant.instant import OPEN, TINY, Instant, search_modes
 from planar_cli.solve.solution import Found, InstantSolution
@@ -21,16 +21,26 @@ from planar_cli.solve.solution import Found, InstantSolution
 SPEEDS = (Fraction(37, 29), Fraction(83, 31))
 """Two speeds (m/s or rad/s) with no simple ratio."""
 RATES = frozenset(("v", "omega", "dot"))
+SIZES = frozenset(("mag", "angle", "t", "n"))
+"""Parts of a velocity that tell no direction along a line."""
 
 
 def with_speeds(statements: Statements, speed: Fraction) -> Iterator[Statements]:
     """The statements with the first inequality of velocities as a speed, with the first two, and so on."""
     now = statements
     for relation in statements.inequalities:
-        if any(q.word in RATES for side in (relation.left, relation.right) for q in quantities_in(side)):
+        if _tells_direction(relation):
             left = tuple(r for r in now.inequalities if r is not relation)
             now = replace(now, inequalities=left, relations=(*now.relations, (_as_speed(relation, speed), False)))
             yield now
+
+
+def _tells_direction(relation: Relation) -> bool:
+    """Is one side a component of a velocity or an angular velocity, and the other none?"""
+    for side, other in ((relation.left, relation.right), (relation.right, relation.left)):
+        if isinstance(side, Quantity) and side.word in RATES and not quantities_in(other):
+            return not any(part.kind in SIZES for part in side.parts)
+    return False
 
 
 def _as_speed(relation: Relation, speed: Fraction) -> Relation:
