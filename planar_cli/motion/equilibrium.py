@@ -83,8 +83,11 @@ class _Search:
         if not found:
             text = f"no place of equilibrium was found for {name}"
             raise NoSolution([Diagnostic(self.mark, "PL704", text, f"give {name} in the first state")])
-        shown = ", ".join(f"{x:.6g}" for x in found[:4])
-        text = f"there is equilibrium at several values of {name}: {shown}{' …' if len(found) > 4 else ''} (SI)"
+        unit = parse_unit(self.sought.unit or "1")
+        factor = float(unit.factor) * math.pi**unit.pi_power
+        told = [x / factor if abs(x) > SAME * size else 0.0 for x in found[:4]]
+        shown = ", ".join(f"{x:.6g} {unit.text}" for x in told)
+        text = f"there is equilibrium at several values of {name}: {shown}{' …' if len(found) > 4 else ''}"
         raise FileProblem([Diagnostic(self.mark, "PL704", text, f"choose one: `{name} > …`")])
 
     def acceleration(self, value: float) -> float:
