@@ -71,6 +71,8 @@ def _nothing(instant: Instant, targets_of: Callable[[System], set[sp.Symbol]], o
         return clashing
     loose: list[sp.Symbol] = []
     if not seeker.conflict and not objections:
+        places = [s for s in seeker.ledger.coordinates if s in seeker.ledger.sought]
+        targets = targets.union(places)
         found, numbers = seeker.candidates((), targets)
         bits = {x: 1 << j for j, x in enumerate(numbers.unknowns)}
         nonlinear = sum(bit for x, bit in bits.items() if x not in seeker.linear)

@@ -177,8 +177,11 @@ class Seeker:
         angles = frozenset(
             s for s in numbers.unknowns if self.ledger.units[s].angle and self.ledger.units[s].dimension == PURE
         )
+        places = [s for s in self.ledger.coordinates if s in self.ledger.sought]
         for branch in Brancher(numbers.unknowns, angles, self.ledger.symbolic).run(algebra, work):
-            yield self._judge(branch, plan, writer, numbers.unknowns)
+            # Where the position is not told, nothing can be tested.
+            if all(s in branch.algebra.value.values for s in places):
+                yield self._judge(branch, plan, writer, numbers.unknowns)
 
     # --- tests -------------------------------------------------------------------------------------------------------
 
