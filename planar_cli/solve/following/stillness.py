@@ -15,7 +15,7 @@ import sympy as sp
 from planar_cli.equation.displacement import Coordinate
 from planar_cli.equation.exact import CERTAIN, Valuation
 from planar_cli.equation.sample import anywhere
-from planar_cli.errors import NotReached, NoValue
+from planar_cli.errors import FileProblem, NotReached, NoValue
 from planar_cli.problem.expression import AtRest
 from planar_cli.solve.between.stated_motion import StatedMotion
 from planar_cli.solve.instant.worked import unknowns_of
@@ -121,9 +121,10 @@ def _places(
     while True:
         try:
             found = [_place(course, regime, idle, moving, start, k) for k in range(SAMPLES)]
-        except (NotReached, NoValue):
+            tried = [regime.general.instant.try_choice(regime.general.choice, (v,), given=g) for v, g in found]
+        except (NotReached, NoValue, FileProblem):
+            # Nor where something has no direction, as a cord whose ends coincide before it is stretched.
             return []
-        tried = [regime.general.instant.try_choice(regime.general.choice, (v,), given=g) for v, g in found]
         if not all(trial.outcomes for trial in tried):
             return []
         values = [trial.outcomes[0].value for trial in tried]
