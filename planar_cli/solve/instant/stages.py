@@ -96,11 +96,11 @@ class StageMaker:
         wanted = sum(1 << index[t] for t in targets if t in index)
         planner = Planner(candidates)
         fixed = planner.determined(rank([scaled(row) for row in offers.base_rows()], len(columns.unknowns)))
-        missing = [t for t in targets if t in index and not fixed & (1 << index[t])]
+        missing = sorted((t for t in targets if t in index and not fixed & (1 << index[t])), key=index.__getitem__)
         wanted &= ~sum(1 << index[t] for t in missing)
         planner.fixed = fixed
         if offers.families and self.constructed:
-            wanted_columns = [index[t] for t in targets if t in index and t not in missing]
+            wanted_columns = sorted(index[t] for t in targets if t in index and t not in missing)
             extra, seed = adjoint_candidates(offers, wanted_columns)
             candidates += extra
             planner = Planner(candidates, 0, (seed, self._motion_bits(index)), fixed)
