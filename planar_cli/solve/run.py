@@ -311,13 +311,13 @@ def _solve(
     held, rejected = search(instant)
     if not held and any(t.objection == OPEN for t in rejected):
         singular_position(instant, rejected, finds)
-        if (told := _by_direction(instant, finds, units, state)) is not None:
-            return told
         try:
             return _seek(instant, finds, units, state)
         except BothWays:
             raise
         except NoSolution as error:
+            if (told := _by_direction(instant, finds, units, state)) is not None:
+                return told
             raise explain_failure(instant, rejected, finds) from error
     if not held:
         raise explain_failure(instant, rejected, finds)
