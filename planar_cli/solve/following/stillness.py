@@ -174,8 +174,8 @@ def _place(
     }
     given |= dict.fromkeys(regime.general.resting, Decimal(0))
     sought = {s: n * anywhere(SAMPLES * k + number) for k, (s, n) in enumerate(course.natural(course.sought()).items())}
-    # A force of this mode is a line of its own.
-    base = base.defining(regime.general.instant.scene.ledger.definitions)
+    # Forces of modes get lines of their own as they are tried.
+    base = regime.general.instant.scene.valuations[0].updated(base)
     value, given = base.extended({**sought, **here}), {**sought, **given}
     closing = tuple(c for c in regime.general.constraints if c.residual.free_symbols & moving)
     within = tuple(q for q in moving if any(q in c.residual.free_symbols for c in closing))
