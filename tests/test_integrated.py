@@ -36,10 +36,11 @@ def test_equations_of_motion_agree_with_what_was_followed_and_a_wrong_one_does_n
     assert found.guessed
     assert found.followed is not None
     (segment,) = found.followed.segments
-    sought = {"2": {segment.regime.coordinates[0].symbol}}
+    sought = {"": set[sp.Symbol](), "2": {segment.regime.coordinates[0].symbol}}
     off = apart([segment], found.followed.sizes, sought)
     assert off is not None
     assert digits(off) >= 10
+    assert apart([segment], found.followed.sizes, {"": set()}) is None
     (u,) = segment.regime.accelerations
     # A thousandth of the weight's moment, sign and all.
     segment.regime.accelerations[u] *= sp.Rational(1001, 1000)

@@ -6,6 +6,7 @@ import math
 from pathlib import Path
 
 import pytest
+from answered import LEVEL_ROD
 
 from planar_cli.errors import FileProblem
 from planar_cli.problem.structure import load, load_text
@@ -24,15 +25,6 @@ bodies:
 joints:
   - pin: {at: D, between: [ground, pulley]}
   - rope: {path: [A, over pulley, B], name: rope}
-"""
-
-ROD = """\
-title: Rod let go level
-plane: vertical
-points: {O: [0, 0], A: [1 m, 0]}
-bodies: {rod: {rod: [O, A], mass: 2 kg}}
-joints:
-  - pin: {at: O, between: [ground, rod]}
 """
 
 
@@ -100,7 +92,7 @@ def test_the_rate_of_a_force_is_refused(tmp_path: Path) -> None:
 )
 def test_a_find_that_forgets_its_state_is_refused(found: str) -> None:
     """`ω = ω` was an answer, and a relation without a state a fault of the program."""
-    text = f"{ROD}states:\n  1: [t = 0, at rest]\n  2: [theta(rod) = -90 deg]\nfind: {{asked: {found}}}\n"
+    text = f"{LEVEL_ROD}states:\n  1: [t = 0, at rest]\n  2: [theta(rod) = -90 deg]\nfind: {{asked: {found}}}\n"
     problem, wrong = load_text(text)
     assert problem is not None, wrong
     with pytest.raises(FileProblem) as refused:
@@ -122,7 +114,7 @@ def test_what_varies_needs_one(tmp_path: Path) -> None:
     scene = tmp_path / "scene.yaml"
     text = "states:\n  1: [t = 0, omega(rod) = -1 rad/s]\n  2: [theta(rod) = -90 deg]\n"
     text += "find: {w: omega(rod), m: KE(rod)/omega(rod)^2}\n"
-    scene.write_text(ROD + text, encoding="utf-8")
+    scene.write_text(LEVEL_ROD + text, encoding="utf-8")
     turning, constant = simulated(scene, Settings(estimate=False)).answers
     assert turning.why == "it varies; say at which state"
     assert constant.values == pytest.approx([1 / 3], rel=1e-6)
@@ -133,7 +125,7 @@ def test_what_has_no_value_is_said(tmp_path: Path) -> None:
     scene = tmp_path / "scene.yaml"
     text = "states:\n  1: [t = 0, at rest]\n  2: [theta(rod) = -90 deg]\n"
     text += "find: {m: KE(rod) @ 1/(omega(rod) @ 1)^2, n: (KE(rod)/omega(rod)^2) @ 1, k: KE(rod)/omega(rod)^2}\n"
-    scene.write_text(ROD + text, encoding="utf-8")
+    scene.write_text(LEVEL_ROD + text, encoding="utf-8")
     for answer in simulated(scene, Settings(estimate=False)).answers:
         assert answer.values == ()
         assert "no value" in answer.why

@@ -37,6 +37,11 @@ class Equation:
     """In words."""
     mark: Mark
 
+    @property
+    def factor(self) -> float:
+        """The power of two next to the scale: dividing by it rounds nothing."""
+        return 2.0 ** round(math.log2(self.size))
+
 
 class Zeros:
     """A state that is moved until equations hold."""
@@ -47,7 +52,7 @@ class Zeros:
         self.codes: dict[tuple[Term, ...], Code] = {}
 
     def matrix(self, equations: Sequence[Equation], numbers: range) -> list[list[float]]:
-        """∂(equation/size)/∂(variable/scale) at the state at hand; columns in the unit of each variable."""
+        """∂(equation/factor)/∂(variable/scale) at the state at hand; columns in the unit of each variable."""
         layout = self.layout
         variables = {layout.state[n]: i for i, n in enumerate(numbers)}
         rows = [coefficients(e.term, variables, layout) for e in equations]
@@ -56,7 +61,7 @@ class Zeros:
         for row, equation in zip(rows, equations, strict=True):
             line = [0.0] * len(numbers)
             for i in row:
-                line[i] = next(values) / equation.size
+                line[i] = next(values) / equation.factor
             # What is nothing but the rounding of a row must not be solved for.
             largest = max(map(abs, line), default=0.0)
             found.append([0.0 if abs(x) <= NOISE * largest else x for x in line])
@@ -78,7 +83,7 @@ class Zeros:
             if idle > MOST_IDLE:
                 return False
             best = min(best, off)
-            right = [-v / e.size for v, e in zip(values, equations, strict=True)]
+            right = [-v / e.factor for v, e in zip(values, equations, strict=True)]
             fit = least_squares(self.matrix(equations, numbers), right)
             for n, change in zip(numbers, fit.unknowns, strict=True):
                 self.state[n] += change

@@ -31,7 +31,7 @@ from planar_cli.problem.scene import (
     TwoFacts,
 )
 from planar_cli.problem.scope import Member, Scope, members_of, names_in
-from planar_cli.problem.whose_load import points_of_shape
+from planar_cli.problem.shapes import own_points
 from planar_cli.problem.words import is_reserved
 
 BOOLEANS = frozenset("on off yes no true false null".split())
@@ -120,7 +120,7 @@ def points_found(scope: Scope) -> Iterator[Diagnostic]:
             yield from _missing(surface.shape.center, scope.points, "point", surface.mark)
         yield from _missing(surface.body, scope.bodies, "body", surface.mark)
     for body in scope.problem.bodies:
-        for used in (*points_of_shape(body.shape), *body.points, body.about):
+        for used in (*own_points(body.shape), *body.points, body.about):
             yield from _missing(used, scope.points, "point", body.mark)
 
 

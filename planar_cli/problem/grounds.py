@@ -77,9 +77,7 @@ class _Reading:
         if not self.surfaces:
             name, line = self.floor.name, Line(at, Number(Fraction(0), "deg", 1, joint.mark))
             self.surfaces.append(Surface(name, line, None, None, joint.mark, inferred=True))
-        found: Joint = replace(
-            touching, at=at, between=tuple(self.floor.name if name == GROUND else name for name in touching.between)
-        )
+        found: Joint = replace(touching, at=at, between=self._renamed(touching.between))
         return found
 
     def met(self, joint: Joint) -> Joint:

@@ -13,7 +13,8 @@ from typing import Any
 from planar_cli.joints.base import Joint
 from planar_cli.loads.base import Load
 from planar_cli.problem.reading import Report, listed
-from planar_cli.problem.scene import Body, Composite, Outline, Particle, Plate, Rod, Round, Sector, Shape
+from planar_cli.problem.scene import Body, Particle
+from planar_cli.problem.shapes import own_points
 
 
 def with_bodies(
@@ -22,21 +23,6 @@ def with_bodies(
     """The loads, each with its body. Reported where more than one can be meant, or none."""
     owners = _Owners(loads, joints, bodies)
     return tuple(_with_body(load, owners, report).in_full() for load in loads)
-
-
-def points_of_shape(shape: Shape) -> tuple[str | None, ...]:
-    """The points that a shape names; None where it leaves a place out."""
-    match shape:
-        case Particle():
-            return (shape.place if isinstance(shape.place, str) else None,)
-        case Rod():
-            return (shape.start, shape.end)
-        case Round() | Plate() | Outline():
-            return (shape.center,)
-        case Sector():
-            return (shape.apex,)
-        case Composite():
-            return tuple(name for piece in shape.pieces for name in points_of_shape(piece.shape))
 
 
 def _with_body(load: Load, owners: _Owners, report: Report) -> Load:
@@ -70,7 +56,7 @@ class _Owners:
     def __init__(self, loads: Iterable[Load], joints: Iterable[Joint], bodies: tuple[Body, ...]) -> None:
         self.names = tuple(body.name for body in bodies)
         self._turning = tuple(body.name for body in bodies if not isinstance(body.shape, Particle))
-        self._named = [(p, b.name) for b in bodies for p in (b.name, *points_of_shape(b.shape), *b.points) if p]
+        self._named = [(p, b.name) for b in bodies for p in (b.name, *own_points(b.shape), *b.points)]
         self._joined = [pair for entry in (*joints, *loads) for pair in entry.attachments() if pair[1] in self.names]
 
     def of(self, point: str) -> tuple[str, ...]:

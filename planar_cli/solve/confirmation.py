@@ -143,7 +143,8 @@ def _confirmed(
     if wrong:
         raise _disagreement(problem, wrong, instance)
     same = frozenset(s.name for s in seen if not s.why)
-    words = f"motion followed by independent facts: {len(same)} of {len(found)} answers agree" if same else ""
+    begun = " from rest, where no velocity is told" if untold else ""
+    words = f"motion followed{begun} by independent facts: {len(same)} of {len(found)} answers agree" if same else ""
     return Confirmation(words, same, {s.name: s.why for s in seen if s.why})
 
 

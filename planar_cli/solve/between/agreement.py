@@ -55,11 +55,12 @@ def integrated(found: SolvedMotion, needed: Collection[sp.Symbol]) -> SolvedMoti
 
 
 def _resting_on(course: MotionEquations, guessed: Collection[sp.Symbol]) -> dict[str, set[sp.Symbol]]:
-    """By the state, the letters of the general position that tell these, and when it is."""
+    """By the state, letters of the general position that tell these, and when it is; by "" those that tell these."""
     general = {own: s for stop in course.stops.values() for s, own in stop.letters.items()}
     wanted = {general[s] for s in guessed if s in general}
     stated = {name: {s for d in demands for s in d.residual.free_symbols} for name, demands in course.demands.items()}
-    return {name: wanted | {general[s] for s in letters if s in general} for name, letters in stated.items()}
+    found = {name: wanted | {general[s] for s in letters if s in general} for name, letters in stated.items()}
+    return {"": wanted, **found}
 
 
 def balanced(regimes: Iterable[Regime]) -> tuple[str, ...]:

@@ -26,21 +26,23 @@ def apart(
     segments: Iterable[FollowedSegment], sizes: Mapping[sp.Symbol, float], sought: Mapping[str, Collection[sp.Symbol]]
 ) -> float | None:
     """The largest difference along the stretches of a letter, in parts of its size; None: an equation of motion has no
-    value on the way, or its steps become too small. `sought`: by the state that ends a stretch, the letters that must
-    agree; with them all that their equations of motion hold.
+    value on the way, its steps become too small, or nothing was integrated at all. `sought`: by the state that ends a
+    stretch, the letters that must agree, by "" those of any other; with them all that their equations of motion hold.
     """
     try:
-        return max((_apart(s, sizes, sought.get(s.reaches, ())) for s in segments if s.t1 > s.t0), default=0.0)
+        found = [_apart(s, sizes, sought.get(s.reaches, sought[""])) for s in segments if s.t1 > s.t0]
+        return max((off for off in found if off is not None), default=None)
     except (NoValue, StepTooSmall):
         return None
 
 
-def _apart(segment: FollowedSegment, sizes: Mapping[sp.Symbol, float], sought: Collection[sp.Symbol]) -> float:
+def _apart(segment: FollowedSegment, sizes: Mapping[sp.Symbol, float], sought: Collection[sp.Symbol]) -> float | None:
+    """The same of one stretch; None: none of these letters moves in it."""
     regime = segment.regime
     changes = {**regime.rates, **regime.accelerations}
     letters = _joined(sought, changes)
     if not letters:
-        return 0.0
+        return None
     f = number_function([changes[s] for s in letters], [regime.time, *letters], segment.value)
 
     def rates(t: float, y: Vector) -> Vector:
