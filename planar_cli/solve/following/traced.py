@@ -98,9 +98,11 @@ class Traced:
 
     def begins(self, t: float, pace: float) -> tuple[dict[str, Label], tuple[float, ...]] | None:
         """The modes just after a time, and the state of the scene; None: nothing tells. `pace`: an ordinary time."""
-        piece = next(iter(self.pieces(t + SOON * pace, math.inf)), None)
+        soon = t + SOON * pace
+        piece = next(iter(self.pieces(soon, math.inf)), None)
         if piece is None:
-            return self._after(t)
+            # The last state may be a rounding later than the time at hand.
+            return self._after(soon)
         return self.modes(piece), piece.start if piece.t0 >= t else tuple(piece.at(t))
 
     def _after(self, t: float) -> tuple[dict[str, Label], tuple[float, ...]] | None:
