@@ -20,23 +20,7 @@ from planar_cli.joints.belt import Belt
 from planar_cli.joints.guide import Guide
 from planar_cli.loads.impulse import Impulse
 from planar_cli.loads.torque import Torque
-from planar_cli.problem.expression import (
-    Binary,
-    Extreme,
-    Found,
-    Function,
-    Grouped,
-    Name,
-    Negate,
-    Number,
-    Part,
-    PointPair,
-    Quantity,
-    Relation,
-    Scaled,
-    Side,
-    Statement,
-)
+from planar_cli.problem import expression as tree
 from planar_cli.problem.scene import (
     Composite,
     Find,
@@ -56,16 +40,16 @@ CURVES = frozenset(("path", "hodograph"))
 FLIPPED = {"<": ">", ">": "<", "<=": ">=", ">=": "<="}
 NEXT_SIDE = {"right": "above", "above": "left", "left": "below", "below": "right"}
 SIDE_WORDS = ("right", "above", "left", "below")
-ZERO = Number(Fraction(0), None, 1, NOWHERE)
+ZERO = tree.Number(Fraction(0), None, 1, NOWHERE)
 
 
 @dataclass(frozen=True, slots=True)
 class Affine:
     """A quantity q of the other frame; in the first one it was sense (q - turn)."""
 
-    quantity: Side
+    quantity: tree.Side
     sense: int
-    turn: Side | None = None
+    turn: tree.Side | None = None
     counts: bool = False
     """Does it count turns, or lie in (-180, 180] deg?"""
 
@@ -97,24 +81,24 @@ class Framing(ABC):
 
     # --- directions and vectors --------------------------------------------------------------------------------------
 
-    def angle(self, side: Side) -> Side:
+    def angle(self, side: tree.Side) -> tree.Side:
         """s a + φ, as a number of degrees where it is one."""
         return self._sum(self.sensed(self.scalar(side)), self.frame.turn)
 
-    def relative(self, side: Side) -> Side:
+    def relative(self, side: tree.Side) -> tree.Side:
         """s a: an angle from another direction of the scene."""
         return self.sensed(self.scalar(side))
 
-    def _sum(self, side: Side, turn: Side, once: bool = True) -> Side:
+    def _sum(self, side: tree.Side, turn: tree.Side, once: bool = True) -> tree.Side:
         a, b = in_degrees(side), in_degrees(turn)
         if a is not None and b is not None:
-            return Number(wrapped(a + b) if once else a + b, "deg", 1, NOWHERE)
-        return Binary("+", side, turn, NOWHERE)
+            return tree.Number(wrapped(a + b) if once else a + b, "deg", 1, NOWHERE)
+        return tree.Binary("+", side, turn, NOWHERE)
 
-    def sensed(self, side: Side) -> Side:
+    def sensed(self, side: tree.Side) -> tree.Side:
         return side if self.frame.sense > 0 else negated(side)
 
-    def vector(self, x: Side, y: Side) -> tuple[Side, Side]:
+    def vector(self, x: tree.Side, y: tree.Side) -> tuple[tree.Side, tree.Side]:
         """T (x, y)."""
         x, y = self.scalar(x), self.scalar(y)
         flipped = self.sensed(y)
@@ -125,26 +109,26 @@ class Framing(ABC):
                 return negated(flipped), x
             case 2:
                 return negated(x), negated(flipped)
-        cosine, sine = (Number(Fraction(n, 5), None, 1, NOWHERE) for n in (3, 4))
+        cosine, sine = (tree.Number(Fraction(n, 5), None, 1, NOWHERE) for n in (3, 4))
         return (
-            Binary("-", times(cosine, x), times(sine, flipped), NOWHERE),
-            Binary("+", times(sine, x), times(cosine, flipped), NOWHERE),
+            tree.Binary("-", times(cosine, x), times(sine, flipped), NOWHERE),
+            tree.Binary("+", times(sine, x), times(cosine, flipped), NOWHERE),
         )
 
     # --- statements --------------------------------------------------------------------------------------------------
 
-    def statement(self, statement: Statement) -> Statement:
+    def statement(self, statement: tree.Statement) -> tree.Statement:
         match statement:
-            case Relation():
+            case tree.Relation():
                 return self.relation(statement)
-            case Extreme():
+            case tree.Extreme():
                 alone = self.affine(statement.side)
                 if alone is None or alone.turn is not None:
                     return replace(statement, side=self.scalar(statement.side))
                 return replace(statement, side=alone.quantity, sense=statement.sense * alone.sense)
         return statement
 
-    def relation(self, relation: Relation) -> Relation:
+    def relation(self, relation: tree.Relation) -> tree.Relation:
         """What was said of a quantity alone is said of the one that takes its place."""
         if self.is_vector(relation.left) or self.is_vector(relation.right):
             return relation
@@ -161,59 +145,59 @@ class Framing(ABC):
 
     # --- sides -------------------------------------------------------------------------------------------------------
 
-    def is_vector(self, side: Side) -> bool:
+    def is_vector(self, side: tree.Side) -> bool:
         match side:
-            case Quantity():
+            case tree.Quantity():
                 if side.word in ("dot", "ddot", "mean") and not side.parts:
                     return is_side(side.argument) and self.is_vector(side.argument)
                 return side.word in VECTORS and not side.parts and not self._about(side) and not self._is_couple(side)
-            case Negate() | Scaled() | Grouped():
+            case tree.Negate() | tree.Scaled() | tree.Grouped():
                 return self.is_vector(side.operand)
-            case Binary():
+            case tree.Binary():
                 return self.is_vector(side.left) or self.is_vector(side.right)
         return False
 
-    def _about(self, q: Quantity) -> bool:
+    def _about(self, q: tree.Quantity) -> bool:
         """Is it an angular impulse, about a point?"""
         return (
             q.word == "impulse" and len(q.things) == 2 and q.things[1] in self.names and q.things[1] not in self.drawn
         )
 
-    def _is_couple(self, q: Quantity) -> bool:
+    def _is_couple(self, q: tree.Quantity) -> bool:
         load = self.loads.get(q.things[0]) if q.things else None
         couple = isinstance(load, Torque) or (isinstance(load, Impulse) and load.moment is not None)
         return q.word in ("impulse", "force") and couple
 
-    def scalar(self, side: Side) -> Side:
+    def scalar(self, side: tree.Side) -> tree.Side:
         """A formula of the new scene that is worth what this one was."""
         if self.is_vector(side):
             return side
         match side:
-            case Quantity():
+            case tree.Quantity():
                 return self._quantity(side)
-            case Negate() | Scaled() | Grouped():
+            case tree.Negate() | tree.Scaled() | tree.Grouped():
                 return replace(side, operand=self.scalar(side.operand))
-            case Binary():
+            case tree.Binary():
                 return replace(side, left=self.scalar(side.left), right=self.scalar(side.right))
-            case Function():
+            case tree.Function():
                 return replace(side, argument=self.scalar(side.argument))
         return side
 
-    def _quantity(self, q: Quantity) -> Side:
+    def _quantity(self, q: tree.Quantity) -> tree.Side:
         alone = self.affine(q)
         if alone is None:
             return q if q.argument is None else replace(q, argument=self._argument(q.argument))
         if alone.turn is None:
             return alone.quantity if alone.sense > 0 else negated(alone.quantity)
-        shifted = Binary("-", alone.quantity, alone.turn, NOWHERE)
+        shifted = tree.Binary("-", alone.quantity, alone.turn, NOWHERE)
         return shifted if alone.sense > 0 else negated(shifted)
 
-    def _argument(self, argument: Side | Relation) -> Side | Relation:
-        return self.relation(argument) if isinstance(argument, Relation) else self.scalar(argument)
+    def _argument(self, argument: tree.Side | tree.Relation) -> tree.Side | tree.Relation:
+        return self.relation(argument) if isinstance(argument, tree.Relation) else self.scalar(argument)
 
-    def affine(self, side: Side) -> Affine | None:
+    def affine(self, side: tree.Side) -> Affine | None:
         """A quantity alone that is read otherwise in the new frame; None: it is no quantity, or stays as it is."""
-        if not isinstance(side, Quantity):
+        if not isinstance(side, tree.Quantity):
             return None
         if side.parts:
             if len(side.parts) > 1:
@@ -223,13 +207,13 @@ class Framing(ABC):
             if self.frame.quarters is not None and self.frame.quarters % 2 == 0:
                 sign = -1 if self.frame.quarters == 2 else 1
                 return Affine(side, sign if side.word == "x" else sign * self.frame.sense)
-            return self._part(replace(side, word="r"), Part(side.word, None, side.mark))
+            return self._part(replace(side, word="r"), tree.Part(side.word, None, side.mark))
         if side.word == "theta":
             return self._theta(side)
         odd = side.word in TURNING or self._about(side) or self._is_couple(side) or self._has_a_side(side)
         return Affine(side, self.frame.sense) if odd else None
 
-    def _has_a_side(self, q: Quantity) -> bool:
+    def _has_a_side(self, q: tree.Quantity) -> bool:
         """N of a guide along a direction that is drawn, and the tension of a belt, which turns its second disk."""
         joint = self.joints.get(q.things[0]) if q.things else None
         if q.word == "tension":
@@ -243,7 +227,7 @@ class Framing(ABC):
         surface = next(s for s in self.problem.surfaces if s.name == joint.along)
         return isinstance(surface.shape, Line)
 
-    def _theta(self, q: Quantity) -> Affine:
+    def _theta(self, q: tree.Quantity) -> Affine:
         shares = [self.drawn.get(name, False) for name in q.things]
         turns = shares[0] - sum(shares[1:])
         if turns == 0:
@@ -251,12 +235,12 @@ class Framing(ABC):
         turn = self.frame.turn if turns > 0 else negated(self.frame.turn)
         return Affine(q, self.frame.sense, self._whole_turns(q, turn, turns), True)
 
-    def _whole_turns(self, q: Quantity, turn: Side, times: int) -> Side:
+    def _whole_turns(self, q: tree.Quantity, turn: tree.Side, times: int) -> tree.Side:
         """The angle between the two frames with the whole turns by which the drawn angles differ from it: each is
         counted from a direction in (-180, 180] deg.
         """
-        asked = Quantity(q.word, q.things, None, q.parts, None, NOWHERE)
-        find = Find("angle", Found(asked, None, "", NOWHERE), NOWHERE)
+        asked = tree.Quantity(q.word, q.things, None, q.parts, None, NOWHERE)
+        find = Find("angle", tree.Found(asked, None, "", NOWHERE), NOWHERE)
         bare = replace(self.problem, instant=None, states=(), motion=(), joints=(), loads=(), cases=(), answers=())
         here = replace(bare, find=(find,))
         there = replace(self.bare(replace(here, find=())), find=here.find)
@@ -266,8 +250,8 @@ class Framing(ABC):
         whole = (second - self.frame.sense * first - times * self.frame.radians) / (2 * math.pi)
         return self._sum(degrees(360 * round(whole)), turn, False)
 
-    def _part(self, q: Quantity, part: Part) -> Affine | None:
-        if q.argument is not None and not isinstance(q.argument, Relation):
+    def _part(self, q: tree.Quantity, part: tree.Part) -> Affine | None:
+        if q.argument is not None and not isinstance(q.argument, tree.Relation):
             q = replace(q, argument=self.scalar(q.argument))
         sense = self.frame.sense
         match part.kind:
@@ -283,29 +267,29 @@ class Framing(ABC):
                 return self._directed(q, part)
         return Affine(q, 1) if q.argument is not None else None
 
-    def _component(self, q: Quantity, part: Part) -> Affine:
+    def _component(self, q: tree.Quantity, part: tree.Part) -> Affine:
         """A component along an axis of the old frame: T e_x points along φ, T e_y along φ + s 90 deg."""
         quarters = self.frame.quarters
         if quarters is None:
             right = self.frame.turn
-            up = Binary("+", right, degrees(90 * self.frame.sense), NOWHERE)
+            up = tree.Binary("+", right, degrees(90 * self.frame.sense), NOWHERE)
             direction = right if part.kind == "x" else up
-            return Affine(replace(q, parts=(Part("along", direction, part.mark),)), 1)
+            return Affine(replace(q, parts=(tree.Part("along", direction, part.mark),)), 1)
         at = (quarters + (self.frame.sense if part.kind == "y" else 0)) % 4
         kind, sign = ("x", "y")[at % 2], 1 if at < 2 else -1
         return Affine(replace(q, parts=(replace(part, kind=kind),)), sign)
 
-    def _directed(self, q: Quantity, part: Part) -> Affine:
+    def _directed(self, q: tree.Quantity, part: tree.Part) -> Affine:
         sign = self.frame.sense if part.kind == "across" else 1
         direction = part.direction
-        if isinstance(direction, Name) and direction.at is None and direction.name in self.drawn:
+        if isinstance(direction, tree.Name) and direction.at is None and direction.name in self.drawn:
             if not self.drawn[direction.name]:
                 if not self.frame.mirrors_across_y:
                     raise NotWritten("a direction of a body without one of its own")
                 sign = -sign
-        elif isinstance(direction, Name) and any(s.name == direction.name for s in self.problem.surfaces):
+        elif isinstance(direction, tree.Name) and any(s.name == direction.name for s in self.problem.surfaces):
             pass
-        elif not isinstance(direction, PointPair):
+        elif not isinstance(direction, tree.PointPair):
             assert direction is not None
             direction = self.angle(direction)
         return Affine(replace(q, parts=(replace(part, direction=direction),)), sign)

@@ -9,85 +9,78 @@ import subprocess
 import sys
 from decimal import Decimal
 from fractions import Fraction
+from typing import get_args
 
 import pytest
 from sympy import Abs, Add, Eq, Mul, Symbol, sqrt, symbols
 
 from planar_cli import registry
+from planar_cli.formats.base import runs
 from planar_cli.formats.json import dumps
 from planar_cli.formats.markdown import Markdown
 from planar_cli.formats.terminal import Terminal
-from planar_cli.report.blocks import (
-    Answer,
-    Bullet,
-    Check,
-    Document,
-    Equation,
-    Forces,
-    Heading,
-    Math,
-    Name,
-    Note,
-    Paragraph,
-    Relation,
-    Result,
-    Table,
-    Text,
-    Title,
-    Value,
-    line,
-)
+from planar_cli.report import blocks as doc
 
 
-def value(number: str, unit: str = "") -> Value:
-    return Value(Decimal(number), unit)
+def value(number: str, unit: str = "") -> doc.Value:
+    return doc.Value(Decimal(number), unit)
 
 
-def spool() -> Document:
+def spool() -> doc.Document:
     P, R, r, m, k, a, alpha, inertia, F = symbols("P R r m k_G a_G alpha I_G F")
     values = {P: "100", R: "0.45", r: "0.3", m: "50", k: "0.2"}
     closed = -P * (R + r) / (m * (R**2 + k**2))
     moment = Add(Mul(-1, m, a, R, evaluate=False), inertia * alpha, evaluate=False)
-    return Document(
+    return doc.Document(
         "Spool pulled along a rough floor",
         (
-            Note(
+            doc.Note(
                 "Effects",
-                line("weight · normal force and friction at C (rolling, no slip) · rotational inertia of the spool"),
+                doc.line(
+                    "weight · normal force and friction at C (rolling, no slip) · rotational inertia of the spool"
+                ),
             ),
-            Note("Effects", line("not in this scene: drag, springs, Coriolis, impact")),
-            Heading("STEP 1", "Kinematic analysis"),
-            Paragraph(line("The spool rolls without slipping on the floor at C:")),
-            Equation(
-                (Math(a), Math(-R * alpha)), 1, note=line("rolling, ", Name("alpha"), " positive counterclockwise")
+            doc.Note("Effects", doc.line("not in this scene: drag, springs, Coriolis, impact")),
+            doc.Heading("STEP 1", "Kinematic analysis"),
+            doc.Paragraph(doc.line("The spool rolls without slipping on the floor at C:")),
+            doc.Equation(
+                (doc.Math(a), doc.Math(-R * alpha)),
+                1,
+                note=doc.line("rolling, ", doc.Name("alpha"), " positive counterclockwise"),
             ),
-            Heading("STEP 2", "Kinetic analysis", "free-body diagram = kinetic diagram"),
-            Forces(
+            doc.Heading("STEP 2", "Kinetic analysis", "free-body diagram = kinetic diagram"),
+            doc.Forces(
                 "Spool",
-                line("P → at T,  ", Math(m * Symbol("g")), " ↓ at G,  N ↑ at C,  F → at C (assumed)"),
-                line(Math(m * a), " → at G,  ", Math(inertia * alpha), " ↺"),
+                doc.line("P → at T,  ", doc.Math(m * Symbol("g")), " ↓ at G,  N ↑ at C,  F → at C (assumed)"),
+                doc.line(doc.Math(m * a), " → at G,  ", doc.Math(inertia * alpha), " ↺"),
             ),
-            Paragraph(line("Moments about C, where N and F meet, so that neither enters:")),
-            Equation((Math(-P * (R + r)), Math(moment)), 2, line("↺ ", Name("ΣM_C"), ":")),
-            Equation((Math(Add(P, F, evaluate=False)), Math(m * a)), 3, line("→ ", Name("ΣF_x"), ":")),
-            Heading(
+            doc.Paragraph(doc.line("Moments about C, where N and F meet, so that neither enters:")),
+            doc.Equation((doc.Math(-P * (R + r)), doc.Math(moment)), 2, doc.line("↺ ", doc.Name("ΣM_C"), ":")),
+            doc.Equation(
+                (doc.Math(Add(P, F, evaluate=False)), doc.Math(m * a)), 3, doc.line("→ ", doc.Name("ΣF_x"), ":")
+            ),
+            doc.Heading(
                 "STEP 3",
                 "Solving the equations",
-                line("3 equations, 3 unknowns: ", Math(alpha), ", ", Math(a), ", ", Math(F)),
+                doc.line("3 equations, 3 unknowns: ", doc.Math(alpha), ", ", doc.Math(a), ", ", doc.Math(F)),
             ),
-            Equation(
-                (Math(alpha), Math(closed), Math(closed, values), value("-6.18556701", "rad/s^2")),
-                lead=line("(1) in (2):"),
+            doc.Equation(
+                (doc.Math(alpha), doc.Math(closed), doc.Math(closed, values), value("-6.18556701", "rad/s^2")),
+                lead=doc.line("(1) in (2):"),
             ),
-            Equation((Math(F), Math(m * R * Abs(alpha) - P), value("39.17525773", "N")), lead=line("(1) in (3):")),
-            Answer("alpha", line(value("6.18556701", "rad/s^2"), " clockwise")),
-            Answer("F", line(value("39.17525773", "N"), " to the right (as assumed)")),
-            Check(line("residuals 0 in 4 equations")),
-            Check(line("multibody solution agrees to 15 digits")),
-            Check(line(Relation(Name("N"), "=", value("490.5", "N")), " > 0")),
-            Note(
+            doc.Equation(
+                (doc.Math(F), doc.Math(m * R * Abs(alpha) - P), value("39.17525773", "N")), lead=doc.line("(1) in (3):")
+            ),
+            doc.Answer("alpha", doc.line(value("6.18556701", "rad/s^2"), " clockwise")),
+            doc.Answer("F", doc.line(value("39.17525773", "N"), " to the right (as assumed)")),
+            doc.Check(doc.line("residuals 0 in 4 equations")),
+            doc.Check(doc.line("multibody solution agrees to 15 digits")),
+            doc.Check(doc.line(doc.Relation(doc.Name("N"), "=", value("490.5", "N")), " > 0")),
+            doc.Note(
                 "Discussion",
-                line("The friction changes sign at ", Math(Eq(k, sqrt(R * r))), " = ", value("0.36742346", "m"), "."),
+                doc.line(
+                    "The friction changes sign at ", doc.Math(Eq(k, sqrt(R * r))), " = ", value("0.36742346", "m"), "."
+                ),
             ),
         ),
     )
@@ -250,20 +243,21 @@ def test_no_color_is_obeyed(monkeypatch: pytest.MonkeyPatch) -> None:
     assert Terminal.on(Screen()) == Terminal(72, colour=False)
 
 
-ROWS = Document(
+ROWS = doc.Document(
     "Rows",
     (
-        Title("Second title"),
-        Bullet(line("first")),
-        Bullet(line("second, with ", Math(Symbol("omega_AB") ** 2))),
-        Result(line(Relation(Name("a_C"), "≈", value("2.5", "m/s^2")))),
-        Forces("Rod AB", line("W ↓ at G")),
-        Table(
-            (line("method"), line("equations")), ((line("work"), line("1")), (line(Math(Abs(Symbol("x")))), line("12")))
+        doc.Title("Second title"),
+        doc.Bullet(doc.line("first")),
+        doc.Bullet(doc.line("second, with ", doc.Math(Symbol("omega_AB") ** 2))),
+        doc.Result(doc.line(doc.Relation(doc.Name("a_C"), "≈", value("2.5", "m/s^2")))),
+        doc.Forces("Rod AB", doc.line("W ↓ at G")),
+        doc.Table(
+            (doc.line("method"), doc.line("equations")),
+            ((doc.line("work"), doc.line("1")), (doc.line(doc.Math(Abs(Symbol("x")))), doc.line("12"))),
         ),
-        Answer("taut", line("yes"), relation=":"),
-        Equation((Math(Symbol("x")), line(value("1", "N"), Text(" or more"))), relation="≥"),
-        Equation((Math(Symbol("y")),)),
+        doc.Answer("taut", doc.line("yes"), relation=":"),
+        doc.Equation((doc.Math(Symbol("x")), doc.line(value("1", "N"), doc.Text(" or more"))), relation="≥"),
+        doc.Equation((doc.Math(Symbol("y")),)),
     ),
 )
 
@@ -307,13 +301,13 @@ HOSTILE = [
 @pytest.mark.parametrize("name", HOSTILE)
 @pytest.mark.parametrize("colour", [False, True])
 def test_hostile_words_are_harmless(name: str, colour: bool) -> None:
-    document = Document(
+    document = doc.Document(
         name,
         (
-            Paragraph(line(name, Name(name), Math(Symbol(name)))),
-            Note(name, line(name)),
-            Forces(name, line(name)),
-            Answer(name, line()),
+            doc.Paragraph(doc.line(name, doc.Name(name), doc.Math(Symbol(name)))),
+            doc.Note(name, doc.line(name)),
+            doc.Forces(name, doc.line(name)),
+            doc.Answer(name, doc.line()),
         ),
     )
     text = Terminal(colour=colour).render(document)
@@ -329,7 +323,7 @@ def test_hostile_words_are_harmless(name: str, colour: bool) -> None:
 
 def test_a_paragraph_cannot_become_a_list() -> None:
     assert (
-        Markdown().render(Document("t", (Paragraph(line("- 5 N")), Paragraph(line("1. item")))))
+        Markdown().render(doc.Document("t", (doc.Paragraph(doc.line("- 5 N")), doc.Paragraph(doc.line("1. item")))))
         == "# t\n\n\\- 5 N\n\n1\\. item\n"
     )
 
@@ -338,6 +332,13 @@ def test_the_shelf_holds_the_formats() -> None:
     found = registry.members("formats")
     assert found["terminal"] is Terminal
     assert found["markdown"] is Markdown
+
+
+def test_every_kind_of_block_has_its_pieces() -> None:
+    """The dispatch of the contract knows all of them; which methods a format must have is held by type checking."""
+    found = {type(run[0]) for run in runs(ROWS)} | {type(run[0]) for run in runs(spool())}
+    assert found == set(get_args(doc.Block))
+    assert all(list(Markdown().pieces(run)) for shown in (ROWS, spool()) for run in runs(shown))
 
 
 def test_json_is_exact_and_deterministic() -> None:

@@ -210,112 +210,124 @@ def test_finds(text: str, what: str, unit: str | None) -> None:
     assert (written(found.what), found.unit, found.text) == (what, unit, text)
 
 
-# Text, code, column (from 1), words of the hint.
-REFUSED = [
-    ("2 m*g", "PL204", 3, "`2*m*g`"),
-    ("10 m/s^3*t", "PL204", 4, "`(10 m/s^3)*t`"),
-    ("pi/6 rad", "PL204", 6, "`(pi/6) rad`"),
-    ("1/2 m", "PL204", 5, "`(1/2) m`"),
-    ("x^2/2 m", "PL204", 7, "`x^2/(2 m)`"),
-    ("3 kg*9.81", "PL204", 3, "`3 kg * 9.81`"),
-    ("2 N*m + M", "PL204", 3, "`(2 N*m)`"),
-    ("1000 N*s/m * x", "PL204", 6, "`(1000 N*s/m)`"),
-    ("5 N*sin(2)", "PL204", 3, "`5 N * sin(…)`"),
-    ("2 g*h", "PL204", 3, "`2*g*h`"),
-    ("500 N/g", "PL204", 5, "kg"),
-    ("0.08 1/(m*s)^0.5", "PL204", 6, "`1/(m^(1/2)*s^(1/2))`"),
-    ("2 l", "PL203", 3, "`2*l`"),
-    ("3 sec", "PL203", 3, "`s`"),
-    ("2 m/sec^2", "PL203", 3, "`s`"),
-    ("3 t", "PL203", 3, "tonne"),
-    ("5 N-m", "PL203", 3, "`N*m`"),
-    ("2 lbs", "PL203", 3, "`lbf`"),
-    ("2m", "PL205", 1, "`2 m`"),
-    ("2 sin(3)", "PL205", 3, "`2*sin(…)`"),
-    ("l m", "PL205", 3, "`l*m`"),
-    ("x^2 m", "PL205", 5, "`(x^2) m`"),
-    ("a b", "PL205", 3, "`a*b`"),
-    ("(a)(b)", "PL205", 4, "`(a)*(…)`"),
-    ("5 cw", "PL205", 3, "`5 rad/s cw`"),
-    ("0x1F", "PL206", 1, ""),
-    ("1_000", "PL206", 1, "`1000`"),
-    ("2024-01-02", "PL206", 1, ""),
-    ("1.2.3", "PL206", 1, ""),
-    ("inf", "PL206", 1, "infinity"),
-    ("nan", "PL206", 1, ""),
-    (".inf", "PL213", 1, "finite"),
-    ("12:30", "PL202", 3, "90 s"),
-    ("30°", "PL202", 3, "deg"),
-    ("2·x", "PL202", 2, "`*`"),
-    ("π", "PL202", 1, "`pi`"),
-    ("θ", "PL202", 1, "`theta`"),
-    ("5 %", "PL202", 3, "fraction"),
-    ("'a'", "PL202", 1, ""),
-    ("a\nb", "PL202", 2, "one line"),
-    ("distance(A, B)", "PL208", 1, "`r(B/A).mag`"),
-    ("foo(3)", "PL208", 1, "`foo*(…)`"),
-    ("omga(b)", "PL208", 1, "`omega(…)`"),
-    ("atan2(y, x)", "PL208", 1, "atan(y/x)"),
-    ("v (A)", "PL208", 3, "`v(`"),
-    ("sin 3", "PL208", 1, "`sin(…)`"),
-    ("v(2*A)", "PL208", 3, "`v(B/A)`"),
-    ("r(B - A)", "PL208", 5, "`r(B/A)`"),
-    ("v(A/B/C)", "PL208", 1, ""),
-    ("I(rod, O)", "PL209", 6, "`I(rod/O)`"),
-    ("sin(a, b)", "PL209", 6, ""),
-    ("(a, b)", "PL209", 3, ""),
-    ("a, b", "PL209", 2, ""),
-    ("a = b", "PL210", 3, ""),
-    ("(a = b)", "PL210", 4, ""),
-    ("true", "PL211", 1, ""),
-    ("off", "PL211", 1, ""),
-    ("ground", "PL211", 1, ""),
-    ("d in km", "PL211", 3, "number"),
-    ("v(P) @", "PL212", 7, "`@ 2`"),
-    ("v(P) @ 1->", "PL212", 11, "1->2"),
-    ("v(P) @ ->2", "PL212", 8, "1->2"),
-    ("x @ 1->2", "PL212", 9, "mean"),
-    ("3 m @ 2", "PL212", 5, ""),
-    ("v(P).magnitude", "PL213", 6, "`.mag`"),
-    ("v(P).along", "PL213", 11, ".along(30 deg)"),
-    ("(r(A) - r(B)).mag", "PL213", 14, "r(B/A).mag"),
-    ("a.b.c", "PL213", 4, "case.find"),
-    ("x.y(3)", "PL213", 2, ""),
-    ("F.along(3)", "PL213", 2, "v(F).x"),
-    ("--x", "PL214", 2, "brackets"),
-    ("a - -b", "PL214", 5, "brackets"),
-    ("2*-3", "PL214", 3, "brackets"),
-    ("+x", "PL214", 1, ""),
-    ("(1", "PL214", 1, "`)`"),
-    ("1)", "PL214", 2, ""),
-    ("()", "PL214", 2, ""),
-    ("x**2", "PL215", 2, "`^`"),
-    ("2^3^4", "PL215", 4, "(b^c)"),
-    ("x^13", "PL215", 2, ""),
-    ("x^(1/7)", "PL215", 2, ""),
-    ("x^-(1/2)", "PL215", 4, "`^(-…)`"),
-    ("1/0", "PL216", 2, ""),
-    ("1/(2 - 2)", "PL216", 2, ""),
-    ("0^-1", "PL216", 2, ""),
-    ("", "PL201", 1, ""),
-    ("a +", "PL201", 4, ""),
-    ("* a", "PL201", 1, ""),
-]
-REFUSED_STATEMENTS = [
-    ("a == b", "PL210", 3, "`=`"),
-    ("a => b", "PL210", 3, "`>=`"),
-    ("a != b", "PL210", 3, ""),
-    ("0 < a < 3", "PL210", 7, "`0 < a` and `a < 3`"),
-    ("a", "PL210", 1, "`a = …`"),
-    ("v(P)", "PL210", 1, "left = right"),
-    ("x is big", "PL211", 6, "largest"),
-    ("just 1", "PL211", 6, "just after"),
-    ("P at", "PL211", 5, "at rest"),
-    ("true at rest", "PL211", 1, ""),
-    ("just after", "PL212", 11, ""),
-    ("x = 1 m during 1->2", "PL211", 9, ""),
-    ("a = 2 m in km", "PL211", 9, "number"),
-]
+def table(rows: str) -> list[tuple[str, str, int, str]]:
+    """Text ('' where it is empty), code, column (from 1), words of the hint."""
+    found = []
+    for row in rows.strip().splitlines():
+        text, code, column, hint = map(str.strip, row.split("|"))
+        found.append((text.replace("\\n", "\n").replace("''", ""), code, int(column), hint))
+    return found
+
+
+REFUSED = table(
+    r"""
+2 m*g             | PL204 |  3 | `2*m*g`
+10 m/s^3*t        | PL204 |  4 | `(10 m/s^3)*t`
+pi/6 rad          | PL204 |  6 | `(pi/6) rad`
+1/2 m             | PL204 |  5 | `(1/2) m`
+x^2/2 m           | PL204 |  7 | `x^2/(2 m)`
+3 kg*9.81         | PL204 |  3 | `3 kg * 9.81`
+2 N*m + M         | PL204 |  3 | `(2 N*m)`
+1000 N*s/m * x    | PL204 |  6 | `(1000 N*s/m)`
+5 N*sin(2)        | PL204 |  3 | `5 N * sin(…)`
+2 g*h             | PL204 |  3 | `2*g*h`
+500 N/g           | PL204 |  5 | kg
+0.08 1/(m*s)^0.5  | PL204 |  6 | `1/(m^(1/2)*s^(1/2))`
+2 l               | PL203 |  3 | `2*l`
+3 sec             | PL203 |  3 | `s`
+2 m/sec^2         | PL203 |  3 | `s`
+3 t               | PL203 |  3 | tonne
+5 N-m             | PL203 |  3 | `N*m`
+2 lbs             | PL203 |  3 | `lbf`
+2m                | PL205 |  1 | `2 m`
+2 sin(3)          | PL205 |  3 | `2*sin(…)`
+l m               | PL205 |  3 | `l*m`
+x^2 m             | PL205 |  5 | `(x^2) m`
+a b               | PL205 |  3 | `a*b`
+(a)(b)            | PL205 |  4 | `(a)*(…)`
+5 cw              | PL205 |  3 | `5 rad/s cw`
+0x1F              | PL206 |  1 |
+1_000             | PL206 |  1 | `1000`
+2024-01-02        | PL206 |  1 |
+1.2.3             | PL206 |  1 |
+inf               | PL206 |  1 | infinity
+nan               | PL206 |  1 |
+.inf              | PL213 |  1 | finite
+12:30             | PL202 |  3 | 90 s
+30°               | PL202 |  3 | deg
+2·x               | PL202 |  2 | `*`
+π                 | PL202 |  1 | `pi`
+θ                 | PL202 |  1 | `theta`
+5 %               | PL202 |  3 | fraction
+'a'               | PL202 |  1 |
+a\nb              | PL202 |  2 | one line
+distance(A, B)    | PL208 |  1 | `r(B/A).mag`
+foo(3)            | PL208 |  1 | `foo*(…)`
+omga(b)           | PL208 |  1 | `omega(…)`
+atan2(y, x)       | PL208 |  1 | atan(y/x)
+v (A)             | PL208 |  3 | `v(`
+sin 3             | PL208 |  1 | `sin(…)`
+v(2*A)            | PL208 |  3 | `v(B/A)`
+r(B - A)          | PL208 |  5 | `r(B/A)`
+v(A/B/C)          | PL208 |  1 |
+I(rod, O)         | PL209 |  6 | `I(rod/O)`
+sin(a, b)         | PL209 |  6 |
+(a, b)            | PL209 |  3 |
+a, b              | PL209 |  2 |
+a = b             | PL210 |  3 |
+(a = b)           | PL210 |  4 |
+true              | PL211 |  1 |
+off               | PL211 |  1 |
+ground            | PL211 |  1 |
+d in km           | PL211 |  3 | number
+v(P) @            | PL212 |  7 | `@ 2`
+v(P) @ 1->        | PL212 | 11 | 1->2
+v(P) @ ->2        | PL212 |  8 | 1->2
+x @ 1->2          | PL212 |  9 | mean
+3 m @ 2           | PL212 |  5 |
+v(P).magnitude    | PL213 |  6 | `.mag`
+v(P).along        | PL213 | 11 | .along(30 deg)
+(r(A) - r(B)).mag | PL213 | 14 | r(B/A).mag
+a.b.c             | PL213 |  4 | case.find
+x.y(3)            | PL213 |  2 |
+F.along(3)        | PL213 |  2 | v(F).x
+--x               | PL214 |  2 | brackets
+a - -b            | PL214 |  5 | brackets
+2*-3              | PL214 |  3 | brackets
++x                | PL214 |  1 |
+(1                | PL214 |  1 | `)`
+1)                | PL214 |  2 |
+()                | PL214 |  2 |
+x**2              | PL215 |  2 | `^`
+2^3^4             | PL215 |  4 | (b^c)
+x^13              | PL215 |  2 |
+x^(1/7)           | PL215 |  2 |
+x^-(1/2)          | PL215 |  4 | `^(-…)`
+1/0               | PL216 |  2 |
+1/(2 - 2)         | PL216 |  2 |
+0^-1              | PL216 |  2 |
+''                | PL201 |  1 |
+a +               | PL201 |  4 |
+* a               | PL201 |  1 |
+"""
+)
+REFUSED_STATEMENTS = table(
+    """
+a == b              | PL210 |  3 | `=`
+a => b              | PL210 |  3 | `>=`
+a != b              | PL210 |  3 |
+0 < a < 3           | PL210 |  7 | `0 < a` and `a < 3`
+a                   | PL210 |  1 | `a = …`
+v(P)                | PL210 |  1 | left = right
+x is big            | PL211 |  6 | largest
+just 1              | PL211 |  6 | just after
+P at                | PL211 |  5 | at rest
+true at rest        | PL211 |  1 |
+just after          | PL212 | 11 |
+x = 1 m during 1->2 | PL211 |  9 |
+a = 2 m in km       | PL211 |  9 | number
+"""
+)
 
 
 @pytest.mark.parametrize(

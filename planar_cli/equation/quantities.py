@@ -353,9 +353,7 @@ class Quantities:
         velocity = Vec(jets.x.value, jets.y.value)
         speed = magnitude(vector_jet(velocity, None, None)).value
         if speed == 0:
-            raise refuse(
-                part.mark, "PL556", f".{part.kind} where the speed is zero", ALONG
-            )
+            raise refuse(part.mark, "PL556", f".{part.kind} where the speed is zero", ALONG)
         value = Vec(v.x.value, v.y.value)
         if part.kind == "t":
             return only(value.dot(velocity) / speed)

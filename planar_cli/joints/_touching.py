@@ -8,20 +8,19 @@ from typing import Any
 from planar_cli.errors import Mark
 from planar_cli.joints._tangency import demand_above, demand_common_tangent
 from planar_cli.problem.facts import (
-    Action,
-    Anchor,
     Facts,
     Joining,
     Law,
     Mode,
     Outline,
     Path,
-    Pull,
     Push,
     Rolling,
     Row,
     Test,
     center_of,
+    opposed,
+    relative,
 )
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.setting import Setting
@@ -210,7 +209,7 @@ class Touching:
 
     def _sliding(self, point: Vec) -> Row:
         drift = self.base.drift
-        pulls = (Pull(Anchor(self.mover.body, point), self.tangent), Pull(Anchor(self.base.body, point), -self.tangent))
+        pulls = relative(self.mover.body, self.base.body, point, self.tangent)
         rate = drift.dot(self.tangent) if drift is not None else 0
         return Row(self.name, f"{self.words} does not slip", pulls, rate=rate)
 
@@ -221,12 +220,12 @@ class Touching:
         if not self.smooth:
             found.append(self._push("F", "friction", point, self.tangent))
         if with_couple and self.scene.rigid(self.mover.body):
-            actions = (Action(self.mover.body, point, None, 1), Action(self.base.body, point, None, -1))
+            actions = opposed(self.mover.body, self.base.body, point, None, 1)
             found.append(Push(f"M_{self.name}", "couple", self.name, self.contact.at, actions, "N*m"))
         return tuple(found)
 
     def _push(self, stem: str, kind: str, point: Vec, direction: Vec) -> Push:
-        actions = (Action(self.mover.body, point, direction), Action(self.base.body, point, -direction))
+        actions = opposed(self.mover.body, self.base.body, point, direction)
         return Push(f"{stem}_{self.name}", kind, self.name, self.contact.at, actions)
 
     def _law(self, direction: int) -> tuple[Law, ...]:

@@ -10,7 +10,7 @@ from planar_cli.errors import Diagnostic
 from planar_cli.joints._outline_residuals import same_turn, together
 from planar_cli.joints.base import Joint
 from planar_cli.problem.expression import Side
-from planar_cli.problem.facts import Action, Anchor, Facts, Joining, Mode, Pull, Push, Row, Skid, Test
+from planar_cli.problem.facts import Facts, Joining, Mode, Push, Row, Skid, Test, opposed, relative
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.keys import PartnersKey, SideKey, key
 from planar_cli.problem.residuals import Residual
@@ -79,13 +79,13 @@ class Flat(Joint):
             return (Mode("slip", f"{body} slides freely on {base}", Facts()),)
         pushes = [self._push(axis, body, base, point, d) for axis, d in (("x", Vec(1, 0)), ("y", Vec(0, 1)))]
         if scene.rigid(body):
-            actions = (Action(body, point, None, 1), Action(base, point, None, -1))
+            actions = opposed(body, base, point, None, 1)
             pushes.append(Push(f"M_{self.name}", "couple", self.name, place, actions, "N*m"))
         sliding = tuple(
             Row(
                 self.name,
                 f"{body} does not slide on {base}",
-                (Pull(Anchor(body, point), d), Pull(Anchor(base, point), -d)),
+                relative(body, base, point, d),
             )
             for d in (Vec(1, 0), Vec(0, 1))
         )
@@ -104,7 +104,7 @@ class Flat(Joint):
         return (Mode("", "", Facts()),)
 
     def _push(self, axis: str, body: str, base: str, point: Vec, direction: Vec) -> Push:
-        actions = (Action(body, point, direction), Action(base, point, -direction))
+        actions = opposed(body, base, point, direction)
         return Push(f"F_{self.name}_{axis}", "friction", self.name, self.name, actions)
 
     def residuals(self, scene: Setting, mode: Mode) -> tuple[Residual, ...]:

@@ -9,19 +9,18 @@ from planar_cli.joints._outline_residuals import same_turn, together, touching
 from planar_cli.joints.base import Joint
 from planar_cli.problem.expression import Side
 from planar_cli.problem.facts import (
-    Action,
-    Anchor,
     Facts,
     Joining,
     Law,
     Mode,
     Outline,
     Path,
-    Pull,
     Push,
     Row,
     Test,
     center_of,
+    opposed,
+    relative,
 )
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.keys import BodyKey, Choice, DirectionKey, PointKey, SideKey, key
@@ -99,8 +98,7 @@ class Guide(Joint):
         if self.body is not None and scene.rigid(joining.mover):
             # On a curved track the couple comes with a force along it, so that together they do no work.
             force = -tangent * joining.path.curvature if turning and joining.path else None
-            back = -force if force is not None else None
-            actions = (Action(joining.mover, joining.point, force, 1), Action(joining.base, joining.point, back, -1))
+            actions = opposed(joining.mover, joining.base, joining.point, force, 1)
             pushes.append(Push(f"M_{self.name}", "couple", self.name, joining.place, actions, "N*m"))
         static, kinetic = self.mu_s or self.mu or self.mu_k, self.mu_k or self.mu or self.mu_s
         if static is None or kinetic is None or scene.is_zero(scene.value(static)):
@@ -133,15 +131,14 @@ class Guide(Joint):
         if self.body is None or not joining.turns or joining.path is None or not scene.rigid(joining.mover):
             return ()
         tangent, curvature, words = joining.path.tangent, joining.path.curvature, "turns with its track"
-        here, there = Anchor(joining.mover, joining.point), Anchor(joining.base, joining.point)
-        pulls = (Pull(here, -tangent * curvature), Pull(there, tangent * curvature))
-        slides = (Pull(here, tangent), Pull(there, -tangent))
+        pulls = relative(joining.mover, joining.base, joining.point, -tangent * curvature)
+        slides = relative(joining.mover, joining.base, joining.point, tangent)
         spins = ((joining.mover, 1), (joining.base, -1))
         title = f"{joining.mover} {words}"
         return (Row(self.name, title, pulls, spins, slides=slides, sharpening=sharpening),)
 
     def _push(self, name: str, kind: str, joining: Joining, direction: Vec) -> Push:
-        actions = (Action(joining.mover, joining.point, direction), Action(joining.base, joining.point, -direction))
+        actions = opposed(joining.mover, joining.base, joining.point, direction)
         return Push(name, kind, self.name, joining.place, actions)
 
     def _rough(
@@ -157,10 +154,7 @@ class Guide(Joint):
         normal, friction = f"N_{self.name}", f"F_{self.name}"
         path = joining.path
         tangent = path.tangent if path else Vec(1, 0)
-        pulls = (
-            Pull(Anchor(joining.mover, joining.point), tangent),
-            Pull(Anchor(joining.base, joining.point), -tangent),
-        )
+        pulls = relative(joining.mover, joining.base, joining.point, tangent)
         sliding = Row(self.name, f"{joining.place} does not slide", pulls)
         modes = []
         for side in (1, -1):

@@ -9,7 +9,7 @@ from typing import Any, ClassVar
 
 from planar_cli.joints.base import Joint
 from planar_cli.problem.expression import Number, Side
-from planar_cli.problem.facts import FAR, Action, Anchor, Facts, Law, Meeting, Mode, Pull, Push, Row, Test
+from planar_cli.problem.facts import FAR, Facts, Law, Meeting, Mode, Push, Row, Test, opposed, relative
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.keys import PartnersKey, SideKey, key
 from planar_cli.problem.residuals import Residual
@@ -114,7 +114,7 @@ class Impact(Joint):
 
     def _push(self, stem: str, kind: str, a: str, b: str, point: Vec, along: Vec) -> Push:
         """On the second body along the direction, reversed on the first."""
-        actions = (Action(b, point, along), Action(a, point, -along))
+        actions = opposed(b, a, point, along)
         return Push(f"{stem}_{self.name}", kind, self.name, self.name, actions)
 
     def _approach(self, scene: StruckSetting, a: str, b: str, meeting: Meeting) -> Any:
@@ -122,7 +122,7 @@ class Impact(Joint):
         return (scene.arriving(meeting.point, b) - scene.arriving(meeting.point, a)).dot(meeting.normal)
 
     def _apart(self, a: str, b: str, meeting: Meeting, along: Vec, title: str, pace: Any = 0) -> Row:
-        pulls = (Pull(Anchor(b, meeting.point), along), Pull(Anchor(a, meeting.point), -along))
+        pulls = relative(b, a, meeting.point, along)
         return Row(self.name, title, pulls, pace=pace)
 
     def _rebound(self, scene: StruckSetting, a: str, b: str, meeting: Meeting) -> Row:

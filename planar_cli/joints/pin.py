@@ -8,7 +8,7 @@ from typing import ClassVar
 from planar_cli.joints._outline_residuals import same_turn, together
 from planar_cli.joints.base import Joint
 from planar_cli.problem.expression import Side
-from planar_cli.problem.facts import Action, Facts, Joining, Law, Mode, Push, Row, Test
+from planar_cli.problem.facts import Facts, Joining, Law, Mode, Push, Row, Test, opposed
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.keys import PartnersKey, PointKey, SideKey, key
 from planar_cli.problem.residuals import Residual
@@ -80,7 +80,7 @@ class Pin(Joint):
         place = scene.point(self.at)
         turning = Row(self.name, f"{mover} turns on its axle", spins=((mover, 1), (hub, -1)))
         couple = f"M_{self.name}"
-        actions = (Action(mover, place, None, 1), Action(hub, place, None, -1))
+        actions = opposed(mover, hub, place, None, 1)
         push = Push(couple, "friction", self.name, self.at, actions, "N*m")
         modes = []
         for direction, words in ((1, "counterclockwise"), (-1, "clockwise")):
@@ -113,6 +113,6 @@ def components(joint: str, place: str, mover: str, base: str, point: Vec, severa
     stem = f"{joint}_{mover}" if several else joint
     found = []
     for axis, direction in (("x", Vec(1, 0)), ("y", Vec(0, 1))):
-        actions = (Action(mover, point, direction), Action(base, point, -direction))
+        actions = opposed(mover, base, point, direction)
         found.append(Push(f"{stem}_{axis}", "component", joint, place, actions))
     return found[0], found[1]

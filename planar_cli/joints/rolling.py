@@ -9,7 +9,7 @@ from planar_cli.joints._outline_residuals import stuck
 from planar_cli.joints._tangency import demand_above, demand_common_tangent
 from planar_cli.joints._touching import away
 from planar_cli.joints.base import Joint
-from planar_cli.problem.facts import Action, Facts, Joining, Mode, Push
+from planar_cli.problem.facts import Facts, Joining, Mode, Push, opposed
 from planar_cli.problem.facts import Rolling as NoSlip
 from planar_cli.problem.keys import PartnersKey, PointKey, key
 from planar_cli.problem.residuals import Residual
@@ -92,7 +92,7 @@ class Rolling(Joint):
         demand_above(b, normal, self.between, self.at, scene, self.mark)
         pushes = []
         for stem, kind, direction in (("N", "normal", normal), ("F", "friction", tangent)):
-            actions = (Action(a.body, place, direction), Action(b.body, place, -direction))
+            actions = opposed(a.body, b.body, place, direction)
             pushes.append(Push(f"{stem}_{self.name}", kind, self.name, self.at, actions))
         return (Mode("", "", Facts((joining,), pushes=tuple(pushes))),)
 

@@ -7,7 +7,7 @@ from typing import ClassVar
 
 from planar_cli.joints._outline_residuals import same_turn, together
 from planar_cli.joints.base import Joint
-from planar_cli.problem.facts import Action, Facts, Joining, Mode, Push
+from planar_cli.problem.facts import Facts, Joining, Mode, Push, opposed
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.keys import PartnersKey, PointKey, key
 from planar_cli.problem.residuals import Residual
@@ -66,8 +66,7 @@ class Weld(Joint):
         # A particle has no size, so that no couple can hold it.
         turned = [("", None, 1, "N*m")] if scene.rigid(mover) and scene.rigid(base) else []
         for name, force, couple, unit in (*held, *turned):
-            back = -force if force is not None else None
-            actions = (Action(mover, point, force, couple), Action(base, point, back, -couple))
+            actions = opposed(mover, base, point, force, couple)
             title = f"{self.name}_{name}" if force is not None else f"M_{self.name}"
             pushes.append(
                 Push(title, "component" if force is not None else "couple", self.name, self.at, actions, unit)

@@ -9,7 +9,7 @@ from fractions import Fraction
 
 from planar_cli.errors import FileProblem, Mark, refuse
 from planar_cli.motion.terms import Graph, Term
-from planar_cli.problem.evaluation import evaluated
+from planar_cli.problem.evaluation import ARITHMETIC, evaluated
 from planar_cli.problem.expression import (
     Binary,
     Function,
@@ -146,18 +146,10 @@ class Sides:
 
     def combined(self, side: Binary) -> Term:
         left, right = self.value(side.left), self.value(side.right)
-        match side.operator:
-            case "+":
-                return left + right
-            case "-":
-                return left - right
-            case "*":
-                return left * right
-            case "/":
-                if right.constant and right.value == 0:
-                    raise refuse(side.mark, "PL505", "division by zero")
-                return left / right
-        return left**right
+        if side.operator == "/" and right.constant and right.value == 0:
+            raise refuse(side.mark, "PL505", "division by zero")
+        found: Term = ARITHMETIC[side.operator](left, right)
+        return found
 
 
 def names_in(tree: Tree) -> set[str]:

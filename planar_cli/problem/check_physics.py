@@ -7,6 +7,7 @@ from fractions import Fraction
 from itertools import pairwise
 
 from planar_cli.errors import Diagnostic
+from planar_cli.problem.evaluation import ARITHMETIC
 from planar_cli.problem.expression import Binary, Name, Negate, Number, Quantity, Side
 from planar_cli.problem.formulas import formulas
 from planar_cli.problem.scene import GROUND, At, Body, Composite, Foot, Particle, Polar, Towards, TwoFacts
@@ -169,19 +170,10 @@ def constant(side: Side | None, scope: Scope, depth: int = 0) -> Fraction | None
 
 
 def _combined(operator: str, left: Fraction | None, right: Fraction | None) -> Fraction | None:
-    if left is None or right is None:
+    if left is None or right is None or operator == "^" or (operator == "/" and not right):
         return None
-    match operator:
-        case "+":
-            return left + right
-        case "-":
-            return left - right
-        case "*":
-            return left * right
-        case "/" if right:
-            return left / right
-        case _:
-            return None
+    found: Fraction = ARITHMETIC[operator](left, right)
+    return found
 
 
 def sizes_are_positive(scope: Scope) -> Iterator[Diagnostic]:

@@ -2,10 +2,21 @@
 
 from __future__ import annotations
 
+import operator
+from collections.abc import Callable, Mapping
 from typing import Any, Protocol
 
 from planar_cli.problem.expression import Binary, Function, Grouped, Name, Negate, Number, Quantity, Scaled, Side, Word
 from planar_cli.problem.no_number import mode_misplaced
+
+ARITHMETIC: Mapping[str, Callable[[Any, Any], Any]] = {
+    "+": operator.add,
+    "-": operator.sub,
+    "*": operator.mul,
+    "/": operator.truediv,
+    "^": operator.pow,
+}
+"""What the operator of a `Binary` makes of two numbers of whatever kind."""
 
 
 class Arithmetic(Protocol):

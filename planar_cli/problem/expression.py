@@ -47,7 +47,7 @@ class Negate:
 
 @record
 class Binary:
-    """`operator` is one of + - * / ^ ."""
+    """`operator` is one of + - * / ^ (`evaluation.ARITHMETIC` says what they do)."""
 
     operator: str
     left: Side

@@ -116,6 +116,17 @@ class Action:
     couple: Any = 0
 
 
+def opposed(body: str, other: str, point: Vec, force: Vec | None, couple: Any = 0) -> tuple[Action, Action]:
+    """What a unit of a push between two bodies does at a place: to the one, and equal and opposite to the other."""
+    back = -force if force is not None else None
+    return Action(body, point, force, couple), Action(other, point, back, -couple)
+
+
+def relative(body: str, other: str, point: Vec, direction: Vec) -> tuple[Pull, Pull]:
+    """The velocity of a place of a body along a direction, relative to the other body's at the same place."""
+    return Pull(Anchor(body, point), direction), Pull(Anchor(other, point), -direction)
+
+
 @record
 class Push:
     """An unknown scalar reaction: its name, its unit ("N" or "N*m"), and what it does to each body.

@@ -7,7 +7,19 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from planar_cli.problem.expression import Binary, Function, Grouped, Name, Negate, Number, Quantity, Scaled, Side, Word
+from planar_cli.problem.evaluation import ARITHMETIC
+from planar_cli.problem.expression import (
+    Binary,
+    Function,
+    Grouped,
+    Name,
+    Negate,
+    Number,
+    Quantity,
+    Scaled,
+    Side,
+    Word,
+)
 from planar_cli.problem.tokens import Cursor, Token
 
 MAX_DEPTH = 60
@@ -89,15 +101,8 @@ class Guard:
             self.cursor.fail("division by zero", "", "PL216", token)
         if left is None or right is None:
             return None
-        match side.operator:
-            case "+":
-                return left + right
-            case "-":
-                return left - right
-            case "*":
-                return left * right
-            case _:
-                return left / right
+        found: Fraction = ARITHMETIC[side.operator](left, right)
+        return found
 
     def _power(self, base: Fraction | None, exponent: Fraction | None, token: Token) -> Fraction | None:
         if exponent is None:

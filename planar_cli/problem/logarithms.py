@@ -12,6 +12,7 @@ from collections.abc import Callable
 from fractions import Fraction
 
 from planar_cli import units
+from planar_cli.problem.evaluation import ARITHMETIC
 from planar_cli.problem.expression import Binary, Function, Grouped, Name, Negate, Number, Quantity, Scaled, Side
 from planar_cli.units import Dimension
 
@@ -58,7 +59,7 @@ class _Draw:
             case Function():
                 return self._function(side)
             case Binary():
-                return self._binary(side)
+                return complex(ARITHMETIC[side.operator](self.value(side.left), self.value(side.right)))
             case _:
                 raise _Unknown
 
@@ -73,20 +74,6 @@ class _Draw:
             raise _Unknown
         more = 0.0 if self.unit is None else float(_exponent(dimension, self.unit))
         return cmath.log(argument) + more * cmath.log(2)
-
-    def _binary(self, side: Binary) -> complex:
-        left, right = self.value(side.left), self.value(side.right)
-        match side.operator:
-            case "+":
-                return left + right
-            case "-":
-                return left - right
-            case "*":
-                return left * right
-            case "/":
-                return left / right
-            case _:
-                return complex(left**right)
 
 
 def _drawn(side: Name | Quantity) -> complex:
