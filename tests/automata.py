@@ -118,6 +118,12 @@ class Scene:
     def undetermined(self, choice: Choice, t: float, y: Sequence[float]) -> tuple[str, ...]:
         return ()
 
+    def drawn_apart(self, t: float, y: Sequence[float]) -> None:
+        pass
+
+    def sliding_points(self, choice: Choice, t: float, y: Sequence[float]) -> None:
+        pass
+
     def misfits(self, choice: Choice, t: float, y: Sequence[float]) -> Mapping[str, float]:
         mended = self.regime(choice).project(t, y)
         return {"": max(abs(a - b) / s for a, b, s in zip(mended, y, self.scale, strict=True))}

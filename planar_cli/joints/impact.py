@@ -29,7 +29,9 @@ class Impact(Joint):
         where the shapes leave it open (particles at one place, corners). `restitution` is the ratio of the speeds of
         separation and approach along it; left out, it is unknown, and something is stated of the velocities after it.
         `mu` adds a friction impulse; without it the impact is smooth. Several impacts in one blow happen at once, each
-        with its own restitution: planar explain blows.
+        with its own restitution: planar explain blows. After a plastic impact (`restitution: 0`) the bodies stay in
+        contact as long as they press on each other; a `weld` that begins with the impact keeps them together for good.
+        Two particles that would then slide along each other need it, for points have no faces.
 
     YAML
         title: Two balls collide head on

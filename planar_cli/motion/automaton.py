@@ -42,7 +42,7 @@ class Guard(Protocol):
 
     @property
     def kind(self) -> str:
-        """presses, limit, slips, gap, taut, stretch, tips, mass."""
+        """presses, limit, slips, gap, again, taut, stretch, tips, mass."""
 
     @property
     def words(self) -> str:
@@ -128,6 +128,14 @@ class Automaton(Protocol):
 
     def undetermined(self, choice: Choice, t: float, y: Sequence[float]) -> Sequence[str]:
         """Bodies without mass that may move in this choice as nothing tells: forces do not determine their motion."""
+
+    def drawn_apart(self, t: float, y: Sequence[float]) -> tuple[str, str] | None:
+        """The plastic impact that leaves its partners at different places, and in words what is open then; None: no
+        impact does.
+        """
+
+    def sliding_points(self, choice: Choice, t: float, y: Sequence[float]) -> tuple[str, str] | None:
+        """The same of one that leaves points in contact which slide along each other."""
 
     def misfits(self, choice: Choice, t: float, y: Sequence[float]) -> Mapping[str, float]:
         """By how much a state misses what each joint of a choice demands of places and velocities, in parts of the

@@ -6,7 +6,7 @@ Every way in which their outlines may meet is a contact of its own, with the res
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
@@ -36,6 +36,8 @@ class Encounter(Joint):
     """The coefficient of friction; 0 where it is smooth."""
     forced: bool
     """Does it strike whatever the distance, between the states that the file names?"""
+    over: bool = False
+    """Are those states behind? Then it strikes no more; where it was plastic, its partners stay in contact."""
 
     @property
     def distance(self) -> Term:
@@ -46,14 +48,24 @@ class Encounter(Joint):
         return found
 
     @property
+    def plastic(self) -> bool:
+        """Is the restitution zero?"""
+        return self.restitution.constant and self.restitution.value == 0
+
+    @property
     def smooth(self) -> bool:
         """Is there no friction?"""
         return self.mu.constant and self.mu.value == 0
 
+    @property
+    def sliding(self) -> Row:
+        """How fast the second partner slides along the first."""
+        return self._row(self.gap.normal.turned(), "sliding")
+
     def modes(self, scene: Setting) -> tuple[Mode, ...]:
         """Apart first; then in contact, sticking or slipping where it is rough."""
         words = " and ".join(sorted((self.gap.first, self.gap.second), key=lambda b: b == GROUND))
-        across, sliding = self._row(self.gap.normal, "apart"), self._row(self.gap.normal.turned(), "sliding")
+        across, sliding = self._row(self.gap.normal, "apart"), self.sliding
         parts = Test(self.name, f"{words} are apart", row=across)
         apart = Mode("apart", f"{words} are apart", Facts(), (parts,), touching=Facts(rows=(across,)))
         normal = self._push("N", "normal", self.gap.normal)
@@ -95,14 +107,18 @@ class Encounter(Joint):
         return Row(self.name, f"{self.impact}: {title}", pulls)
 
 
-def encounters_of(scene: MovingScene, joints: Sequence[Joint]) -> dict[str, tuple[Encounter, ...]]:
-    """The encounters of every impact among the joints, by its name."""
+def encounters_of(
+    scene: MovingScene, joints: Sequence[Joint], over: Collection[str] = ()
+) -> dict[str, tuple[Encounter, ...]]:
+    """The encounters of every impact among the joints, by its name. `over`: of these the states they act between are
+    behind.
+    """
     found: dict[str, tuple[Encounter, ...]] = {}
     for joint in joints:
         if not joint.strikes:
             continue
         gaps = scene.gaps(joint)
-        one = [_encounter(scene, joint, gap) for gap in gaps]
+        one = [_encounter(scene, joint, gap, joint.name in over) for gap in gaps]
         if len(one) > 1:
             one = [replace(e, name=f"{joint.name}_{k + 1}") for k, e in enumerate(one)]
         found[joint.name] = tuple(one)
@@ -121,14 +137,15 @@ def friction_of(scene: MovingScene, joint: Joint) -> Term:
     return scene.graph.number(0.0) if side is None else scene.value(side)
 
 
-def _encounter(scene: MovingScene, joint: Joint, gap: Gap) -> Encounter:
+def _encounter(scene: MovingScene, joint: Joint, gap: Gap, over: bool) -> Encounter:
     return Encounter(
         name=joint.name,
-        during=joint.during,
+        during=None if over else joint.during,
         mark=joint.mark,
         impact=joint.name,
         gap=gap,
         restitution=restitution_of(scene, joint),
         mu=friction_of(scene, joint),
-        forced=joint.during is not None,
+        forced=joint.during is not None and not over,
+        over=over,
     )

@@ -12,18 +12,19 @@ from dataclasses import dataclass, field, replace
 from planar_cli.integrators.base import Counts, Setting, Step, StepTooSmall, TooManySteps
 from planar_cli.motion.automaton import Automaton, Choice, Regime, Stages, Start
 from planar_cli.motion.balance import ALLOWED, balance_of
-from planar_cli.motion.crossings import Watch, band_at
+from planar_cli.motion.crossings import band_at
 from planar_cli.motion.drive import AUTOMATIC, Run, drive
-from planar_cli.motion.guards import LENGTH
+from planar_cli.motion.endings import open_after, repeats_every, spent, stuck_at
+from planar_cli.motion.guards import AGAIN, LENGTH
 from planar_cli.motion.recurrence import Recurrence, recurrence
 from planar_cli.motion.schedule import Event, Schedule
 from planar_cli.motion.segment import Segment
 from planar_cli.motion.source import Singular
-from planar_cli.motion.trajectory import Outcome, Trajectory, Transition, Work, repeats_every, stuck_at
+from planar_cli.motion.trajectory import Outcome, Trajectory, Transition, Work
 from planar_cli.motion.transition import Moment, Resolved, resolve
 from planar_cli.motion.unstable import growth_note
-from planar_cli.motion.waiting import Waiting, at_edge, beyond, fits, meant
-from planar_cli.motion.zeno import Bounces
+from planar_cli.motion.waiting import Waiting, at_edge, beyond, fits, meant, watch_of
+from planar_cli.motion.zeno import Bounces, summed_up
 
 RESTING = 1e-12
 """Rates below this part of their scale are zero."""
@@ -37,6 +38,9 @@ NOISE, LOUDEST, ROUNDING = 300.0, 1e-3, 1e-12
 """What tells a state is known to so many tolerances, and at any tolerance to this part of its scale."""
 UNSTEADY_STEPS = 256
 """At rest under loads that vary in time, the time is cut at least into so many steps."""
+
+ENDS = ("moves", AGAIN)
+"""Guards that fall where a state may be reached in the same instant."""
 
 Progress = Callable[[float], None]
 """Called with the time that has been reached [s]."""
@@ -78,6 +82,8 @@ class Follower:
     work: Work = field(default_factory=Work)
     notes: list[str] = field(default_factory=list)
     outcome: Outcome | None = None
+    open_now: tuple[str, str] | None = None
+    """An impact that leaves open how its partners go on from here, and in words what."""
 
     def trajectory(self) -> Trajectory:
         """Follow the motion to its end."""
@@ -141,6 +147,7 @@ class Follower:
         old = dict(zip(self.automaton.choices, self.choice, strict=True))
         self.choice = tuple(old.get(joint, 0) for joint in automaton.choices)
         self.automaton = automaton
+        self.open_now = automaton.drawn_apart(self.t, self.y)
         return True
 
     # --- one segment -------------------------------------------------------------------------------------------------
@@ -149,6 +156,8 @@ class Follower:
         """One regime until it ends, and what happens then."""
         if self.t >= self.until:
             self.outcome = Outcome("until", f"the time is over at t = {self.t:.9g} s{self.waiting.wanting}", self.t)
+            return
+        if self._unclear(self.open_now):
             return
         regime = self.automaton.regime(self.choice)
         changed = bool(self.transitions) and self.transitions[-1].t == self.t
@@ -174,11 +183,20 @@ class Follower:
             self.outcome = stuck_at(stuck, self.t)
             return
         self._close(regime, run.t1, tuple(run.y1), run.steps)
+        if self._unclear(None):
+            return
         period = self.returning.period if self.returning is not None else None
         if self.outcome is None and (run.crossings or period is None):
             self._ended(regime, run)
         if self.outcome is None and self.returning is not None and period is not None:
             self.outcome = repeats_every(period, self.t)
+
+    def _unclear(self, drawn_apart: tuple[str, str] | None) -> bool:
+        """Does an impact leave open how its partners go on?"""
+        found = drawn_apart or self.automaton.sliding_points(self.choice, self.t, self.y)
+        if found is not None:
+            self.outcome = open_after(found, self.t)
+        return found is not None
 
     def _run(self, regime: Regime, end: float, taken: list[Step]) -> Run:
         """The regime followed to `end`, or to the first guard that falls or relation of a state that is reached."""
@@ -208,7 +226,7 @@ class Follower:
                 end,
                 setting,
                 kind=self.kind,
-                watch=self._watch(regime),
+                watch=watch_of(regime, self.choice, self.waiting.next()),
                 breakpoints=self.schedule.breakpoints,
                 band=band_at(regime.watch(self.t, self.y), [g.scale for g in regime.guards]),
                 on_step=seen,
@@ -226,22 +244,9 @@ class Follower:
         if not self.rest_ends or end != self.until or not self.automaton.autonomous or not self.waiting.next():
             return None
         if self.returning is None:
-            watch = self._watch(regime)
+            watch = watch_of(regime, self.choice, self.waiting.next())
             self.returning = recurrence(regime.rates, self.t, self.y, self.automaton.scale, watch)
         return self.returning
-
-    def _watch(self, regime: Regime) -> Watch:
-        """The guards, and behind them what tells that the next states are reached."""
-        scales, falling = [g.scale for g in regime.guards], [True] * len(regime.guards)
-        crossings = [e.crossing for e in self.waiting.next() if e.crossing is not None]
-        if not crossings:
-            return Watch(regime.watch, scales, falling)
-        choice = self.choice
-
-        def values(t: float, y: list[float]) -> list[float]:
-            return [*regime.watch(t, y), *(c.value(regime, choice, t, y) for c in crossings)]
-
-        return Watch(values, [*scales, *(c.scale for c in crossings)], [*falling, *(False for _ in crossings)])
 
     def _end(self) -> float:
         """The latest time of this segment: the end, or the next time that is known beforehand."""
@@ -288,10 +293,8 @@ class Follower:
         fallen = [c.index for c in run.crossings if c.index < number and c.way == "falls"]
         events = [e for e in self.waiting.next() if e.crossing is not None]
         grazed = [c.index for c in run.crossings if c.index < number and c.way == "grazes"]
-        spent = next((g for g in (regime.guards[i] for i in (*fallen, *grazed)) if g.kind == LENGTH), None)
-        if spent is not None:
-            words = f"at t = {self.t:.9g} s a free part of {spent.joint} has run out: draw it longer, or end before"
-            self.outcome = Outcome("spent", words, self.t, spent.joint, "PL712")
+        if (last := next((g for i in (*fallen, *grazed) if (g := regime.guards[i]).kind == LENGTH), None)) is not None:
+            self.outcome = spent(last, self.t)
             return
         for guard in (regime.guards[i] for i in grazed if regime.guards[i].kind == "gap"):
             words = f"only just touched: {guard.joint}"
@@ -306,10 +309,14 @@ class Follower:
                     self._reach(event)
                 elif run.t1 == run.t0 and not fallen:
                     self.t, self.y = beyond(regime, self.t, self.y, self.automaton.time_scale)
-        if self.outcome is None and (not run.crossings or any(regime.guards[i].kind == "moves" for i in fallen)):
+        if self.outcome is None and (not run.crossings or any(regime.guards[i].kind in ENDS for i in fallen)):
             for event in [e for e in events if e in self.waiting.next()]:
                 if at_edge(event, regime, self.choice, run, self.setting.tolerance):
                     self._reach(event)
+        again = next((regime.guards[i] for i in fallen if regime.guards[i].kind == AGAIN), None)
+        if self.outcome is None and again is not None and self.automaton.regime(self.choice) is regime:
+            # Nothing strikes there, and the motion is to go on.
+            self.outcome = spent(again, self.t)
         if self.outcome is None and fallen:
             guards = [regime.guards[i] for i in fallen]
             words = ", ".join(dict.fromkeys(f"no longer: {g.words}" for g in guards))
@@ -373,7 +380,8 @@ class Follower:
         moment = replace(moment, applied=applied or {}, forced=blow, drawn=drawn)
         found = resolve(moment)
         if isinstance(found, Resolved):
-            found = self._limit(moment, found)
+            found, ends = summed_up(self.bounces, moment, found)
+            self.resting_at = self.resting_at if ends is None else ends
         if isinstance(found, Outcome):
             self.outcome = found
             return
@@ -383,18 +391,3 @@ class Follower:
         self.work = replace(self.work, choices=self.work.choices + found.tried)
         if (event := self.waiting.by_modes(self.automaton, self.choice, self.t, self.y)) is not None:
             self._reach(event)
-
-    def _limit(self, moment: Moment, found: Resolved) -> Resolved | Outcome:
-        """Sum up a sequence of impacts that ends in a finite time."""
-        impacts = [x for x in found.transitions if x.kind == "impact"]
-        if not impacts:
-            return found
-        self.bounces.add(self.t, impacts[-1].after, moment.y, self.automaton.scale)
-        limit = self.bounces.limit(self.automaton.time_scale, self.setting.tolerance)
-        if limit is None:
-            return found
-        closed = resolve(replace(moment, inelastic=True))
-        if isinstance(closed, Resolved):
-            self.resting_at = limit[0]
-            self.bounces.forget()
-        return closed

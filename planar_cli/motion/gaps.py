@@ -41,6 +41,8 @@ class Gap:
     """Not negative where this pair is the one that touches: the foot is inside the edge, m."""
     told: bool = True
     """Does the drawing tell on which side of each other they are?"""
+    points: bool = False
+    """Do two points meet, which have no faces along which they could slide?"""
     thin: tuple[Vec, Term] | None = None
     """Of a rod's long side, which may be met from both: the centre of what meets it, and its radius [m]."""
 
@@ -96,7 +98,7 @@ def _on_edge(scene: Carried, one: Corner | Rim, edge: Edge) -> Gap:
     radius = one.radius if isinstance(one, Rim) else graph.number(0.0)
     within = _beside(edge, foot, distance)
     thin = (center, radius) if edge.length is not None and not edge.solid else None
-    return Gap(one.body, edge.body, distance - radius, center - out * radius, -out, within, side != 0, thin)
+    return Gap(one.body, edge.body, distance - radius, center - out * radius, -out, within, side != 0, thin=thin)
 
 
 def _beside(edge: Edge, foot: Term, off: Term) -> tuple[Term, ...]:
@@ -166,4 +168,4 @@ def _corners(scene: Carried, a: Corner, b: Corner, normal: Vec | None) -> list[G
             return []
         normal = drawn / scene.length(drawn)
     out = normal * _side(scene, scene.graph.of(reach.dot(normal)))
-    return [Gap(a.body, b.body, scene.graph.of(reach.dot(out)), a.place, out)]
+    return [Gap(a.body, b.body, scene.graph.of(reach.dot(out)), a.place, out, points=True)]

@@ -13,6 +13,8 @@ from planar_cli.records import record
 
 LENGTH = "length"
 """The kind of a guard behind which nothing goes on: a free part of a rope has run out."""
+AGAIN = "again"
+"""The kind of one behind which nothing goes on either: partners of an impact that is over meet again."""
 SHORTEST = 1e-3
 """It has when its length is below this part of the scale."""
 
@@ -24,7 +26,7 @@ class Guard:
     joint: str
     """The joint, or the key of the load, whose mode it belongs to."""
     kind: str
-    """presses, limit, slips, gap, taut, stretch, tips, mass or length."""
+    """presses, limit, slips, gap, again, taut, stretch, tips, mass or length."""
     words: str
     """The condition, as it holds."""
     strict: bool

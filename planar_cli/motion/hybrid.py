@@ -6,14 +6,14 @@ places stands as long as the partners touch, along it only the velocities are he
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import replace
 
 from planar_cli.joints.base import Joint
 from planar_cli.motion.constraints import Constraint, of_places, of_velocities
 from planar_cli.motion.drives import constraints_of
 from planar_cli.motion.encounters import Encounter, encounters_of
-from planar_cli.motion.guards import Measured, speed_of
+from planar_cli.motion.guards import AGAIN, Measured, speed_of
 from planar_cli.motion.held import Held
 from planar_cli.motion.model import Member, Model, always
 from planar_cli.motion.scene import MovingScene
@@ -38,9 +38,15 @@ class HybridModel(Model):
     """One scene with all its modes."""
 
     def __init__(
-        self, scene: MovingScene, acts: Callable[[Member], bool] = always, passing: Sequence[Law] = ()
+        self,
+        scene: MovingScene,
+        acts: Callable[[Member], bool] = always,
+        passing: Sequence[Law] = (),
+        over: Collection[str] = (),
     ) -> None:
-        """`passing`: the relations of `motion` that hold for some time, and now."""
+        """`passing`: the relations of `motion` that hold for some time, and now. `over`: the impacts that the states
+        they act between have behind them.
+        """
         super().__init__(scene, acts)
         for relation in self.asked.said(law.statement for law in passing):
             self.drives = (*self.drives, *constraints_of(self.asked, relation.text, relation.residuals))
@@ -51,10 +57,14 @@ class HybridModel(Model):
         self.joints = [j for j in self.joints if not j.strikes]
         for impact in self.impacts:
             del self.modes[impact.name]
+        joined = {frozenset(_partners(j)) for j in (*self.joints, *self.impacts) if j.name not in over}
         contacts = {frozenset(_partners(j)) for j in self.joints if any(m.parted for m in self.modes[j.name])}
-        apart = [j for j in self.impacts if frozenset(_partners(j)) not in contacts]
-        self.encounters = encounters_of(scene, apart)
+        apart = [j for j in self.impacts if frozenset(_partners(j)) not in (joined if j.name in over else contacts)]
+        self.impacts = [j for j in self.impacts if j.name not in over]
+        self.encounters = encounters_of(scene, apart, over)
         """The contacts that impacts make, where no joint is one already, by the impact's name."""
+        self.over = [e for found in self.encounters.values() for e in found if e.over]
+        """Those that are behind."""
         for encounter in (e for found in self.encounters.values() for e in found):
             self.joints.append(encounter)
             self.modes[encounter.name] = encounter.modes(scene)
@@ -65,12 +75,15 @@ class HybridModel(Model):
         return joint.distance if isinstance(joint, Encounter) else super().gap(joint, mode)
 
     def _measured(self, indices: Mapping[str, int]) -> tuple[Measured, ...]:
-        """Of a face that is apart both ends are watched."""
+        """Of a face that is apart both ends are watched. What an impact that is over drove apart must not meet."""
+        again = {e.name for e in self.over if not e.plastic}
         faces = {j.name: ends for j in self.joints if len(ends := self.ends(j)) > 1}
         found: list[Measured] = []
         for measured in super()._measured(indices):
             if measured.guard.kind == "gap" and measured.guard.joint in faces:
                 found += [replace(measured, state=end.gap) for end in faces[measured.guard.joint]]
+            elif measured.guard.kind == "gap" and measured.guard.joint in again:
+                found.append(replace(measured, guard=replace(measured.guard, kind=AGAIN)))
             else:
                 found.append(measured)
         return tuple(replace(m, guard=replace(m.guard, index=i)) for i, m in enumerate(found))

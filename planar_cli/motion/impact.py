@@ -18,6 +18,8 @@ from planar_cli.records import record
 
 ZERO = 1e-11
 """An entry below this part of its row's largest one is zero."""
+ROUNDING = 1e-13
+"""Below this part of the largest a number is rounding."""
 AGREE = 1e-9
 """Speeds and impulses, in parts of their scales, that differ by less are the same."""
 
@@ -192,6 +194,11 @@ def _solutions(
     rough = {k: n + i for i, (k, _) in enumerate(d for d in directions if d[1])}
     gain = [[_dot(_column(struck, d), r[0]) * unit / speed for r in responses] for d in directions]
     start = [(_dot(_column(struck, d), free) + _rate(struck, d)) / speed for d in directions]
+    # Along a direction that joints hold already nothing is left but rounding.
+    arriving = max((abs(closing(struck, c)) / speed for c in contacts), default=0.0)
+    start = [0.0 if abs(v) <= ROUNDING * arriving else v for v in start]
+    largest = max((abs(x) for row in gain for x in row), default=0.0)
+    gain = [[0.0 if abs(x) <= ROUNDING * largest else x for x in row] for row in gain]
     size = n + 2 * len(rough)
     matrix = [[0.0] * size for _ in range(size)]
     q = [0.0] * size

@@ -7,6 +7,7 @@ from functools import cached_property
 
 from planar_cli.integrators.base import Step
 from planar_cli.joints.base import Joint, distinct
+from planar_cli.motion.afterwards import drawn_apart, sliding_points
 from planar_cli.motion.automaton import Choice, Outside, Start
 from planar_cli.motion.constraints import Constraint
 from planar_cli.motion.dense import null_space
@@ -115,6 +116,14 @@ class SceneAutomaton:
                 found |= {s.body for s in moves}
         return tuple(sorted(found))
 
+    def drawn_apart(self, t: float, y: Sequence[float]) -> tuple[str, str] | None:
+        """The impact that leaves its partners at different places, and what is open then."""
+        return drawn_apart(self.model, t, y) if self.model.over else None
+
+    def sliding_points(self, choice: Choice, t: float, y: Sequence[float]) -> tuple[str, str] | None:
+        """The impact that leaves points in contact that slide along each other, and what is open then."""
+        return sliding_points(self.model, choice, t, y) if self.model.over else None
+
     def prepare(self, choice: Choice, t: float, y: Sequence[float]) -> None:
         """Friction of a fixed size that holds now has, at its limit, the direction that it has while it holds."""
         slidings = self.model.skids.slidings
@@ -179,7 +188,7 @@ class SceneStages:
         bodies = scene.problem.bodies
         self.heavy = any(b.mass is not None or b.weight is not None or b.any_mass for b in bodies)
         """Has anything mass?"""
-        self._made: dict[tuple[bool, ...], SceneAutomaton] = {}
+        self._made: dict[tuple[tuple[bool, ...], tuple[str, ...]], SceneAutomaton] = {}
 
     def begin(self, t: float, y: Sequence[float]) -> None:
         """A motion begins anew: turns and directions of sliding count from this state."""
@@ -191,14 +200,20 @@ class SceneStages:
         """The scene once these states have been reached; `striking`: in the blow before this state, in which joints
         that begin with it take hold.
         """
-        acting = tuple(self._acts(m, reached) or self._takes_hold(m, striking) for m in (*self.passing, *self.laws))
-        if acting not in self._made:
+        past = [m for m in self.passing if _strikes(m) and m.during is not None and m.during[1] in reached]
+        # In a blow between two states those strike that the file names.
+        absent, over = (past, ()) if striking else ([], tuple(m.name for m in past))
+        acting = tuple(
+            m not in absent and (self._acts(m, reached) or self._takes_hold(m, striking))
+            for m in (*self.passing, *self.laws)
+        )
+        if (acting, over) not in self._made:
             members = zip((*self.passing, *self.laws), acting, strict=True)
             here = [m for m, acts in members if acts]
             idle = [m for m in self.passing if m not in here]
             laws = [law for law in self.laws if law in here]
-            self._made[acting] = SceneAutomaton(HybridModel(self.scene, lambda m: m not in idle, laws))
-        return self._made[acting]
+            self._made[acting, over] = SceneAutomaton(HybridModel(self.scene, lambda m: m not in idle, laws, over))
+        return self._made[acting, over]
 
     def start(self) -> Start:
         """Where the motion begins, by the first state or the instant of the file."""
@@ -241,10 +256,14 @@ class SceneStages:
         return found
 
     def _acts(self, member: Member | Law, reached: Sequence[str]) -> bool:
-        """Has the state been reached from which it acts, and not yet that until which it does?"""
+        """Has the state been reached from which it acts, and not yet that until which it does? What has struck each
+        other goes on from there: in contact, or apart.
+        """
         if member.during is None:
             return True
         start, end = member.during
+        if _strikes(member):
+            return start in reached
         # A law that ends with the last state is the last that is known of what has no mass.
         lasts = isinstance(member, Law) and not self.heavy and end == self.scene.problem.states[-1].name
         return start in reached and (lasts or end not in reached)
@@ -284,6 +303,11 @@ def stages_of(
 def _untold(gaps: Iterable[Gap]) -> list[Gap]:
     """Those that are closed as drawn, so that the drawing does not tell on which side the partners are."""
     return [g for g in gaps if not g.told and all(w.value >= 0 for w in g.within)]
+
+
+def _strikes(member: Member | Law) -> bool:
+    """Is it an impact?"""
+    return isinstance(member, Joint) and member.strikes
 
 
 def _passing(members: Sequence[Member]) -> Iterator[Member]:

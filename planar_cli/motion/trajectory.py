@@ -6,11 +6,10 @@ from bisect import bisect_right
 from collections.abc import Mapping
 from dataclasses import field
 
-from planar_cli.integrators.base import Counts, StepTooSmall, TooManySteps
+from planar_cli.integrators.base import Counts
 from planar_cli.motion.automaton import Choice
 from planar_cli.motion.schedule import Reached
 from planar_cli.motion.segment import Segment
-from planar_cli.motion.source import Singular
 from planar_cli.records import record
 
 
@@ -58,7 +57,8 @@ class Outcome:
     """until (the time is over), reached (the last state), rest (nothing moves any more), repeats (the
     motion has come back to where it was), none (no consistent modes), several (more than one consistent motion), shared
     (forces that are not unique decide), singular, small (steps too small), long (too many of them), spent (a free part
-    of a rope has run out), endless (impacts or changes of mode without end), contradiction (joints that cannot all
+    of a rope has run out), again (partners of an impact that is over meet), open (what follows a plastic impact is not
+    told), endless (impacts or changes of mode without end), contradiction (joints that cannot all
     hold), unbalanced (momentum or energy does not add up)."""
     words: str
     """As a sentence, with the place and time."""
@@ -89,20 +89,6 @@ class Work:
         """With the work of another run."""
         steps, rejected = self.steps + counts.steps, self.rejected + counts.rejected
         return Work(steps, rejected, self.evaluations + counts.evaluations, self.choices)
-
-
-def stuck_at(stuck: StepTooSmall | Singular, t: float) -> Outcome:
-    """What a motion comes to that does not go on from a time t."""
-    if isinstance(stuck, Singular):
-        return Outcome("singular", f"at t = {t:.9g} s the accelerations are not determined", t, "", "PL702")
-    if isinstance(stuck, TooManySteps):
-        return Outcome("long", f"{stuck}", stuck.t, "", "PL703")
-    return Outcome("small", f"from t = {stuck.t:.9g} s the motion can not be followed: {stuck}", stuck.t, "", "PL703")
-
-
-def repeats_every(period: float, t: float) -> Outcome:
-    """A motion that has come back to where it was by a time t."""
-    return Outcome("repeats", f"the motion repeats itself every {period:.6g} s", t)
 
 
 @record

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 from planar_cli.motion.automaton import Automaton, Choice, Regime
+from planar_cli.motion.crossings import Watch
 from planar_cli.motion.drive import Run
 from planar_cli.motion.schedule import Event, Reached, Schedule
 from planar_cli.motion.segment import Segment
@@ -222,6 +223,19 @@ def meant(event: Event, way: str) -> bool:
     """Does the number pass zero in the way that the state means?"""
     assert event.crossing is not None
     return event.crossing.sense == 0 or way == ("falls" if event.crossing.sense < 0 else "rises")
+
+
+def watch_of(regime: Regime, choice: Choice, events: Iterable[Event]) -> Watch:
+    """The guards, and behind them what tells that the next states are reached."""
+    scales, falling = [g.scale for g in regime.guards], [True] * len(regime.guards)
+    crossings = [e.crossing for e in events if e.crossing is not None]
+    if not crossings:
+        return Watch(regime.watch, scales, falling)
+
+    def values(t: float, y: list[float]) -> list[float]:
+        return [*regime.watch(t, y), *(c.value(regime, choice, t, y) for c in crossings)]
+
+    return Watch(values, [*scales, *(c.scale for c in crossings)], [*falling, *(False for _ in crossings)])
 
 
 def _time(event: Event) -> float:

@@ -7,7 +7,10 @@ is left of them is Δ r / (1 - r). The sum is taken when r is settled and what t
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+
+from planar_cli.motion.trajectory import Outcome
+from planar_cli.motion.transition import Moment, Resolved, resolve
 
 NEEDED = 4
 """So many impacts with shrinking intervals are needed before a limit is spoken of."""
@@ -55,3 +58,22 @@ class Bounces:
         if (moves > tolerance and height > FINEST) or doubt > 1e3 * tolerance * time_scale:
             return None
         return self.times[-1] + left, doubt
+
+
+def summed_up(bounces: Bounces, moment: Moment, found: Resolved) -> tuple[Resolved | Outcome, float | None]:
+    """What an instant leads to where its impacts are among many that end in a finite time: their partners stay
+    together; and when the impacts end [s]. None: they do not; then `found` stands.
+    """
+    impacts = [x for x in found.transitions if x.kind == "impact"]
+    if not impacts:
+        return found, None
+    automaton = moment.automaton
+    bounces.add(moment.t, impacts[-1].after, moment.y, automaton.scale)
+    limit = bounces.limit(automaton.time_scale, moment.tolerance)
+    if limit is None:
+        return found, None
+    closed = resolve(replace(moment, inelastic=True))
+    if not isinstance(closed, Resolved):
+        return closed, None
+    bounces.forget()
+    return closed, limit[0]

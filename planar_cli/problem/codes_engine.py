@@ -71,6 +71,17 @@ _ENGINE = {
         "redundant: two crates tied to each other share the friction that holds them. Some choice of these forces may "
         "fulfil all conditions; it is not looked for step by step. Leave one of the redundant joints out."
     ),
+    "PL714": (
+        "A plastic impact, with the restitution 0, leaves its partners without relative velocity along the normal. "
+        "What comes then the file must say, where they are drawn beside each other or are points without faces: do "
+        "they stay together (`weld: {between: [bullet, block], at: P, during: 1->3}`, from the state before the "
+        "impact), or does a contact with a surface keep them apart?"
+    ),
+    "PL715": (
+        "The partners of an impact that acts between two states only meet once more, later, and nothing is said of "
+        "that. An `impact` without `during` acts whenever they meet: give the meeting a state, and one `just after` "
+        "it. A `contact` keeps them from passing through each other. Or let the last state come before."
+    ),
     "PL720": (
         "A motion that was solved is followed once more by independent facts, step by step, and an answer comes out "
         "otherwise: nothing is printed as an answer. The message gives both values, and when. It is a fault of the "

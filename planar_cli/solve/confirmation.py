@@ -24,6 +24,7 @@ from planar_cli.simulate.measures import Moment, names_of_states
 from planar_cli.simulate.run import BEGINNING, Run, Settings, Simulation, answered, simulate
 from planar_cli.simulate.timetable import Timetable
 from planar_cli.solve.between.trace import MotionTrace, Taken
+from planar_cli.solve.diagnosis.left_open import demand_told
 from planar_cli.solve.followable import closed, end_of, is_endless, most_steps, not_followed
 from planar_cli.solve.instances import Instance, instances
 from planar_cli.solve.instant.verify import Disagreement
@@ -180,6 +181,7 @@ def _stopped(problem: Problem, run: Run, taken: Taken) -> str:
     """Why the motion was not followed to its last state; "" where it was. Disagreement: it contradicts the solution."""
     outcome = run.trajectory.outcome
     told = bool(run.trajectory.segments) and all(name in run.measures.moments for name in taken.times)
+    demand_told(problem, outcome)
     if not outcome.refused or outcome.kind == "long" or (told and outcome.kind != "unbalanced"):
         return ""
     if outcome.code in NOT_ABLE:

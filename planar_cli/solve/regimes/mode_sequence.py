@@ -10,11 +10,13 @@ import sympy as sp
 
 from planar_cli.equation.displacement import CoordinateNames
 from planar_cli.equation.setup import has_quantity, names_in
+from planar_cli.joints.base import Joint
 from planar_cli.problem.expression import JustAfter, Name, Relation, Statement
 from planar_cli.problem.scene import Problem, State
 from planar_cli.records import record
 from planar_cli.solve.instant.instant import Instant
 from planar_cli.solve.regimes.general import General, drawn_instant, make_general
+from planar_cli.solve.regimes.lasting import LastingContact, lasting_from
 from planar_cli.solve.regimes.regime import Regime
 
 
@@ -29,7 +31,8 @@ class Span:
     def key(self) -> tuple[Any, ...]:
         """Tells spans apart in which different things act."""
         members = (*self.always, *self.problem.joints, *self.problem.loads)
-        return tuple(id(x) for x in members)
+        # What an impact leaves is made for each span anew.
+        return tuple((x.name, x.during) if isinstance(x, LastingContact) else id(x) for x in members)
 
 
 @record
@@ -136,7 +139,7 @@ def spans_of(problem: Problem, states: tuple[State, ...]) -> list[Span]:
     """The spans between states in their order, each with the laws, joints and loads that act in it."""
     if not states:
         return [_span(problem, lambda during: during is None)]
-    return [_span(problem, acting_from(problem, s)) for s in states[: max(len(states) - 1, 1)]]
+    return [acting_after(problem, s) for s in states[: max(len(states) - 1, 1)]]
 
 
 def acting_from(problem: Problem, state: State) -> Callable[[tuple[str, str] | None], bool]:
@@ -148,12 +151,15 @@ def acting_from(problem: Problem, state: State) -> Callable[[tuple[str, str] | N
 
 def acting_after(problem: Problem, state: State) -> Span:
     """What acts from a state on, though no state may follow."""
-    return _span(problem, acting_from(problem, state))
+    return _span(problem, acting_from(problem, state), lasting_from(problem, state))
 
 
-def _span(problem: Problem, acts: Callable[[tuple[str, str] | None], bool]) -> Span:
+def _span(
+    problem: Problem, acts: Callable[[tuple[str, str] | None], bool], lasting: tuple[Joint, ...] = ()
+) -> Span:
+    """`lasting`: the contacts that impacts have left."""
     always = tuple(law.statement for law in problem.motion if acts(law.during))
-    joints = tuple(j for j in problem.joints if acts(j.during) and not j.strikes)
+    joints = (*(j for j in problem.joints if acts(j.during) and not j.strikes), *lasting)
     loads = tuple(x for x in problem.loads if acts(x.during) and not x.strikes)
     if joints == problem.joints and loads == problem.loads:
         return Span(problem, always)

@@ -1,0 +1,39 @@
+"""How a motion comes to an end that is not what was asked for, in words."""
+
+from __future__ import annotations
+
+from planar_cli.integrators.base import StepTooSmall, TooManySteps
+from planar_cli.motion.automaton import Guard
+from planar_cli.motion.guards import AGAIN
+from planar_cli.motion.source import Singular
+from planar_cli.motion.trajectory import Outcome
+
+
+def stuck_at(stuck: StepTooSmall | Singular, t: float) -> Outcome:
+    """What a motion comes to that does not go on from a time t."""
+    if isinstance(stuck, Singular):
+        return Outcome("singular", f"at t = {t:.9g} s the accelerations are not determined", t, "", "PL702")
+    if isinstance(stuck, TooManySteps):
+        return Outcome("long", f"{stuck}", stuck.t, "", "PL703")
+    return Outcome("small", f"from t = {stuck.t:.9g} s the motion can not be followed: {stuck}", stuck.t, "", "PL703")
+
+
+def spent(guard: Guard, t: float) -> Outcome:
+    """A guard has fallen behind which nothing goes on."""
+    if guard.kind == AGAIN:
+        who = guard.words.removesuffix(" are apart")
+        words = f"at t = {t:.9g} s {who} meet again, and their impact acts between two earlier states only"
+        return Outcome("again", words, t, guard.joint, "PL715")
+    words = f"at t = {t:.9g} s a free part of {guard.joint} has run out: draw it longer, or end before"
+    return Outcome("spent", words, t, guard.joint, "PL712")
+
+
+def open_after(found: tuple[str, str], t: float) -> Outcome:
+    """What the file leaves open of how partners of an impact go on: the impact, and words."""
+    joint, words = found
+    return Outcome("open", f"at t = {t:.9g} s {words}", t, joint, "PL714")
+
+
+def repeats_every(period: float, t: float) -> Outcome:
+    """A motion that has come back to where it was by a time t."""
+    return Outcome("repeats", f"the motion repeats itself every {period:.6g} s", t)

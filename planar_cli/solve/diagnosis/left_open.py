@@ -1,0 +1,28 @@
+"""What a file does not say of how a motion goes on, found where the motion is followed."""
+
+from __future__ import annotations
+
+from planar_cli.errors import Diagnostic, NoSolution
+from planar_cli.joints.base import Joint
+from planar_cli.motion.trajectory import Outcome
+from planar_cli.problem.scene import Problem
+
+AGAIN = "give the meeting a state, one `just after` it, and leave `during` out of the impact; or end before it"
+CODES = ("PL714", "PL715")
+"""With which a motion ends that is not told on."""
+
+
+def demand_told(problem: Problem, outcome: Outcome) -> None:
+    """NoSolution: the motion ends where the file leaves open how it goes on."""
+    if outcome.code not in CODES:
+        return
+    joint = next(j for j in problem.joints if j.name == outcome.joint)
+    hint = AGAIN if outcome.code == "PL715" else _weld(problem, joint)
+    raise NoSolution((Diagnostic(joint.mark, outcome.code, outcome.words, hint),))
+
+
+def _weld(problem: Problem, impact: Joint) -> str:
+    partners = ", ".join(getattr(impact, "between", ()))
+    begins = impact.during[0] if impact.during is not None else problem.states[0].name
+    during = f"{begins}->{problem.states[-1].name}"
+    return f"write `weld: {{between: [{partners}], at: P, during: {during}}}` if they stay together; P: where they meet"
