@@ -357,10 +357,8 @@ class _Compared:
                 return f"state {name} is an equilibrium, which lies beside the motion"
             if is_endless(state):
                 return f"state {name} is only approached"
-            if isinstance(relation, JustAfter):
-                before = self._never(relation.state)
-                if before:
-                    return before
+            if isinstance(relation, JustAfter) and (before := self._never(relation.state)):
+                return before
         return ""
 
 
