@@ -14,8 +14,12 @@ def main() -> None:
     if sys.argv[1:] in (["--help"], ["-h"]):
         from planar_cli.help_page import show
 
-        show()
-        return
+        try:
+            show()
+            return
+        except OSError:
+            # It cannot be written; the command line tells why.
+            pass
     gc.set_threshold(CLUTTER, 20, 20)
     from planar_cli.cli import main as command_line
 

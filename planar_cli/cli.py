@@ -5,7 +5,10 @@ No command is imported before it is run, so that `planar --help` stays quick.
 
 from __future__ import annotations
 
+import contextlib
+import errno
 import importlib
+import io
 import os
 import sys
 from collections.abc import Sequence
@@ -16,10 +19,13 @@ import click
 from planar_cli import __version__
 from planar_cli.errors import FileProblem, NoSolution, PlanarError, Undecided
 from planar_cli.help_page import ABOUT, commands
+from planar_cli.problem.show import harmless
 from planar_cli.registry import modules
 
 SOLVED, DISAGREES, BAD, UNDECIDED, FAULT = range(5)
 INTERRUPTED = 130
+UNWRITABLE = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO, errno.EBADF)
+"""How writing to an open stream fails: a full disk, a quota, a limit of its size, a broken device."""
 
 
 class CommandShelf(click.Group):
@@ -61,6 +67,7 @@ def cli() -> None:
 
 def run(args: Sequence[str] | None = None) -> int:
     """Run the command line; returns its exit status and never lets a traceback out, unless PLANAR_DEBUG is set."""
+    _open_streams()
     try:
         status = cli.main(args=None if args is None else list(args), prog_name="planar", standalone_mode=False)
         return status if isinstance(status, int) else SOLVED
@@ -69,7 +76,9 @@ def run(args: Sequence[str] | None = None) -> int:
     except click.Abort:
         return INTERRUPTED
     except click.ClickException as error:
-        error.show()
+        shown = io.StringIO()
+        error.show(file=shown)
+        click.echo(harmless(shown.getvalue()), err=True, nl=False)
         return BAD
     except PlanarError as error:
         return tell(error)
@@ -77,8 +86,24 @@ def run(args: Sequence[str] | None = None) -> int:
         # The reader of a pipe has left (`planar list | head`); nobody is there to be told.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return SOLVED
+    except OSError as error:
+        # Whoever opens a file names it, and tells what fails; writing to what is open already names nothing.
+        if error.filename is not None or error.errno not in UNWRITABLE:
+            return tell_fault(error)
+        say(f"planar: cannot write to standard output: {error.strerror}")
+        return BAD
     except Exception as error:
         return tell_fault(error)
+
+
+def _open_streams() -> None:
+    """Standard output and error that can be written to, in any encoding; where a shell closed them nobody looks."""
+    for name in ("stdout", "stderr"):
+        stream = getattr(sys, name)
+        if stream is None:
+            setattr(sys, name, io.StringIO())
+        elif hasattr(stream, "reconfigure"):
+            stream.reconfigure(errors="backslashreplace")
 
 
 def main() -> NoReturn:
@@ -90,9 +115,15 @@ def tell_fault(error: Exception) -> int:
     """Print that planar itself failed; with PLANAR_DEBUG the traceback goes on."""
     if os.environ.get("PLANAR_DEBUG"):
         raise error
-    click.echo(f"planar: a fault of planar itself: {type(error).__name__}: {error}", err=True)
-    click.echo("Please report it; PLANAR_DEBUG=1 shows where it happened.", err=True)
+    say(f"planar: a fault of planar itself: {type(error).__name__}: {error}")
+    say("Please report it; PLANAR_DEBUG=1 shows where it happened.")
     return FAULT
+
+
+def say(text: str) -> None:
+    """Print a line on standard error, whatever stands in it; where nothing can be written nobody is to be told."""
+    with contextlib.suppress(OSError):
+        click.echo(harmless(text, kept=""), err=True)
 
 
 def tell(error: PlanarError) -> int:
@@ -102,7 +133,7 @@ def tell(error: PlanarError) -> int:
     if isinstance(error, FileProblem | NoSolution) and error.diagnostics:
         show_all(error.diagnostics)
     else:
-        click.echo(f"planar: {error}", err=True)
+        say(f"planar: {error}")
     return status_of(error)
 
 

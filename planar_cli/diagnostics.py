@@ -5,14 +5,12 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Iterable, Mapping
-from pathlib import Path
 
 import click
 
 from planar_cli.errors import Diagnostic
+from planar_cli.problem.nodes import text_of
 from planar_cli.problem.show import show_diagnostic, visible
-
-MAX_SOURCE = 256_000
 
 
 def use_colour() -> bool:
@@ -28,20 +26,9 @@ def show_all(diagnostics: Iterable[Diagnostic], sources: Mapping[str, str] | Non
     for diagnostic in diagnostics:
         file = diagnostic.mark.file
         if file not in texts:
-            texts[file] = _source(file)
+            texts[file] = text_of(file)
         shown = _coloured(show_diagnostic(diagnostic, texts[file]), diagnostic.code)
         click.echo(shown, err=True, color=use_colour())
-
-
-def _source(file: str) -> str:
-    """The text of a file for excerpts; "" where it cannot be had."""
-    path = Path(file)
-    try:
-        if not path.is_file() or path.stat().st_size > MAX_SOURCE:
-            return ""
-        return path.read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError):
-        return ""
 
 
 def _coloured(shown: str, code: str) -> str:

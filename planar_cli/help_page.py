@@ -67,4 +67,4 @@ def show() -> None:
         columns = int(os.environ.get("COLUMNS", "0")) or os.get_terminal_size(sys.stdout.fileno()).columns
     except (ValueError, OSError):
         columns = WIDEST + 2
-    print(page(max(min(columns - 2, WIDEST), NARROWEST)))
+    print(page(max(min(columns - 2, WIDEST), NARROWEST)), flush=True)

@@ -3,19 +3,28 @@
 from __future__ import annotations
 
 import os
+import stat
 from pathlib import Path
 
 import click
 
 from planar_cli.errors import PlanarError
+from planar_cli.problem.show import harmless
+
+DEVICES = (("/", "dev"), ("/", "proc"))
+NO_FILE = "it is a pipe or a device, no ordinary file; leave `-o` out and write `> FILE` behind the command"
 
 
-def write(text: str, output: str | None) -> None:
-    """Write to the file `output`, or to standard output where there is none or it is `-`."""
+def write(text: str, output: str | None, styled: bool = False) -> None:
+    """Write to the file `output`, or to standard output where there is none or it is `-`.
+
+    `styled`: the text has colours for a terminal, put there by a format that took care of what the text says.
+    """
+    shown = text if styled else harmless(text)
     if output in (None, "-"):
-        click.echo(text, nl=False)
+        click.echo(shown, nl=False)
         return
-    _replace(Path(output or ""), text.encode())
+    _replace(Path(output or ""), shown.encode())
 
 
 def write_bytes(data: bytes, output: str) -> None:
@@ -26,6 +35,8 @@ def write_bytes(data: bytes, output: str) -> None:
 def _replace(target: Path, data: bytes) -> None:
     """The data go to a new file beside the target first: a planted link is replaced, never followed."""
     import tempfile
+
+    _demand_file(target)
 
     try:
         # mkstemp creates with O_EXCL and O_NOFOLLOW, readable by the owner alone until the mode is set.
@@ -42,6 +53,20 @@ def _replace(target: Path, data: bytes) -> None:
     except OSError as error:
         os.unlink(name)
         raise PlanarError(f"cannot write {target}: {error.strerror}") from error
+
+
+def _demand_file(target: Path) -> None:
+    """PlanarError for a folder, a pipe or a device, which would be gone afterwards; so for a link to one, and for any
+    name among those of devices: `/dev/stdout` is a link to whatever the output is.
+    """
+    if target.parent.resolve().parts[:2] in DEVICES:
+        raise PlanarError(f"cannot write {target}: {NO_FILE}")
+    try:
+        mode = target.stat().st_mode
+    except OSError:
+        return  # Nothing is there, or a link to nothing; what keeps it from being made is told when it is made.
+    if not stat.S_ISREG(mode):
+        raise PlanarError(f"cannot write {target}: {'it is a folder' if stat.S_ISDIR(mode) else NO_FILE}")
 
 
 def _umask() -> int:

@@ -7,6 +7,8 @@ import time
 from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
 
+from planar_cli.problem.show import harmless
+
 PATIENCE = 1.0
 """So many seconds nothing is shown."""
 
@@ -26,7 +28,7 @@ class Bar:
             columns = (TextColumn("{task.description}", markup=False), BarColumn(), TimeRemainingColumn())
             self._progress = Progress(*columns, console=Console(stderr=True), transient=True)
             self._progress.start()
-            self._progress.add_task(self.title, total=until)
+            self._progress.add_task(harmless(self.title, kept=""), total=until)
         self._progress.update(self._progress.task_ids[0], completed=t, total=until)
         if t >= until:
             self._progress.stop()

@@ -17,7 +17,7 @@ import click
 
 from planar_cli import cli
 from planar_cli.commands._limit import time_limit
-from planar_cli.commands._output import write
+from planar_cli.commands._output import write, write_bytes
 from planar_cli.errors import FileProblem, PlanarError, Undecided
 from planar_cli.registry import modules
 
@@ -46,7 +46,10 @@ def command(files: tuple[str, ...], form: str, plot: str | None, output: str | N
     """Study each file; one that fails does not keep the others from being studied."""
     from planar_cli.problem.files import problem_files
     from planar_cli.simulate.accuracy_report import Told
+    from planar_cli.simulate.diagram import demand_picture, picture
 
+    if plot is not None:
+        demand_picture(plot)
     paths = list(problem_files(files))
     told, status = [], cli.SOLVED
     for path in paths:
@@ -64,9 +67,7 @@ def command(files: tuple[str, ...], form: str, plot: str | None, output: str | N
     if told:
         write(_text(told, form, len(paths) > 1), output)
     if plot is not None:
-        from planar_cli.simulate.diagram import picture
-
-        picture([(one.title, one.study) for one in told if one.study is not None], plot)
+        write_bytes(picture([(one.title, one.study) for one in told if one.study is not None], plot), plot)
     return status
 
 

@@ -6,11 +6,13 @@ problem with its title and what it asks.
 
 from __future__ import annotations
 
-import json
-
 import click
 
+from planar_cli.cli import say
+from planar_cli.commands._output import write
+from planar_cli.formats.json import dumps
 from planar_cli.manual import kinds
+from planar_cli.problem.show import harmless
 
 SHELVES = ("joints", "loads", "principles")
 
@@ -25,7 +27,7 @@ def command(folders: tuple[str, ...], form: str) -> int:
 
 def _kinds(form: str) -> int:
     if form == "json":
-        click.echo(json.dumps({"schema_version": 1, **{shelf: kinds(shelf) for shelf in SHELVES}}, indent=2))
+        write(dumps({shelf: kinds(shelf) for shelf in SHELVES}), None)
         return 0
     for shelf in SHELVES:
         click.echo(f"{shelf}:")
@@ -46,13 +48,15 @@ def _problems(folders: tuple[str, ...], form: str) -> int:
         problem, wrong, _ = load(path)
         if problem is None:
             bad += 1
-            click.echo(f"{path}: {len(wrong)} errors; `planar validate` shows them", err=True)
+            errors = "1 error" if len(wrong) == 1 else f"{len(wrong)} errors"
+            say(f"{path}: {errors}; `planar validate` shows them")
             continue
         finds = [f.name for p in (problem, *(case.problem for case in problem.cases)) for f in p.find]
         rows.append({"file": path, "title": problem.title, "find": finds})
     if form == "json":
-        click.echo(json.dumps({"schema_version": 1, "problems": rows}, ensure_ascii=False, indent=2))
+        write(dumps({"problems": rows}), None)
     for row in [] if form == "json" else rows:
         asked = row["find"] if isinstance(row["find"], list) else []
-        click.echo(f"{row['file']}  {row['title']}  ({', '.join(asked)})")
+        line = f"{row['file']}  {row['title']}  ({', '.join(asked)})"
+        write(harmless(line, kept="") + "\n", None)
     return 2 if bad else 0

@@ -82,7 +82,7 @@ def command(files: tuple[str, ...], digits: int | None, **options: Any) -> int:
     reports = [_report(path, wanted) for path in files]
     text = _joined(reports, wanted)
     if text:
-        write(text, wanted.output)
+        write(text, wanted.output, styled=not wanted.json)
     return max(report.status for report in reports)
 
 

@@ -6,12 +6,12 @@ all are right, 2 when one is not.
 
 from __future__ import annotations
 
-import json
-
 import click
 
+from planar_cli.commands._output import write
 from planar_cli.diagnostics import as_annotation, as_data, show_all
 from planar_cli.errors import Diagnostic
+from planar_cli.formats.json import dumps
 
 RIGHT, BAD = 0, 2
 
@@ -39,8 +39,7 @@ def command(files: tuple[str, ...], form: str) -> int:
 def _report(read: list[str], wrong: list[Diagnostic], form: str) -> None:
     """The whole result for programs, or one closing line for people."""
     if form == "json":
-        data = {"schema_version": 1, "files": read, "diagnostics": [as_data(d) for d in wrong]}
-        click.echo(json.dumps(data, ensure_ascii=False, indent=2))
+        write(dumps({"files": read, "diagnostics": [as_data(d) for d in wrong]}), None)
     elif form == "github":
         for diagnostic in wrong:
             click.echo(as_annotation(diagnostic))

@@ -28,7 +28,7 @@ from planar_cli.report.blocks import (
     Text,
     Title,
 )
-from planar_cli.report.names import plain_name
+from planar_cli.report.names import plain_name, printable
 
 PIPE_WIDTH = 110
 SMALLEST_WIDTH = 20
@@ -274,7 +274,7 @@ def _is_set_off(before: Block, block: Block) -> bool:
 
 
 def _joined(rows: list[Row]) -> str:
-    return "".join("".join(s.text for s in row).rstrip() + "\n" for row in rows)
+    return "".join(printable("".join(s.text for s in row).rstrip()) + "\n" for row in rows)
 
 
 def _coloured(rows: list[Row]) -> str:
@@ -289,7 +289,7 @@ def _coloured(rows: list[Row]) -> str:
     for row in rows:
         styled = Styled()
         for span in row:
-            styled.append(span.text, _COLOURS.get(span.style))
+            styled.append(printable(span.text), _COLOURS.get(span.style))
         styled.rstrip()
         console.print(styled, soft_wrap=True)
     return stream.getvalue()

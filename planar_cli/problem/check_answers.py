@@ -14,6 +14,7 @@ from planar_cli.problem.formulas import Formula
 from planar_cli.problem.reading import did_you_mean
 from planar_cli.problem.scene import Answer, Find, Problem
 from planar_cli.problem.scope import Scope
+from planar_cli.units import PURE
 
 
 def check_answers(problem: Problem) -> Iterator[Diagnostic]:
@@ -53,7 +54,7 @@ def _answer(answer: Answer, find: Find, scope: Scope) -> Iterator[Diagnostic]:
             if not isinstance(value, Word):
                 check_side(value, kind.dimension, kinds.of, report, kind.angle)
     if isinstance(answer.tolerance, Side):
-        check_side(answer.tolerance, None, kinds.of, report)
+        check_side(answer.tolerance, PURE, kinds.of, report)
     what_answer = f"the answer {answer.name}"
     yield from (Diagnostic(d.mark, d.code, f"{what_answer}: {d.message}", d.hint) for d in report)
 

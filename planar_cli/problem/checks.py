@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 
 from planar_cli.errors import Diagnostic
+from planar_cli.problem.chains import long_chains
 from planar_cli.problem.check_answers import check_answers
 from planar_cli.problem.check_dimensions import dimensions_agree
 from planar_cli.problem.check_formulas import formulas_name_known_things
@@ -25,6 +26,7 @@ from planar_cli.problem.check_times import (
     spans_in_order,
     statements_in_place,
 )
+from planar_cli.problem.check_values import answers_are_numbers, letters_grow_slowly, values_are_numbers
 from planar_cli.problem.check_vectors import vectors_are_vectors
 from planar_cli.problem.scene import Problem
 from planar_cli.problem.scope import Scope
@@ -52,6 +54,8 @@ CHECKS: tuple[Check, ...] = (
     no_circles,
     dimensions_agree,
     vectors_are_vectors,
+    values_are_numbers,
+    letters_grow_slowly,
 )
 
 
@@ -61,9 +65,12 @@ OF_ABSENCE: tuple[Check, ...] = (particles_move,)
 
 def check(problem: Problem, unread: bool = False) -> list[Diagnostic]:
     """All that is wrong with a problem and its cases, each once. `unread`: some lines of the file could not be read."""
+    if chained := list(dict.fromkeys(d for scope in scopes(problem) for d in long_chains(scope.problem))):
+        # Whatever follows the names of a formula would go as deep.
+        return chained
     checks = [run for run in CHECKS if not (unread and run in OF_ABSENCE)]
     found = {d: None for scope in scopes(problem) for run in checks for d in run(scope)}
-    found.update(dict.fromkeys(check_answers(problem)))
+    found.update(dict.fromkeys((*check_answers(problem), *answers_are_numbers(problem))))
     # What uses a name may be just what is wrong.
     return list(found) if found or unread else list(check_unknowns(problem))
 

@@ -48,7 +48,8 @@ _EXPRESSIONS = {
     "PL206": "The number is not a plain decimal number such as `0.45`, `10` or `1e-3`. Dates, `0x1F`, `1_000`, "
     "`12:30`, `inf` and `nan` are none; at most 40 digits and an exponent of three.",
     "PL207": "The expression passes a limit: 2000 characters, 500 parts, brackets 60 deep, 2 powers on top of each"
-    " other, or a number that is too large. Give names to parts under `given:`.",
+    " other, a chain of more than 100 names, or a number that is too large or too small (beyond 10^50 or 10^-50 in m, "
+    "kg, s), also one to which names lead by powers of powers. Give names to parts under `given:`.",
     "PL208": "A word with a bracket is a quantity or a function: `v(P)`, `sin(30 deg)`. The bracket follows at "
     "once, and holds names for a quantity: `v(B/A)` is the velocity of B seen from A.",
     "PL209": "No comma stands in an expression. Two names are joined by a stroke: `r(B/A).mag`, `I(rod/O)`. Two "
@@ -67,6 +68,8 @@ _EXPRESSIONS = {
     "PL215": "A power is written `x^2`, `x^-1`, `x^(1/2)`, `x^n`. A power of a power needs brackets; a numerical "
     "exponent is at most 12, with a denominator of at most 6.",
     "PL216": "The expression divides by a constant that is zero.",
+    "PL217": "The formula has no real, finite value: the root or the logarithm of a negative number, `asin(2)`, `tan` "
+    "of a right angle, or `infinity` as a number. A state may say `t = infinity`, or that a coordinate is infinite.",
     "PL220": "The terms of a sum have different dimensions, such as a force and a length. A bare number needs its "
     "unit: `4 m/s^2 + 0.3 m/s^3 * t`.",
     "PL221": "The two sides of a relation have different dimensions. Often a factor is missing, or a unit belongs "

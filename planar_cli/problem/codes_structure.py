@@ -176,6 +176,10 @@ _PHYSICS = {
     "PL461": (
         "The answer is of another kind than what is asked: number, vector `[x, y]`, `true` or `false`, or a mode word."
     ),
+    "PL462": (
+        "A tolerance is a part of the value, a pure number between 0 and 1: `tolerance: 0.01` lets an answer be one "
+        "per cent off."
+    ),
 }
 
 CODES_STRUCTURE: Mapping[str, str] = MappingProxyType({**_FORM, **_NAMES, **_PHYSICS})

@@ -68,12 +68,12 @@ class Mapping:
 Node = Scalar | Sequence | Mapping
 
 
-def read_file(path: str | os.PathLike[str], follow_symlinks: bool = False) -> tuple[str, Node | None, list[Diagnostic]]:
+def read_file(path: str | os.PathLike[str]) -> tuple[str, Node | None, list[Diagnostic]]:
     """The text of a file, its tree and what is wrong; `-` is standard input. The tree is None if anything is wrong."""
     name = STDIN if os.fspath(path) == "-" else os.fspath(path)
     start = Mark(name, 1, 1)
     try:
-        data = sys.stdin.buffer.read(MAX_BYTES + 1) if name == STDIN else _regular_bytes(name, follow_symlinks)
+        data = sys.stdin.buffer.read(MAX_BYTES + 1) if name == STDIN else _regular_bytes(name)
     except (OSError, ValueError) as error:
         reason = (error.strerror if isinstance(error, OSError) else None) or str(error)
         return "", None, [Diagnostic(start, "PL101", f"the file cannot be read: {reason}", "give a problem file")]
@@ -89,13 +89,23 @@ def read_file(path: str | os.PathLike[str], follow_symlinks: bool = False) -> tu
     return text.removeprefix("\ufeff"), node, diagnostics
 
 
-def _regular_bytes(name: str, follow_symlinks: bool) -> bytes:
-    """At most MAX_BYTES + 1 bytes of a regular file; never waits on a pipe or device."""
-    if not follow_symlinks and os.path.islink(name):
+def text_of(name: str) -> str:
+    """The text of a file from which an excerpt may be shown; "" of anything that is not read as a problem file."""
+    try:
+        data = _regular_bytes(name) if name != STDIN else b""
+        return data.decode("utf-8") if len(data) <= MAX_BYTES else ""
+    except (OSError, ValueError):
+        return ""
+
+
+def _regular_bytes(name: str) -> bytes:
+    """At most MAX_BYTES + 1 bytes of a regular file; never waits on a pipe or device, never follows a link."""
+    if os.path.islink(name):
         raise ValueError("it is a symbolic link")
     if os.path.isdir(name):
         raise ValueError("it is a folder")
-    descriptor = os.open(name, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0))
+    flags = [getattr(os, flag, 0) for flag in ("O_NONBLOCK", "O_BINARY", "O_NOFOLLOW")]
+    descriptor = os.open(name, os.O_RDONLY | sum(flags))
     with open(descriptor, "rb") as stream:
         if not stat.S_ISREG(os.fstat(descriptor).st_mode):
             raise ValueError("it is not a regular file")

@@ -30,6 +30,19 @@ def visible(text: str) -> str:
     return "".join(map(_visible_character, cut))
 
 
+def harmless(text: str, kept: str = "\n") -> str:
+    """The whole text with what would steer a terminal, or not be seen on it, written as escapes, but for `kept`."""
+    if text.isprintable():
+        return text
+    return "".join(c if c in kept else _visible_character(c) for c in text)
+
+
+def spreadsheet_cell(text: str) -> str:
+    """A cell of words that no spreadsheet takes for a formula."""
+    shown = harmless(text, kept="")
+    return f"'{shown}" if shown[:1] in ("=", "+", "-", "@") else shown
+
+
 def _visible_character(character: str) -> str:
     if character.isprintable():
         return character

@@ -5,11 +5,13 @@ from __future__ import annotations
 import csv
 import io
 import math
+import re
 from collections.abc import Iterator, Sequence
 from typing import Any
 
 from planar_cli.integrators.base import EPSILON
 from planar_cli.motion.estimate import Growth
+from planar_cli.problem.show import harmless, spreadsheet_cell
 from planar_cli.records import record
 from planar_cli.simulate.accuracy import Advice, Row, Study
 from planar_cli.simulate.diagram import diagram
@@ -69,14 +71,20 @@ def as_text(told: Told) -> str:
 def as_markdown(told: Told) -> str:
     """The same as a table of Markdown."""
     study = told.study
+    title = f"## {_words(told.title)}"
     if study is None:
-        return "\n".join([f"## {told.title}", "", *(f"- {line}" for line in _endings(told)), ""])
-    lines = [f"## {told.title}", "", *(f"{line}  " for line in _head(study)), ""]
+        return "\n".join([title, "", *(f"- {_words(line)}" for line in _endings(told)), ""])
+    lines = [title, "", *(f"{line}  " for line in _head(study)), ""]
     lines += ["| " + " | ".join(HEADS) + " |", "|" + " --- |" * 2 + " ---: |" * (len(HEADS) - 2)]
     for row in study.rows:
         cells = _cells(row)
-        lines.append("| " + " | ".join((*cells[:2], row.note or cells[2], *cells[3:])) + " |")
-    return "\n".join([*lines, "", *(f"- {line}" for line in (*_conclusions(study), *_endings(told))), ""])
+        lines.append("| " + " | ".join((*cells[:2], _words(row.note) or cells[2], *cells[3:])) + " |")
+    return "\n".join([*lines, "", *(f"- {_words(line)}" for line in (*_conclusions(study), *_endings(told))), ""])
+
+
+def _words(text: str) -> str:
+    """Words without any meaning for Markdown or HTML, in one line."""
+    return re.sub(r"([\\`*_{}\[\]<>#|~$&!])", r"\\\1", harmless(text, kept=""))
 
 
 def as_summary(told: Sequence[Told]) -> str:
@@ -123,7 +131,8 @@ def as_csv(told: Sequence[Told]) -> str:
         for r in one.study.rows if one.study is not None else ():
             numbers = (r.tolerance, r.step, r.error, r.estimated, _finite(r.energy), _finite(r.drift))
             cells = ["" if v is None else repr(v) for v in numbers]
-            writer.writerow((one.title, r.integrator, *cells, r.steps, r.evaluations, f"{r.seconds:.6g}", r.note))
+            last = (r.steps, r.evaluations, f"{r.seconds:.6g}", spreadsheet_cell(r.note))
+            writer.writerow((spreadsheet_cell(one.title), r.integrator, *cells, *last))
     return out.getvalue()
 
 

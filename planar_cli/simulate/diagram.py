@@ -5,8 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from importlib.util import find_spec
+from io import BytesIO
 
 from planar_cli.errors import PlanarError
+from planar_cli.problem.show import harmless
 from planar_cli.simulate.accuracy import Row, Study
 
 WIDTH, HEIGHT = 64, 18
@@ -88,12 +90,17 @@ def _marks(low: int, high: int, length: int) -> dict[int, str]:
     return {round(length * (k - low) / (high - low)): f"1e{k}" for k in range(low, high + 1, every)}
 
 
-def picture(studies: Sequence[tuple[str, Study]], path: str) -> None:
-    """Error and estimated error over time, as PNG or SVG; a diagram for every study. PlanarError without Matplotlib."""
+def demand_picture(path: str) -> None:
+    """PlanarError where no picture of that name can be drawn: of another kind, or without Matplotlib."""
     if not path.lower().endswith(PICTURES):
         raise PlanarError(f"a picture is written as {' or '.join(PICTURES)}, not as {path}")
     if find_spec("matplotlib") is None:
         raise PlanarError("pictures need Matplotlib: pip install 'planar-cli[plot]'")
+
+
+def picture(studies: Sequence[tuple[str, Study]], path: str) -> bytes:
+    """Error and estimated error over time, as what `path` ends with, PNG or SVG; a diagram for every study."""
+    demand_picture(path)
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
@@ -108,10 +115,11 @@ def picture(studies: Sequence[tuple[str, Study]], path: str) -> None:
             known = [r for r in rows if r.estimated is not None]
             errors = [max(r.estimated or 0.0, low) for r in known]
             axes.loglog([r.seconds for r in known], errors, ":", color=line.get_color())
-        axes.set(title=title, xlabel="time [s]", ylabel="error (dotted: estimated), parts of the scales")
+        # A title is words: a dollar sign in it begins no formula.
+        axes.set_title(harmless(title), parse_math=False)
+        axes.set(xlabel="time [s]", ylabel="error (dotted: estimated), parts of the scales")
         axes.grid(visible=True, which="major", alpha=0.3)
         axes.legend(fontsize="small")
-    try:
-        figure.savefig(path)
-    except OSError as error:
-        raise PlanarError(f"cannot write {path}: {error.strerror}") from error
+    drawn = BytesIO()
+    figure.savefig(drawn, format=path.lower().rpartition(".")[2])
+    return drawn.getvalue()

@@ -10,6 +10,7 @@ from planar_cli.errors import Diagnostic, FileProblem, Mark, NoSolution
 from planar_cli.motion.trajectory import Trajectory, Transition
 from planar_cli.problem.reading import did_you_mean
 from planar_cli.problem.scene import Answer, Problem
+from planar_cli.problem.show import spreadsheet_cell
 from planar_cli.simulate.answers import Answered, in_si
 from planar_cli.simulate.effects import Entry, known_effects, ledger, without
 from planar_cli.simulate.request import Request, columns, stops
@@ -180,9 +181,9 @@ def _csv(table: Table) -> Iterator[str]:
 
 
 def _quoted(text: str) -> str:
-    """A cell that no spreadsheet takes for a formula."""
-    safe = f"'{text}" if text[:1] in "=+-@" else text
-    return f'"{safe}"' if any(c in safe for c in ',"\n') else safe
+    """A cell of words."""
+    safe = spreadsheet_cell(text).replace('"', '""')
+    return f'"{safe}"' if any(c in safe for c in ',"') else safe
 
 
 def _happened(trajectory: Trajectory) -> Iterator[str]:
