@@ -312,3 +312,38 @@ def test_what_slides_needs_the_kinetic_coefficient() -> None:
         NoSolution, match="value depends on the kinetic friction at block, of which only `mu_s` is given"
     ):
         solve(text.replace("ASKED", "a(block).x"))
+
+
+GEARS = """
+title: Stepped wheel that turns another one
+plane: vertical
+bodies:
+  stepped: {{disk: [0, 0], radius: 0.3 m, hub: 0.1 m, mass: 4 kg}}
+  other: {{disk: [{at} m, 0], radius: 0.2 m, mass: 2 kg}}
+joints:
+  - pin: {{at: [0, 0], between: [ground, stepped]}}
+  - pin: {{at: [{at} m, 0], between: [ground, other]}}
+  - rolling: {{between: [stepped, other]}}
+instant: [omega(stepped) = 6 rad/s]
+find: {{omega: omega(other)}}
+"""
+RAIL = """
+title: Axle of a reel on a rail
+plane: horizontal
+surfaces: {rail: {through: [0, 0], angle: 0 deg}}
+bodies: {reel: {disk: [0, 0.1 m], radius: 0.3 m, hub: 0.1 m, mass: 4 kg}}
+joints:
+  - rolling: {between: [reel, rail]}
+instant: [omega(reel) = -2 rad/s]
+find: {v: v(reel).x}
+"""
+
+
+@pytest.mark.parametrize(("at", "ratio"), [(0.5, -0.3 / 0.2), (0.3, -0.1 / 0.2)])
+def test_of_a_stepped_wheel_that_rim_touches_that_can(at: float, ratio: float) -> None:
+    """Beside the rim, or beside the hub."""
+    assert_close(solve(GEARS.format(at=at))["omega"], ratio * 6)
+
+
+def test_the_hub_of_a_reel_touches_a_rail() -> None:
+    assert_close(solve(RAIL)["v"], "0.2")

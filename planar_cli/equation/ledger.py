@@ -23,6 +23,8 @@ from planar_cli.records import record
 from planar_cli.units import PURE, Unit, parse_unit
 
 DRAWS, WIDER, MANY = 2, 10, 30
+TRIES_FROM = 10_000
+"""Streams of random numbers of all tries after the first begin here."""
 
 
 class Kind(Enum):
@@ -199,8 +201,10 @@ class Ledger:
         # Letters of the file come first, so that they are the same in every scene of it.
         free = sorted([*self.letters, *self.sought], key=lambda s: self.roles[s].kind is not Kind.LETTER)
         found: list[Valuation] = []
-        rng = generator()
-        for _ in range(tries if free else 1):
+        for k in range(tries if free else 1):
+            # Each try has numbers of its own: another scene of the file, in which more or less is sought, draws the
+            # same letters at the same try.
+            rng = generator(k and TRIES_FROM + k)
             known = ChainMap(self.values, self.definitions)
             numbers = {s: draw(s, rng) for s in free}
             try:

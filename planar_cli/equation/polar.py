@@ -7,7 +7,7 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.equation.jets import Jet
+from planar_cli.equation.jets import Jet, magnitude
 from planar_cli.problem.expression import Side
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.polar import VectorStatement, vector_behind
@@ -21,8 +21,9 @@ def vector_equations(statement: VectorStatement, read: Read) -> tuple[Jet | Vec,
     """
     v: Vec = read(statement.vector)
     size, angle = statement.size, statement.angle
+    other = vector_behind(angle, "angle") if angle is not None else None
     if size is not None and angle is not None:
-        m, u = read(size), _unit(read(angle))
+        m, u = read(size), _unit(read(angle)) if other is None else _along(read(other))
         return v - u * m, _told(m.value)
     if size is not None:
         m = read(size)
@@ -30,13 +31,17 @@ def vector_equations(statement: VectorStatement, read: Read) -> tuple[Jet | Vec,
             return v, None
         return v.dot(v) - m * m, _told(m.value)
     assert angle is not None
-    other = vector_behind(angle, "angle")
     u = read(other) if other is not None else _unit(read(angle))
     return v.x * u.y - v.y * u.x, v.x.value * u.x.value + v.y.value * u.y.value
 
 
 def _unit(angle: Jet) -> Vec:
     return Vec(angle.through(sp.cos), angle.through(sp.sin))
+
+
+def _along(w: Vec) -> Vec:
+    """The unit vector of another one: no arctangent, which jumps where it turns about."""
+    return w * magnitude(w).power(sp.Integer(-1))
 
 
 def _told(size: sp.Expr) -> sp.Expr | None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from planar_cli.errors import Mark
-from planar_cli.motion.places import unit_vector
+from planar_cli.motion.places import length_of, unit_vector
 from planar_cli.motion.quantities import Quantities
 from planar_cli.motion.terms import Term
 from planar_cli.problem.expression import Binary, Negate, Quantity, Relation, Side
@@ -94,5 +94,6 @@ def _of_vector(item: VectorStatement, asked: Quantities) -> Stated:
     other = asked.any(behind) if behind is not None else None
     u = other if isinstance(other, Vec) else unit_vector(asked.scene.graph, asked.sides.value(item.angle))
     if size is not None:
+        u = u / length_of(asked.scene.graph, u) if isinstance(other, Vec) else u
         return Stated(item.text, mark, _parts(v - u * size, asked), size)
     return Stated(item.text, mark, _parts(v.cross(u), asked), asked.scene.graph.of(v.dot(u)))

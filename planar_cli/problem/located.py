@@ -77,11 +77,13 @@ def _foot(place: Foot, numbers: Numbers) -> Vec:
 def _between_rims(point: Point, place: Rims, numbers: Numbers) -> Vec:
     """On the line of centres: between them, or beyond the centre of the smaller circle that lies inside the larger."""
     a, b = numbers.point(place.a), numbers.point(place.b)
-    r, s = numbers.value(place.radius_a), numbers.value(place.radius_b)
     reach = b - a
     length = numbers.length(reach)
     if numbers.is_nothing(length):
         raise refuse(point.mark, "PL510", f"{place.a} and {place.b} are the same place: rims about it touch nowhere")
+    radii = [(numbers.value(r), numbers.value(s)) for r in place.radii_a for s in place.radii_b]
+    # Where none of them touch, the contact itself tells by how much the rims are apart.
+    r, s = next((pair for pair in radii if _touch(*pair, length, numbers)), radii[0])
 
     def below(smaller: Any, larger: Any) -> bool:
         gap = numbers.apart(Vec(larger - smaller, numbers.number(0)))
@@ -92,6 +94,11 @@ def _between_rims(point: Point, place: Rims, numbers: Numbers) -> Vec:
         return inner
     touching: Vec = a + reach * (r / length)
     return touching
+
+
+def _touch(r: Any, s: Any, length: Any, numbers: Numbers) -> bool:
+    """Do circles of these radii touch, with their centres so far apart, from outside or one inside the other?"""
+    return any(numbers.is_nothing(length - reach) for reach in (r + s, r - s, s - r))
 
 
 def _two_facts(point: Point, place: TwoFacts, numbers: Numbers) -> Vec:

@@ -88,12 +88,14 @@ class Foot:
 
 @record
 class Rims:
-    """Where two rims touch: circles about `a` and `b`, side by side or one inside the other."""
+    """Where two rims touch: circles about `a` and `b`, side by side or one inside the other. Of a body with steps, each
+    with its radius, those touch that the places of the centres let touch.
+    """
 
     a: str
-    radius_a: Side
+    radii_a: tuple[Side, ...]
     b: str
-    radius_b: Side
+    radii_b: tuple[Side, ...]
 
 
 Place = At | Polar | Towards | Midpoint | TwoFacts | Foot | Rims

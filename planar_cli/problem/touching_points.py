@@ -1,6 +1,6 @@
 """Where two bodies touch of which the file does not say it: only where the shapes leave no choice.
 
-A particle touches where it is; a round rim at the foot on a straight edge, or on the line of centres with another rim;
+A particle touches where it is; a round rim or its hub at the foot on a straight edge, or on the line of centres of two;
 a plate with the middle of the edge that lies flush on another (if none does, the point is not on the plate).
 """
 
@@ -45,7 +45,7 @@ class _Straight:
 @record
 class _Rim:
     center: str
-    radius: Side
+    radii: tuple[Side, ...]
 
 
 @record
@@ -93,7 +93,7 @@ def _place(partners: list[Body | Surface | None]) -> Place | str | None:
     edges = [_edge(partner) for partner in partners]
     match edges:
         case [_Rim() as a, _Rim() as b]:
-            return Rims(a.center, a.radius, b.center, b.radius)
+            return Rims(a.center, a.radii, b.center, b.radii)
         case [_Rim() as rim, _Straight() as line] | [_Straight() as line, _Rim() as rim]:
             return Foot(rim.center, line.through, line.angle, line.towards)
         case [_Face() as face, _Straight() as line] | [_Straight() as line, _Face() as face]:
@@ -106,9 +106,9 @@ def _edge(partner: Body | Surface | None) -> _Rim | _Straight | _Face | None:
         case Surface(shape=Line(through=through, angle=angle)):
             return _Straight(through, angle, None)
         case Surface(shape=Circle(center=center, radius=radius)):
-            return _Rim(center, radius)
-        case Body(shape=Round(center=center, radius=radius, hub=None)):
-            return _Rim(center, radius)
+            return _Rim(center, (radius,))
+        case Body(shape=Round(center=center, radius=radius, hub=hub)):
+            return _Rim(center, (radius,) if hub is None else (radius, hub))
         case Body(shape=Plate(center=center)):
             return _Face(center)
         case Body(shape=Rod(start=start, end=end, angle=angle)) if end is not None or angle is not None:

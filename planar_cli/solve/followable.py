@@ -38,7 +38,7 @@ def closed(problem: Problem, taken: Taken) -> Problem:
 
 def end_of(problem: Problem, taken: Taken) -> float | None:
     """A little beyond the last state; None where that is not known, or no time passes, or there is no end."""
-    if any(is_endless(state) for state in problem.states):
+    if any(is_endless(state) or state.name not in taken.times for state in problem.states):
         return None
     first, last = min(taken.times.values(), default=0.0), max(taken.times.values(), default=0.0)
     return last + BEYOND * (last - first) if last > first else None

@@ -13,11 +13,12 @@ from sympy.core.random import seed
 from planar_cli.equation.exact import Unvalued
 from planar_cli.equation.setup import Earlier, first_unit, numbers_of
 from planar_cli.equation.system import System
-from planar_cli.errors import FileProblem, Mark, NoSolution, NotReached, Undecided, refuse
+from planar_cli.errors import Mark, NoSolution, NotReached, Undecided, refuse
 from planar_cli.problem.scene import Find, Problem
 from planar_cli.solve.diagnosis.cases import demand_cancelled, several, several_cases
 from planar_cli.solve.diagnosis.clash import check_positions, demand_drawn
 from planar_cli.solve.diagnosis.failures import explain_failure, place, singular_position
+from planar_cli.solve.diagnosis.impacts import pressing_impact, unnamed_impact
 from planar_cli.solve.diagnosis.known import demand_stated
 from planar_cli.solve.diagnosis.open_data import demand_determined, demand_passable
 from planar_cli.solve.instant.by_direction import SPEEDS, alike, is_settled, with_speeds, with_statements
@@ -103,9 +104,9 @@ def _part(problem: Problem, case: str, units: dict[str, str], earlier: dict[str,
         if part is not None:
             return part
         if strikes_unnamed(problem):
-            raise _unnamed(problem)
+            raise unnamed_impact(problem)
         if pressed:
-            raise _pressed(problem)
+            raise pressing_impact(problem)
     try:
         derived = _derived(problem, case, units, earlier)
     except Disagreement:
@@ -121,7 +122,13 @@ def _part(problem: Problem, case: str, units: dict[str, str], earlier: dict[str,
         if part is None:
             raise
         return part
-    return _confirmed(problem, derived, numbers)
+    try:
+        return _confirmed(problem, derived, numbers)
+    except Disagreement as error:
+        if not problem.unknowns:
+            raise
+        # The equations are those of modes that do not happen: a constant that is open kept it from being followed.
+        return _confirmed(problem, _shot(problem, case, units, earlier, error), numbers)
 
 
 def _denies_motion(error: NoSolution) -> bool:
@@ -149,20 +156,6 @@ def _shot(
         if part is None:
             raise error from None
         return part
-
-
-def _unnamed(problem: Problem) -> FileProblem:
-    """An impact happens at no state of the file, so that no equation relates what is before and after."""
-    joint = next(j for j in problem.joints if j.strikes and j.during is None)
-    hint = "write `during: 1->2`, and `2: [just after 1]`; or follow the motion with `planar simulate`"
-    return refuse(joint.mark, "PL433", f"the {joint.kind} does not say when it happens", hint)
-
-
-def _pressed(problem: Problem) -> FileProblem:
-    """Bodies rest on each other by an impact alone, and following the motion does not answer everything."""
-    joint = next(j for j in problem.joints if j.strikes)
-    hint = "add a `contact` where they touch at the start; or follow the motion with `planar simulate`"
-    return refuse(joint.mark, "PL433", f"the {joint.kind} has to carry its bodies before they strike", hint)
 
 
 def _confirmed(problem: Problem, part: PartSolution, earlier: Mapping[str, float]) -> PartSolution:

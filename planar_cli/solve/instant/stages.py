@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from decimal import Decimal
 from functools import partial
@@ -10,8 +11,9 @@ import sympy as sp
 
 from planar_cli.equation.conditions import Condition
 from planar_cli.equation.exact import Valuation
-from planar_cli.equation.form import mentions
+from planar_cli.equation.form import Nonlinear, linear_form, mentions
 from planar_cli.equation.system import System
+from planar_cli.errors import undecided_at
 from planar_cli.principles.base import Family
 from planar_cli.problem.geometry import Vec
 from planar_cli.records import record
@@ -72,6 +74,7 @@ class StageMaker:
         conditions = self.system.velocity_conditions()
         zero = dict.fromkeys(known, sp.S.Zero)
         conditions = [with_zeros(c, zero) for c in conditions]
+        _demand_linear(conditions, frozenset(unknowns))
         return self._make("velocity", unknowns, conditions, targets, ())
 
     def _sought_speeds(self) -> list[sp.Symbol]:
@@ -155,6 +158,20 @@ class StageMaker:
             zero += sorted(idle, key=lambda s: s.name)
             self.value = self.value.extended({s: Decimal(0) for s in idle})
             columns = columns.without(idle, self.value)
+
+
+def _demand_linear(conditions: Iterable[Condition], unknowns: frozenset[sp.Symbol]) -> None:
+    """Undecided: a statement holds squares of velocities, of which no plan solves more than one direction."""
+    for condition in conditions:
+        try:
+            for row in condition.rows():
+                linear_form(row, unknowns)
+        except Nonlinear:
+            text = (
+                f"`{condition.text}` is not linear in the velocities, and two directions satisfy it in a general "
+                "position; a component says which: `v(P).along(Q/P) = u` for a size and the direction from P to Q"
+            )
+            raise undecided_at(condition.mark, text) from None
 
 
 def with_zeros(condition: Condition, known: dict[sp.Symbol, sp.Expr]) -> Condition:

@@ -162,6 +162,12 @@ def make_general(
             # What friction holds here may have come to another place before.
             system = found.instant.system(loosened(drawn, choice))
             velocities = (*velocities, solve_velocities(system, found.instant.scene.valuations[0], False))
+        if _idle(displacement, velocities) - still and any(law.during is not None for law in problem.motion):
+            # So may what a law of this span alone keeps still.
+            lasting = tuple(law.statement for law in problem.motion if law.during is None)
+            before = drawn_instant(problem, lasting, earlier)
+            system = before.system(loosened(drawn, choice))
+            velocities = (*velocities, solve_velocities(system, before.scene.valuations[0], False))
         idle = _idle(displacement, velocities)
         if not idle - still:
             return found

@@ -1,0 +1,140 @@
+"""What laws tell a motion: size and direction of a velocity, laws of one span, letters that are only assumed about."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+import sympy as sp
+from answered import assert_close, first, solve
+
+from planar_cli.solve.solution import Found
+
+PURSUIT = """
+title: A dog runs straight at a cyclist
+given: {{u: 5 m/s, v_c: 3 m/s, d: 60 m}}
+bodies:
+  cyclist: {{particle: [0, 0]}}
+  dog: {{particle: [0, -d]}}
+motion: [v(cyclist).x = v_c, v(cyclist).y = 0, {laws}]
+states:
+  1: [t = 0, v(dog).y > 0]
+  2: [r(dog/cyclist).mag = 20 m]
+find: {{T: t @ 2, y: y(dog) @ 2}}
+"""
+TRUCK = """
+title: Crate on a braking truck
+plane: vertical
+given: {m: 200 kg, v_0: 20 m/s, s: 50 m, mu: 0.3, M: 8000 kg}
+unknowns: {b: m/s^2}
+points: {A: [0, 0], C: [0, 1 m]}
+surfaces: {bed: {through: C, angle: 0 deg, body: truck}}
+bodies:
+  truck: {particle: A, mass: M}
+  crate: {particle: C, mass: m}
+joints:
+  - guide: {body: truck, along: 0 deg}
+  - contact: {between: [crate, bed], at: C, mu: mu, name: K}
+motion: ["a(truck).x = -b during 1->2", "v(truck).x = 0 during 2->3"]
+states:
+  1: [t = 0, v(truck).x = v_0, v(crate).x = v_0]
+  2: [v(truck).x = 0, x(truck) = s]
+  3: [mode(K) = stick]
+"""
+ROCKET = """
+title: Rocket in letters
+plane: vertical
+symbols: {M: kg, q: kg/s, u: m/s, g: m/s^2}
+assume: [M*g < q*u]
+points: {A: [0, 0]}
+bodies: {rocket: {particle: A, mass: M - q*t}}
+joints:
+  - guide: {body: rocket, along: 90 deg}
+loads:
+  - stream: {body: rocket, rate: q, leaves: {at: A, speed: u, angle: -90 deg}}
+states:
+  1: [t = 0, at rest]
+  2: [t = M/(2*q)]
+find: {v: v(rocket).y @ 2, a: a(rocket).y @ 1}
+"""
+FADING = """
+title: Push that fades along the way
+plane: vertical
+symbols: {m: kg, F_0: N, L: m, mu: 1, g: m/s^2}
+assume: [2*mu*m*g < F_0]
+points: {B: [0, 0]}
+surfaces: {floor: {through: B, angle: 0 deg}}
+bodies: {block: {particle: B, mass: m}}
+joints:
+  - contact: {between: [block, floor], at: B, mu: mu, name: C}
+loads:
+  - force: {body: block, magnitude: F_0*(1 - x(block)/L), angle: 0 deg, during: 1->2}
+states:
+  1: [at rest]
+  2: [x(block) = L]
+  3: [at rest]
+find: {s: x(block) @ 3 - x(block) @ 2}
+"""
+STOPS = """
+title: Cart that is braked and then held
+plane: vertical
+points: {A: [0, 0], B: [1 m, 0]}
+bodies: {cart: {particle: A, mass: 2 kg}, other: {particle: B, mass: 1 kg}}
+joints:
+  - guide: {point: A, along: 0 deg}
+  - guide: {point: B, along: 0 deg}
+motion: ["v(cart).x = 3 m/s during 1->2", "v(cart).x = 0 during 2->3"]
+states:
+  1: [t = 0, v(other).x = 1 m/s]
+  2: [t = 4 s]
+  3: [t = 6 s]
+find: {x: x(cart) @ 3, gap: x(other/cart) @ 3}
+"""
+
+
+def formula(found: Found) -> sp.Expr:
+    """The only formula of a find."""
+    assert found.expressions is not None
+    (expr,) = found.expressions
+    return sp.sympify(expr)
+
+
+# The distance z and its part w along the road: dz/dt = v w/z - u, dw/dt = v - u w/z; so u z + v w goes by v² - u².
+@pytest.mark.parametrize(
+    "laws",
+    [
+        "v(dog).mag = u, v(dog).across(dog/cyclist) = 0",
+        "v(dog).mag = u, v(dog).angle = r(cyclist/dog).angle",
+        "v(dog).along(cyclist/dog) = u, v(dog).across(dog/cyclist) = 0",
+    ],
+)
+def test_size_and_direction_of_a_velocity(laws: str) -> None:
+    found = solve(PURSUIT.format(laws=laws))
+    ahead = math.sqrt(20**2 - first(found["y"]) ** 2)
+    assert_close(found["T"], (5 * 60 - 5 * 20 - 3 * ahead) / 16, digits=8)
+
+
+def test_a_body_that_a_law_holds_stays_where_it_came_to() -> None:
+    found = solve(STOPS)
+    assert_close(found["x"], 12)
+    assert_close(found["gap"], -5)
+
+
+@pytest.mark.parametrize("asked", ["", "b: b, "])
+def test_what_slides_is_not_held_because_a_constant_is_sought(asked: str) -> None:
+    found = solve(f"{TRUCK}find: {{{asked}x: x(truck) @ 3, c: x(crate) @ 3}}\n")
+    assert_close(found["x"], 50)
+    assert_close(found["c"], 20**2 / (2 * 0.3 * 9.81))
+
+
+def test_letters_of_which_something_is_assumed_are_the_same_at_every_state() -> None:
+    found = solve(ROCKET)
+    M, q, u, g = (sp.Symbol(n, positive=True) for n in ("M", "q", "u", "g"))
+    assert sp.simplify(formula(found["v"]) - (u * sp.log(2) - g * M / (2 * q))) == 0
+    assert sp.simplify(formula(found["a"]) - (q * u / M - g)) == 0
+
+
+def test_letters_of_a_way_on_which_a_force_ends() -> None:
+    s = formula(solve(FADING)["s"])
+    m, F, L, mu, g = (sp.Symbol(n, positive=True) for n in ("m", "F_0", "L", "mu", "g"))
+    assert sp.simplify(s - (F * L / (2 * mu * m * g) - L)) == 0
