@@ -138,3 +138,26 @@ def test_letters_of_a_way_on_which_a_force_ends() -> None:
     s = formula(solve(FADING)["s"])
     m, F, L, mu, g = (sp.Symbol(n, positive=True) for n in ("m", "F_0", "L", "mu", "g"))
     assert sp.simplify(s - (F * L / (2 * mu * m * g) - L)) == 0
+
+
+POWER = """
+title: Car pulled by an engine of constant power
+plane: horizontal
+given: {m: 900 kg, P: 45 kW, c: 0.5 N*s^2/m^2}
+bodies: {car: {particle: [0, 0], mass: m}}
+joints:
+  - guide: {body: car, along: 0 deg}
+loads:
+  - force: {body: car, magnitude: P/v(car).mag, angle: 0 deg, name: engine}
+  - drag: {body: car, magnitude: c*v(car).mag^2, name: air}
+states:
+  1: [t = 0, v(car).x = 5 m/s]
+  2: [v(car).x = 25 m/s]
+find: {T: t @ 2, W: work(air) @ 1->2}
+"""
+
+
+def test_a_force_without_a_size_at_rest_tells_no_scale_of_time() -> None:
+    """P t + W_air = ½ m (v_2² - v_1²)."""
+    found = solve(POWER)
+    assert_close(found["W"], 0.5 * 900 * (25**2 - 5**2) - 45e3 * first(found["T"]), digits=8)

@@ -8,7 +8,9 @@ from collections.abc import Sequence
 from planar_cli.records import record
 
 ROUNDED = 1e-12
-"""A motion as drawn that is slower, by this part, than the numbers of the file say is a rest that was rounded."""
+"""A motion as drawn that is slower, by this part, than the numbers of the file say is a rest that was rounded; a force
+that is quicker is one that has no size as drawn, as that of a steady power at rest.
+"""
 
 
 @record
@@ -47,5 +49,5 @@ def scales_of(
     """
     times = [math.sqrt(length / a) for a in accelerations if a > 0]
     times += [length / v for v in speeds if v > 0]
-    times = [t for t in times if t * ROUNDED < time]
+    times = [t for t in times if time * ROUNDED < t < time / ROUNDED]
     return Scales(length, max(masses, default=0.0) or 1.0, min(times, default=time))
