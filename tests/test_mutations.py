@@ -36,6 +36,28 @@ def test_every_kind_of_change_is_made() -> None:
     assert all(m.new != "" and m.what for m in made)
 
 
+FAULTS = (
+    ("oscillations/block-falling-through-oil", "26:47", "without v(block).y", "PL604"),
+    ("friction/plate-sliding-on-table", "16:11", "without v(G).x", "PL604"),
+    ("friction/plate-sliding-on-table", "16:29", "without v(G).y", "PL604"),
+    ("friction/coin-on-a-table-that-gathers-speed", "11:21", "between ->", "PL310, PL311"),
+    ("friction/falling-pole", "10:36", "-40 deg", "PL601"),
+    ("momentum/lawn-sprinkler", "9:36", "-0.25 m", "PL604"),
+    ("momentum/sand-on-a-conveyor-belt", "9:24", "-1.2 m", "PL593"),
+    ("systems/double-pulley", "19:27", "S on A", "PL458"),
+)
+"""Mutants that once ended in a fault, and what they are told now."""
+
+
+@pytest.mark.parametrize(("name", "place", "what", "codes"), FAULTS)
+def test_mutants_that_ended_in_a_fault(name: str, place: str, what: str, codes: str) -> None:
+    file = str(ROOT / "problems" / f"{name}.yaml")
+    (mutant,) = [m for m in mutations.mutants(file) if m.place == place and what in m.what]
+    outcome = mutations.solved((file, mutant))
+    assert outcome.kind in ("refused", "no solution")
+    assert outcome.detail == codes
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", range(4))
 def test_more_mutants(seed: int) -> None:

@@ -18,7 +18,7 @@ from planar_cli.equation.plain import MANY, longer, simplified
 from planar_cli.equation.quantities import quantities_of
 from planar_cli.equation.scene import Scene
 from planar_cli.equation.struck import StruckScene
-from planar_cli.errors import Mark, Undecided, refuse
+from planar_cli.errors import Mark, NoValue, Undecided, refuse
 from planar_cli.loads.base import Load
 from planar_cli.problem.acting import acting_loads, kind_of
 from planar_cli.problem.expression import Side
@@ -131,7 +131,11 @@ def all_wrenches(
         return scene.blows(setting)
     found: list[Wrench] = []
     for load in acting_loads(scene.problem, idle):
-        found += [w for w in load.wrenches(setting) if w.body != GROUND]
+        try:
+            found += [w for w in load.wrenches(setting) if w.body != GROUND]
+        except NoValue as error:
+            text = f"the {load.kind} has no real value here: {error}"
+            raise refuse(load.mark, "PL593", text, "look at its roots, logarithms and divisors") from error
     for body in scene.bodies:
         found += _growing(scene, motion, body)
     for skid in skids:

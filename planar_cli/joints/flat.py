@@ -63,6 +63,8 @@ class Flat(Joint):
         if scene.plane == "vertical":
             message, hint = "a flat contact needs `plane: horizontal`", "in a vertical plane write `contact`"
             yield Diagnostic(self.mark, "PL456", message, hint)
+        if len(self.between) != 2:
+            return
         light = {b.name: b.is_massless for b in scene.bodies}
         upper, lower = self.between
         if light.get(upper) and light.get(lower) is False:

@@ -86,7 +86,11 @@ class Rope(Joint):
 
     def objections(self, scene: WrittenScene) -> Iterable[Diagnostic]:
         passed = {stop.name for stop in self.path if stop.way in ("over", "under")}
+        drums = {stop.body for stop in self.path if stop.way == "on"}
         for body in scene.bodies:
+            if body.name in drums and body.is_particle:
+                text = f"{body.name} is a particle: no rope is wound on it"
+                yield Diagnostic(self.mark, "PL458", text, f"write `path: […, {body.name}]` where it hangs on the rope")
             if body.is_round and body.resists_turning and passed & {body.name, body.hub_point}:
                 text = f"{body.name} has mass, and a rope over it has one tension and does not turn it"
                 hint = (

@@ -16,6 +16,10 @@ _TIME = {
         "A body rocks with an edge or a flat side on a round rim or surface. Its motion at one instant is "
         "solved, but its places are not followed over time. Ask with `instant`, or let the body be round."
     ),
+    "PL593": (
+        "The magnitude, rate or speed of a load has no real value at this instant: a root or a logarithm of a negative "
+        "number, or a division by a speed that is zero."
+    ),
     "PL592": "Each instant of a table comes after the one before it: straight lines join the values between them.",
 }
 

@@ -245,6 +245,10 @@ class Body:
         return isinstance(self.shape, Round | Composite)
 
     @property
+    def is_particle(self) -> bool:
+        return isinstance(self.shape, Particle)
+
+    @property
     def hub_point(self) -> str | None:
         """The centre of a round body."""
         return self.shape.center if isinstance(self.shape, Round) else None

@@ -66,7 +66,7 @@ def only_names(statement: Statement, known: set[str]) -> set[str] | None:
         return None
     nodes = [*walk(statement.left), *walk(statement.right)]
     names = {n.name for n in nodes if isinstance(n, Name)}
-    return names if names and names <= known and not any(isinstance(n, Quantity) for n in nodes) else None
+    return names if names <= known and not any(isinstance(n, Quantity) for n in nodes) else None
 
 
 def _named(value: Any) -> set[str]:

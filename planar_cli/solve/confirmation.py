@@ -1,7 +1,7 @@
 """A motion that was solved, followed once more by independent facts: position residuals, wrenches, and what they do.
 
-It is followed by the file alone, but for constants sought, restitutions that a velocity after a blow tells, and
-velocities of an open start. Letters have drawn numbers. Where one answer differs, nothing is an answer.
+It is followed by the file alone, but for constants sought, restitutions that a velocity after a blow tells, velocities
+of an open start. Letters have drawn numbers. Where one answer differs, nothing is an answer.
 """
 
 from __future__ import annotations
@@ -30,6 +30,7 @@ from planar_cli.solve.instances import Instance, instances
 from planar_cli.solve.instant.verify import Disagreement
 from planar_cli.solve.solution import Found
 from planar_cli.solve.solved_problem import Confirmation, PartSolution
+from planar_cli.solve.stated_inequalities import demand_inequalities
 from planar_cli.units import Unit
 
 CERTAIN = 1e-6
@@ -132,13 +133,13 @@ def _confirmed(
     whole = _stopped(problem, other.run, taken)
     if whole:
         return Confirmation("", frozenset(), {f.name: whole for f in found})
+    demand_inequalities(asked, other.run)
     seen = [_Compared(other, trace, instance).see(f) for f in found]
     if any(s.other for s in seen):
         # How good the numbers are that differ, only a second run tells.
         compared = _Compared(simulate(asked, replace(settings, estimate=True)), trace, instance)
         seen = [compared.see(f) for f in found]
-    wrong = [s for s in seen if s.other]
-    if wrong and untold:
+    if (wrong := [s for s in seen if s.other]) and untold:
         # With another velocity where the file tells none there are other answers.
         raise NoSolution(untold)
     if wrong:
@@ -394,7 +395,6 @@ def _disagreement(problem: Problem, wrong: list[Seen], instance: Instance) -> Di
 def _told(problem: Problem, wrong: list[Seen], drawn: str) -> Iterator[Diagnostic]:
     marks = {f.name: f.mark for f in problem.find}
     for s in wrong:
-        text = (
-            f"{s.name} is not confirmed: solved {s.found}, in the motion followed by independent facts {s.other}{drawn}"
-        )
-        yield Diagnostic(marks[s.name], DIFFERENT, f"{text} ({s.where})" if s.where else text, HINT)
+        text = f"{s.name} is not confirmed: solved {s.found}, in the motion followed by independent facts {s.other}"
+        text += f"{drawn} ({s.where})" if s.where else drawn
+        yield Diagnostic(marks[s.name], DIFFERENT, text, HINT)

@@ -20,6 +20,7 @@ from planar_cli.simulate.answers import Answered
 from planar_cli.simulate.run import Settings, begin, simulate
 from planar_cli.solve.solution import Found
 from planar_cli.solve.solved_problem import PartSolution
+from planar_cli.solve.stated_inequalities import demand_inequalities
 
 MOST_BODIES = 6
 """Of a motion of more bodies than that no closed form is looked for."""
@@ -74,6 +75,7 @@ def followed_part(
     found = simulate(problem, Settings(values=earlier, momenta=True), units)
     if found.run.trajectory.outcome.refused or any(a.why or not _certain(a) for a in found.answers):
         return None
+    demand_inequalities(problem, found.run)
     finds = {f.name: f for f in problem.find}
     answers = tuple(
         Found(

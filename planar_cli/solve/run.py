@@ -15,12 +15,12 @@ from planar_cli.equation.setup import Earlier, first_unit, numbers_of
 from planar_cli.equation.system import System
 from planar_cli.errors import Mark, NoSolution, NotReached, Undecided, refuse
 from planar_cli.problem.scene import Find, Problem
-from planar_cli.solve.diagnosis.cases import demand_cancelled, several, several_cases
-from planar_cli.solve.diagnosis.clash import check_positions, demand_drawn
+from planar_cli.solve.diagnosis.cases import several
+from planar_cli.solve.diagnosis.clash import check_positions
 from planar_cli.solve.diagnosis.failures import explain_failure, place, singular_position
 from planar_cli.solve.diagnosis.impacts import pressing_impact, unnamed_impact
 from planar_cli.solve.diagnosis.known import demand_stated
-from planar_cli.solve.diagnosis.open_data import demand_determined, demand_passable
+from planar_cli.solve.held import outcome_that_holds
 from planar_cli.solve.instant.by_direction import SPEEDS, alike, is_settled, with_speeds, with_statements
 from planar_cli.solve.instant.finish import Finisher, not_reached
 from planar_cli.solve.instant.instant import OPEN, Instant, Lift, Trial, make_instant, search
@@ -301,6 +301,12 @@ def _solve(
             if (told := _by_direction(instant, finds, units, state)) is None:
                 raise
             return told
+        except Unvalued as error:
+            # A load depends on a speed which nothing tells.
+            _, rejected = search(instant)
+            if not any(t.objection == OPEN for t in rejected):
+                raise
+            raise explain_failure(instant, rejected, finds) from error
     held, rejected = search(instant)
     if not held and any(t.objection == OPEN for t in rejected):
         singular_position(instant, rejected, finds)
@@ -312,9 +318,11 @@ def _solve(
             if (told := _by_direction(instant, finds, units, state)) is not None:
                 return told
             raise explain_failure(instant, rejected, finds) from error
+        except Unvalued as error:
+            raise explain_failure(instant, rejected, finds) from error
     if not held:
         raise explain_failure(instant, rejected, finds)
-    return _held(instant, several(instant, held), tuple(rejected), finds, units, state)
+    return outcome_that_holds(instant, several(instant, held), tuple(rejected), finds, units, state)
 
 
 def _by_direction(
@@ -329,30 +337,6 @@ def _by_direction(
                 told.append(_solve(other, finds, units, state))
                 break
     return told[0] if len(told) == len(SPEEDS) and alike(*told) else None
-
-
-def _held(
-    instant: Instant,
-    held: list[Trial],
-    rejected: tuple[Trial, ...],
-    finds: tuple[Find, ...],
-    units: dict[str, str],
-    state: str,
-) -> tuple[InstantSolution, list[Found]]:
-    """The one outcome that holds, worked out; of several all are reported."""
-    demand_determined(instant, held[0], finds)
-    demand_passable(instant, held[0], finds)
-    solutions = []
-    for trial in held:
-        try:
-            solutions.append(Finisher(instant, trial, rejected, units, state).solve(finds))
-        except Disagreement:
-            demand_drawn(instant, trial)
-            raise
-    if len(held) > 1:
-        raise several_cases(instant, held, [found for _, found in solutions], place(instant, finds))
-    demand_cancelled(instant.scene, finds, solutions[0][1])
-    return solutions[0]
 
 
 def _seek(

@@ -29,6 +29,7 @@ from planar_cli.solve.between.motion_equations import MotionEquations
 from planar_cli.solve.between.reached import asked_about
 from planar_cli.solve.between.stated_motion import StatedMotion
 from planar_cli.solve.diagnosis.failures import explain_failure, singular_position
+from planar_cli.solve.diagnosis.false_inequalities import false_inequality
 from planar_cli.solve.diagnosis.placed import driven_with
 from planar_cli.solve.diagnosis.words import in_unit, unit_of
 from planar_cli.solve.following.follower import Follower
@@ -99,7 +100,7 @@ def missing(course: MotionEquations) -> NoSolution | None:
         for s in course.states[1:]
         if not fixed_time(s.relations)
         and not any(blow.stop.name == s.name for blow in course.blows.values())
-        and all(d.kind == "inequality" for d in course.demands[s.name])
+        and all(isinstance(r, Relation) and r.operator != "=" for r in s.relations)
         and s.name not in course.modes.turnings
     ]
     if unsaid and not sought and not open_first:
@@ -250,6 +251,8 @@ def clash(course: MotionEquations, equations: Iterable[Equation]) -> NoSolution 
     that hold an integral tell the time of a way; each trial of a root of theirs would be a quadrature.
     """
     equations = [e for e in equations if not e.residual.has(sp.Integral)]
+    if (wrong := false_inequality(course, equations)) is not None:
+        return wrong
     stated = [
         e for e in equations if e.kind == "given" and e.mark != NOWHERE and e.residual.free_symbols != {course.first.t}
     ]
@@ -289,7 +292,8 @@ def never(course: MotionEquations, followed: Followed, value: Valuation) -> NoSo
     name = followed.missed
     assert name is not None
     stop, demands = course.stops[name], course.demands[name]
-    texts = "; ".join(d.text for d in demands)
+    stated = next(s.relations for s in course.problem.states if s.name == name)
+    texts = "; ".join(r.text for r in stated)
     if not demands or all(d.kind == "inequality" for d in demands):
         lacking = missing(course)
         if lacking is not None:

@@ -179,8 +179,9 @@ class Seeker:
         )
         places = [s for s in self.ledger.coordinates if s in self.ledger.sought]
         for branch in Brancher(numbers.unknowns, angles, self.ledger.symbolic).run(algebra, work):
-            # Where the position is not told, nothing can be tested.
-            if all(s in branch.algebra.value.values for s in places):
+            # Where the position is not told, nothing can be tested; what divides by zero on the way tells nothing.
+            solved = branch.algebra.value.values
+            if all(s in solved for s in places) and all(v.is_finite() for v in solved.values()):
                 yield self._judge(branch, plan, writer, numbers.unknowns)
 
     # --- tests -------------------------------------------------------------------------------------------------------
