@@ -19,7 +19,7 @@ from planar_cli.calculus.spans import Moment, Span, bound, integral, span
 from planar_cli.equation.common_factors import factor_terms
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.expansion import expanded, wide
-from planar_cli.equation.plain import parts_of, simplified
+from planar_cli.equation.plain import derivative, parts_of, simplified
 
 __all__ = ["Moment", "Span", "relations"]
 
@@ -43,7 +43,7 @@ def relations(
 
 def _given_place(f: sp.Expr, end: Moment) -> tuple[Span, ...]:
     """q = f(t)."""
-    rate = sp.diff(f, end.t)
+    rate = derivative(f, end.t)
     if f.has(end.q, end.v) or rate.has(sp.Derivative):
         return ()
     return (
@@ -63,7 +63,7 @@ def _given_speed(f: sp.Expr, start: Moment, end: Moment, value: Valuation | None
         return own, span("q(t)", "dq = v dt", end.q - start.q - change, sides, start.q + change)
     if not f.has(end.t):
         return own, *_separated_place(f, start, end, value)
-    slope = sp.diff(f, end.q)
+    slope = derivative(f, end.q)
     if slope.has(end.t, end.q):
         return ()
     formula = _forced(simplified(slope), expanded(f - slope * end.q), (start.t, start.q), (end.t, end.q), value)
@@ -105,7 +105,7 @@ def _forced(
     """y by x for dy/dx = slope y + forcing(x); start and end are (x, y)."""
     (x0, y0), (x, _) = start, end
     yp = particular((-slope, sp.S.One), forcing, x, value, base=x - x0)
-    if yp is None or not confirmed(sp.Add(sp.diff(yp, x), -slope * yp, -forcing), value, (x0, x)):
+    if yp is None or not confirmed(sp.Add(derivative(yp, x), -slope * yp, -forcing), value, (x0, x)):
         return None
     return yp + (y0 - yp.xreplace({x: x0})) * sp.exp(slope * (x - x0))
 
@@ -131,7 +131,7 @@ def _given_acceleration(
     if by_speed and not (by_time or by_place):
         return _by_speed(law, start, end, value, where)
     found: tuple[Span, ...] = ()
-    stiffness, damping = -sp.diff(law, end.q), -sp.diff(law, end.v)
+    stiffness, damping = -derivative(law, end.q), -derivative(law, end.v)
     if not stiffness.has(end.t, end.q, end.v) and not damping.has(end.t, end.q, end.v):
         w2, c = simplified(stiffness), simplified(damping)
         rest = simplified(expanded(law + w2 * end.q + c * end.v))
@@ -298,7 +298,7 @@ def _squared(
     """a = g(q) + c v² with a constant c: v dv = a dq is linear in v², d(v²)/dq = 2 g + 2 c v²."""
     square = sp.Dummy("v2")
     flat = expanded(a).xreplace({end.v**2: square})
-    c = sp.diff(flat, square)
+    c = derivative(flat, square)
     if flat.has(end.v, end.t) or c.has(end.q, square) or vanishes(c):
         return ()
     rest = expanded(flat - c * square)

@@ -32,7 +32,15 @@ def operations(expr: sp.Expr) -> int:
 def _negative(expr: sp.Expr) -> bool:
     """Does a minus sign stand before it?"""
     first = expr.args[0] if expr.is_Mul else expr
-    return bool(first.is_Number and first.is_negative)
+    return bool(first.p < 0 if first.is_Rational else first.is_Number and first.is_negative)
+
+
+def _without_stroke(product: sp.Expr) -> bool:
+    """Do all factors surely stand above a fraction stroke?"""
+    return not product.is_Number and all(
+        f.is_Symbol or f.is_Add or f.is_Integer or (f.is_Pow and f.exp.is_Rational and f.exp.p > 0)
+        for f in sp.Mul.make_args(product)
+    )
 
 
 def _of_product(product: sp.Expr) -> int:
@@ -40,7 +48,7 @@ def _of_product(product: sp.Expr) -> int:
     sign = int(_negative(product))
     if sign:
         product = product.as_two_terms()[1] if product.args[0] == -1 else -product
-    above, below = sp.fraction(product)
+    above, below = (product, sp.S.One) if _without_stroke(product) else sp.fraction(product)
     if above.is_Integer:
         return sign + 1 + int(above.p < 0) + operations(below)
     if below != 1:

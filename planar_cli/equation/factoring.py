@@ -82,7 +82,7 @@ def _factors(base: sp.Expr) -> tuple[sp.Expr, tuple[tuple[sp.Expr, sp.Expr], ...
     flat = expanded(base)
     if flat.is_Number:
         return flat, ()
-    if flat.is_algebraic and not flat.free_symbols:
+    if not flat.free_symbols and flat.is_algebraic:
         return sp.S.One, ((flat, sp.S.One),)
     poly = sp.Poly(flat, expand=False)
     if not (poly.domain.is_ZZ or poly.domain.is_QQ):

@@ -51,11 +51,11 @@ def _collect(
     elif expr.is_Mul:
         with_unknown = [a for a in expr.args if mentions(a, unknowns)]
         if len(with_unknown) > 1:
-            raise Nonlinear(str(expr))
+            raise Nonlinear(expr)
         rest = sp.Mul(factor, *(a for a in expr.args if a is not with_unknown[0]))
         _collect(with_unknown[0], rest, unknowns, terms, constant)
     else:
-        raise Nonlinear(str(expr))
+        raise Nonlinear(expr)
 
 
 def mentions(expr: sp.Expr, unknowns: Container[sp.Symbol]) -> bool:

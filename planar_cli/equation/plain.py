@@ -138,10 +138,11 @@ def _with_one(expr: sp.Expr) -> sp.Expr:
     """sin² = 1 - cos² put in, or the other way round, where that makes it shorter."""
     whole = expanded(expr)
     forms = [expr]
+    squares = [p for p in parts_of([whole]) if isinstance(p, sp.Pow) and p.exp == 2]
     for function, other in ((sp.sin, sp.cos), (sp.cos, sp.sin)):
-        squares = [p for p in whole.atoms(sp.Pow) if isinstance(p.base, function) and p.exp == 2]
-        if squares:
-            forms.append(expanded(whole.xreplace({p: 1 - other(p.base.args[0]) ** 2 for p in squares})))
+        own = [p for p in squares if isinstance(p.base, function)]
+        if own:
+            forms.append(expanded(replaced(whole, {p: 1 - other(p.base.args[0]) ** 2 for p in own})))
     return min(forms, key=operations)
 
 
@@ -249,10 +250,12 @@ def _beside_roots(expr: sp.Expr) -> int:
 @lru_cache(maxsize=_KEPT)
 def _effort(expr: sp.Expr) -> int:
     """What an expression costs its reader: its operations, more for fractions inside a denominator and -a - b."""
-    reversed_signs = sum(all(a.could_extract_minus_sign() for a in s.args) for s in expr.atoms(sp.Add))
+    sums = (p for p in parts_of([expr]) if isinstance(p, sp.Add))
+    reversed_signs = sum(all(a.could_extract_minus_sign() for a in s.args) for s in sums)
     return operations(expr) + 3 * _nested(expr, inside=False) + 2 * reversed_signs
 
 
+@lru_cache(maxsize=_KEPT)
 def _nested(expr: sp.Expr, inside: bool) -> int:
     """Fractions that stand in a sum under a fraction stroke."""
     if not expr.args:

@@ -21,7 +21,6 @@ from sympy.simplify.fu import (
     TR3,
     TR5,
     TR6,
-    TR8,
     TR10,
     TR11,
     TR12,
@@ -38,6 +37,7 @@ from sympy.simplify.fu import (
 from planar_cli.equation.common_factors import factor_terms
 from planar_cli.equation.counting import operations
 from planar_cli.equation.factoring import factored
+from planar_cli.equation.product_to_sum import as_sums
 
 KEPT = 20_000
 """So many parts are remembered."""
@@ -62,12 +62,18 @@ def _only_numbers(expr: sp.Expr) -> bool:
 
 def _part(expr: sp.Expr) -> sp.Expr:
     """One part of an expression, whose own parts have been seen to."""
-    if not expr.has(TrigonometricFunction):
+    if not _turning(expr):
         return expr
     rest = sp.S.One
     if expr.is_Mul:
         rest, expr = expr.as_independent(TrigonometricFunction)
     return rest * _as_letters(expr)
+
+
+@lru_cache(maxsize=KEPT)
+def _turning(expr: sp.Basic) -> bool:
+    """Does it hold functions of angles?"""
+    return isinstance(expr, TrigonometricFunction) or any(map(_turning, expr.args))
 
 
 def _as_letters(expr: sp.Expr) -> sp.Expr:
@@ -180,7 +186,7 @@ def _worked(whole: sp.Expr) -> sp.Expr:
     expr = TR2i(_plainest(TR2(expr), _expanded))
     expr = TR6(TR11(TR10(TR5(TR14(_reduced(expr))))))
     expr = TRmorrie(TR10i(_plainest(TR14(factored(expr)), _expanded)))
-    expr = _plainest(_plainest(expr, TR8), lambda e: TR2i(TR2(e)))
+    expr = _plainest(_plainest(expr, as_sums), lambda e: TR2i(TR2(e)))
     expr = min((sp.expand_mul(f(expr)) for f in (TR5, TR15)), key=_cost)
     expr = min((sp.expand_mul(f(expr)) for f in (TR6, TR16)), key=_cost)
     expr = _plainest(TR111(expr), TR2i)

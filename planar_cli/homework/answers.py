@@ -7,6 +7,7 @@ compared at random points of its letters; one without rounded numbers must agree
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from decimal import Decimal
 from typing import Any
 
@@ -152,12 +153,12 @@ class _Comparison:
 
     def _draws(self, exprs: tuple[sp.Expr, ...]) -> list[Valuation]:
         """Draws at which all of some formulas are real: a logarithm or a root need not be everywhere."""
-        for valuations in (self.scene.valuations, self.scene.everywhere()):
-            draws = [self._with_lines(v) for v in valuations]
-            real = [d for d in draws if all(d.known(e) is not None for e in exprs)]
-            if len(real) == len(valuations) or (real and valuations is not self.scene.valuations):
-                return real
-        return []
+        draws = self._real(self.scene.valuations, exprs)
+        return draws if len(draws) == len(self.scene.valuations) else self._real(self.scene.everywhere(), exprs)
+
+    def _real(self, valuations: Iterable[Valuation], exprs: tuple[sp.Expr, ...]) -> list[Valuation]:
+        draws = (self._with_lines(v) for v in valuations)
+        return [d for d in draws if all(d.known(e) is not None for e in exprs)]
 
     def _with_lines(self, draw: Valuation) -> Valuation:
         """The draw with the solution's lines: a long formula still holds names of intermediates."""

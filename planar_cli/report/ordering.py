@@ -6,6 +6,7 @@ speeds, lengths, rotations, time, then functions.
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import Any
 
 from sympy import Function
@@ -32,6 +33,7 @@ _NUMBERS = -1
 Key = tuple[float, bool, str, str, float]
 
 
+@lru_cache(maxsize=20_000)
 def factor_key(factor: Any) -> Key:
     """Sorts the factors of a product."""
     base, exponent = factor.as_base_exp() if factor.is_Pow else (factor, 1)

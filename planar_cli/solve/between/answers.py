@@ -7,7 +7,7 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.exact import Settled, Valuation
-from planar_cli.equation.plain import longer, rounded_inside, simplified, with_short_roots
+from planar_cli.equation.plain import letters, longer, replaced, rounded_inside, simplified, with_short_roots
 from planar_cli.equation.system import mode_of
 from planar_cli.errors import Undecided, refuse
 from planar_cli.problem.expression import Quantity, Relation
@@ -157,10 +157,10 @@ def _is_true(course: StatedMotion, q: Quantity, value: Valuation) -> bool:
 def put_in(expr: sp.Expr, route: Route) -> sp.Expr:
     """An expression with the formulas of a route put in, all the way down."""
     for _ in range(60):
-        inside = {s: route.formulas[s] for s in expr.free_symbols if s in route.formulas}
+        inside = {s: route.formulas[s] for s in letters(expr) if s in route.formulas}
         if not inside or longer(expr, 3000):
             break
-        expr = expr.xreplace(inside)
+        expr = replaced(expr, inside)
     return expr
 
 

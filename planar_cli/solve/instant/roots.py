@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 from decimal import Decimal
+from functools import lru_cache
 
 import mpmath
 import sympy as sp
@@ -24,6 +25,9 @@ from planar_cli.records import record
 
 TINY = Decimal("1e-25")
 EDGE_STEPS = 40
+KEPT = 2_000
+"""So many polynomials are remembered: what lies on several branches of a motion is solved on each."""
+_SINE, _COSINE = sp.Dummy("s"), sp.Dummy("c")
 
 
 @record
@@ -94,8 +98,7 @@ def _distinct(roots: list[Root], angle: bool) -> list[Root]:
 def _closed(numerator: sp.Expr, x: sp.Symbol, value: Valuation) -> list[sp.Expr]:
     """Closed forms: linear, quadratic, a pure power, or A cos x + B sin x = C."""
     if numerator.is_polynomial(x):
-        poly = sp.Poly(numerator, x)
-        terms = [(m[0], c) for m, c in poly.terms() if c.is_number or not value.vanishes(c)]
+        terms = [(m, c) for m, c in _powers(numerator, x) if c.is_number or not value.vanishes(c)]
         if not terms:
             return []
         low = min(m for m, _ in terms)
@@ -115,16 +118,15 @@ def _closed(numerator: sp.Expr, x: sp.Symbol, value: Valuation) -> list[sp.Expr]
             root = sp.sqrt(b**2 - 4 * a * c)
             return [*zero, (-b + root) / (2 * a), (-b - root) / (2 * a)]
         return []
-    s, c = sp.Dummy("s"), sp.Dummy("c")
-    flat = sp.expand_trig(numerator).subs({sp.sin(x): s, sp.cos(x): c})
+    flat = _in_sine_and_cosine(numerator, x)
     if flat.has(x):
         return _of_one_angle(numerator, x, value)
-    if not flat.is_polynomial(s, c):
+    if not flat.is_polynomial(_SINE, _COSINE):
         return []
-    poly = sp.Poly(flat, s, c)
+    poly = sp.Poly(flat, _SINE, _COSINE)
     if poly.total_degree() != 1:
         return _by_factors(numerator, x, value) or _of_one_angle(numerator, x, value)
-    a, b, k = poly.coeff_monomial(c), poly.coeff_monomial(s), poly.coeff_monomial(1)
+    a, b, k = poly.coeff_monomial(_COSINE), poly.coeff_monomial(_SINE), poly.coeff_monomial(1)
     if k == 0:
         base = sp.atan(cancelled(-a / b)) if b != 0 else sp.pi / 2
         return [base, base + sp.pi]
@@ -136,6 +138,18 @@ def _closed(numerator: sp.Expr, x: sp.Symbol, value: Valuation) -> list[sp.Expr]
         return [first, -first]
     lead, swing = sp.atan2(b, a), sp.acos(-k / sp.sqrt(a**2 + b**2))
     return [lead + swing, lead - swing]
+
+
+@lru_cache(maxsize=KEPT)
+def _powers(expr: sp.Expr, x: sp.Symbol) -> tuple[tuple[int, sp.Expr], ...]:
+    """The powers of a letter in a polynomial with what stands before them, the highest first."""
+    return tuple((m[0], c) for m, c in sp.Poly(expr, x).terms())
+
+
+@lru_cache(maxsize=KEPT)
+def _in_sine_and_cosine(expr: sp.Expr, x: sp.Symbol) -> sp.Expr:
+    """An expression in letters for the sine and the cosine of an angle."""
+    return sp.expand_trig(expr).subs({sp.sin(x): _SINE, sp.cos(x): _COSINE})
 
 
 def _of_one_angle(numerator: sp.Expr, x: sp.Symbol, value: Valuation) -> list[sp.Expr]:
