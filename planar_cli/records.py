@@ -1,4 +1,4 @@
-"""Frozen dataclasses with slots that are cheap to define.
+"""Dataclasses with slots that are cheap to define.
 
 `@dataclass(frozen=True, slots=True)` compiles six methods for each class, 0.45 ms at every start: with some hundreds of
 classes that is more than the rest of importing them. Here `__init__` alone is compiled, when the first object is made,
@@ -19,21 +19,33 @@ T = TypeVar("T")
 @dataclass_transform(frozen_default=True, field_specifiers=(field,))
 def record(cls: type[T]) -> type[T]:
     """Make a class a frozen dataclass with slots, which is compared and hashed by its fields."""
+    return _made(cls, frozen=True)
+
+
+@dataclass_transform(field_specifiers=(field,))
+def changing(cls: type[T]) -> type[T]:
+    """Make a class a dataclass with slots whose fields may change; it is compared by them, and cannot be hashed."""
+    return _made(cls, frozen=False)
+
+
+def _made(cls: type[T], frozen: bool) -> type[T]:
     if cls.__bases__ != (object,):
         # What a class inherits from others, the standard library sees to.
-        return dataclass(frozen=True, slots=True)(cls)
+        return dataclass(frozen=frozen, slots=True)(cls)
     own = {k: v for k, v in cls.__dict__.items() if k not in ("__dict__", "__weakref__")}
     members = {n: _field(own, n) for n, kind in own.get("__annotations__", {}).items() if not _of_class(kind)}
     space: dict[str, Any] = {k: v for k, v in own.items() if k not in members}
     space["__slots__"] = tuple(members)
     space.setdefault("__match_args__", tuple(n for n, f in members.items() if f.init))
-    methods = {**SHARED, **_comparisons([n for n, f in members.items() if f.compare])}
+    methods: dict[str, Any] = {**SHARED, **_comparisons([n for n, f in members.items() if f.compare])}
+    if not frozen:
+        methods = {n: m for n, m in methods.items() if n not in FROZEN} | {"__hash__": None}
     made: Any = type(cls.__name__, (object,), {**methods, **space})
     made.__qualname__ = cls.__qualname__
     if "__init__" not in own:
-        made.__init__ = _first_time(made, members)
-    made.__dataclass_fields__ = _Told("__dataclass_fields__", made, cls)
-    made.__dataclass_params__ = _Told("__dataclass_params__", made, cls)
+        made.__init__ = _first_time(made, members, frozen)
+    made.__dataclass_fields__ = _Told("__dataclass_fields__", made, cls, frozen)
+    made.__dataclass_params__ = _Told("__dataclass_params__", made, cls, frozen)
     ours: type[T] = made
     return ours
 
@@ -55,47 +67,45 @@ def _of_class(kind: object) -> bool:
 class _Told:
     """What the standard library knows of a dataclass, when it is first asked for."""
 
-    def __init__(self, name: str, made: type, written: type) -> None:
-        self.name, self.made, self.written = name, made, written
+    def __init__(self, name: str, made: type, written: type, frozen: bool) -> None:
+        self.name, self.made, self.written, self.frozen = name, made, written, frozen
 
     def __get__(self, owner: object, kind: type | None = None) -> Any:
         twin: Any = dataclass(init=False, repr=False, eq=False)(self.written)
         # Told only now: the methods of a class that is frozen from the start would be compiled for it alone.
-        twin.__dataclass_params__.frozen = twin.__dataclass_params__.eq = True
+        twin.__dataclass_params__.frozen, twin.__dataclass_params__.eq = self.frozen, True
         for name in ("__dataclass_fields__", "__dataclass_params__"):
             setattr(self.made, name, getattr(twin, name))
         return getattr(twin, self.name)
 
 
-def _first_time(made: Any, members: dict[str, Field[Any]]) -> Callable[..., None]:
+def _first_time(made: Any, members: dict[str, Field[Any]], frozen: bool) -> Callable[..., None]:
     """`__init__`, which is compiled when it is first called."""
 
     def initialize(self: Any, *args: Any, **named: Any) -> None:
-        made.__init__ = _init(made, members)
+        made.__init__ = _init(made, members, frozen)
         made.__init__(self, *args, **named)
 
     return initialize
 
 
-def _init(cls: type, members: dict[str, Field[Any]]) -> Callable[..., None]:
+def _init(cls: type, members: dict[str, Field[Any]], frozen: bool) -> Callable[..., None]:
     """`__init__` with the fields as parameters, in their order."""
     known: dict[str, Any] = {"_set": object.__setattr__, "_made": MISSING}
     parameters, lines = ["self"], []
     for name, f in members.items():
-        if not f.init:
-            assert f.default is f.default_factory is MISSING, "what `__post_init__` makes has no default"
-            continue
-        value = name
+        value, parameter, own = name, name, f"_of_{name}"
         if f.default is not MISSING:
-            known[f"_of_{name}"] = f.default
-            parameters.append(f"{name}=_of_{name}")
+            known[own] = f.default
+            value, parameter = name if f.init else own, f"{name}={own}"
         elif f.default_factory is not MISSING:
-            known[f"_of_{name}"] = f.default_factory
-            parameters.append(f"{name}=_made")
-            value = f"_of_{name}() if {name} is _made else {name}"
-        else:
-            parameters.append(name)
-        lines.append(f" _set(self, {name!r}, {value})")
+            known[own] = f.default_factory
+            value, parameter = f"{own}() if {name} is _made else {name}" if f.init else f"{own}()", f"{name}=_made"
+        elif not f.init:
+            # `__post_init__` makes it.
+            continue
+        parameters += [parameter] if f.init else []
+        lines.append(f" _set(self, {name!r}, {value})" if frozen else f" self.{name} = {value}")
     if hasattr(cls, "__post_init__"):
         lines.append(" self.__post_init__()")
     exec(f"def __init__({', '.join(parameters)}):\n" + "\n".join(lines or [" pass"]), known)
@@ -152,3 +162,5 @@ SHARED: dict[str, Callable[..., Any]] = {
     "__getstate__": _state,
     "__setstate__": _restore,
 }
+FROZEN = {"__setattr__", "__delattr__"}
+"""Those of what cannot be changed."""

@@ -1,4 +1,4 @@
-"""Records are frozen dataclasses like those of the standard library."""
+"""Records are dataclasses like those of the standard library."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from dataclasses import FrozenInstanceError, dataclass, field, fields, is_datacl
 
 import pytest
 
-from planar_cli.records import record
+from planar_cli.records import changing, record
 
 
 @record
@@ -44,6 +44,26 @@ class More(One):
     b: int = 2
 
 
+@changing
+class Changing:
+    """What is kept while something is worked out."""
+
+    a: int
+    b: list[int] = field(default_factory=list)
+    c: int = field(default=3, init=False)
+    d: list[int] = field(default_factory=list, init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        self.a += 1
+
+
+@changing
+class MoreChanging(Changing):
+    """What derives from it is the standard library's."""
+
+    e: int = 5
+
+
 def test_it_is_made_from_its_fields() -> None:
     first, second = Ours(1, (2, 3)), Ours(b=(2, 3), a=1, d=1.5)
     assert first == second
@@ -73,6 +93,24 @@ def test_it_can_not_be_changed() -> None:
     with pytest.raises(TypeError):
         One()
     assert not hasattr(one, "__dict__")
+
+
+def test_what_changes() -> None:
+    first, second = Changing(1), Changing(a=1, b=[2])
+    assert repr(first) == "Changing(a=2, b=[], c=3)"
+    assert (first.d, first.d is second.d) == ([], False)
+    second.b = []
+    assert first == second
+    second.c += 1
+    assert first != second
+    assert replace(second, b=[7]).b == [7]
+    assert copy.deepcopy(second) == second == pickle.loads(pickle.dumps(second))
+    assert [f.name for f in fields(second)] == ["a", "b", "c", "d"]
+    assert MoreChanging(1).e == 5
+    with pytest.raises(TypeError):
+        hash(first)
+    with pytest.raises(AttributeError):
+        first.f = 1
 
 
 def test_it_is_matched_copied_and_pickled() -> None:

@@ -8,7 +8,7 @@ left to conditions between coordinates. (An Introduction to Planar Dynamics, 1.3
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from decimal import Decimal
 
 import sympy as sp
@@ -24,11 +24,12 @@ from planar_cli.equation.scene import Scene
 from planar_cli.errors import NOWHERE
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND, Circle, Composite, Curve, Line, Polar, Round, Sector
+from planar_cli.records import changing
 
 ZERO = sp.S.Zero
 
 
-@dataclass(slots=True)
+@changing
 class Displacer:
     """Displaces the bodies of one scene along one tree. `surface_of`: the surface on which a joint slides, by name;
     `time`: the time since the drawn instant; `formula`: bodies whose places the file itself writes with coordinates;

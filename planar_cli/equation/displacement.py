@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import sympy as sp
 
 from planar_cli.equation.ledger import Kind, Ledger, Role
 from planar_cli.equation.pose import Pose
 from planar_cli.problem.geometry import Vec
-from planar_cli.records import record
+from planar_cli.records import changing, record
 from planar_cli.units import parse_unit
 
 ZERO = sp.S.Zero
@@ -43,7 +43,7 @@ class Coordinate:
         return self.factor * self.speed + self.extra
 
 
-@dataclass(slots=True)
+@changing
 class CoordinateNames:
     """The symbols of the coordinates of one problem and of their starts: the same ones in all of its scenes."""
 

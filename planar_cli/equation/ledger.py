@@ -8,7 +8,7 @@ from __future__ import annotations
 import random
 from collections import ChainMap
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from decimal import Decimal
 from enum import Enum
 from fractions import Fraction
@@ -19,7 +19,7 @@ from planar_cli.equation.exact import PI, Sample, Valuation
 from planar_cli.equation.sample import fraction, generator, widely
 from planar_cli.errors import NoValue
 from planar_cli.problem.ordinary import Scales
-from planar_cli.records import record
+from planar_cli.records import changing, record
 from planar_cli.units import PURE, Unit, parse_unit
 
 DRAWS, WIDER, MANY = 2, 10, 30
@@ -58,7 +58,7 @@ class Role:
 NAMED = Role(Kind.NAMED)
 
 
-@dataclass(slots=True)
+@changing
 class Ledger:
     """Symbols and what is known of them.
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import sympy as sp
 
@@ -25,7 +25,7 @@ from planar_cli.equation.swaying import ROPES, sways
 from planar_cli.problem.expression import AtRest, Equilibrium, Extreme, Quantity, Relation, Statement, Word
 from planar_cli.problem.facts import Law, Mode, Push, Skid, Wrench
 from planar_cli.problem.reactions import Reactions
-from planar_cli.records import record
+from planar_cli.records import changing, record
 
 
 @record
@@ -65,7 +65,7 @@ def mode_of(relation: Relation) -> tuple[str, str] | None:
     return None
 
 
-@dataclass(slots=True)
+@changing
 class System:
     """One choice of modes. `still`: velocity unknowns that are zero. `unknown_loads`: constants that are sought."""
 

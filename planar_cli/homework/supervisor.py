@@ -10,12 +10,11 @@ import multiprocessing
 import os
 import time
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from multiprocessing.connection import Connection, wait
 from multiprocessing.process import BaseProcess
 from typing import Any
 
-from planar_cli.records import record
+from planar_cli.records import changing, record
 
 READY = "ready"
 MEMORY = 2 * 1024**3
@@ -31,7 +30,7 @@ class Ended:
     seconds: float
 
 
-@dataclass(slots=True)
+@changing
 class _Worker:
     """A process, our end of its pipe, the task it is at (None: none yet) and when that must be done."""
 

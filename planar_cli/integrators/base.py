@@ -16,11 +16,10 @@ from __future__ import annotations
 import math
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
 from typing import ClassVar
 
 from planar_cli.errors import Undecided
-from planar_cli.records import record
+from planar_cli.records import changing, record
 
 Vector = list[float]
 Rates = Callable[[float, Vector], Vector]
@@ -56,7 +55,7 @@ class TooManySteps(StepTooSmall):
     """More steps than a run may make."""
 
 
-@dataclass(slots=True)
+@changing
 class Counts:
     """The work that was done."""
 

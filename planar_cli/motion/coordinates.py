@@ -7,7 +7,7 @@ residual (y of A stays 0). A coordinate that nothing tells so stays a variable o
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from planar_cli.motion.carried import Carried
 from planar_cli.motion.places import Drawing, points_of
@@ -17,7 +17,7 @@ from planar_cli.motion.terms import Term
 from planar_cli.problem.expression import Side
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND, At, Foot, Midpoint, Point, Polar, Rims, Towards, TwoFacts
-from planar_cli.records import record
+from planar_cli.records import changing, record
 
 
 @record
@@ -45,7 +45,7 @@ class _Handle:
     """As the bodies have it."""
 
 
-@dataclass(slots=True)
+@changing
 class Coordinates:
     """The coordinates of one scene."""
 

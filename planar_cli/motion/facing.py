@@ -7,17 +7,18 @@ what has gone round meets the rod from the other side.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 
 from planar_cli.motion.gaps import Gap
 from planar_cli.motion.source import Code, compiled
 from planar_cli.motion.terms import Graph, Term
+from planar_cli.records import changing
 
 NEAR = 1e-9
 """Nearer to the rod's line, or to its end, than this part of the scene's extent, the side does not change."""
 
 
-@dataclass(slots=True)
+@changing
 class Facing:
     """One of them."""
 
@@ -40,7 +41,7 @@ class Facing:
             self.side = 1.0 if off > 0 else -1.0
 
 
-@dataclass(slots=True)
+@changing
 class Facings:
     """All of one scene."""
 

@@ -7,7 +7,7 @@ changes at one instant without end is told, and an integrator that can not go on
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 
 from planar_cli.integrators.base import Counts, Setting, Step, StepTooSmall, TooManySteps
 from planar_cli.motion.automaton import Automaton, Choice, Regime, Stages, Start
@@ -25,6 +25,7 @@ from planar_cli.motion.transition import Moment, Resolved, resolve
 from planar_cli.motion.unstable import growth_note
 from planar_cli.motion.waiting import Waiting, at_edge, beyond, fits, meant, watch_of
 from planar_cli.motion.zeno import Bounces, summed_up
+from planar_cli.records import changing
 
 RESTING = 1e-12
 """Rates below this part of their scale are zero."""
@@ -46,7 +47,7 @@ Progress = Callable[[float], None]
 """Called with the time that has been reached [s]."""
 
 
-@dataclass(slots=True)
+@changing
 class Follower:
     """One run; `trajectory` is what it finds."""
 

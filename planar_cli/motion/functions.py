@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 from bisect import bisect_right
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import field
 from itertools import pairwise
 
-from planar_cli.records import record
+from planar_cli.records import changing, record
 
 EXACT = 4e-16
 """The part of two plain numbers below which their sum is nothing but the rounding of them."""
@@ -30,7 +30,7 @@ FUNCTIONS: dict[str, Callable[..., float]] = {
 """What a term may call, by the name that it has in the code too."""
 
 
-@dataclass(slots=True)
+@changing
 class Turning:
     """An angle that goes on over many turns: the direction of (x, y) that is nearest to the last one noted.
 
@@ -81,7 +81,7 @@ class Turning:
         return angles[k - 1] + share * (angles[k] - angles[k - 1])
 
 
-@dataclass(slots=True)
+@changing
 class Sliding:
     """The direction of a sliding that may come to rest: it stays the one last noted until it is noted anew.
 
@@ -160,7 +160,7 @@ NODES = ((0.1488743389816312, 0.29552422471475287), (0.4333953941292472, 0.26926
 """Gauss's quadrature of order 20 on (-1, 1): nodes of one half with their weights."""
 
 
-@dataclass(slots=True)
+@changing
 class Integral:
     """An antiderivative by quadrature over panels of a fixed width; what was computed of whole panels is kept."""
 

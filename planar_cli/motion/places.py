@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from planar_cli.errors import Mark, refuse
 from planar_cli.motion.sides import Sides
@@ -12,6 +12,7 @@ from planar_cli.problem.expression import Side
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.located import located
 from planar_cli.problem.scene import At, Particle, Place, Point, Problem
+from planar_cli.records import changing
 
 
 def unit_vector(graph: Graph, angle: Term) -> Vec:
@@ -28,7 +29,7 @@ def length_of(graph: Graph, v: Vec) -> Term:
     return graph.call("sqrt", v.dot(v))
 
 
-@dataclass(slots=True)
+@changing
 class Drawing:
     """All points of one problem, with certain terms for its coordinates."""
 

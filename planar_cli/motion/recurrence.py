@@ -7,17 +7,17 @@ earlier state, across its rates there, in the same direction and next to that st
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from planar_cli.integrators.base import Rates, Step
 from planar_cli.motion.crossings import Watch
+from planar_cli.records import changing
 
 RETURNS, NEARLY = 1e-7, 1e-4
 """A state is the same as another up to this part of its scales; nearly the same is one that was missed by errors."""
 HALVINGS = 50
 
 
-@dataclass(slots=True)
+@changing
 class Recurrence:
     """Watches the steps of a motion for the return of its first state."""
 

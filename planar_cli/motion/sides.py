@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from fractions import Fraction
 
 from planar_cli.errors import FileProblem, Mark, refuse
@@ -23,7 +23,7 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.problem.no_number import quantity_misplaced, state_misplaced
 from planar_cli.problem.scene import Problem
 from planar_cli.problem.walk import Tree, walk
-from planar_cli.records import record
+from planar_cli.records import changing, record
 from planar_cli.units import parse_unit
 
 GRAVITY = 9.81
@@ -35,7 +35,7 @@ def no_quantity(quantity: Quantity) -> Term:
     raise quantity_misplaced(quantity)
 
 
-@dataclass(slots=True)
+@changing
 class Constants:
     """The names of one problem that have a number, as terms; those without one are refused when they are used."""
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from planar_cli.motion.functions import Sliding
 from planar_cli.motion.layout import Layout
@@ -13,9 +13,10 @@ from planar_cli.problem.facts import Skid, Wrench
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
 from planar_cli.problem.setting import MovingSetting
+from planar_cli.records import changing
 
 
-@dataclass(slots=True)
+@changing
 class Skids:
     """The slidings of one scene, by joint; their directions are noted from time to time."""
 

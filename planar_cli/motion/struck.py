@@ -8,7 +8,7 @@ springs have no impulse.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 
 from planar_cli.joints.base import Joint
 from planar_cli.motion.automaton import Choice
@@ -22,7 +22,7 @@ from planar_cli.motion.start import fixed
 from planar_cli.motion.terms import Term
 from planar_cli.problem.facts import Mode, Push
 from planar_cli.problem.scene import GROUND
-from planar_cli.records import record
+from planar_cli.records import changing, record
 
 NEAR = 1e-9
 """Partners closer than this part of the scene's length touch."""
@@ -61,7 +61,7 @@ class Direction:
     """Is one partner a particle, which may be drawn beside what it strikes, and does nothing tell how far?"""
 
 
-@dataclass(slots=True)
+@changing
 class Strikes:
     """Impacts of one model."""
 

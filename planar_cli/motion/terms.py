@@ -9,10 +9,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from operator import attrgetter
 
 from planar_cli.motion.functions import EXACT, FUNCTIONS, Table, Turning, own_size, safely, summed
+from planar_cli.records import changing
 
 ROUNDING = 1e-11
 """A value below this part of the size of what it was made of is zero."""
@@ -87,7 +88,7 @@ class Term:
         return f"<{self.op} {self.value:.6g}>" if self.op != "variable" else f"<{self.graph.names[self]}>"
 
 
-@dataclass(slots=True)
+@changing
 class Graph:
     """All terms of one scene."""
 

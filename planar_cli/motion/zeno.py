@@ -7,10 +7,11 @@ is left of them is Δ r / (1 - r). The sum is taken when r is settled and what t
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 
 from planar_cli.motion.trajectory import Outcome
 from planar_cli.motion.transition import Moment, Resolved, resolve
+from planar_cli.records import changing
 
 NEEDED = 4
 """So many impacts with shrinking intervals are needed before a limit is spoken of."""
@@ -20,7 +21,7 @@ FINEST = 1e-10
 """Lower bounces than this part of the scene's size can hardly be told from rest."""
 
 
-@dataclass(slots=True)
+@changing
 class Bounces:
     """The latest impacts."""
 

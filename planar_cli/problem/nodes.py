@@ -11,7 +11,7 @@ import os
 import stat
 import sys
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Protocol
 
 import yaml
@@ -19,7 +19,7 @@ import yaml
 from planar_cli.errors import Diagnostic, Mark
 from planar_cli.problem.words import CALL_HABITS, QUANTITIES
 from planar_cli.problem.yaml_errors import explain_error
-from planar_cli.records import record
+from planar_cli.records import changing, record
 
 MAX_BYTES = 256_000
 MAX_DEPTH = 30
@@ -178,7 +178,7 @@ class _LimitError(Exception):
     """A limit is passed; the diagnostic is already in the report."""
 
 
-@dataclass(slots=True)
+@changing
 class _Frame:
     """A collection that is still open; None stands for a child that was refused."""
 

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any
 
 import sympy as sp
 
 from planar_cli.equation.plain import longer, simplified
+from planar_cli.records import changing
 from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Paragraph, line
 from planar_cli.report.forces import force_rows
 from planar_cli.report.words import Phrases
@@ -20,7 +21,7 @@ AT_ONCE = "each with its own restitution: Newton's law at every contact. One aft
 FINITE = "weights, springs and other finite forces have no impulse in no time"
 
 
-@dataclass(slots=True)
+@changing
 class BetweenTelling:
     """Tells equations between states. `plain`: letters that are data, with what they are."""
 

@@ -9,7 +9,8 @@ from __future__ import annotations
 import math
 from bisect import bisect_right
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
+from itertools import islice
 from typing import TypeVar
 
 from planar_cli.errors import Diagnostic, FileProblem, Mark, Undecided
@@ -19,19 +20,21 @@ from planar_cli.motion.model import Model
 from planar_cli.motion.quantities import Quantities
 from planar_cli.motion.regime import Regime
 from planar_cli.motion.routine import Routine
-from planar_cli.motion.terms import Term
+from planar_cli.motion.terms import Term, ordered
 from planar_cli.motion.trajectory import Trajectory
 from planar_cli.problem.expression import Function, Grouped, Name, Number, Quantity, Relation, Side
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.reactions import Reactions
 from planar_cli.problem.walk import walk
-from planar_cli.records import record
+from planar_cli.records import changing, record
 
 Asked = TypeVar("Asked", bound=Side | Relation)
 
 
 Values = Callable[[float, Sequence[float]], list[float]]
 """f(t, y)."""
+Several = Callable[[float, Sequence[float]], list[list[float]]]
+"""f(t, y) of several things: a number, or the two components of a vector, of each."""
 ASIDE = 1e-3
 """Rates of forces are differences over this part of the time scale, exact up to its fourth power."""
 DIFFERENCES = ((-2, 1 / 12), (-1, -2 / 3), (1, 2 / 3), (2, -1 / 12))
@@ -64,7 +67,7 @@ class Moment:
         return self.after if self.after is not None and words & LATER else (self.regime, self.y)
 
 
-@dataclass(slots=True)
+@changing
 class Measures:
     """Numbers of one model's motion."""
 
@@ -130,6 +133,23 @@ class Measures:
     def function(self, what: Side, regime: Regime) -> Callable[[float, Sequence[float]], list[float]]:
         """A side as a function of time and state in one regime."""
         return self.routine("value", what, regime, lambda side, r: self.terms(side, self.quantities(r)))
+
+    def several(self, sides: Sequence[Side], regime: Regime) -> Several:
+        """Some sides as functions of time and state in one regime; what the state alone tells is one function."""
+        quantities, unknowns = self.quantities(regime), self._unknowns(regime)
+        terms = [self.terms(side, quantities) for side in sides]
+        apart = {
+            k: self.function(sides[k], regime)
+            for k, own in enumerate(terms)
+            if not set(ordered(own)).isdisjoint(unknowns)
+        }
+        whole = regime.routine([t for k, own in enumerate(terms) if k not in apart for t in own], unknowns)
+
+        def values(t: float, y: Sequence[float]) -> list[list[float]]:
+            told = iter(whole(t, y))
+            return [apart[k](t, y) if k in apart else list(islice(told, len(own))) for k, own in enumerate(terms)]
+
+        return values
 
     def gap(self, relation: Relation, regime: Regime) -> Callable[[float, Sequence[float]], list[float]]:
         """Left less right side."""
@@ -213,9 +233,12 @@ class Measures:
         """What is `made` of something asked for, compiled once for each regime; `kind` tells what is made of it."""
         key = (regime, kind, what)
         if key not in self._routines:
-            unknowns = [*self._accelerations, *(self._push(p.name) for p in regime.reactions)]
-            self._routines[key] = regime.routine(made(what, regime), unknowns)
+            self._routines[key] = regime.routine(made(what, regime), self._unknowns(regime))
         return self._routines[key]
+
+    def _unknowns(self, regime: Regime) -> list[Term]:
+        """The variables that stand for accelerations and pushes."""
+        return [*self._accelerations, *(self._push(p.name) for p in regime.reactions)]
 
 
 def along(values: Values, regime: Regime, h: float) -> Values:

@@ -6,14 +6,15 @@ What holds at the beginning does not count, what holds at the end does.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+
+from planar_cli.records import changing
 
 HALVINGS = 60
 """The least size of a gap is found in so many parts."""
 Gap = Callable[[float], float]
 
 
-@dataclass(slots=True)
+@changing
 class Occurrences:
     """Counts while the gap, left less right side, is looked at from time to time."""
 

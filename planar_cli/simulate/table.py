@@ -13,6 +13,7 @@ from planar_cli.problem.scope import Scope
 from planar_cli.problem.walk import walk
 from planar_cli.records import record
 from planar_cli.simulate.answers import in_si, usual_unit
+from planar_cli.simulate.measures import Several
 from planar_cli.simulate.run import Run
 from planar_cli.simulate.timetable import Timetable
 from planar_cli.units import Unit, parse_unit
@@ -49,13 +50,13 @@ def table_of(run: Run, asked: Sequence[Find], times: Sequence[float], count: int
     scales = Timetable(run.problem, run.measures)
     t0, t1 = trajectory.t0, trajectory.t1
     chosen = [t for t in times if t0 <= t <= t1] or _spread(t0, t1, count)
-    rows = [tuple(_row(run, columns, t)) for t in chosen] if trajectory.segments else []
+    values: dict[Regime, Several] = {}
+    rows = [tuple(_row(run, columns, t, values)) for t in chosen] if trajectory.segments else []
     first = next(iter(trajectory.segments), None)
-    for column in columns:
-        regime = first.regime if first is not None else None
-        width = 1
-        if first is not None and isinstance(regime, Regime):
-            width = len(run.measures.function(column.side, regime)(first.t0, first.start))
+    widths = [1] * len(columns)
+    if first is not None and isinstance(first.regime, Regime):
+        widths = [len(v) for v in _values(run, columns, first.regime, values)(first.t0, first.start)]
+    for column, width in zip(columns, widths, strict=True):
         sizes += [scales.scale(column.side) / in_si(column.unit)] * width
         names += [column.name] if width == 1 else [f"{column.name}.{part}" for part in "xy"]
         units += [column.unit.text] * width
@@ -66,15 +67,23 @@ def _spread(t0: float, t1: float, count: int) -> list[float]:
     return [t0 + (t1 - t0) * i / (count - 1) for i in range(count - 1)] + [t1] if t1 > t0 else [t0]
 
 
-def _row(run: Run, columns: Sequence[Column], t: float) -> Iterator[float]:
+def _values(run: Run, columns: Sequence[Column], regime: Regime, known: dict[Regime, Several]) -> Several:
+    """What the columns are in one regime."""
+    if regime not in known:
+        known[regime] = run.measures.several([c.side for c in columns], regime)
+    return known[regime]
+
+
+def _row(run: Run, columns: Sequence[Column], t: float, known: dict[Regime, Several]) -> Iterator[float]:
     segment = run.trajectory.segment_at(t)
     y, regime = segment.at(t), segment.regime
     assert isinstance(regime, Regime)
     yield t
-    for column in columns:
-        factor, function = in_si(column.unit), run.measures.function(column.side, regime)
-        run.measures.wind(t)
-        yield from (v / factor for v in function(t, y))
+    values = _values(run, columns, regime, known)
+    run.measures.wind(t)
+    for column, found in zip(columns, values(t, y), strict=True):
+        factor = in_si(column.unit)
+        yield from (v / factor for v in found)
 
 
 def _columns(problem: Problem, asked: Sequence[Find]) -> tuple[Column, ...]:

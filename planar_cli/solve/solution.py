@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any
 
 import sympy as sp
@@ -10,7 +10,7 @@ import sympy as sp
 from planar_cli.calculus.curve_words import Curve
 from planar_cli.equation.exact import Settled, Valuation
 from planar_cli.problem.scene import Find
-from planar_cli.records import record
+from planar_cli.records import changing, record
 from planar_cli.solve.instant.instant import Instant, Trial
 from planar_cli.solve.instant.stages import Stage
 from planar_cli.solve.instant.written import Explicit
@@ -39,7 +39,7 @@ class Found:
     curve: Curve | None = None
 
 
-@dataclass(slots=True)
+@changing
 class InstantSolution:
     """One instant worked out. `rejected`: the first assumption and others, with why they fail. `value`: numbers of all.
 

@@ -5,11 +5,11 @@ made.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TYPE_CHECKING
 
 from planar_cli.problem.scene import Problem
-from planar_cli.records import record
+from planar_cli.records import changing, record
 from planar_cli.solve.between.trace import MotionTrace
 from planar_cli.solve.passages import Tale
 from planar_cli.solve.solution import Found, InstantSolution
@@ -33,7 +33,7 @@ class Confirmation:
 NOT_COMPARED = Confirmation()
 
 
-@dataclass(slots=True)
+@changing
 class PartSolution:
     """The file's own finds, or those of one case. `motion`: how its states follow each other in time, where they do;
     then `instants` are the general positions of its regimes. `tale`: what is told beside the instants. `followed`: the
@@ -60,7 +60,7 @@ class PartSolution:
         return tuple(f"not compared: {', '.join(names)} ({why})" for why, names in listed.items())
 
 
-@dataclass(slots=True)
+@changing
 class Solution:
     """A whole file solved."""
 

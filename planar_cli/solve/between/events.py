@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from bisect import bisect_right
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from decimal import Decimal
 from itertools import pairwise
 from typing import Protocol
@@ -17,6 +17,7 @@ from planar_cli.equation.exact import Valuation
 from planar_cli.equation.scales import SLACK
 from planar_cli.errors import NoValue
 from planar_cli.motion.segment import Segment
+from planar_cli.records import changing
 from planar_cli.solve.regimes.regime import Regime, number_function
 from planar_cli.units import RATE
 
@@ -40,7 +41,7 @@ class Read(Protocol):
         """The letters, sought from those that are near."""
 
 
-@dataclass(slots=True)
+@changing
 class FollowedSegment:
     """One stretch in numbers: from t0 to t1 [s]."""
 

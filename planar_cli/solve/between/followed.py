@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import sympy as sp
 
-from planar_cli.records import record
+from planar_cli.records import changing, record
 from planar_cli.simulate.run import Run
 from planar_cli.solve.between.events import FollowedSegment, State
 
@@ -26,7 +26,7 @@ class Ends:
     """The modes that follow; None: the same, and something goes the other way."""
 
 
-@dataclass(slots=True)
+@changing
 class Followed:
     """What came of following a motion."""
 

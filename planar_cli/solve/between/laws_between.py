@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import partial
 from typing import Any
 
 import sympy as sp
 
 from planar_cli.principles.base import Balance, Impulses, Integrated
+from planar_cli.records import changing
 from planar_cli.solve.between.balances import Closed, Offered, balance_equations, closed_balances
 from planar_cli.solve.between.impulses import impulse_equations
 from planar_cli.solve.principled import every_principle, position_of
@@ -20,7 +21,7 @@ from planar_cli.solve.regimes.regime_sequence import RegimeSequence
 from planar_cli.solve.regimes.timeline import Stop
 
 
-@dataclass(slots=True)
+@changing
 class LawsBetween:
     """What is offered; then the same worked out, stretch by stretch."""
 

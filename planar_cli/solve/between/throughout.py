@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from decimal import Decimal
 
 import sympy as sp
 
 from planar_cli.equation.exact import Valuation
 from planar_cli.errors import NoValue
+from planar_cli.records import changing
 from planar_cli.solve.between.derivation import Route
 from planar_cli.solve.between.events import FollowedSegment, scale_of
 from planar_cli.solve.between.followed import Followed
@@ -21,7 +22,7 @@ from planar_cli.solve.regimes.equations import Equation, law_equations, link_equ
 from planar_cli.solve.regimes.timeline import Stop
 
 
-@dataclass(slots=True)
+@changing
 class Throughout:
     """Speeds and places between the first state and the next, by the file's own coordinates or by t."""
 

@@ -7,7 +7,7 @@ Forces come from the equations of the general position.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from decimal import Decimal
 from typing import Any
 
@@ -26,6 +26,7 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.problem.outermost import quantities_in
 from planar_cli.problem.scene import Find, Polar, Problem
 from planar_cli.problem.walk import walk
+from planar_cli.records import changing
 from planar_cli.solve.between.agreement import balanced
 from planar_cli.solve.curves.kinematics import Story
 from planar_cli.solve.curves.paths import CurveReader
@@ -104,7 +105,7 @@ def _values(find: Find, quantities: Quantities) -> tuple[sp.Expr, ...]:
     return values
 
 
-@dataclass(slots=True)
+@changing
 class FormulaReader:
     """Answers finds in one regime. `curves`: how the curves were found."""
 

@@ -7,7 +7,7 @@ all others in Cartesian ones.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import sympy as sp
 
@@ -16,7 +16,7 @@ from planar_cli.equation.quantities import Quantities, direction_angle
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.scene import GROUND, Find
 from planar_cli.problem.walk import walk
-from planar_cli.records import record
+from planar_cli.records import changing, record
 from planar_cli.solve.passages import Passage, Row, told_function
 from planar_cli.solve.regimes.functions import Functions, explained
 from planar_cli.solve.regimes.regime import Regime
@@ -33,7 +33,7 @@ HEADINGS = (
 DOTS = ("", "_dot", "_ddot")
 
 
-@dataclass(slots=True)
+@changing
 class Story:
     """Tells the places, velocities and accelerations of one regime on which finds rest.
 

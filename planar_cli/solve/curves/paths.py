@@ -7,7 +7,7 @@ eliminated. (An Introduction to Planar Dynamics, 1.1, 1.4.1.)
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import sympy as sp
 
@@ -21,7 +21,7 @@ from planar_cli.errors import refuse
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND, Find, Rod
-from planar_cli.records import record
+from planar_cli.records import changing, record
 from planar_cli.solve.curves.one_freedom import driver_of, followed_curve, loops_of
 from planar_cli.solve.passages import Passage, Row, told_function
 from planar_cli.solve.regimes.functions import Functions, explained
@@ -46,7 +46,7 @@ class Single:
     """For which the parameter stands, where the file calls that like an axis."""
 
 
-@dataclass(slots=True)
+@changing
 class CurveReader:
     """Reads the curves that are asked of one regime whose rates are worked out. `starts`: values of t, coordinates and
     free speeds at one instant, as far as they are known.

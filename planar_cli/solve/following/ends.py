@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import sympy as sp
 
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.scales import Sizes, measured
+from planar_cli.records import changing
 from planar_cli.solve.between.events import FollowedSegment
 from planar_cli.solve.between.followed import Ends
 from planar_cli.solve.between.stated_motion import StatedMotion
@@ -31,7 +31,7 @@ def is_put_in(course: RegimeSequence, i: int) -> bool:
     return state.name in course.modes.turnings and not state.relations
 
 
-@dataclass(slots=True)
+@changing
 class EndSearch:
     """Looks for what ends along one motion."""
 

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from decimal import Decimal
 
 from planar_cli.equation.exact import Valuation
 from planar_cli.errors import Diagnostic, NoSolution
 from planar_cli.problem.scene import Problem
+from planar_cli.records import changing
 from planar_cli.solve.between.stated_motion import StatedMotion
 from planar_cli.solve.diagnosis.motions import as_drawn
 from planar_cli.solve.following.gaps import changes_sides
@@ -19,7 +20,7 @@ SLACK = Decimal("1e-9")
 Far = Mapping[int, frozenset[str]]
 
 
-@dataclass(slots=True)
+@changing
 class ModeChoice:
     """The choices of modes that have been tried, and the next one."""
 

@@ -7,13 +7,14 @@ branches first, and each is followed to see whether it happens so.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from decimal import Decimal
 
 import sympy as sp
 
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.errors import Diagnostic, NoSolution, NoValue, Undecided, undecided_at
+from planar_cli.records import changing
 from planar_cli.solve.between.alternatives import chosen_extreme, one_of
 from planar_cli.solve.between.asked_finds import AskedFind, asked_finds, asked_letters
 from planar_cli.solve.between.branch_order import candidates
@@ -27,14 +28,7 @@ from planar_cli.solve.between.needed_times import without_unneeded_times
 from planar_cli.solve.between.reached import asked_about
 from planar_cli.solve.between.solved_motion import SolvedMotion
 from planar_cli.solve.between.stated_motion import StatedMotion, stated_motion
-from planar_cli.solve.diagnosis.motions import (
-    clash,
-    demand_told,
-    missing,
-    never,
-    passed_before,
-    strikes_before,
-)
+from planar_cli.solve.diagnosis.motions import clash, demand_told, missing, never, passed_before, strikes_before
 from planar_cli.solve.diagnosis.unbounded_times import Endless
 from planar_cli.solve.following.continuation import continued_branch
 from planar_cli.solve.following.departure import DEPARTS, departure_of
@@ -65,7 +59,7 @@ AT_A_TOP = "the last state is one of equilibrium: with a little more it is passe
 STAYS = "it begins at rest in equilibrium, where every acceleration vanishes: nothing moves"
 
 
-@dataclass(slots=True)
+@changing
 class ModeSearch(ModeChoice):
     """The search of one problem."""
 

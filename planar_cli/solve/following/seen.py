@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from decimal import Decimal
 
 import sympy as sp
 
+from planar_cli.records import changing
 from planar_cli.solve.between.chain import Branch
 from planar_cli.solve.between.solved_motion import SolvedMotion
 from planar_cli.solve.regimes.mode_sequence import ModeSequence
 
 
-@dataclass(slots=True)
+@changing
 class Seen:
     """What came of following the branches of the equations."""
 

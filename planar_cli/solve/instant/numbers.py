@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from decimal import Decimal
 
 import sympy as sp
@@ -11,10 +11,11 @@ import sympy as sp
 from planar_cli.equation.exact import ZERO, Valuation
 from planar_cli.equation.form import Form, linear_form
 from planar_cli.equation.plain import derivative
+from planar_cli.records import changing
 from planar_cli.solve.multibody.linear import Row
 
 
-@dataclass(slots=True)
+@changing
 class Numbers:
     """Expressions to rows of numbers: linear ones by their coefficients, others by their slopes at a generic place.
 

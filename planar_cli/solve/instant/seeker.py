@@ -9,7 +9,7 @@ the file, signs that a mass or a coefficient must have.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import field
 from decimal import Decimal
 
 import sympy as sp
@@ -22,6 +22,7 @@ from planar_cli.equation.moving import all_wrenches
 from planar_cli.equation.sample import fraction, generator
 from planar_cli.equation.system import System
 from planar_cli.problem.facts import Test
+from planar_cli.records import changing
 from planar_cli.solve.diagnosis.words import listed
 from planar_cli.solve.instant.algebra import Algebra
 from planar_cli.solve.instant.branches import Branch, Brancher
@@ -41,7 +42,7 @@ LOOSE = "is open"
 """How the objection reads that a constant is not determined on which an assumption rests."""
 
 
-@dataclass(slots=True)
+@changing
 class Sought:
     """One branch with its trial: the values of all unknowns, and why it is rejected ("" when it holds)."""
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from decimal import Decimal
 from functools import partial
 
@@ -16,7 +16,7 @@ from planar_cli.equation.system import System
 from planar_cli.errors import undecided_at
 from planar_cli.principles.base import Family
 from planar_cli.problem.geometry import Vec
-from planar_cli.records import record
+from planar_cli.records import changing, record
 from planar_cli.solve.instant.adjoint import adjoint_candidates, sum_masks
 from planar_cli.solve.instant.algebra import Algebra, SolvedBlock
 from planar_cli.solve.instant.candidates import Candidate
@@ -46,7 +46,7 @@ class Stage:
     accelerations: dict[str, list[tuple[Vec, sp.Expr]]]
 
 
-@dataclass(slots=True)
+@changing
 class StageMaker:
     """Makes a stage of one system. `value`: numbers of everything that is known before it. `letters`: velocities that
     stay letters, as in a position that is left general. `constructed`: may moment centres be intersections of lines?

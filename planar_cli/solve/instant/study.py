@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from decimal import Decimal
 from typing import Any
 
@@ -17,6 +17,7 @@ from planar_cli.equation.system import System
 from planar_cli.errors import Undecided
 from planar_cli.problem.facts import Mode, Test, Wrench
 from planar_cli.problem.geometry import Vec
+from planar_cli.records import changing
 from planar_cli.solve.multibody.assembly import Assembly, Twist
 from planar_cli.solve.multibody.linear import Row, Solved, solve
 
@@ -26,7 +27,7 @@ TINY = Decimal("1e-25")
 """Beyond so many the elimination of what is not unique is given up, and said so."""
 
 
-@dataclass(slots=True)
+@changing
 class Velocities:
     """Velocity unknowns in numbers. `free`: those that no condition fixes; `nonlinear`: conditions left for later."""
 
@@ -147,7 +148,7 @@ def certain(expr: sp.Expr, value: Valuation) -> Decimal:
     return ZERO if found and abs(found) < Decimal("1e-15") and value.is_zero(expr) else found
 
 
-@dataclass(slots=True)
+@changing
 class Outcome:
     """Numbers of one choice of modes for one valuation.
 

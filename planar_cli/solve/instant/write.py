@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from decimal import Decimal
 from typing import Any
 
@@ -17,6 +17,7 @@ from planar_cli.equation.system import System
 from planar_cli.principles.base import Single
 from planar_cli.problem.facts import Wrench
 from planar_cli.problem.geometry import Vec
+from planar_cli.records import changing
 from planar_cli.solve.instant.candidates import Candidate, Choice
 from planar_cli.solve.instant.numbers import Numbers
 from planar_cli.solve.instant.offers import line_of
@@ -31,7 +32,7 @@ LONGEST = 8
 """A coefficient of more operations than this is printed as a number."""
 
 
-@dataclass(slots=True)
+@changing
 class Writer:
     """Writes the equations of one stage; numbers run through the whole solution.
 

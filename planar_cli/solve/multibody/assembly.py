@@ -7,7 +7,7 @@ which values are unique, and every sign, before anything is planned or printed.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, field
+from dataclasses import field
 from decimal import Decimal
 from typing import Any
 
@@ -15,13 +15,14 @@ from planar_cli.equation.exact import ZERO, Valuation
 from planar_cli.problem.facts import Joining, Pull, Push, Row, Wrench
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
+from planar_cli.records import changing
 from planar_cli.solve.multibody.linear import Row as NumberRow
 
 Twist = tuple[Vec, Decimal]
 """Velocity of the mass centre and ω, as numbers."""
 
 
-@dataclass(slots=True)
+@changing
 class Assembly:
     """Rows in the unknowns (a_x, a_y, α of each body; pushes; sought loads), made from facts and numbers.
 

@@ -13,7 +13,7 @@ couple of every joint on every body.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from decimal import Decimal
 
 import sympy as sp
@@ -25,7 +25,7 @@ from planar_cli.equation.system import System
 from planar_cli.joints.base import distinct
 from planar_cli.problem.facts import Action, Wrench
 from planar_cli.problem.geometry import Vec
-from planar_cli.records import record
+from planar_cli.records import changing, record
 from planar_cli.solve.instant.worked import PARTS, Worked
 from planar_cli.solve.multibody.poses import NearPoses, Place
 from planar_cli.solve.multibody.sparse import CONSTANT, Echelon, Line
@@ -57,7 +57,7 @@ class Agreement:
         return not self.disagreements
 
 
-@dataclass(slots=True)
+@changing
 class Tie:
     """One scalar residual of a joint: its jet, the column of its multiplier, the friction that a unit of it brings."""
 

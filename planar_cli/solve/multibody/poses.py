@@ -8,14 +8,14 @@ direction has turned.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from decimal import Decimal
 from typing import Any
 
 from planar_cli.equation.exact import Valuation
 from planar_cli.problem.facts import Outline, center_of
 from planar_cli.problem.geometry import Vec
-from planar_cli.records import record
+from planar_cli.records import changing, record
 from planar_cli.solve.multibody.time_jets import ONE, TWO, ZERO, TimeJet, constant
 
 ELAPSED = TimeJet(ZERO, ONE, ZERO, {})
@@ -31,7 +31,7 @@ class Place:
     columns: tuple[int, int, int | None]
 
 
-@dataclass(slots=True)
+@changing
 class NearPoses:
     """The poses q + q̇ t of all bodies; the ground, and what is not among `places`, stays."""
 

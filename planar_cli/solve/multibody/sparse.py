@@ -6,16 +6,17 @@ An equation is {column: coefficient}, with the constant at column -1: Σ coeffic
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import field
 from decimal import Decimal
 
 from planar_cli.equation.exact import CERTAIN, ZERO
+from planar_cli.records import changing
 
 CONSTANT = -1
 Line = dict[int, Decimal]
 
 
-@dataclass(slots=True)
+@changing
 class Echelon:
     """Equations in the order in which they were added, each free of the leading unknowns of those before it."""
 

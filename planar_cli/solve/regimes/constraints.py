@@ -7,7 +7,6 @@ a general position.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
 from decimal import Decimal
 from typing import Any
 
@@ -28,7 +27,7 @@ from planar_cli.problem.facts import Mode, Outline
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.ordinary import Scales
 from planar_cli.problem.scene import GROUND, Curve, Surface
-from planar_cli.records import record
+from planar_cli.records import changing, record
 from planar_cli.solve.instant.instant import Instant
 from planar_cli.solve.multibody.linear import solve
 from planar_cli.units import parse_unit
@@ -49,7 +48,7 @@ class Constraint:
     kind: str = "loop"
 
 
-@dataclass(slots=True)
+@changing
 class GeneralPoses:
     """The poses of a displaced scene, as expressions in its coordinates. `start`: the coordinates as drawn."""
 

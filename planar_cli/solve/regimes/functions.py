@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from decimal import Decimal
 
 import sympy as sp
@@ -13,7 +13,7 @@ from planar_cli.equation.displacement import Coordinate
 from planar_cli.equation.exact import PI, Unvalued, Valuation
 from planar_cli.equation.plain import identically_zero, simplified
 from planar_cli.errors import NoValue, Undecided
-from planar_cli.records import record
+from planar_cli.records import changing, record
 from planar_cli.solve.instant.roots import real_roots
 from planar_cli.solve.regimes.equations import laws_of
 from planar_cli.solve.regimes.regime import Regime
@@ -32,7 +32,7 @@ class Function:
     sides: tuple[sp.Expr, sp.Expr] | None = None
 
 
-@dataclass(slots=True)
+@changing
 class Functions:
     """All coordinates of one regime that can be written as functions of time and of those in `kept`.
 

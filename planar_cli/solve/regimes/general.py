@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from decimal import Decimal
 from typing import Any
 
@@ -19,6 +19,7 @@ from planar_cli.equation.setup import Course, Setup
 from planar_cli.equation.system import Statements
 from planar_cli.problem.ordinary import Scales
 from planar_cli.problem.scene import Problem
+from planar_cli.records import changing
 from planar_cli.solve.diagnosis.placed import placed_by_nothing
 from planar_cli.solve.instant.finish import Finisher, unreached
 from planar_cli.solve.instant.instant import Instant, Trial
@@ -35,7 +36,7 @@ IN_LOOPS = 150
 """Where loops close, longer formulas are followed in numbers only, and left as they come."""
 
 
-@dataclass(slots=True)
+@changing
 class General:
     """One choice of modes in a general position."""
 

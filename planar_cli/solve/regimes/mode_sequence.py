@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from typing import Any
 
 import sympy as sp
@@ -13,7 +13,7 @@ from planar_cli.equation.setup import has_quantity, names_in
 from planar_cli.joints.base import Joint
 from planar_cli.problem.expression import JustAfter, Name, Relation, Statement
 from planar_cli.problem.scene import Problem, State
-from planar_cli.records import record
+from planar_cli.records import changing, record
 from planar_cli.solve.instant.instant import Instant
 from planar_cli.solve.regimes.general import General, drawn_instant, make_general
 from planar_cli.solve.regimes.lasting import LastingContact, lasting_from
@@ -154,9 +154,7 @@ def acting_after(problem: Problem, state: State) -> Span:
     return _span(problem, acting_from(problem, state), lasting_from(problem, state))
 
 
-def _span(
-    problem: Problem, acts: Callable[[tuple[str, str] | None], bool], lasting: tuple[Joint, ...] = ()
-) -> Span:
+def _span(problem: Problem, acts: Callable[[tuple[str, str] | None], bool], lasting: tuple[Joint, ...] = ()) -> Span:
     """`lasting`: the contacts that impacts have left."""
     always = tuple(law.statement for law in problem.motion if acts(law.during))
     joints = (*(j for j in problem.joints if acts(j.during) and not j.strikes), *lasting)
@@ -189,7 +187,7 @@ def arriving_at(problem: Problem, state: State) -> Span:
     return _span(problem, lambda during: during is None or (now(during) and order[during[0]] < here))
 
 
-@dataclass(slots=True)
+@changing
 class Workshop:
     """Makes what several sequences of modes of one problem share: scenes as drawn, and regimes."""
 

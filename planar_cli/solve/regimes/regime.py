@@ -8,7 +8,7 @@ What moves is described by the coordinates q and the free speeds u; every other 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from decimal import Decimal
 
 import sympy as sp
@@ -21,7 +21,7 @@ from planar_cli.equation.sample import anywhere
 from planar_cli.equation.trigonometry import put_together
 from planar_cli.errors import NoValue
 from planar_cli.problem.facts import Test
-from planar_cli.records import record
+from planar_cli.records import changing, record
 from planar_cli.solve.instant.locked import LOCKED
 from planar_cli.solve.regimes.energy import balance_of
 from planar_cli.solve.regimes.general import General, loose_tree
@@ -39,7 +39,7 @@ class Watch:
     expr: sp.Expr
 
 
-@dataclass(slots=True)
+@changing
 class Regime:
     """What acts in one choice of modes, worked out for what is stated and asked in it."""
 

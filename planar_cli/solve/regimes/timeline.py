@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from typing import Any, TypeGuard
 
 import sympy as sp
@@ -33,7 +33,7 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.problem.polar import VectorStatement, grouped
 from planar_cli.problem.scene import Problem
 from planar_cli.problem.scope import Scope
-from planar_cli.records import record
+from planar_cli.records import changing, record
 from planar_cli.solve.regimes.after import changes_at_once
 from planar_cli.solve.regimes.regime import Regime
 from planar_cli.solve.roads import SPANNED
@@ -83,7 +83,7 @@ class Demand:
     """It must be positive, where the residual alone would also let the opposite direction pass."""
 
 
-@dataclass(slots=True)
+@changing
 class Reader:
     """Reads statements and finds of a problem in one regime."""
 
