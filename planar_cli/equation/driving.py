@@ -5,7 +5,7 @@ from __future__ import annotations
 import sympy as sp
 
 from planar_cli.equation.conditions import ACCELERATION, order, stated
-from planar_cli.equation.form import linear_form
+from planar_cli.equation.form import Nonlinear, linear_form
 from planar_cli.equation.motion import Motion
 from planar_cli.equation.system import System
 from planar_cli.problem.expression import Name, Quantity, Relation, Side
@@ -34,7 +34,11 @@ def driving_pushes(system: System, free: Motion) -> tuple[Push, ...]:
             continue
         for condition in stated([(relation, always)], quantities, quantities.evaluator, names, ACCELERATION):
             for expr in condition.rows():
-                form = linear_form(expr, parts)
+                try:
+                    form = linear_form(expr, parts)
+                except Nonlinear:
+                    # The size or direction of an acceleration: no one push belongs to it.
+                    continue
                 if not always and any(system.scene.bodies[parts[s][0]].mass != 0 for s in form.terms):
                     continue
                 actions = _actions(system, {parts[s]: c for s, c in form.terms.items()})

@@ -23,7 +23,7 @@ from planar_cli.solve.diagnosis.known import demand_stated
 from planar_cli.solve.held import outcome_that_holds
 from planar_cli.solve.instant.by_direction import SPEEDS, alike, is_settled, with_speeds, with_statements
 from planar_cli.solve.instant.finish import Finisher, not_reached
-from planar_cli.solve.instant.instant import OPEN, Instant, Lift, Trial, make_instant, search
+from planar_cli.solve.instant.instant import NONLINEAR, OPEN, Instant, Lift, Trial, make_instant, search
 from planar_cli.solve.instant.seek import seek
 from planar_cli.solve.instant.sign_pairs import BothWays, demand_one_way
 from planar_cli.solve.instant.verify import Disagreement
@@ -39,9 +39,7 @@ from planar_cli.solve.static_alone import whatever_kinetic
 NO_MOTION = frozenset(("PL620", "PL621", "PL622"))
 """Verdicts that a motion which is followed to all states refutes."""
 SEED = 1
-"""SymPy factors and tests for zero at places that it draws: the same ones each time, so that a file takes the same way
-in the same time whenever it is solved, and whatever was solved before it.
-"""
+"""SymPy factors and tests for zero at places that it draws: the same ones whenever, and after whatever, it solves."""
 
 
 def solve_problem(problem: Problem, method: str | None = None) -> Solution:
@@ -293,36 +291,36 @@ def _solve(
 ) -> tuple[InstantSolution, list[Found]]:
     check_positions(instant)
     if instant.must_seek():
-        try:
-            return _seek(instant, finds, units, state)
-        except BothWays:
-            raise
-        except NoSolution:
-            if (told := _by_direction(instant, finds, units, state)) is None:
-                raise
-            return told
-        except Unvalued as error:
-            # A load depends on a speed which nothing tells.
-            _, rejected = search(instant)
-            if not any(t.objection == OPEN for t in rejected):
-                raise
-            raise explain_failure(instant, rejected, finds) from error
+        return _searched(instant, [], finds, units, state)
     held, rejected = search(instant)
-    if not held and any(t.objection == OPEN for t in rejected):
+    if not held and any(t.objection in (OPEN, NONLINEAR) for t in rejected):
         singular_position(instant, rejected, finds)
-        try:
-            return _seek(instant, finds, units, state)
-        except BothWays:
-            raise
-        except NoSolution as error:
-            if (told := _by_direction(instant, finds, units, state)) is not None:
-                return told
-            raise explain_failure(instant, rejected, finds) from error
-        except Unvalued as error:
-            raise explain_failure(instant, rejected, finds) from error
+        return _searched(instant, rejected, finds, units, state)
     if not held:
         raise explain_failure(instant, rejected, finds)
     return outcome_that_holds(instant, several(instant, held), tuple(rejected), finds, units, state)
+
+
+def _searched(
+    instant: Instant, rejected: list[Trial], finds: tuple[Find, ...], units: dict[str, str], state: str
+) -> tuple[InstantSolution, list[Found]]:
+    """As `_seek`, or else by the direction of open speeds; `rejected`: modes that numbers alone did not settle."""
+    try:
+        return _seek(instant, finds, units, state)
+    except BothWays:
+        raise
+    except NoSolution as error:
+        if (told := _by_direction(instant, finds, units, state)) is not None:
+            return told
+        if any(t.objection == OPEN for t in rejected):
+            raise explain_failure(instant, rejected, finds) from error
+        raise
+    except Unvalued as error:
+        # A load depends on a speed which nothing tells.
+        rejected = rejected or search(instant)[1]
+        if not any(t.objection == OPEN for t in rejected):
+            raise
+        raise explain_failure(instant, rejected, finds) from error
 
 
 def _by_direction(

@@ -15,7 +15,7 @@ from planar_cli.equation.setup import Setup
 from planar_cli.equation.system import Statements
 from planar_cli.problem.expression import Binary, Number, Quantity, Relation
 from planar_cli.problem.outermost import quantities_in
-from planar_cli.solve.instant.instant import OPEN, TINY, Instant, search_modes
+from planar_cli.solve.instant.instant import NONLINEAR, OPEN, TINY, Instant, search_modes
 from planar_cli.solve.solution import Found, InstantSolution
 
 SPEEDS = (Fraction(37, 29), Fraction(83, 31))
@@ -61,7 +61,7 @@ def with_statements(instant: Instant, statements: Statements) -> Instant:
 def is_settled(instant: Instant) -> bool:
     """Do the statements leave no speed open?"""
     held, rejected = search_modes(instant, instant.scene.valuations)
-    return bool(held) or not any(t.objection == OPEN for t in rejected)
+    return bool(held) or not any(t.objection in (OPEN, NONLINEAR) for t in rejected)
 
 
 def alike(one: tuple[InstantSolution, list[Found]], other: tuple[InstantSolution, list[Found]]) -> bool:

@@ -40,6 +40,8 @@ MOST_MODES = 400
 TINY = Decimal("1e-25")
 OPEN = "velocities are open"
 """The objection to modes in which nothing tells how fast the parts move."""
+NONLINEAR = "accelerations enter nonlinearly"
+"""The objection to modes in which only a search finds the accelerations."""
 
 
 @record
@@ -221,6 +223,8 @@ class Instant:
         outcomes = tuple(
             accelerate(system, vel, v, self.free, given or {}) for vel, v in zip(velocities, valuations, strict=True)
         )
+        if any(o.nonlinear for o in outcomes):
+            return Trial(choice, system, velocities, (), NONLINEAR)
         for outcome in outcomes:
             moving = self._moves_otherwise(system, outcome)
             if moving:

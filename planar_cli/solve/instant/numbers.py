@@ -64,9 +64,16 @@ class Numbers:
         return value
 
     def _slope(self, expr: sp.Expr, x: sp.Symbol) -> Decimal:
-        """The exact derivative in numbers; a difference quotient would leave traces where terms cancel."""
+        """The exact derivative in numbers; a difference quotient would leave traces where terms cancel. Of what rests
+        on the sign of x alone the derivative tells nothing: there the difference of both signs counts.
+        """
         opened = opened_for(expr, x, self.value.definitions)
-        return self._clean(derivative(opened, x)) if x in opened.free_symbols else ZERO
+        if x not in opened.free_symbols:
+            return ZERO
+        slope = self._clean(derivative(opened, x))
+        if slope or not opened.has(sp.Abs, sp.sign):
+            return slope
+        return self._clean(opened - opened.xreplace({x: -x}))
 
 
 def opened_for(expr: sp.Expr, x: sp.Symbol, definitions: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:

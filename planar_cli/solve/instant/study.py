@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import field
 from decimal import Decimal
+from functools import partial
 from typing import Any
 
 import sympy as sp
@@ -14,10 +16,12 @@ from planar_cli.equation.form import Form, Nonlinear, linear_form
 from planar_cli.equation.motion import Motion
 from planar_cli.equation.moving import all_wrenches
 from planar_cli.equation.system import System
+from planar_cli.equation.tangent import Tangent
 from planar_cli.errors import Undecided
 from planar_cli.problem.facts import Mode, Test, Wrench
 from planar_cli.problem.geometry import Vec
 from planar_cli.records import changing
+from planar_cli.solve.instant.tangents import tangent_in
 from planar_cli.solve.multibody.assembly import Assembly, Twist
 from planar_cli.solve.multibody.linear import Row, Solved, solve
 
@@ -153,13 +157,15 @@ class Outcome:
     """Numbers of one choice of modes for one valuation.
 
     `solved` over the columns of `assembly`; `failed`: the tests that do not hold, with their values; `open_tests`:
-    tests whose value is free, but which can hold together.
+    tests whose value is free, but which can hold together; `nonlinear`: relations between accelerations or forces that
+    were left out, as only a search solves them.
     """
 
     assembly: Assembly
     solved: Solved
     failed: tuple[tuple[Test, Decimal | None], ...]
     value: Valuation
+    nonlinear: tuple[str, ...] = ()
 
     def push(self, name: str) -> Decimal | None:
         """The value of a push; None when it is not unique, zero when it is absent."""
@@ -170,12 +176,12 @@ class Outcome:
 
 
 def accelerate(
-    system: System, velocities: Velocities, value: Valuation, free: Motion, constants: dict[sp.Symbol, Decimal]
+    system: System, velocities: Velocities, value: Valuation, free: Motion, known: dict[sp.Symbol, Decimal]
 ) -> Outcome:
     """Accelerations and pushes of a system whose velocities are settled.
 
-    `free`: a motion in which no body hangs on another; the file's own relations are read in it. `constants`: sought
-    constants that are settled.
+    `free`: a motion in which no body hangs on another; the file's own relations are read in it. `known`: unknowns that
+    are settled, constants above all.
     """
     scene = system.scene
     numbers = value.extended(velocities.values)
@@ -200,9 +206,9 @@ def accelerate(
         for row in mode.facts.rows:
             assembly.rows.append(assembly.row(row))
             assembly.sources.append(row.title)
-    sought = set(scene.ledger.sought) - set(constants)
+    sought = set(scene.ledger.sought) - set(known)
     add_loads(assembly, system, wrenches, sought)
-    add_given(assembly, system, free, sought)
+    nonlinear = add_given(assembly, system, free, sought, known)
     for law in system.laws:
         line = {assembly.column(law.push): ONE}
         factor = -numbers(law.factor)
@@ -210,7 +216,7 @@ def accelerate(
         assembly.rows.append(line)
         assembly.sources.append(f"friction law of {law.push}")
     solved = solve(assembly.dense(), len(assembly.columns))
-    return Outcome(assembly, solved, failing(system, assembly, solved), numbers)
+    return Outcome(assembly, solved, failing(system, assembly, solved), numbers, nonlinear)
 
 
 def add_loads(assembly: Assembly, system: System, wrenches: tuple[Wrench, ...], sought: set[sp.Symbol]) -> None:
@@ -231,13 +237,15 @@ def add_loads(assembly: Assembly, system: System, wrenches: tuple[Wrench, ...], 
     assembly.kinetics(masses, system.pushes, tuple(known), tuple(unknown))
 
 
-def add_given(assembly: Assembly, system: System, free: Motion, sought: set[sp.Symbol]) -> None:
+def add_given(
+    assembly: Assembly, system: System, free: Motion, sought: set[sp.Symbol], known: dict[sp.Symbol, Decimal]
+) -> tuple[str, ...]:
     """The file's own acceleration relations, over body accelerations, pushes, sought constants and rates of
-    coordinates.
+    coordinates. Nonlinear ones count to first order where the unknowns are `known`; the others are returned.
     """
     conditions = system.stated_accelerations(free)
     if not conditions:
-        return
+        return ()
     keys: dict[sp.Symbol, Any] = {symbol: name for name, symbol in system.symbols.items()}
     moving: dict[sp.Symbol, Decimal] = {}
     for edge in free.tree.edges:
@@ -253,15 +261,31 @@ def add_given(assembly: Assembly, system: System, free: Motion, sought: set[sp.S
         keys[symbol] = symbol.name
     present = {p.name for p in system.pushes}
     value = assembly.value.extended(moving)
+    near = partial(tangent_in, keys=keys, system=system, free=free, value=value, known=known)
+    nonlinear = []
     for condition in conditions:
         for expr in condition.rows():
-            form = linear_form(expr, keys)
-            row: dict[int, Decimal] = {-1: certain(form.constant, value)}
-            for symbol, coefficient in form.terms.items():
+            if (form := _first_order(expr, keys, value, near)) is None:
+                nonlinear.append(condition.text)
+                continue
+            row: dict[int, Decimal] = {-1: form.constant}
+            for symbol, coefficient in form.slopes.items():
                 if keys[symbol] not in system.symbols or keys[symbol] in present:
-                    row[assembly.column(keys[symbol])] = certain(coefficient, value)
+                    row[assembly.column(keys[symbol])] = coefficient
             assembly.rows.append(row)
             assembly.sources.append(condition.text)
+    return tuple(nonlinear)
+
+
+def _first_order(
+    expr: sp.Expr, keys: dict[sp.Symbol, Any], value: Valuation, known: Callable[[sp.Expr], Tangent | None]
+) -> Tangent | None:
+    """A relation as a linear one; None where it is nonlinear and its unknowns are not known."""
+    try:
+        form = linear_form(expr, keys)
+    except Nonlinear:
+        return known(expr)
+    return Tangent({s: certain(c, value) for s, c in form.terms.items()}, certain(form.constant, value))
 
 
 def failing(system: System, assembly: Assembly, solved: Solved) -> tuple[tuple[Test, Decimal | None], ...]:

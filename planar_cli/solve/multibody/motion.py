@@ -12,16 +12,18 @@ couple of every joint on every body.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Container, Iterable, Mapping, Sequence
 from dataclasses import field
 from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.exact import ZERO
-from planar_cli.equation.form import linear_form
+from planar_cli.equation.exact import ZERO, Valuation
+from planar_cli.equation.form import Nonlinear, linear_form
 from planar_cli.equation.motion import Motion
+from planar_cli.equation.plain import letters
 from planar_cli.equation.system import System
+from planar_cli.equation.tangent import Tangent, tangent
 from planar_cli.joints.base import distinct
 from planar_cli.problem.facts import Action, Wrench
 from planar_cli.problem.geometry import Vec
@@ -219,24 +221,29 @@ class Multibody:
             return []
         columns: dict[sp.Symbol, int] = {}
         speeds: dict[sp.Symbol, Decimal] = {}
+        paces: dict[sp.Symbol, Decimal] = {}
         for edge in free.tree.edges:
             place = self.places[edge.body]
+            linear, angular = self.worked.accelerations[edge.body]
             made = ((edge.slide, edge.slide_rate), (edge.rise, edge.rise_rate), (edge.spin, edge.spin_rate))
             velocity = (place.velocity.x, place.velocity.y, place.spin)
-            for column, (speed, rate), value in zip(place.columns, made, velocity, strict=True):
+            own = zip(place.columns, made, velocity, (linear.x, linear.y, angular), strict=True)
+            for column, (speed, rate), value, pace in own:
                 if column is not None and speed is not None and rate is not None:
-                    columns[rate], speeds[speed] = column, value
+                    columns[rate], speeds[speed], paces[rate] = column, value, pace
         for _, rate in self.system.scene.evaluator.motions.values():
             if isinstance(rate, sp.Symbol):
                 columns[rate] = self.count + len(self.ties) + len(columns)
+                if (pace := self.worked.numbers.known(rate)) is not None:
+                    paces[rate] = pace
         pushes = {symbol: self.worked.pushes.get(name, ZERO) for name, symbol in self.system.symbols.items()}
         value = self.value.extended({**pushes, **speeds})
         found = []
         for condition in conditions:
             for expr in condition.rows():
-                form = linear_form(expr, columns)
-                line = {columns[s]: value(c) for s, c in form.terms.items()}
-                found.append((condition.text, tidied_line({**line, CONSTANT: value(form.constant)})))
+                form = _first_order(expr, columns, paces, value)
+                line = {columns[s]: c for s, c in form.slopes.items()}
+                found.append((condition.text, tidied_line({**line, CONSTANT: form.constant})))
         return found
 
     # --- comparison --------------------------------------------------------------------------------------------------
@@ -302,6 +309,17 @@ class Multibody:
                 for i, c in self.push(push.actions, self.worked.pushes[push.name]).items():
                     total[i] = total.get(i, ZERO) + c
         return total
+
+
+def _first_order(
+    expr: sp.Expr, columns: Container[sp.Symbol], paces: Mapping[sp.Symbol, Decimal], value: Valuation
+) -> Tangent:
+    """A relation between accelerations as a linear one; a nonlinear one near the worked accelerations."""
+    try:
+        form = linear_form(expr, columns)
+    except Nonlinear:
+        return tangent(expr, {x: paces[x] for x in letters(expr) if x in columns}, value)
+    return Tangent({s: value(c) for s, c in form.terms.items()}, value(form.constant))
 
 
 def tidied(jet: TimeJet) -> TimeJet:

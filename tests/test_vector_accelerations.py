@@ -1,0 +1,85 @@
+"""Relations that give the size of an acceleration or of a reaction: every root, told apart by inequalities."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from planar_cli.errors import NoSolution
+from planar_cli.homework.checking import read
+from planar_cli.solve.run import solve_problem
+
+CURVE = """
+title: Size of an acceleration on a circle
+points: {{O: [0, 0], P: [0, -200 m]}}
+surfaces: {{road: {{center: O, radius: 200 m}}}}
+bodies: {{car: {{particle: P}}}}
+joints:
+  - guide: {{point: car, along: road}}
+instant: [{stated}]
+find: {{a: a(car).t}}
+"""
+FORK = """
+title: Sizes of velocity and acceleration, open speed and open rate
+points: {O: [0, 0], P: [-1 m, 0]}
+surfaces: {slot: {r: 0.5 m * (1 - cos(theta))}}
+bodies: {fork: {rod: [O, 180 deg], length: 2 m}, ball: {particle: P}}
+joints:
+  - pin: {at: O, between: [ground, fork]}
+  - guide: {point: ball, along: fork}
+  - guide: {point: ball, along: slot, name: cam}
+instant: [v(ball).mag = 4 m/s, a(ball).mag = 30 m/s^2, omega(fork) > 0, alpha(fork) > 0]
+find: {a: alpha(fork)}
+"""
+PIN = """
+title: Size of a reaction tells the speed
+plane: vertical
+points: {A: [0, 0], B: [1.2 m, 0]}
+bodies: {rod: {rod: [A, B], mass: 4 kg}}
+joints:
+  - pin: {at: A, between: [ground, rod]}
+instant: [reaction(A).mag = 50 N]
+find: {a: abs(omega(rod))}
+"""
+
+
+def answer(text: str, folder: Path) -> float:
+    """The only find of a file."""
+    path = folder / "file.yaml"
+    path.write_text(text, encoding="utf-8")
+    values = solve_problem(read(str(path))).parts[0].found[0].values
+    assert values is not None
+    return float(values[0])
+
+
+@pytest.mark.parametrize(
+    ("stated", "expected"),
+    [
+        # a_n = 20²/200 = 2; a_t² = 3² - 2².
+        ("v(car).x = 20 m/s, a(car).mag = 3 m/s^2, a(car).t > 0", 5**0.5),
+        ("v(car).x = 20 m/s, a(car).mag = 3 m/s^2, a(car).t < 0", -(5**0.5)),
+        ("v(car).x = -20 m/s, a(car).mag = 3 m/s^2, a(car).x > 0", -(5**0.5)),
+        # The speed is told by its size, and its direction by an inequality.
+        ("v(car).mag = 20 m/s, v(car).x < 0, a(car).t = 1 m/s^2", 1.0),
+    ],
+)
+def test_the_size_of_an_acceleration_is_a_datum(stated: str, expected: float, tmp_path: Path) -> None:
+    assert answer(CURVE.format(stated=stated), tmp_path) == pytest.approx(expected)
+
+
+def test_sizes_on_two_levels(tmp_path: Path) -> None:
+    # r = 1, r' = 0, r'' = -0.5 ω², ω = 4: a_r = -24, a_θ = α.
+    assert answer(FORK, tmp_path) == pytest.approx(18)
+
+
+def test_the_size_of_a_reaction_is_a_datum(tmp_path: Path) -> None:
+    # A_y = m g/4, A_x = m ω² l/2.
+    assert answer(PIN, tmp_path) == pytest.approx(((50**2 - 9.81**2) ** 0.5 / 2.4) ** 0.5)
+
+
+@pytest.mark.parametrize(("size", "code"), [(3, "PL618"), (1, "PL601")])
+def test_both_ways_and_none(size: int, code: str, tmp_path: Path) -> None:
+    with pytest.raises(NoSolution) as caught:
+        answer(CURVE.format(stated=f"v(car).x = 20 m/s, a(car).mag = {size} m/s^2"), tmp_path)
+    assert [d.code for d in caught.value.diagnostics] == [code]
