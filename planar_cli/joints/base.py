@@ -41,6 +41,13 @@ class Joint(Entry, ABC):
     unilateral: ClassVar[bool] = False
     """Does it press from one side alone, on which the body is drawn?"""
 
+    @property
+    def drawn_beside(self) -> bool:
+        """Are its points drawn beside the lines on which it acts? The moments that this leaves go to what keeps the
+        bodies on their ways, outside the scene.
+        """
+        return False
+
     def holder(self) -> str | None:
         """What holds the other partner where no key `between` names it: a body, a surface, the ground."""
         return None

@@ -72,6 +72,10 @@ class Rope(Joint):
         SideKey("deg", angle=True), "the direction of all its parts; pulley sizes left out", default=None
     )
 
+    @property
+    def drawn_beside(self) -> bool:
+        return self.along is not None
+
     def attachments(self) -> tuple[tuple[str, str], ...]:
         return self.rims()
 

@@ -5,6 +5,7 @@
 What bodies do to each other does not count: whether it cancels is what the balance shows. A mass that grows or shrinks
 in time brings or takes m' v, as seen from the body. A body that is a particle does not turn: what presses on a surface
 of it, away from its point, has a moment about that point, which goes to whatever keeps the body from turning, outside.
+A joint that is drawn beside the lines on which it acts leaves a moment, which goes the same way.
 """
 
 from __future__ import annotations
@@ -35,8 +36,10 @@ def outside_of(model: HybridModel, regime: Regime) -> Outside | None:
         if not (growth.constant and growth.value == 0):
             loads[i] = loads[i] + growth * slot.rate if i in loads else growth * slot.rate
     terms = list(_of_column(model, loads))
+    beside = {j.name for j in model.joints if j.drawn_beside}
     for push in regime.reactions:
-        terms += _to_outside(model, push.actions)
+        force_x, force_y, moment = _to_outside(model, push.actions)
+        terms += (force_x, force_y, _left_over(model, push.actions) if push.joint in beside else moment)
     code = compiled([graph.of(t) for t in terms], layout.state, layout.time)
     count = len(regime.reactions)
 
@@ -64,6 +67,22 @@ def _of_column(model: HybridModel, column: Mapping[int, Term]) -> tuple[Term, Te
         if frame.theta is not None:
             moment = moment + column.get(frame.theta, zero)
     return force_x, force_y, moment
+
+
+def _left_over(model: HybridModel, actions: Sequence[Action]) -> Term:
+    """The moment of what a unit of a push does to the bodies, reversed: that of the ground and of guides together."""
+    graph, layout = model.graph, model.layout
+    moment = graph.number(0.0)
+    for action in actions:
+        frame = layout.frames.get(action.body)
+        if frame is None:
+            continue
+        moment = moment - graph.of(action.couple) if frame.theta is not None else moment
+        if action.force is not None:
+            center = Vec(layout.slots[frame.x].coordinate, layout.slots[frame.y].coordinate)
+            point = action.point if frame.theta is not None else center
+            moment = moment - graph.of(point.cross(action.force))
+    return moment
 
 
 def _to_outside(model: HybridModel, actions: Sequence[Action]) -> tuple[Term, Term, Term]:
