@@ -201,6 +201,13 @@ def _side(scene: Scene, a: Partner, b: Partner, normal: Vec, point: Vec) -> int:
     def sign(expr: sp.Expr) -> int:
         return scene.sign(scene.as_drawn(expr))
 
+    if a.particle and b.particle:
+        assert a.center is not None
+        assert b.center is not None
+        reach = scene.as_drawn((b.center - a.center).dot(normal))
+        # With a coordinate of the file either may come from either side.
+        told = scene.displacement is None or not sp.sympify(reach).free_symbols & {*scene.ledger.coordinates}
+        return scene.sign(reach) if told else 0
     for partner, other, sense in ((b, a, 1), (a, b, -1)):
         if partner.particle and partner.center is not None and other.line is not None:
             side = sign((partner.center - other.line[0]).dot(normal)) * sense
@@ -212,8 +219,4 @@ def _side(scene: Scene, a: Partner, b: Partner, normal: Vec, point: Vec) -> int:
         side = sign((center - point).dot(normal)) * sense
         if side:
             return side
-    if a.particle and b.particle:
-        assert a.center is not None
-        assert b.center is not None
-        return sign((b.center - a.center).dot(normal))
     return 0

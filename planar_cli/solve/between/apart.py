@@ -40,6 +40,8 @@ def demand_together(course: StatedMotion, i: int, here: Valuation, near: float) 
             a, b = _between(joint)
             text = f"{a} and {b} do not touch in state {blow.since.name}: they are {gap:.4g} m apart"
             hint = "let a state before it lead there, or give the places in which they touch"
+            if all(partner_of(blow.scene, name).particle for name in (a, b)):
+                hint = f"particles have no size: let {a} and {b} meet at one place, or write `sphere:` with a radius"
             raise NoSolution([Diagnostic(blow.stop.mark, "PL529", text, hint)])
 
 

@@ -140,7 +140,7 @@ class Follower:
         state = blow.placed(state, self.done.values)
         here, near = blow.arrived(state, self.value), TOUCHES * self.sizes.length
         demand_together(self.course, i, here, near)
-        return blow.strike(state, here, near)
+        return blow.strike(state, here, near, self.value)
 
     # --- where a stretch begins --------------------------------------------------------------------------------------
 

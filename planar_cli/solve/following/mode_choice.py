@@ -88,6 +88,18 @@ class ModeChoice:
                 return course.modes.struck(i, choice)
         return None
 
+    def _refuted(self, course: StatedMotion, value: Valuation) -> ModeSequence | None:
+        """Other modes of the first blow whose own ones the numbers of a solution refute, or other modes after it; None:
+        there is none, or all have been tried.
+        """
+        for i, blow in course.blows.items():
+            stroke = blow.in_solution(value)
+            if stroke.objection:
+                return self._other_blow(course, i, stroke.objection, {})
+            if stroke.misfit:
+                return self._other(course.modes, i + 1, stroke.misfit)
+        return None
+
     def _determined(self, course: RegimeSequence, i: int) -> ModeSequence:
         """Another choice of modes, where in this one forces that are needed are not unique."""
         regime = course.regimes[i]

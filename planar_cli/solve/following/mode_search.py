@@ -379,8 +379,10 @@ class ModeSearch(ModeChoice):
 
     def _led(
         self, course: MotionEquations, finds: tuple[AskedFind, ...], branches: list[Branch]
-    ) -> SolvedMotion | None:
-        """Where no motion can be followed: the branch to which the drawn position leads; None: after blows, another."""
+    ) -> SolvedMotion | ModeSequence | None:
+        """Where no motion can be followed: the branch to which the drawn position leads, or other modes of blows that
+        it refutes; None: after blows, another.
+        """
         for regime in course.distinct_regimes():
             regime.general.demand_unique(regime.undetermined)
         led = continued_branch(course, branches)
@@ -391,4 +393,5 @@ class ModeSearch(ModeChoice):
                 raise
             self.lack = self.lack or error
             return None
-        return SolvedMotion(course, finds, led, None, course.base().extended(led.values))
+        value = course.base().extended(led.values)
+        return self._refuted(course, value) or SolvedMotion(course, finds, led, None, value)

@@ -210,15 +210,15 @@ class Blow:
         places = {c.symbol: self.since.letters[c.symbol] for c in self.after.coordinates}
         return {**state, **{s: values[own] for s, own in places.items() if own in values}}
 
-    def strike(self, state: Mapping[sp.Symbol, Any], here: Valuation, near: float) -> Stroke:
+    def strike(self, state: Mapping[sp.Symbol, Any], here: Valuation, near: float, value: Valuation) -> Stroke:
         """What comes of the letters just before the blow. `here`: the numbers with which things have `arrived`. `near`:
-        a smaller gap is none, in m.
+        a smaller gap is none, in m. `value`: knows those constants that are sought and have been found.
         """
         far = self._far(here, Decimal(repr(near)))
         if not self.fits(self.choice, far):
             return Stroke({}, {}, "what is apart is not struck", far=far)
         self._demand_corners(here, Decimal(repr(near)), far)
-        trial = self.struck.try_choice(self.choice, (here,))
+        trial = self._tried(here, value)
         if not trial.outcomes:
             return Stroke({}, {}, trial.objection, far=far)
         outcome = trial.outcomes[0]
@@ -228,7 +228,26 @@ class Blow:
         after |= {u: float(found(own)) for u in self.after.free if (own := self.stop.letters[u]) in unknowns}
         after |= {u: float(found(expr)) for u, expr in self._transferred()}
         own = {s: float(unknowns[s]) for s in self.letters if s in unknowns and self._unique(s, outcome)}
-        return Stroke(after, own, trial.objection, self._moves(after, found, unknowns), far)
+        return Stroke(after, own, trial.objection, self._moves(after, found), far)
+
+    def _tried(self, here: Valuation, value: Valuation) -> Trial:
+        """Its modes in numbers, with those constants that are sought and that `value` knows."""
+        known = {s: value(s) for s in self.scene.ledger.sought if s in value.values}
+        return self.struck.try_choice(self.choice, (here,), known or None)
+
+    def in_solution(self, value: Valuation) -> Stroke:
+        """The blow with the numbers of a solution; nothing speaks against its modes where that leaves some open."""
+        before = (e for b in self.scene.before.values() for e in (b.linear.x, b.linear.y, b.angular))
+        needed = {*self.scene.ledger.sought, *(s for e in before for s in sp.sympify(e).free_symbols)}
+        if any(value.known(s) is None for s in needed):
+            return Stroke({}, {}, "")
+        trial = self._tried(self.numbers(value), value)
+        if not trial.outcomes:
+            return Stroke({}, {}, trial.objection)
+        unknowns = unknowns_of(trial.system, trial.outcomes[0])
+        told = {s: value.known(self.stop.letters[s]) for s in self.after.letters}
+        after = {s: float(v) for s, v in told.items() if v is not None}
+        return Stroke(after, {}, trial.objection, self._moves(after, self.numbers(value).extended(unknowns)))
 
     def _demand_corners(self, here: Valuation, near: Decimal, far: frozenset[str]) -> None:
         """NoSolution: the corner that strikes is another than was taken, or there are two."""
@@ -253,7 +272,7 @@ class Blow:
         chosen = ((j.name, found[i].name) for (j, found), i in zip(self.struck.modes, choice, strict=True))
         return all((mode == FAR) == (name in far) for name, mode in chosen)
 
-    def _moves(self, after: Mapping[sp.Symbol, float], found: Valuation, unknowns: Mapping[sp.Symbol, Decimal]) -> str:
+    def _moves(self, after: Mapping[sp.Symbol, float], found: Valuation) -> str:
         """Does something move after the blow that the regime after it takes for held?"""
         if any(s not in after for s in self.after.letters):
             return ""
