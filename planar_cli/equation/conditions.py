@@ -109,7 +109,8 @@ def joint_conditions(
         residual = motion.closure_velocity(joining) if level == VELOCITY else motion.closure_acceleration(joining)
         normal = joining.path.tangent.turned() if joining.path is not None else None
         found.append(Condition("closure", joining.joint, residual, normal, joining.place, joining.mover, joining.base))
-        if not joining.turns and rigid(joining.mover) and rigid(joining.base):
+        holds = rigid(joining.base) or joining.keeps
+        if not joining.turns and rigid(joining.mover) and holds:
             twists = motion.velocities if level == VELOCITY else motion.accelerations
             turning = twists[joining.mover].angular - twists[joining.base].angular
             found.append(Condition("row", f"{joining.mover} can not turn", turning))

@@ -151,7 +151,7 @@ class TreeBuilder:
     def _hung(self, body: str, joining: Joining) -> Edge:
         backward = body == joining.base
         parent = joining.mover if backward else joining.base
-        turns = (joining.turns or not self.rigid(parent)) and self.rigid(body)
+        turns = (joining.turns or not (self.rigid(parent) or joining.keeps)) and self.rigid(body)
         spin, rate = self.spin_of(body) if turns else (None, None)
         slide = slide_rate = None
         if joining.path is not None:

@@ -187,7 +187,7 @@ class Touching:
             place,
             Path(self.tangent, curvature),
             turns=not self.face,
-            drift=None,
+            keeps=self.face,
         )
 
     def _base_curvature(self) -> Any:
@@ -200,7 +200,14 @@ class Touching:
     def _sticking_joining(self) -> Joining:
         drift = self.base.drift
         joining = Joining(
-            self.name, self.mover.body, self.base.body, self.place, self.contact.at, turns=not self.face, drift=drift
+            self.name,
+            self.mover.body,
+            self.base.body,
+            self.place,
+            self.contact.at,
+            turns=not self.face,
+            drift=drift,
+            keeps=self.face,
         )
         if "arc" in (self.mover.kind, self.base.kind) and self.mover.kind != "corner":
             rolling = Rolling(self.tangent, self.mover.curvature * self._same(self.mover), self._base_curvature())

@@ -94,7 +94,8 @@ class Assembly:
         for direction in self._forbidden(joining):
             self.rows.append(self.across(joining, direction))
             self.sources.append(joining.joint)
-        if not joining.turns and all(b == GROUND or self.rigid(b) for b in (joining.mover, joining.base)):
+        held = joining.keeps or all(b == GROUND or self.rigid(b) for b in (joining.mover, joining.base))
+        if not joining.turns and held:
             row: dict[int, Decimal] = {}
             self._spin(row, joining.mover, Decimal(1))
             self._spin(row, joining.base, Decimal(-1))
