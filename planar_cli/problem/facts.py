@@ -50,7 +50,7 @@ class Joining:
     no slide), plus `drift` (a vector: the speed of a running belt's surface). `turns`: may the mover turn relative to
     the base? `place`: the point's name in print. `rolling`: contact without slip between outlines, whose points of
     contact differ in their normal acceleration. `pace`: what is added to the acceleration besides (None: nothing).
-    `keeps`: where the mover may not turn, does a base that is a particle hold it all the same? Its surfaces do not turn.
+    `keeps`: does a base that is a particle keep the mover from turning? Its surfaces do not turn.
     """
 
     joint: str
