@@ -15,6 +15,7 @@ from planar_cli.equation.setup import Setup
 from planar_cli.errors import NOWHERE, Diagnostic, Mark, NoSolution, NoValue, PlanarError
 from planar_cli.problem.expression import Relation
 from planar_cli.problem.geometry import Vec
+from planar_cli.problem.outermost import quantities_in
 from planar_cli.problem.polar import TOGETHER
 from planar_cli.solve.diagnosis.words import false_words, in_unit, left_of, listed, short, unit_of
 from planar_cli.solve.instant.asked import names_anywhere
@@ -25,6 +26,8 @@ from planar_cli.solve.instant.worked import unknowns_of
 from planar_cli.solve.multibody.poses import NearPoses
 
 NEGLIGIBLE = Decimal("1e-6")
+DRIVEN = ("a", "alpha", "ddot")
+"""Quantities that a drive can prescribe."""
 BLAMED = ("velocities", "contradiction")
 
 
@@ -95,6 +98,9 @@ def _left_out(instant: Instant, trial: Trial, relation: Relation, others: list[s
     reason = against or "the joints"
     verb = "make" if len(others) > 1 or not level or not others else "makes"
     hint = "leave one of them out, or declare its value under `unknowns`"
+    always = any(r is relation for r, lasting in instant.statements.relations if lasting)
+    if not level and not always and any(q.word in DRIVEN for q in quantities_in(relation)):
+        hint = f"{hint}; where something drives it, write it under `motion`"
     if instant.scene.ledger.symbolic:
         return Diagnostic(
             relation.mark, code, f"`{relation.text}` contradicts what {reason} {verb} of {left_of(relation)}", hint
