@@ -368,7 +368,10 @@ class Touching:
         return found
 
     def _apart(self) -> Mode:
-        parts = Test(self.name, f"{self.words} does not press into its partner", joining=self._sliding_joining())
+        # A fixed limit of friction acts as long as they touch, pressed or not.
+        grips = self.limit is not None
+        words = f"{self.words} does not press into its partner"
+        parts = Test(self.name, words, joining=self._sliding_joining(), strict=grips)
         return Mode("apart", f"{self.words} lifts off", Facts(), (parts,), touching=Facts((self._sliding_joining(),)))
 
 

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from planar_cli.equation.setup import Earlier, numbers_of
 from planar_cli.errors import Diagnostic, NoSolution, PlanarError, Undecided
+from planar_cli.problem.not_negative import not_negative
 from planar_cli.problem.scene import Problem
 from planar_cli.simulate.shooting import shooting
 from planar_cli.solve.followed import can_be_followed, followed_part
@@ -29,6 +30,9 @@ def root_of(problem: Problem, earlier: Mapping[str, Earlier], error: Undecided |
     if roots is None:
         raise error
     unknown = problem.unknowns[0]
+    if roots and unknown.name in not_negative(problem) and max(roots) < 0:
+        text = f"the data make {unknown.name} negative, {max(roots):.4g}: friction would drive what slides"
+        raise NoSolution([Diagnostic(unknown.mark, "PL620", text, "correct the data, or add the force that drives it")])
     if not roots:
         if isinstance(error, NoSolution) and any(d.code != OPEN for d in error.diagnostics):
             raise error

@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from decimal import Context, Decimal
 from typing import Any
 
+from planar_cli.problem.not_negative import not_negative
 from planar_cli.solve.between.chain import Branch
 from planar_cli.solve.between.motion_equations import MotionEquations
 from planar_cli.solve.between.stated_motion import StatedMotion
@@ -21,9 +22,12 @@ def candidates(course: MotionEquations) -> list[Branch]:
 
 def ranked(course: StatedMotion, branches: Iterable[Branch]) -> list[Branch]:
     """Those that leave no equation open, if there are any; of these first the largest where that is asked, the
-    earliest, and those with positive sought constants.
+    earliest, and those with positive sought constants. What friction is at most can not be negative.
     """
-    found = list(branches)
+    # Draws of letters say nothing of signs.
+    positive = frozenset() if course.problem.symbols else not_negative(course.problem)
+    limits = [s for s in course.sought() if s.name in positive]
+    found = [b for b in branches if all(b.values.get(s, Decimal(0)) >= 0 for s in limits)]
     return sorted([b for b in found if not b.left] or found, key=lambda b: _rank(course, b))
 
 
