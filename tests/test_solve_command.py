@@ -205,7 +205,13 @@ def test_time_limit_on_the_command_line(run: Any, monkeypatch: pytest.MonkeyPatc
     monkeypatch.setattr("planar_cli.homework.checking.solve_problem", hang)
     ran = run("solve good.yaml --timeout 0.2")
     assert ran.status == 3
-    assert "not decided within 0.2 s" in ran.err
+    assert "not decided within 0.2 s: the file was being worked on; --timeout allows more" in ran.err
+
+
+def test_a_time_limit_tells_what_was_being_worked_on(run: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("planar_cli.solve.run.solve_part", hang)
+    ran = run("solve good.yaml --timeout 0.5")
+    assert "not decided within 0.5 s: the answers were being sought; it may help to give numbers" in ran.err
 
 
 @pytest.mark.parametrize(

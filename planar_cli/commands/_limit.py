@@ -11,6 +11,33 @@ from types import FrameType
 from planar_cli.errors import Undecided
 
 AGAIN = 1.0
+FEWER = "it may help to give numbers for letters, or to ask for less at once"
+FOLLOW = "it may help to end the motion earlier, or to ask for less; `planar simulate` follows it in numbers"
+WORK = (
+    ("solve.confirmation", "the answers were found, and their motion was being followed to confirm them", FOLLOW),
+    ("solve.followed", "the motion was being followed step by step, to read the answers off", FOLLOW),
+    ("commands.accuracy", "the motion was being followed at many tolerances", "--until ends it earlier"),
+    ("commands.simulate", "the motion was being followed step by step", "--until or --stop end it earlier"),
+    ("simulate", "the motion was being followed step by step", FOLLOW),
+    (
+        "solve.sought",
+        "unknowns were being sought by following the motion",
+        "give a state that tells them more directly",
+    ),
+    ("solve.following", "modes (stick, slip, apart, taut) and times were being sought in which states follow", FOLLOW),
+    ("solve.diagnosis", "no solution was found so far, and the reason was being sought", FEWER),
+    ("solve.between", "equations from state to state were being written and solved", FOLLOW),
+    ("solve.impulsive", "the equations of an impact were being solved", FEWER),
+    ("solve.regimes", "the equations of motion were being worked out", FEWER),
+    ("solve.multibody", "the answers were found, and were being compared with a second road", FEWER),
+    ("solve.instant", "the equations of an instant were being solved", FEWER),
+    ("solve.curves", "formulas and curves that hold throughout were being worked out", FEWER),
+    ("calculus", "a law was being integrated in closed form", FOLLOW),
+    ("report", "the answers were found, and the page was being written", "--why NAME tells only of one"),
+    ("solve", "the answers were being sought", FEWER),
+    ("problem", "the file was being read", "it may help to split it"),
+)
+"""What goes on in which modules, and what usually helps; of nested ones the first in this list."""
 
 
 class _TimeIsUp(BaseException):
@@ -30,7 +57,10 @@ def time_limit(seconds: float) -> Iterator[None]:
         yield
         return
 
+    work: list[str] = []
+
     def stop(number: int, frame: FrameType | None) -> None:
+        work.append(at_work(frame))
         raise _TimeIsUp
 
     before = signal.signal(signal.SIGALRM, stop)
@@ -38,7 +68,23 @@ def time_limit(seconds: float) -> Iterator[None]:
     try:
         yield
     except _TimeIsUp:
-        raise Undecided(f"not decided within {seconds:g} s; --timeout allows more") from None
+        raise Undecided(f"not decided within {seconds:g} s: {work[0]}; --timeout allows more") from None
     finally:
         signal.setitimer(signal.ITIMER_REAL, 0)
         signal.signal(signal.SIGALRM, before)
+
+
+def at_work(frame: FrameType | None) -> str:
+    """What was being worked on where a frame is, of which case of the file, and what usually helps."""
+    modules: set[str] = set()
+    case = ""
+    while frame is not None:
+        name = frame.f_globals.get("__name__", "")
+        modules.add(name.removeprefix("planar_cli."))
+        if name == "planar_cli.solve.run":
+            case = case or str(frame.f_locals.get("case") or "")
+        frame = frame.f_back
+    for prefix, words, hint in WORK:
+        if any(module == prefix or module.startswith(f"{prefix}.") for module in modules):
+            return f"{words}{f' (case {case})' if case else ''}; {hint}"
+    return "the file was being worked on"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import sympy as sp
@@ -12,7 +13,7 @@ from planar_cli.equation.displacement import Displacement
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.plain import derivative, letters, simplified
-from planar_cli.errors import Mark, refuse
+from planar_cli.errors import FileProblem, Mark, refuse
 from planar_cli.problem.expression import Relation, Side
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import Problem
@@ -69,14 +70,25 @@ class Decided:
         if self._valuations is None:
             self._valuations = self.ledger.valuations(self._agrees) or self.ledger.valuations(self._assumed)
             if not self._valuations:
-                assumed = [a.mark for a in self.problem.assume if isinstance(a, Relation)]
-                text = (
-                    "no numbers satisfy `assume`, or a length is not real"
-                    if assumed
-                    else "no position was found near the drawn one in which the joints hold and every length is real"
-                )
-                raise refuse(assumed[0] if assumed else Mark(self.problem.file, 1, 1), "PL532", text)
+                raise self._nowhere()
         return self._valuations
+
+    def _nowhere(self) -> FileProblem:
+        """No numbers were found: which of the assumptions does not go with those before it, else the lengths do not."""
+        assumed = [a for a in self.problem.assume if isinstance(a, Relation)]
+        for k, last in enumerate(assumed):
+            if not self.ledger.valuations(partial(self._all_hold, assumed[: k + 1])):
+                before = " and ".join(f"`{r.text}`" for r in assumed[:k])
+                text = f"no numbers were found for which `{last.text}` holds{before and f' beside {before}'}"
+                return refuse(last.mark, "PL532", text, "change or leave out one of them")
+        if assumed:
+            text = "no numbers were found for which every length is real and `assume` holds"
+            return refuse(assumed[0].mark, "PL532", text, "look at places told by two distances")
+        text = "no position was found near the drawn one in which the joints hold and every length is real"
+        return refuse(Mark(self.problem.file, 1, 1), "PL532", text, "draw the points nearer to where the joints hold")
+
+    def _all_hold(self, relations: Iterable[Relation], valuation: Valuation) -> bool:
+        return all(self.compare(r, valuation) for r in relations)
 
     def _assumed(self, valuation: Valuation) -> bool:
         for place in self.points.values():

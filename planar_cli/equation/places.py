@@ -11,9 +11,12 @@ from planar_cli.equation.exact import Valuation
 from planar_cli.equation.jets import Jet, constant, magnitude
 from planar_cli.equation.ledger import Ledger
 from planar_cli.errors import NoValue, refuse
-from planar_cli.problem.expression import Name, Relation, Side, Statement
+from planar_cli.problem.expression import Name, Number, Relation, Scaled, Side, Statement
 from planar_cli.problem.geometry import Vec
+from planar_cli.problem.located import length_in
+from planar_cli.problem.walk import walk
 from planar_cli.records import record
+from planar_cli.units import parse_unit
 
 HALF = sp.Rational(1, 2)
 
@@ -55,6 +58,24 @@ class Jets:
             return (0.0, 0.0) if same else (float(valuation(parts[0])), float(valuation(parts[1])))
         except NoValue:
             return None
+
+    def plain(self, value: Jet) -> float | None:
+        """A length in m; None where letters have their part in it."""
+        ledger = self.evaluator.ledger
+        if value.value.free_symbols & set(ledger.letters):
+            return None
+        try:
+            return float(self.decide()(value.value))
+        except NoValue:
+            return None
+
+    def shown(self, meters: float, side: Side) -> str:
+        """A length in the unit in which a side is written."""
+        ledger = self.evaluator.ledger
+        symbols = [ledger.symbols.get(n.name) for n in walk(side) if isinstance(n, Name)]
+        units = [ledger.units[s] for s in symbols if s in ledger.units]
+        units += [parse_unit(n.unit) for n in walk(side) if isinstance(n, Number | Scaled) and n.unit is not None]
+        return length_in(meters, units)
 
 
 def at_relations(ledger: Ledger, evaluator: Evaluator, relations: tuple[Statement, ...], expr: sp.Expr) -> sp.Expr:

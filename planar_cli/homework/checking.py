@@ -90,4 +90,5 @@ def _checked(path: str, end: Ended) -> Checked:
     if isinstance(end.result, Checked):
         return replace(end.result, seconds=end.seconds)
     outcome = FAULT if end.verdict in ("fault", "crashed") else UNDECIDED
-    return Checked(path, "", outcome, (), str(end.result), (), end.seconds)
+    more = "; `planar solve` tells what it was working on" if end.verdict == "timeout" else ""
+    return Checked(path, "", outcome, (), f"{end.result}{more}", (), end.seconds)

@@ -8,11 +8,13 @@ from dataclasses import field
 from planar_cli.errors import Mark, refuse
 from planar_cli.motion.sides import Sides
 from planar_cli.motion.terms import Graph, Term
-from planar_cli.problem.expression import Side
+from planar_cli.problem.expression import Name, Number, Scaled, Side
 from planar_cli.problem.geometry import Vec
-from planar_cli.problem.located import located
+from planar_cli.problem.located import length_in, located
 from planar_cli.problem.scene import At, Particle, Place, Point, Problem
+from planar_cli.problem.walk import walk
 from planar_cli.records import changing
+from planar_cli.units import parse_unit
 
 
 def unit_vector(graph: Graph, angle: Term) -> Vec:
@@ -85,6 +87,18 @@ class Drawing:
         if math.isnan(v.x.value) or math.isnan(v.y.value):
             return None
         return (0.0, 0.0) if v.x.zero and v.y.zero else (v.x.value, v.y.value)
+
+    def plain(self, value: Term) -> float | None:
+        """A length in m, as drawn."""
+        return None if math.isnan(value.value) else value.value
+
+    def shown(self, meters: float, side: Side) -> str:
+        """A length in the unit in which a side, or what it names, is written."""
+        given = {s.name: s.value for s in self.problem.given}
+        named = [given.get(n.name) for n in walk(side) if isinstance(n, Name)]
+        nodes = [n for tree in (side, *named) if tree is not None for n in walk(tree)]
+        units = [parse_unit(n.unit) for n in nodes if isinstance(n, Number | Scaled) and n.unit is not None]
+        return length_in(meters, units)
 
 
 def points_of(problem: Problem) -> dict[str, Point]:

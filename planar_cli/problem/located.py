@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any, Protocol
 
 from planar_cli.errors import refuse
 from planar_cli.problem.expression import Side
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import At, Foot, Midpoint, Point, Polar, Rims, Towards, TwoFacts
+from planar_cli.units import LENGTH, Unit
 
 NEITHER = 1e-9
 """A difference of places below this part of their distance does not tell a side."""
@@ -30,6 +32,20 @@ class Numbers(Protocol):
     def apart(self, v: Vec) -> tuple[float, float] | None:
         """A difference of two places in plain numbers, zeros where they are the same; None: no such places exist."""
 
+    def plain(self, value: Any) -> float | None:
+        """A length in m; None where letters have their part in it."""
+
+    def shown(self, meters: float, side: Side) -> str:
+        """A length in the unit in which a side is written."""
+
+
+def length_in(meters: float, units: Iterable[Unit]) -> str:
+    """A length in the first of these units that is one of length, else in m."""
+    unit = next((u for u in units if u.dimension == LENGTH), None)
+    if unit is None:
+        return f"{meters:.4g} m"
+    return f"{meters / float(unit.factor):.4g} {unit.text}"
+
 
 def located(point: Point, numbers: Numbers) -> Vec:
     """The place of a point. FileProblem where there is none, or more than one."""
@@ -45,8 +61,9 @@ def located(point: Point, numbers: Numbers) -> Vec:
             reach = at(place.towards) - origin
             length = numbers.length(reach)
             if numbers.is_nothing(length):
-                text = f"{place.origin} and {place.towards} are the same place: no direction"
-                raise refuse(point.mark, "PL510", text)
+                text = f"{point.name}: {place.origin} and {place.towards} are the same place, which gives no direction"
+                hint = f"name another point, or write `{{from: {place.origin}, distance: …, angle: 30 deg}}`"
+                raise refuse(point.mark, "PL510", text, hint)
             towards: Vec = origin + reach * (value(place.distance) / length)
             return towards
         case Midpoint():
@@ -111,7 +128,9 @@ def _two_facts(point: Point, place: TwoFacts, numbers: Numbers) -> Vec:
         (p, d), (q, e) = lines
         determinant = d.cross(e)
         if numbers.is_nothing(determinant):
-            raise refuse(point.mark, "PL512", f"{point.name}: the two lines are parallel")
+            first, second = _line_names(place)
+            text = f"{point.name}: {first} and {second} are parallel, and meet nowhere"
+            raise refuse(point.mark, "PL512", text, "turn the line, or give a distance in the place of one of the two")
         crossing: Vec = p + d * ((q - p).cross(e) / determinant)
         return crossing
     if len(lines) == 1:
@@ -155,17 +174,57 @@ def _chosen(point: Point, place: TwoFacts, candidates: tuple[Vec, Vec], numbers:
     one, other = candidates
     difference = numbers.apart(one - other)
     if difference is None:
-        text = f"{point.name}: there is no such place, the distances do not reach"
-        hint = "make a distance larger, or move a point: a link cannot be shorter than the gap that it spans"
-        raise refuse(point.mark, "PL513", text, hint)
+        raise refuse(point.mark, "PL513", *_out_of_reach(point, place, numbers))
     dx, dy = difference
     if dx == dy == 0:
         return one
     if place.side is None:
-        hint = "add `side: left`, right, above or below (the other)"
-        raise refuse(point.mark, "PL514", f"{point.name}: two places fit", hint)
+        hint = "add `side: above`, or below" if abs(dx) < abs(dy) else "add `side: left`, or right"
+        text = f"{point.name}: two places fit, {_way(dx, dy)} of each other"
+        raise refuse(point.mark, "PL514", text, hint)
     lead = {"right": dx, "left": -dx, "above": dy, "below": -dy}[place.side]
     if abs(lead) <= (abs(dx) + abs(dy)) * NEITHER:
-        text = f"{point.name}: neither place is {place.side} of the other"
-        raise refuse(point.mark, "PL515", text, "choose by the other axis")
+        ways = "`above` or `below`" if abs(dx) < abs(dy) else "`left` or `right`"
+        beside = f"{place.side} of" if place.side in ("left", "right") else place.side
+        text = f"{point.name}: two places fit, {_way(dx, dy)} of each other, and none is {beside} the other"
+        raise refuse(point.mark, "PL515", text, f"write `side:` with {ways}")
     return one if lead > 0 else other
+
+
+def _way(dx: float, dy: float) -> str:
+    """How two places lie, by the larger of their differences."""
+    return "above and below" if abs(dx) < abs(dy) else "left and right"
+
+
+def _line_names(place: TwoFacts) -> list[str]:
+    """The lines in words."""
+    names = ["the line of that x"] * (place.x is not None) + ["the line of that y"] * (place.y is not None)
+    return names + ([f"the line through {place.line[0]}"] if place.line is not None else [])
+
+
+def _out_of_reach(point: Point, place: TwoFacts, numbers: Numbers) -> tuple[str, str]:
+    """Why a circle meets nothing, by how much it fails where no letter is in it, and what to do."""
+    (name, side), *others = place.distances
+    radius = numbers.plain(numbers.value(side))
+    text = f"{point.name}: there is no such place, the distances do not reach"
+    hint = "make a distance larger, or move a point: a link cannot be shorter than the gap that it spans"
+    if not others:
+        ((base, direction),) = _lines(place, numbers)
+        off = numbers.plain((numbers.point(name) - base).cross(direction))
+        if radius is None or off is None:
+            return text, hint
+        gap, reach = (numbers.shown(x, side) for x in (abs(off), radius))
+        (line,) = _line_names(place)
+        return f"{point.name}: {line} passes {name} at {gap}, and the distance is only {reach}", hint
+    ((other, second),) = others
+    rest = numbers.plain(numbers.value(second))
+    gap_length = numbers.plain(numbers.length(numbers.point(other) - numbers.point(name)))
+    if radius is None or rest is None or gap_length is None:
+        return text, hint
+    gap, one, two = (numbers.shown(x, side) for x in (gap_length, radius, rest))
+    if gap_length > radius + rest:
+        both = numbers.shown(radius + rest, side)
+        return f"{point.name}: {name} and {other} are {gap} apart, and {one} and {two} reach only {both}", hint
+    longer = numbers.shown(abs(radius - rest), side)
+    text = f"{point.name}: {name} and {other} are only {gap} apart, and {one} and {two} differ by {longer}"
+    return text, "make the larger distance smaller, or move a point: one circle lies inside the other"

@@ -128,7 +128,8 @@ def _two_facts(fields: Fields) -> TwoFacts:
     if stray:
         fields.report.add(fields.place(min(stray)), "PL321", f"{fields.what} needs the key 'from'", POINT_FORMS)
     elif facts != 2 and fields.readable:
-        fields.report.add(fields.mark, "PL323", f"{fields.what} is fixed by two facts, here are {facts}", POINT_FORMS)
+        told = "is one" if facts == 1 else f"are {facts or 'none'}"
+        fields.report.add(fields.mark, "PL323", f"{fields.what} is fixed by two facts, here {told}", POINT_FORMS)
     return TwoFacts(fields.side("x"), fields.side("y"), line, distances, _side_word(fields))
 
 

@@ -300,6 +300,9 @@ def unreached(stages: Iterable[Stage], exprs: list[sp.Expr]) -> list[sp.Symbol]:
 
 def not_reached(method: str | None, names: Iterable[str], mark: Mark) -> FileProblem:
     """A method that was named does not lead to something that is asked."""
+    if method is None:
+        text = f"no equation that is written here leads to {', '.join(names)}"
+        return refuse(mark, "PL570", text, "ask for something else of the same motion; `planar simulate` may give it")
     text = f"method {method} alone does not reach {', '.join(names)}"
     hint = "leave `method` out: the plan then takes the laws that lead there; `--compare` lists what each reaches"
     return refuse(mark, "PL570", text, hint)
