@@ -17,7 +17,7 @@ from planar_cli.equation.system import System
 from planar_cli.errors import Diagnostic, NoSolution, Undecided
 from planar_cli.solve.diagnosis.not_found import contradiction, not_found, open_symbols
 from planar_cli.solve.instant.instant import Instant, Trial
-from planar_cli.solve.instant.seeker import Seeker, Sought
+from planar_cli.solve.instant.seeker import Seeker, Sought, seekers
 from planar_cli.solve.instant.stationary import stationary_branches
 from planar_cli.units import PURE
 
@@ -36,18 +36,19 @@ def seek(instant: Instant, targets_of: Callable[[System], set[sp.Symbol]]) -> tu
     best: Sought | None = None
     extremes = instant.statements.extremes
     for choice in itertools.islice(instant.choices(), MOST_CHOICES):
-        seeker = Seeker(instant, choice)
-        if seeker.conflict:
-            continue
-        try:
-            found = _best(seeker, targets_of(seeker.system), rejected)
-        except Undecided as error:
-            undecided = error
-            continue
-        if found is not None and not extremes:
-            return found, rejected
-        if found is not None and (best is None or _better(found, best, extremes[0].sense)):
-            best = found
+        held: list[Sought] = []
+        for seeker in seekers(instant, choice):
+            try:
+                found = None if seeker.conflict else _best(seeker, targets_of(seeker.system), rejected)
+            except Undecided as error:
+                undecided = error
+                continue
+            held += [] if found is None else [found, *found.others]
+        if held and not extremes:
+            return _preferred(held), rejected
+        for found in held:
+            if best is None or _better(found, best, extremes[0].sense):
+                best = found
     if best is not None:
         return best, rejected
     if undecided is not None:
@@ -88,7 +89,7 @@ def _best(seeker: Seeker, targets: set[sp.Symbol], rejected: list[Sought]) -> So
     if not extremes:
         for sought in seeker.branches(targets, ()):
             (rejected if sought.objection else held).append(sought)
-        return _preferred(held)
+        return _preferred(held) if held else None
     quantities = seeker.system.quantities()
     side = quantities.evaluator.value(extremes[0].side)
     targets = targets | {s for s in side.free_symbols if s in seeker.unknowns}
@@ -112,12 +113,10 @@ def _best(seeker: Seeker, targets: set[sp.Symbol], rejected: list[Sought]) -> So
     return replace(best, others=[s for s in held if s is not best])
 
 
-def _preferred(held: list[Sought]) -> Sought | None:
+def _preferred(held: list[Sought]) -> Sought:
     """Of several branches the one with positive (for angles: the smallest) values, of the sought constants first; the
     others are kept beside it.
     """
-    if not held:
-        return None
 
     def rank(s: Sought) -> tuple[int, int, Decimal]:
         ledger, solved = s.trial.system.scene.ledger, s.branch.algebra.value.values

@@ -19,7 +19,7 @@ from planar_cli.equation.exact import Valuation
 from planar_cli.equation.form import Nonlinear, linear_form
 from planar_cli.equation.kinetics import body_residuals
 from planar_cli.equation.moving import all_wrenches
-from planar_cli.equation.sample import fraction, generator
+from planar_cli.equation.sample import anywhere, fraction, generator
 from planar_cli.equation.system import System
 from planar_cli.problem.facts import Test
 from planar_cli.records import changing
@@ -57,9 +57,11 @@ class Sought:
 
 
 class Seeker:
-    """Solves one choice of modes with unknowns of every level."""
+    """Solves one choice of modes with unknowns of every level. `way`: the sign of speeds that are open, where the
+    direction of a load rests on it; a branch in which they go the other way contradicts its own equations.
+    """
 
-    def __init__(self, instant: Instant, choice: tuple[int, ...]) -> None:
+    def __init__(self, instant: Instant, choice: tuple[int, ...], way: int = 1) -> None:
         self.instant, self.choice = instant, choice
         self.scene = instant.scene
         self.ledger = self.scene.ledger
@@ -72,10 +74,15 @@ class Seeker:
         still = [s for s in found[0].values if all(not v.values.get(s, Decimal(1)) for v in found)]
         self.still = dict.fromkeys(still, sp.S.Zero)
         self.system.settle(self.still, ())
-        numbers = base.extended({**{s: Decimal(0) for s in still}, **found[0].values})
+        settled = {**{s: Decimal(0) for s in still}, **found[0].values}
+        speeds = [s for s in self._speeds() if s not in settled]
+        numbers = base.extended({**{s: way * anywhere(i) for i, s in enumerate(speeds)}, **settled})
         assert self.system.motion is not None
         skids, idle = self.system.skids(), self.system.idle()
-        self.system.settle(self.still, all_wrenches(self.scene, self.system.motion, numbers, skids, idle))
+        wrenches = all_wrenches(self.scene, self.system.motion, numbers, skids, idle)
+        self.system.settle(self.still, wrenches)
+        inside = {x for w in wrenches if w.force is not None for e in (w.force.x, w.force.y) for x in e.free_symbols}
+        self.has_ways = not inside.isdisjoint(speeds)
         self.unknowns = self._unknowns(still)
         self.conditions = self._conditions()
         self.linear = self._linear()
@@ -88,9 +95,12 @@ class Seeker:
         known = [linear_form(e, unknowns).constant for e in rows]
         return any(self.scene.rests_on_sought(e) for e in known)
 
-    def _unknowns(self, still: list[sp.Symbol]) -> tuple[sp.Symbol, ...]:
+    def _speeds(self) -> list[sp.Symbol]:
         rates = [r for r, _ in self.scene.evaluator.motions.values() if isinstance(r, sp.Symbol)]
-        moving = [s for s in (*self.system.tree.velocity_unknowns(), *rates) if s not in still]
+        return [*self.system.tree.velocity_unknowns(), *rates]
+
+    def _unknowns(self, still: list[sp.Symbol]) -> tuple[sp.Symbol, ...]:
+        moving = [s for s in self._speeds() if s not in still]
         return tuple(dict.fromkeys([*moving, *acceleration_unknowns(self.system)]))
 
     def _conditions(self) -> list[Condition]:
@@ -270,6 +280,13 @@ class Seeker:
         told = {x for j, x in enumerate(numbers.unknowns) if any(c.mask >> j & 1 for c in found)}
         forces = set(numbers.unknowns) - set(self.ledger.sought)
         return [c for c in self.limit_conditions() if all(e.free_symbols & forces <= told for e in c.rows())]
+
+
+def seekers(instant: Instant, choice: tuple[int, ...]) -> Iterator[Seeker]:
+    """For either sign of open speeds, where the direction of a load rests on it."""
+    yield (first := Seeker(instant, choice))
+    if first.has_ways and not first.conflict:
+        yield Seeker(instant, choice, -1)
 
 
 def _unfulfilled(trial: Trial, solved: dict[sp.Symbol, Decimal]) -> str:

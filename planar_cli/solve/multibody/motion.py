@@ -252,21 +252,27 @@ class Multibody:
         """Compare everything that these equations determine."""
         velocities = self.rates()
         self.drawn()
-        digits = FULL
-        for group in (self._accelerations(PARTS[:2]), self._accelerations(PARTS[2:])):
-            digits = min(digits, self._compare(group))
+        digits = self._compare(self._accelerations(PARTS[:2]), self._driven())
+        digits = min(digits, self._compare(self._accelerations(PARTS[2:])))
         for group in (self._joint_forces(PARTS[:2]), self._joint_forces(PARTS[2:])):
             digits = min(digits, self._compare(group))
         return Agreement(velocities, digits, tuple(self.notes))
 
-    def _compare(self, group: list[tuple[str, Decimal, Line]]) -> int:
-        """The digits to which quantities of one dimension agree."""
+    def _driven(self) -> Decimal:
+        """The largest acceleration that one load alone would give a body [m/s²]."""
+        bodies = self.system.scene.bodies
+        forces = [(self.value(bodies[w.body].mass), w.force) for w in self.system.wrenches if w.force is not None]
+        pulls = (abs(self.value(e)) / mass for mass, force in forces if mass for e in (force.x, force.y))
+        return max(pulls, default=ZERO)
+
+    def _compare(self, group: list[tuple[str, Decimal, Line]], driven: Decimal = ZERO) -> int:
+        """The digits to which quantities of one dimension agree. `driven`: beside which some of them may cancel."""
         pairs = [(title, ours, self.echelon.value(line)) for title, ours, line in group]
         determined = [(title, ours, theirs) for title, ours, theirs in pairs if theirs is not None]
         scale = max((max(abs(a), abs(b)) for _, a, b in determined), default=ONE)
         fewest = FULL
         for title, ours, theirs in determined:
-            digits = agreeing(ours, theirs, scale)
+            digits = agreeing(ours, theirs, scale, driven)
             if digits < ENOUGH:
                 self.notes.append(f"{title}: worked solution {short(ours)}, second road {short(theirs)}")
             fewest = min(fewest, digits)
@@ -334,9 +340,13 @@ def tidied_line(line: Line) -> Line:
     return {j: c for j, c in line.items() if abs(c) > NOTHING * size}
 
 
-def agreeing(a: Decimal, b: Decimal, scale: Decimal) -> int:
-    """Common digits of two numbers; all when both are nothing beside the largest of their kind."""
+def agreeing(a: Decimal, b: Decimal, scale: Decimal, driven: Decimal = ZERO) -> int:
+    """Common digits of two numbers; all when both are nothing beside the largest of their kind. What has cancelled
+    agrees to the digits that it has beside what drives it.
+    """
     difference, size = abs(a - b), max(abs(a), abs(b))
+    if size < FEW * driven:
+        size = driven
     if difference <= NOTHING * max(scale, ONE) or not size:
         return FULL
     return max(0, min(FULL, int(-(difference / size).log10())))
