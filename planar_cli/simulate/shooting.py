@@ -13,8 +13,9 @@ from dataclasses import replace
 from itertools import pairwise
 
 from planar_cli.errors import PlanarError
-from planar_cli.problem.expression import Name, Relation, Statement
+from planar_cli.problem.expression import Name, Quantity, Relation, Statement
 from planar_cli.problem.scene import Problem, State, Symbol
+from planar_cli.problem.walk import walk
 from planar_cli.records import record
 from planar_cli.simulate.run import Run, Settings, followed, prepared
 from planar_cli.simulate.timetable import Timetable, is_time, mode_of
@@ -32,6 +33,8 @@ TOLERANCE = 1e-11
 """Of the steps of a motion, in parts of the scene's scales."""
 TIMES, STEPS = 500.0, 1500
 """A state is looked for over so many characteristic times, and so many steps, at most."""
+PROBED = 20.0
+"""Over so many characteristic times it is looked whether a constant changes anything."""
 ROUNDS, CLOSE = 80, 1e-13
 """A root is enclosed in so many steps at most, up to this part of its size."""
 HOLDS = 1e-7
@@ -73,6 +76,37 @@ def shooting(problem: Problem, known: Mapping[str, float]) -> tuple[float, ...] 
             if found:
                 return tuple(found)
     return ()
+
+
+def has_no_effect(problem: Problem, known: Mapping[str, float]) -> bool:
+    """Is all that the states say the same with two values of the only unknown, on a motion that does not
+    pass them?
+    """
+    shots = list(_shots(problem)) if len(problem.unknowns) == 1 and not problem.symbols else []
+    if not shots:
+        return False
+    values = next(_values(problem, problem.unknowns[0], known))
+    middle = len(values) // 2
+    probes = [_sides(shots[0].problem, {**known, problem.unknowns[0].name: v}) for v in values[middle : middle + 2]]
+    one, other = (p or [] for p in probes)
+    pairs = list(zip(one, other, strict=False))
+    return len(one) == len(other) > 0 and all(abs(a - b) <= SAME * max(abs(a), abs(b)) for a, b in pairs)
+
+
+def _sides(problem: Problem, values: Mapping[str, float]) -> list[float] | None:
+    """How long the motion lasts that misses a state, and by how much the relations of its states are off as it ends;
+    None: there is no such motion.
+    """
+    run = _run(problem, values, PROBED)
+    if run is None or all(s.name in run.measures.moments for s in problem.states):
+        return None
+    relations = [r for s in problem.states[1:] for r in _telling(s) if isinstance(r, Relation) and mode_of(r) is None]
+    others = {q.at for r in relations for q in walk(r) if isinstance(q, Quantity) and q.at is not None}
+    if not run.trajectory.segments or not others <= set(run.measures.moments):
+        return None
+    last = run.trajectory.segments[-1]
+    regime = run.model.regime(last.choice)
+    return [last.t1, *(off for r in relations for off in run.measures.gap(r, regime)(last.t1, last.end))]
 
 
 def _shots(problem: Problem) -> Iterator[Shot]:
@@ -127,9 +161,9 @@ def _missed(shot: Shot, name: str, known: Mapping[str, float]) -> Missed:
     return missed
 
 
-def _run(problem: Problem, values: Mapping[str, float]) -> Run | None:
+def _run(problem: Problem, values: Mapping[str, float], times: float = TIMES) -> Run | None:
     """The motion with these numbers; None: with them there is none."""
-    settings = Settings(values=values, tolerance=TOLERANCE, estimate=False, times=TIMES, most_steps=STEPS)
+    settings = Settings(values=values, tolerance=TOLERANCE, estimate=False, times=times, most_steps=STEPS)
     try:
         return followed(prepared(problem, values), settings)
     except PlanarError:

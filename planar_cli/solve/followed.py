@@ -11,17 +11,23 @@ from collections.abc import Mapping
 import sympy as sp
 
 from planar_cli.equation.exact import Settled, Valuation
-from planar_cli.errors import PlanarError
+from planar_cli.errors import Diagnostic, NoSolution, PlanarError
+from planar_cli.integrators.base import MOST_STEPS
 from planar_cli.motion.hybrid import HybridModel
-from planar_cli.problem.expression import JustAfter
+from planar_cli.problem.expression import JustAfter, Relation
 from planar_cli.problem.facts import FAR
 from planar_cli.problem.scene import Problem
 from planar_cli.simulate.answers import Answered
-from planar_cli.simulate.run import Settings, begin, simulate
+from planar_cli.simulate.run import Run, Settings, begin, simulate
+from planar_cli.solve.between.reached import asked_about
 from planar_cli.solve.solution import Found
 from planar_cli.solve.solved_problem import PartSolution
 from planar_cli.solve.stated_inequalities import demand_inequalities
 
+SOME_STEPS = 6000
+"""So many are enough to look for a state that no equation leads to."""
+FINAL = frozenset(("rest", "repeats"))
+"""Ends of a motion after which nothing new happens."""
 MOST_BODIES = 6
 """Of a motion of more bodies than that no closed form is looked for."""
 CERTAIN = 1e-6
@@ -69,10 +75,19 @@ def can_be_followed(problem: Problem) -> bool:
 
 
 def followed_part(
-    problem: Problem, case: str, earlier: Mapping[str, float], units: Mapping[str, str]
+    problem: Problem,
+    case: str,
+    earlier: Mapping[str, float],
+    units: Mapping[str, str],
+    most_steps: int = MOST_STEPS,
+    ends: bool = False,
 ) -> PartSolution | None:
-    """All finds of a part read off its motion; None where that does not answer all of them."""
-    found = simulate(problem, Settings(values=earlier, momenta=True), units)
+    """All finds of a part read off its motion; None where that does not answer all of them. NoSolution, where it is
+    asked whether the motion `ends`: it comes to rest or repeats itself before it has passed all states.
+    """
+    found = simulate(problem, Settings(values=earlier, momenta=True, most_steps=most_steps), units)
+    if ends and found.run.trajectory.outcome.kind in FINAL:
+        _demand_all_reached(problem, found.run)
     if found.run.trajectory.outcome.refused or any(a.why or not _certain(a) for a in found.answers):
         return None
     demand_inequalities(problem, found.run)
@@ -90,6 +105,16 @@ def followed_part(
         for a in found.answers
     )
     return PartSolution(case, (), answers, followed=found)
+
+
+def _demand_all_reached(problem: Problem, run: Run) -> None:
+    """NoSolution: a state is never reached, as the motion is over. Whether one is may be what is asked."""
+    asked = asked_about(problem)
+    for state in problem.states:
+        if state.name not in run.measures.moments and state.name not in asked:
+            texts = "; ".join(r.text for r in state.relations if isinstance(r, Relation))
+            text = f"state {state.name} is never reached: {texts}" if texts else f"state {state.name} is never reached"
+            raise NoSolution([Diagnostic(state.mark, "PL621", text, run.trajectory.outcome.words)])
 
 
 def _settled(value: float, scale: float) -> Settled:

@@ -89,6 +89,7 @@ def _part(problem: Problem, case: str, units: dict[str, str], earlier: dict[str,
     if not problem.states[1:]:
         return _confirmed(problem, _derived(problem, case, units, earlier), numbers)
     from planar_cli.solve.followed import (
+        SOME_STEPS,
         can_be_followed,
         followed_part,
         many_bodies,
@@ -116,7 +117,9 @@ def _part(problem: Problem, case: str, units: dict[str, str], earlier: dict[str,
         # Where the modes change in ways that no equation tells, as from blow to blow, it is only followed. And that no
         # motion comes to a state does not stand against one that does.
         by_steps = isinstance(error, Undecided) or told_by_modes(problem) or _denies_motion(error)
-        part = followed_part(problem, case, numbers, units) if by_steps and can_be_followed(problem) else None
+        follows = by_steps and can_be_followed(problem)
+        ends = isinstance(error, Undecided)
+        part = followed_part(problem, case, numbers, units, SOME_STEPS, ends) if follows else None
         if part is None:
             raise
         return part

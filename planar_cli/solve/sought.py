@@ -9,7 +9,7 @@ from planar_cli.equation.setup import Earlier, numbers_of
 from planar_cli.errors import Diagnostic, NoSolution, PlanarError, Undecided
 from planar_cli.problem.not_negative import not_negative
 from planar_cli.problem.scene import Problem
-from planar_cli.simulate.shooting import shooting
+from planar_cli.simulate.shooting import has_no_effect, shooting
 from planar_cli.solve.followed import can_be_followed, followed_part
 from planar_cli.solve.solved_problem import PartSolution
 
@@ -23,10 +23,16 @@ def root_of(problem: Problem, earlier: Mapping[str, Earlier], error: Undecided |
     Raises the `error` where shooting does not apply, NoSolution where no number is found, or several are.
     """
     try:
-        roots = shooting(problem, numbers_of(earlier))
+        idle = has_no_effect(problem, numbers_of(earlier))
+        roots = None if idle else shooting(problem, numbers_of(earlier))
     except PlanarError:
         # What keeps the motion from being followed is not what is wrong with the file.
-        roots = None
+        idle, roots = False, None
+    if idle:
+        unknown = problem.unknowns[0]
+        text = f"{unknown.name} is open: what the states say is the same whatever it is"
+        hint = "let it act on what they speak of: a joint that passes it on may be missing"
+        raise NoSolution([Diagnostic(unknown.mark, OPEN, text, hint)]) from error
     if roots is None:
         raise error
     unknown = problem.unknowns[0]

@@ -19,6 +19,7 @@ from planar_cli.problem.expression import Quantity, Relation, Side
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.outermost import is_energy
 from planar_cli.problem.scene import Find
+from planar_cli.solve.diagnosis.words import listed
 from planar_cli.solve.instant.conditions import conditions
 from planar_cli.solve.instant.instant import Instant, Trial
 from planar_cli.solve.instant.seeker import Sought
@@ -90,9 +91,18 @@ class Finisher:
         return solution, stages, value
 
     def _demand_reached(self, missing: list[sp.Symbol], finds: tuple[Find, ...]) -> None:
-        """FileProblem: the principle that was named has no equations that lead to these."""
+        """FileProblem: the principle that was named has no equations that lead to these. NoSolution: none was named, so
+        that no equation has them at all.
+        """
+        problem = self.scene.problem
+        if missing and problem.method is None:
+            mark = next((u.mark for u in problem.unknowns if u.name == missing[0].name), finds[0].mark)
+            stand = "they stand" if missing[1:] else "it stands"
+            text = f"nothing tells {listed(s.name for s in missing)}: {stand} in no equation"
+            hint = f"let a load have it, such as `magnitude: {missing[0].name}`, a place, or a relation; else state it"
+            raise NoSolution([Diagnostic(mark, "PL606", text, hint)])
         if missing:
-            raise not_reached(self.scene.problem.method, [s.name for s in missing], finds[0].mark)
+            raise not_reached(problem.method, [s.name for s in missing], finds[0].mark)
 
     def asked(self, finds: tuple[Find, ...]) -> list[sp.Expr]:
         """What the finds ask, in the unknowns of the system."""
