@@ -2,21 +2,24 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 import sympy as sp
-from answered import number, solve
+from answered import first, number, solve
 
 TURNING = """
 title: Bar that turns about its end, at two instants
 plane: vertical
 {known}
-points: {{A: [0, 0], B: [l, 0]}}
+coordinates: {{phi: deg}}
+points: {{A: [0, 0], B: {{from: A, distance: l, angle: phi}}}}
 bodies: {{bar: {{rod: [A, B], mass: m}}}}
 joints:
   - pin: {{at: A, between: [ground, bar]}}
 states:
-  1: [omega(bar) = w]
-  2: [omega(bar) = 3*w]
+  1: [phi = 0, omega(bar) = w]
+  2: [phi = 0, omega(bar) = 3*w]
 """
 NUMBERS = TURNING.format(known="given: {m: 2 kg, l: 2 m, w: 1 rad/s}")
 
@@ -52,4 +55,26 @@ def test_letters_stay_in_a_difference() -> None:
     )["d"]
     assert found.values is None
     m, length, w = (next(s for s in found.expressions[0].free_symbols if s.name == n) for n in "mlw")
-    assert sp.expand(found.expressions[0] - 4 * m * length * w**2) == 0
+    (phi,) = (s for s in found.expressions[0].free_symbols if s.name == "phi")
+    assert sp.expand(found.expressions[0].subs(phi, 0) - 4 * m * length * w**2) == 0
+
+
+SWING = """
+title: Rod let go level, in a pivot that rubs
+plane: vertical
+points: {O: [0, 0], E: [0.9 m, 0]}
+bodies: {rod: {rod: [O, E], mass: 6 kg}}
+joints:
+  - pin: {at: O, between: [ground, rod], friction_torque: 1 N*m}
+states:
+  1: [at rest]
+  2: [omega(rod) = 0]
+find: {turned: theta(rod) @ 2}
+"""
+
+
+def test_a_later_state_is_not_where_the_first_is_drawn() -> None:
+    """½ m g l (sin φ) = M φ with φ = π - the rest: the rod comes to rest on the other side."""
+    turned = -first(solve(SWING)["turned"])
+    assert 3.0 < turned < 3.14
+    assert 0.5 * 6 * 9.81 * 0.9 * math.sin(turned) == pytest.approx(turned, rel=1e-9)

@@ -33,7 +33,7 @@ TOLERANCE = 1e-11
 """Of the steps of a motion, in parts of the scene's scales."""
 TIMES, STEPS = 500.0, 1500
 """A state is looked for over so many characteristic times, and so many steps, at most."""
-PROBED = 20.0
+PROBED = 2.0
 """Over so many characteristic times it is looked whether a constant changes anything."""
 ROUNDS, CLOSE = 80, 1e-13
 """A root is enclosed in so many steps at most, up to this part of its size."""
@@ -100,7 +100,11 @@ def _sides(problem: Problem, values: Mapping[str, float]) -> list[float] | None:
     run = _run(problem, values, PROBED)
     if run is None or all(s.name in run.measures.moments for s in problem.states):
         return None
-    relations = [r for s in problem.states[1:] for r in _telling(s) if isinstance(r, Relation) and mode_of(r) is None]
+    telling = [r for s in problem.states[1:] for r in _telling(s)]
+    relations = [r for r in telling if isinstance(r, Relation) and mode_of(r) is None]
+    if len(relations) < len(telling):
+        # A mode is no number that could be compared.
+        return None
     others = {q.at for r in relations for q in walk(r) if isinstance(q, Quantity) and q.at is not None}
     if not run.trajectory.segments or not others <= set(run.measures.moments):
         return None

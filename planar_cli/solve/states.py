@@ -38,8 +38,10 @@ Solver = Callable[..., tuple[InstantSolution, list[Answered]]]
 
 
 def stand_at_states(problem: Problem) -> bool:
-    """Does every find consist of quantities at states of the file, joined by arithmetic?"""
-    names = {s.name for s in problem.states}
+    """Does every find consist of quantities at states of the file, joined by arithmetic? Places are drawn at the first
+    state: of a later one nothing is known without coordinates but by the motion that leads there.
+    """
+    names = {s.name for s in (problem.states if problem.coordinates else problem.states[:1])}
     return all(_stands(find.found.what, names) for find in problem.find)
 
 
