@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from planar_cli.errors import Diagnostic, NoSolution
-from planar_cli.joints.base import Joint
+from planar_cli.joints.base import Joint, distinct
 from planar_cli.motion.trajectory import Outcome
 from planar_cli.problem.scene import Problem
 
@@ -16,7 +16,7 @@ def demand_told(problem: Problem, outcome: Outcome) -> None:
     """NoSolution: the motion ends where the file leaves open how it goes on."""
     if outcome.code not in CODES:
         return
-    joint = next(j for j in problem.joints if j.name == outcome.joint)
+    joint = next(j for j in distinct(problem.joints) if j.name == outcome.joint)
     hint = AGAIN if outcome.code == "PL715" else _weld(problem, joint)
     raise NoSolution((Diagnostic(joint.mark, outcome.code, outcome.words, hint),))
 
