@@ -22,8 +22,10 @@ STILL = 1e-13
 """What changes in a trial step by less than this part of its scale does not change."""
 TRIAL = 1e-4
 """The length of a trial step in parts of the time in which the state changes."""
-PARTS = (1e-3, 0.03, 1.0)
-"""Trial steps of these parts of the longest one are taken: what is short may be over before that has ended."""
+PARTS = (1e-3, 0.03, 1.0, 10.0)
+"""Trial steps of these parts of it are taken: what is short may be over before it has ended, and what begins with its
+third derivative, as a gap that a slackening spring closes, shows in a longer one only.
+"""
 SAME = 1e-7
 """Rates that agree to this part of their scale are the same motion."""
 PLACES = ("gap", "stretch", "tips", "mass")

@@ -45,25 +45,40 @@ def solve_equilibria(course: RegimeSequence, raw: Raw) -> Equilibria:
     states = tuple(state for state, _ in course.modes.equilibria)
     demands: dict[str, tuple[Demand, ...]] = {}
     equations: list[Equation] = []
+    drawn: list[Equation] = []
     for state in states:
         reader, stop = course.readers[state.name], course.stops[state.name]
         demands[state.name] = tuple(reader.demands(stop, raw[state.name]))
         equations += stated_equations(demands[state.name])
         equations += loop_equations(reader.regime, course.first, stop)
         if state.name == course.problem.states[0].name:
-            equations += drawn_equations(reader.regime, stop)
+            drawn += drawn_equations(reader.regime, stop)
     if not states:
         return Equilibria((), {}, (), Branch({}, {}, (), ()))
-    branch = _solved(course, states, demands, equations)
-    return Equilibria(states, demands, tuple(equations), branch)
+    whole = _branches(course, states, demands, [*equations, *drawn])
+    mark, names = states[0].mark, ", ".join(s.name for s in states)
+    if not whole and drawn and _branches(course, states, demands, equations):
+        first = course.problem.states[0]
+        text = f"{first.name}: the forces do not balance as drawn, and the first state is drawn"
+        hint = "write the points that may move with `coordinates`, or let a state that is as drawn come before it"
+        raise NoSolution([Diagnostic(first.mark, "PL630", text, hint)])
+    if not whole:
+        hint = "check the relations of the state, and whether the forces can balance at all"
+        raise NoSolution([Diagnostic(mark, "PL630", f"{names}: no position of equilibrium is found", hint)])
+    if len(whole) > 1:
+        places = "; ".join(_place(b, [course.stops[s.name] for s in states]) for b in whole[:6])
+        hint = "say which is meant: give the coordinate, or an inequality"
+        raise NoSolution([Diagnostic(mark, "PL630", f"{names}: several positions of equilibrium: {places}", hint)])
+    return Equilibria(states, demands, (*equations, *drawn), whole[0])
 
 
-def _solved(
+def _branches(
     course: RegimeSequence,
     states: tuple[State, ...],
     demands: Mapping[str, tuple[Demand, ...]],
     equations: list[Equation],
-) -> Branch:
+) -> list[Branch]:
+    """All positions in which the equations hold, one of each."""
     base = course.given()
     stops = [course.stops[s.name] for s in states]
     letters = [v for stop in stops for v in stop.letters.values()]
@@ -80,17 +95,25 @@ def _solved(
     unknowns = frozenset([*letters, *course.sought()])
     natural = course.natural(unknowns)
     chain = Chain(unknowns, {}, dict.fromkeys(angles), base, symbolic, possible, natural=natural)
-    found = list(chain.branches(equations))
-    whole = _distinct([b for b in found if not b.left], set(angles), natural)
-    if len(whole) == 1:
-        return whole[0]
-    mark, names = states[0].mark, ", ".join(s.name for s in states)
-    if whole:
-        places = "; ".join(_place(b, stops) for b in whole[:6])
-        hint = "say which is meant: give the coordinate, or an inequality"
-        raise NoSolution([Diagnostic(mark, "PL630", f"{names}: several positions of equilibrium: {places}", hint)])
-    hint = "check the relations of the state, and whether the forces can balance at all"
-    raise NoSolution([Diagnostic(mark, "PL630", f"{names}: no position of equilibrium is found", hint)])
+    found = [b for b in chain.branches(equations) if not b.left]
+    if not symbolic:
+        found = [b for b in found if _assumed(course, states, base.extended(b.values))]
+    return _distinct(found, set(angles), natural)
+
+
+def _assumed(course: RegimeSequence, states: tuple[State, ...], number: Valuation) -> bool:
+    """Do the modes hold in which it balances, as that ropes pull and contacts press, and is everything on the side for
+    which the formulas are?
+    """
+    for state in states:
+        regime = course.readers[state.name].regime
+        kept = [w.expr for w in regime.watches]
+        kept += [way * place for way, place in regime.general.instant.scene.sided.values()]
+        for expr in (e.xreplace(course.stops[state.name].letters) for e in kept):
+            value = number.known(expr)
+            if value is not None and value < -SAME * number.size(expr):
+                return False
+    return True
 
 
 def _holds(demand: Demand, number: Valuation) -> bool:
@@ -123,9 +146,12 @@ def _same(one: Branch, other: Branch, angles: set[sp.Symbol], natural: Mapping[s
 def _place(branch: Branch, stops: list[Stop]) -> str:
     """The places of one branch in words."""
     found = []
+    others = {own for stop in stops for own in stop.letters.values()}
     for stop in stops:
         for letter, own in stop.letters.items():
             value = branch.values.get(own)
             if value:
-                found.append(f"{letter.name} = {branch.formulas.get(own, round(value, 6))}")
+                formula = branch.formulas.get(own)
+                told = formula is not None and not formula.free_symbols & others
+                found.append(f"{letter.name} = {formula if told else round(value, 6)}")
     return ", ".join(found) or "everything as drawn"
