@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from planar_cli.integrators.base import Step
@@ -118,7 +118,7 @@ class Scene:
     def undetermined(self, choice: Choice, t: float, y: Sequence[float]) -> tuple[str, ...]:
         return ()
 
-    def drawn_apart(self, t: float, y: Sequence[float]) -> None:
+    def drawn_apart(self, t: float, y: Sequence[float], struck: Collection[str] = ()) -> None:
         pass
 
     def sliding_points(self, choice: Choice, t: float, y: Sequence[float]) -> None:

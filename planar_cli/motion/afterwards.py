@@ -6,7 +6,7 @@ them. That has no meaning where they are drawn beside each other, or where both 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 from planar_cli.motion.encounters import Encounter
 from planar_cli.motion.guards import speed_of
@@ -23,9 +23,14 @@ SOON = 1e-3
 """In parts of the scene's time: so long they are looked at."""
 
 
-def drawn_apart(model: HybridModel, t: float, y: Sequence[float]) -> tuple[str, str] | None:
-    """The impact whose partners are not at one place after it, and what is open then; None: there is none."""
-    plastic = [e for e in model.over if e.plastic]
+def drawn_apart(
+    model: HybridModel, t: float, y: Sequence[float], struck: Collection[str] = ()
+) -> tuple[str, str] | None:
+    """The impact whose partners are not at one place after it, and what is open then; None: there is none. `struck`:
+    the encounters of a blow that has just been.
+    """
+    every = (e for found in model.encounters.values() for e in found)
+    plastic = [e for e in every if e.plastic and (e.over or e.name in struck)]
     gaps = _numbers(model, [e.distance for e in plastic], t, y)
     for encounter, gap in zip(plastic, gaps, strict=True):
         if abs(gap) > TOUCHES * model.scales.length:

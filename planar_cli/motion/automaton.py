@@ -6,7 +6,7 @@ A regime is one choice of modes with its ordinary differential equations; its gu
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from typing import Protocol
 
 from planar_cli.integrators.base import Step
@@ -129,9 +129,9 @@ class Automaton(Protocol):
     def undetermined(self, choice: Choice, t: float, y: Sequence[float]) -> Sequence[str]:
         """Bodies without mass that may move in this choice as nothing tells: forces do not determine their motion."""
 
-    def drawn_apart(self, t: float, y: Sequence[float]) -> tuple[str, str] | None:
+    def drawn_apart(self, t: float, y: Sequence[float], struck: Collection[str] = ()) -> tuple[str, str] | None:
         """The plastic impact that leaves its partners at different places, and in words what is open then; None: no
-        impact does.
+        impact does. Of those without `during` these that have just `struck`.
         """
 
     def sliding_points(self, choice: Choice, t: float, y: Sequence[float]) -> tuple[str, str] | None:

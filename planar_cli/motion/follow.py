@@ -134,6 +134,8 @@ class Follower:
         self._settle(f"the state {follower.name}", applied=applied, striking=True, blow=True, drawn=drawn)
         if self.outcome is not None:
             return True
+        if drawn and self.transitions:
+            self.open_now = self.automaton.drawn_apart(self.t, self.y, self.transitions[-1].joints)
         self.waiting.arrive(follower, self.t, self.y, self.choice, len(self.segments))
         if not self._blow(follower.name):
             self._settle(f"after the state {follower.name}")

@@ -167,5 +167,6 @@ def _corners(scene: Carried, a: Corner, b: Corner, normal: Vec | None) -> list[G
         if scene.is_zero(reach.dot(reach)):
             return []
         normal = drawn / scene.length(drawn)
-    out = normal * _side(scene, scene.graph.of(reach.dot(normal)))
-    return [Gap(a.body, b.body, scene.graph.of(reach.dot(out)), a.place, out, points=True)]
+    drawn_at = scene.sign(scene.graph.of(reach.dot(normal)))
+    out = normal * (drawn_at or 1)
+    return [Gap(a.body, b.body, scene.graph.of(reach.dot(out)), a.place, out, told=drawn_at != 0, points=True)]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 
 from planar_cli.integrators.base import Step
@@ -116,9 +116,9 @@ class SceneAutomaton:
                 found |= {s.body for s in moves}
         return tuple(sorted(found))
 
-    def drawn_apart(self, t: float, y: Sequence[float]) -> tuple[str, str] | None:
+    def drawn_apart(self, t: float, y: Sequence[float], struck: Collection[str] = ()) -> tuple[str, str] | None:
         """The impact that leaves its partners at different places, and what is open then."""
-        return drawn_apart(self.model, t, y) if self.model.over else None
+        return drawn_apart(self.model, t, y, struck) if self.model.over or struck else None
 
     def sliding_points(self, choice: Choice, t: float, y: Sequence[float]) -> tuple[str, str] | None:
         """The impact that leaves points in contact that slide along each other, and what is open then."""
