@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from math import radians, sin
 from pathlib import Path
 
 import pytest
@@ -41,6 +42,17 @@ joints:
   - pin: {at: A, between: [ground, rod]}
 instant: [reaction(A).mag = 50 N]
 find: {a: abs(omega(rod))}
+"""
+
+BOB = """
+title: Size of the acceleration of a bob
+plane: vertical
+points: {O: [0, 0], B: {from: O, distance: 1.5 m, angle: -50 deg}}
+bodies: {bob: {particle: B, mass: any}}
+joints:
+  - link: {between: [O, B], name: cord}
+instant: [a(bob).mag = 12 m/s^2]
+find: {v: v(bob).mag}
 """
 
 
@@ -83,3 +95,9 @@ def test_both_ways_and_none(size: int, code: str, tmp_path: Path) -> None:
     with pytest.raises(NoSolution) as caught:
         answer(CURVE.format(stated=f"v(car).x = 20 m/s, a(car).mag = {size} m/s^2"), tmp_path)
     assert [d.code for d in caught.value.diagnostics] == [code]
+
+
+def test_a_mass_that_cancels_is_no_letter_of_a_root(tmp_path: Path) -> None:
+    # a² = g² sin²(40°) + (v²/l)²
+    across = 9.81 * sin(radians(40))
+    assert answer(BOB, tmp_path) == pytest.approx((1.5 * (144 - across**2) ** 0.5) ** 0.5)

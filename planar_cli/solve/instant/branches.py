@@ -155,7 +155,8 @@ class Brancher:
         rest = [p for i, p in enumerate(pool) if i != own]
         if vanishes(pending.residual, x, algebra.value):
             return
-        roots = real_roots(pending.residual, x, algebra.value, self.symbolic, x in self.angles)
+        symbolic = self.symbolic and _rests_on_letters(pending.residual, algebra)
+        roots = real_roots(pending.residual, x, algebra.value, symbolic, x in self.angles)
         for taken, root in enumerate(roots):
             after = copied(algebra)
             exact = root.expression if root.expression is not None else sp.Rational(str(root.value))
@@ -180,6 +181,17 @@ class Brancher:
                 algebra.formulas[line.symbol] = line.formula
                 found.append(Line(line.symbol, line.formula, value, line.equations))
         return found
+
+
+def _rests_on_letters(residual: sp.Expr, algebra: Algebra) -> bool:
+    """Is there a letter without a number in an equation, or in what it takes from lines before it?"""
+    known = {**algebra.value.definitions, **algebra.explicit, **algebra.formulas}
+    waiting, seen = set(residual.free_symbols), set[sp.Symbol]()
+    while waiting:
+        symbol = waiting.pop()
+        seen.add(symbol)
+        waiting |= sp.sympify(known.get(symbol, sp.S.Zero)).free_symbols - seen
+    return not seen.isdisjoint(algebra.value.drawn)
 
 
 def vanishes(residual: sp.Expr, x: sp.Symbol, value: Valuation) -> bool:
