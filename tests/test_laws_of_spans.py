@@ -3,11 +3,16 @@
 from __future__ import annotations
 
 import math
+import re
 
 import pytest
 import sympy as sp
 from answered import assert_close, first, solve
 
+from planar_cli.formats.terminal import Terminal
+from planar_cli.problem.structure import load_text
+from planar_cli.report.narrate import narrate
+from planar_cli.solve.run import solve_problem
 from planar_cli.solve.solution import Found
 
 PURSUIT = """
@@ -120,7 +125,7 @@ def test_a_body_that_a_law_holds_stays_where_it_came_to() -> None:
     assert_close(found["gap"], -5)
 
 
-@pytest.mark.parametrize("asked", ["", "b: b, "])
+@pytest.mark.parametrize("asked", ["", "b: b, ", "b: b, Q: heat(K) @ 1->3, "])
 def test_what_slides_is_not_held_because_a_constant_is_sought(asked: str) -> None:
     found = solve(f"{TRUCK}find: {{{asked}x: x(truck) @ 3, c: x(crate) @ 3}}\n")
     assert_close(found["x"], 50)
@@ -161,3 +166,50 @@ def test_a_force_without_a_size_at_rest_tells_no_scale_of_time() -> None:
     """P t + W_air = ½ m (v_2² - v_1²)."""
     found = solve(POWER)
     assert_close(found["W"], 0.5 * 900 * (25**2 - 5**2) - 45e3 * first(found["T"]), digits=8)
+
+
+TWO_GEARS = """
+title: Two gears run up from rest
+plane: vertical
+points: {G1: [0, 0], G2: [0.4 m, 0]}
+bodies:
+  pinion: {disk: G1, radius: 0.1 m, mass: 4 kg}
+  gear: {disk: G2, radius: 0.3 m, mass: 12 kg}
+joints:
+  - pin: {at: G1, between: [ground, pinion]}
+  - pin: {at: G2, between: [ground, gear]}
+  - rolling: {between: [pinion, gear]}
+loads:
+  - torque: {body: pinion, moment: 2 N*m}
+states:
+  1: [at rest]
+  2: [omega(pinion) = 10 rad/s]
+find: {turned: theta(pinion) @ 2 - theta(pinion) @ 1}
+"""
+HANDED_ON = """
+title: Blow that is handed on, in letters
+plane: horizontal
+symbols: {m: kg, v_0: m/s, e: 1, d: m}
+assume: [e < 1]
+bodies: {A: {particle: [0, 0], mass: 4*m}, B: {particle: [d, 0], mass: 2*m}}
+joints:
+  - impact: {between: [A, B], normal: 0 deg, restitution: e}
+states:
+  1: [t = 0, v(A).x = v_0, v(A).y = 0, v(B).mag = 0]
+  2: [x(A) = x(B)]
+  3: [just after 2]
+find: {v_B: v(B).x @ 3, t_2: t @ 2}
+"""
+
+
+def test_gears_that_roll_on_each_other_start_from_rest() -> None:
+    """M φ = ½ (I_1 + I_2 (R_1/R_2)²) ω²: what cancels between the accelerations of the rims is no contradiction."""
+    assert_close(solve(TWO_GEARS)["turned"], 0.5 * (0.02 + 0.54 / 9) * 10**2 / 2)
+
+
+def test_no_drawn_number_of_a_letter_is_printed() -> None:
+    problem, wrong = load_text(HANDED_ON)
+    assert not wrong
+    page = Terminal().render(narrate(solve_problem(problem)))
+    assert "t_2 = x_A,2/v_0\n" in page
+    assert not re.search(r"\d\.\d", page)

@@ -10,6 +10,7 @@ import sympy as sp
 
 from planar_cli.equation.exact import Unvalued
 from planar_cli.equation.sample import seeded
+from planar_cli.errors import undecided_at
 from planar_cli.problem.scene import Problem
 from planar_cli.solve.between.agreement import compared, integrated
 from planar_cli.solve.between.answers import Answering, closed_formula
@@ -61,7 +62,12 @@ def _part(
     try:
         part = _told(solved, case)
     except Unvalued as error:
-        raise missing(solved.course) or error from error
+        lack = missing(solved.course)
+        if lack is None and problem.unknowns and not trial:
+            # As long as a constant is open the motion is not followed, and other modes may happen than those assumed.
+            text = "not decided, with the modes that were assumed a state stays open"
+            raise undecided_at(problem.states[0].mark, text) from error
+        raise lack or error from error
     curves = part.tale.passages if part.tale is not None else ()
     tale = at_given_time(problem, solved.course.distinct_regimes(), curves)
     return part if tale is None else replace(part, tale=tale)

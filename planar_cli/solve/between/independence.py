@@ -15,6 +15,7 @@ from planar_cli.equation.exact import CERTAIN, Sample, Valuation
 from planar_cli.equation.sample import anywhere
 from planar_cli.errors import NoValue
 from planar_cli.solve.between.derivation import Route
+from planar_cli.solve.between.motion_equations import MotionEquations
 from planar_cli.solve.between.stated_motion import StatedMotion
 
 OTHERWISE = Decimal("1.7320508")
@@ -30,14 +31,28 @@ def rests_on(course: StatedMotion, value: Valuation, integrands: Iterable[sp.Exp
     return frozenset(p for p in value.drawn if any(_enters(p, e, base) for e in residuals))
 
 
-def settled(route: Route, value: Valuation, base: Valuation) -> frozenset[sp.Symbol]:
-    """The unknowns of a route whose numbers rest on no letter that was drawn. `base`: numbers of what is no unknown."""
+def lettered_starts(course: MotionEquations, value: Valuation) -> frozenset[sp.Symbol]:
+    """The letters of the first state of which it says something with a letter that was drawn."""
+    drawn = value.drawn if isinstance(value, Sample) else frozenset()
+    base, first = course.base(), {*course.first.letters.values()}
+    told = (e.residual for e in course.equations if e.stop == course.first.name)
+    found = (r.free_symbols & first for r in told if any(_enters(p, r, base) for p in drawn))
+    return frozenset(s for inside in found for s in inside)
+
+
+def settled(
+    route: Route, value: Valuation, base: Valuation, lettered: frozenset[sp.Symbol] = frozenset()
+) -> frozenset[sp.Symbol]:
+    """The unknowns of a route whose numbers rest on no letter that was drawn. `base`: numbers of what is no unknown;
+    `lettered`: what rests on such letters, and is no unknown of the route.
+    """
     drawn = value.drawn if isinstance(value, Sample) else frozenset()
     unknowns = {x for step in route.steps for x in step.derivation.unknowns}
     found: set[sp.Symbol] = set()
     for step in route.steps:
         d = step.derivation
         known = all(s in found for s in d.needs & unknowns)
+        known = known and not any(e.residual.free_symbols & (lettered - unknowns) for e in d.equations)
         if known and not any(_enters(p, e.residual, base) for p in drawn for e in d.equations):
             found |= set(d.unknowns)
     return frozenset(found)

@@ -13,7 +13,7 @@ from planar_cli.equation.exact import Valuation
 from planar_cli.solve.between.answers import AnsweredFind
 from planar_cli.solve.between.balances import StateBalance
 from planar_cli.solve.between.derivation import DerivedStep, Route
-from planar_cli.solve.between.independence import settled
+from planar_cli.solve.between.independence import lettered_starts, settled
 from planar_cli.solve.between.needed import wanted_of
 from planar_cli.solve.between.oscillation import Oscillation, roots_of, stability
 from planar_cli.solve.between.solved_motion import SolvedMotion
@@ -52,7 +52,7 @@ def motion_trace(
     """
     course = found.course
     whole = found.oscillations or any(a.passing is not None or a.passage is not None for a in answers)
-    tracer = _Tracer(found.value, course.base())
+    tracer = _Tracer(found.value, course.base(), lettered_starts(course, found.value))
     return MotionTrace(
         problem=course.problem,
         states=tuple(s.name for s in course.states),
@@ -121,15 +121,15 @@ def _regime(course: RegimeSequence, instant: InstantSolution, wanted: frozenset[
 
 class _Tracer:
     """Turns equations and routes into what is said of them. `value`: numbers of everything; `base`: of what is no
-    unknown.
+    unknown; `lettered`: letters of the first state whose numbers rest on drawn ones.
     """
 
-    def __init__(self, value: Valuation, base: Valuation) -> None:
-        self.value, self.base = value, base
+    def __init__(self, value: Valuation, base: Valuation, lettered: frozenset[sp.Symbol]) -> None:
+        self.value, self.base, self.lettered = value, base, lettered
         self._impacts: dict[str, Impact] = {}
 
     def route(self, route: Route) -> RouteTrace:
-        known = settled(route, self.value, self.base)
+        known = settled(route, self.value, self.base, self.lettered)
         return RouteTrace(tuple(self._step(step) for step in route.steps), known, route.formulas, route.plain)
 
     def _step(self, step: DerivedStep) -> RouteStep:

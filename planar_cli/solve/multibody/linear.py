@@ -60,7 +60,8 @@ def eliminate(rows: list[Row], width: int) -> tuple[list[tuple[int, Row]], list[
                 work[column] = ZERO
         best = max(range(width), key=lambda j: abs(work[j]), default=-1)
         if best < 0 or not work[best]:
-            left.append(work)
+            # A constant that met nothing but zeros on the way still has the rounding of its own terms.
+            left.append([*work[:-1], clean(work[-1], ZERO)])
             continue
         lead = work[best]
         work = [a / lead for a in work]
