@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Container, Iterator, Mapping
 
 from planar_cli.errors import Diagnostic
-from planar_cli.problem.expression import Binary, Extreme, Function, Name, Negate, Relation, Side
+from planar_cli.problem.expression import Binary, Extreme, Function, Name, Negate, Quantity, Relation, Side
 from planar_cli.problem.formulas import Formula, formulas
 from planar_cli.problem.known_values import Known, KnownValues, NoNumber, Rough, order
 from planar_cli.problem.scene import Problem, Symbol
@@ -16,6 +16,8 @@ POWERS = 50
 """Between ten to this power and one part of it all numbers of a file lie, in SI units."""
 
 
+PLACES = frozenset(("x", "y", "r", "theta"))
+"""Quantities of which a state may say that they grow without end."""
 HIGHEST = 300
 """So high may a power of letters be: 2 to it is still a number of the machine."""
 
@@ -72,7 +74,7 @@ def _tolerances(problem: Problem, values: KnownValues) -> Iterator[Diagnostic]:
 
 
 def _sides(formula: Formula, ends: Container[str]) -> Iterator[Side]:
-    """The sides whose values count; a state may say that the time or a coordinate, of `ends`, is infinite."""
+    """The sides whose values count; a state may say that the time or a coordinate, of `ends`, or a place is infinite."""
     tree = formula.tree
     if isinstance(tree, Relation):
         sides: tuple[Side, ...] = (tree.left, tree.right)
@@ -86,7 +88,8 @@ def _sides(formula: Formula, ends: Container[str]) -> Iterator[Side]:
 
 
 def _is_one_of(side: Side, names: Container[str]) -> bool:
-    return isinstance(side, Name) and side.at is None and side.name in names
+    place = isinstance(side, Quantity) and side.word in PLACES
+    return place or (isinstance(side, Name) and side.at is None and side.name in names)
 
 
 def _is_infinity(side: Side) -> bool:
