@@ -74,7 +74,7 @@ def _tolerances(problem: Problem, values: KnownValues) -> Iterator[Diagnostic]:
 
 
 def _sides(formula: Formula, ends: Container[str]) -> Iterator[Side]:
-    """The sides whose values count; a state may say that the time or a coordinate, of `ends`, or a place is infinite."""
+    """The sides whose values count; a state may say that a place is infinite, or the time or a coordinate (`ends`)."""
     tree = formula.tree
     if isinstance(tree, Relation):
         sides: tuple[Side, ...] = (tree.left, tree.right)
