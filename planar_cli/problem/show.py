@@ -32,9 +32,8 @@ def visible(text: str) -> str:
 
 def harmless(text: str, kept: str = "\n") -> str:
     """The whole text with what would steer a terminal, or not be seen on it, written as escapes, but for `kept`."""
-    if text.isprintable():
-        return text
-    return "".join(c if c in kept else _visible_character(c) for c in text)
+    steering = {c for c in set(text) if c not in kept and not c.isprintable()}
+    return text.translate({ord(c): _visible_character(c) for c in steering})
 
 
 def spreadsheet_cell(text: str) -> str:

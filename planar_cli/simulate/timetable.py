@@ -30,7 +30,7 @@ from planar_cli.problem.expression import (
 from planar_cli.problem.scene import Problem, State
 from planar_cli.problem.scope import Scope
 from planar_cli.problem.walk import walk
-from planar_cli.simulate.measures import Measures
+from planar_cli.simulate.measures import Measures, Values
 
 NEAR = 1e-7
 """Where one relation of a state holds, the others hold if they are off by less than this part of their scale."""
@@ -109,24 +109,35 @@ class Timetable:
         return self.measures.model.scene.sides.value(side).value
 
     def _crossing(self, relation: Relation) -> Crossing:
+        known: dict[Regime, Values] = {}
+
         def value(regime: AnyRegime, choice: Choice, t: float, y: Sequence[float]) -> float:
             assert isinstance(regime, Regime)
-            found = self.measures.gap(relation, regime)(t, y)
-            return found[0]
+            if regime not in known:
+                known[regime] = self.measures.gap(relation, regime)
+            return known[regime](t, y)[0]
 
         return Crossing(value, self.scale(relation.left, relation.right))
 
     def _extreme(self, extreme: Extreme) -> Crossing:
         """The rate falls through zero where something is largest, and rises where it is smallest."""
         vector = _without_mag(extreme.side)
+        known: dict[Regime, tuple[Values, Values]] = {}
+
+        def functions(regime: Regime) -> tuple[Values, Values]:
+            side = extreme.side if vector is None else vector
+            rates = self.measures.rate(side, regime)
+            return rates if vector is None else self.measures.function(side, regime), rates
 
         def rate(regime: AnyRegime, choice: Choice, t: float, y: Sequence[float]) -> float:
             assert isinstance(regime, Regime)
+            if regime not in known:
+                known[regime] = functions(regime)
+            value, rates = known[regime]
             if vector is None:
-                return self.measures.rate(extreme.side, regime)(t, y)[0]
+                return rates(t, y)[0]
             # The rate of the square of a magnitude has a value where it vanishes, too.
-            parts, rates = self.measures.function(vector, regime)(t, y), self.measures.rate(vector, regime)(t, y)
-            return sum(a * b for a, b in zip(parts, rates, strict=True))
+            return sum(a * b for a, b in zip(value(t, y), rates(t, y), strict=True))
 
         scale = self.scale(extreme.side) / self.measures.model.scales.time
         return Crossing(rate, scale if vector is None else scale * self.scale(extreme.side), -extreme.sense)
