@@ -6,7 +6,9 @@ A mutant is refused, has no solution, has another answer, or has the same answer
 cancels stands in the equations). It may have the very same page for a reason:
 
     implied   a statement follows from others: its contrary is refused or changes something; so does that of a bound
-    drawn     a place or size on which nothing rests: where a floor goes through, the radius of a disk on a pin
+    drawn     a place or size on which nothing rests: where a floor goes through, the radius of a disk on a pin; also
+              told by a name
+    even      a sign that has no meaning: of an angle in a cosine, of the direction of a straight line
     assumed   what is only assumed of letters, and no answer rests on it
     asked     a find asks for another thing of the same value
     a name    a name that nothing else uses is spelt otherwise
@@ -19,6 +21,7 @@ from __future__ import annotations
 import argparse
 import json
 import random
+import re
 import sys
 from collections import Counter
 from collections.abc import Iterator, Sequence
@@ -88,11 +91,37 @@ class _Walk:
     def __init__(self, file: str, root: Mapping) -> None:
         self.file, self.root = file, root
         self.names: dict[str, list[str]] = {}
+        self.uses: dict[str, set[str]] = {}
+        """Where each name of `given` is used: "drawn", "given:name" or something else."""
+        self._note(root, ())
         for section in (root, *_cases(root)):
             for key, value in section.pairs:
                 if key.text in NAMED and isinstance(value, Mapping):
                     known = self.names.setdefault(key.text, [])
                     known.extend(name for name in _keys(value) if name not in known)
+
+    def _note(self, node: Node, keys: tuple[str, ...]) -> None:
+        """Gather where names are used."""
+        if isinstance(node, Mapping):
+            for key, value in node.pairs:
+                self._note(value, (*keys, key.text))
+        elif isinstance(node, Scalar):
+            own = keys[2:] if keys[:1] == ("cases",) else keys
+            if not own or own[0] in TEXTS | {"answers"}:
+                return
+            use = f"given:{own[1]}" if own[0] == "given" and len(own) > 1 else _reason(keys) or own[0]
+            for word in re.findall(r"[A-Za-z]\w*", node.text):
+                self.uses.setdefault(word, set()).add(use)
+        else:
+            for item in node.items:
+                self._note(item, keys)
+
+    def only_drawn(self, name: str, above: frozenset[str] = frozenset()) -> bool:
+        """Is a name used for places and sizes alone, itself or by way of other names?"""
+        uses = self.uses.get(name, set())
+        further = {use.removeprefix("given:") for use in uses if use.startswith("given:")} - above
+        rest = {use for use in uses if not use.startswith("given:")}
+        return rest <= {"drawn"} and all(self.only_drawn(other, above | {name}) for other in further)
 
     def mutants(self) -> Iterator[Mutant]:
         yield from self._inside(self.root, (), ())
@@ -132,7 +161,20 @@ class _Walk:
                 place = f"{node.mark.line}:{node.mark.column + node.quoted + token.start}"
                 # A bound rejects what lies beyond it, and may do so wherever it stands on this side.
                 other = _contrary(node) if "<" in node.text or ">" in node.text.replace("->", "") else None
-                yield Mutant(self.file, kind, at, False, text, place, f"{node.text} -> {text}", _reason(keys), other)
+                if kind == "name" and other is None and _are_statements(keys):
+                    # The new statement may say the same in other words.
+                    other = _contrary(replace(node, text=text))
+                reason = _reason(keys) or self._reason_of(kind, keys, node.text, start)
+                yield Mutant(self.file, kind, at, False, text, place, f"{node.text} -> {text}", reason, other)
+
+    def _reason_of(self, kind: str, keys: tuple[str, ...], text: str, start: int) -> str:
+        """Why a number may change nothing, by what its name is for or by how it stands there."""
+        own = keys[2:] if keys[0] == "cases" else keys
+        if own[0] == "given" and len(own) > 1 and self.only_drawn(own[1]):
+            return "drawn"
+        if kind == "sign" and (own[-1] == "along" or re.search(r"cos\([^()]*(\([^()]*)?$", text[:start])):
+            return "even"
+        return ""
 
     def _changed(
         self, tokens: Sequence[Token], i: int, node: Scalar, keys: tuple[str, ...]
@@ -200,6 +242,8 @@ def _contrary(node: Node) -> str | None:
     """A statement that is false where this one is true."""
     if not isinstance(node, Scalar):
         return None
+    if rest := re.fullmatch(r"(\w+) at rest", node.text):
+        return f"v({rest[1]}).x > 0"
     for sign, other in (("<=", ">"), (">=", "<"), ("<", ">"), (">", "<"), ("=", ">"), ("largest", "smallest")):
         if sign in node.text:
             return node.text.replace(sign, other)

@@ -69,3 +69,57 @@ def test_false_at_a_later_state(second: str, code: str, said: str, tmp_path: Pat
 @pytest.mark.parametrize("first", ["N(P) < 100 N", "x(crate) < 1 m", "a(crate).x < 0", "t >= 0", "2 m < 3 m"])
 def test_true_ones_change_nothing(first: str, tmp_path: Path) -> None:
     solved(tmp_path, first, "a(crate).x <= 0")
+
+
+MOTIONS = {
+    "states: {1: [t = 0, v(b).x = 3 m/s, v(b).y = 0], 2: [x(b) = 30 m]}": (
+        "PL621",
+        "state 2 is never reached: x(b) = 30 m",
+        "from t = 1.529 s on `x(b) = 30 m` stays as far off: the sides differ by 27.71 m",
+    ),
+}
+
+
+@pytest.mark.parametrize("states", MOTIONS)
+def test_states_that_never_come(states: str, tmp_path: Path) -> None:
+    text = f"""plane: vertical
+bodies: {{b: {{particle: [0, 0], mass: 2 kg}}}}
+surfaces: {{floor: {{through: [0, 0], angle: 0 deg}}}}
+joints:
+  - contact: {{between: [b, floor], mu: 0.2}}
+{states}
+find: {{t: t @ 2}}
+"""
+    path = tmp_path / "block.yaml"
+    path.write_text(text, encoding="utf-8")
+    with pytest.raises(NoSolution) as told:
+        solve_problem(read(str(path)))
+    (diagnostic,) = told.value.diagnostics
+    assert (diagnostic.code, diagnostic.message, diagnostic.hint) == MOTIONS[states]
+
+
+PAIR = """bodies: {A: {particle: [0, 0]}}
+motion: [MOTION]
+states: {1: [t = 0], 2: [t = 5 s]}
+find: {y: y(A) @ 2}
+"""
+
+
+def test_a_start_that_holds_both_ways(tmp_path: Path) -> None:
+    path = tmp_path / "pair.yaml"
+    path.write_text(PAIR.replace("MOTION", "v(A).mag = 3 m/s, v(A).x = 1 m/s"), encoding="utf-8")
+    with pytest.raises(NoSolution) as told:
+        solve_problem(read(str(path)))
+    (diagnostic,) = told.value.diagnostics
+    assert diagnostic.mark.line == 2
+    assert diagnostic.code == "PL618"
+
+
+def test_two_sizes_of_one_velocity(tmp_path: Path) -> None:
+    path = tmp_path / "pair.yaml"
+    path.write_text(PAIR.replace("MOTION", "v(A).mag = 3 m/s, v(A).mag = 4 m/s, v(A).angle = 30 deg"), encoding="utf-8")
+    with pytest.raises(NoSolution) as told:
+        solve_problem(read(str(path)))
+    (diagnostic,) = told.value.diagnostics
+    assert diagnostic.mark.line == 2
+    assert "remains off" in diagnostic.message

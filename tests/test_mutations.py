@@ -45,6 +45,8 @@ FAULTS = (
     ("momentum/lawn-sprinkler", "9:36", "-0.25 m", "PL604"),
     ("momentum/sand-on-a-conveyor-belt", "9:24", "-1.2 m", "PL593"),
     ("systems/double-pulley", "19:27", "S on A", "PL458"),
+    ("motion/car-three-phases", "17:3", "brake ->", "PL405"),
+    ("particles/slider-spring-damper", "15:11", "without", "PL604"),
 )
 """Mutants that once ended in a fault, and what they are told now."""
 

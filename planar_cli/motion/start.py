@@ -17,6 +17,7 @@ from planar_cli.motion.drives import PLACES, VELOCITIES, of_forces
 from planar_cli.motion.model import Model
 from planar_cli.motion.places import points_of
 from planar_cli.motion.terms import Term
+from planar_cli.motion.two_starts import demand_one_start
 from planar_cli.motion.zeros import AGREES, Equation, Zeros
 from planar_cli.problem.expression import AtRest, Equilibrium, Relation, Statement
 from planar_cli.problem.facts import Mode
@@ -327,11 +328,16 @@ class _Search:
         for state in tries:
             self.zeros.state = list(state)
             if self.zeros.solved(equations, numbers) and (not guesses or self._true()):
+                if guesses and not self.model.scene.speeds:
+                    problem = self.model.scene.problem
+                    demand_one_start(self.zeros, self.layout, equations, numbers, tries, self._true, problem)
                 return
         self.zeros.state = list(tries[0])
         self.zeros.solved(equations, numbers)
         off = max(equations, key=lambda e: abs(self.zeros.values([e])[0]) / e.size)
-        mark = next((e.mark for e in (off, *equations) if e.mark != NOWHERE), NOWHERE)
+        laws = [law.statement for law in self.model.scene.problem.motion]
+        known = [*(r.mark for r in laws if r.text == off.text), off.mark, *(e.mark for e in equations)]
+        mark = next((m for m in (*known, *(r.mark for r in laws)) if m != NOWHERE), NOWHERE)
         text = f"no start fulfils everything that the file says: “{off.text}” remains off"
         raise NoSolution([Diagnostic(mark, "PL704", text, "one of the relations of the first state must go")])
 

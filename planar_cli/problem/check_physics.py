@@ -13,6 +13,7 @@ from planar_cli.problem.formulas import formulas
 from planar_cli.problem.scene import GROUND, At, Body, Composite, Foot, Particle, Polar, Towards, TwoFacts
 from planar_cli.problem.scope import Scope, members_of
 from planar_cli.problem.shapes import own_points
+from planar_cli.problem.signs import certain_sign
 from planar_cli.problem.walk import Tree, walk
 
 POSITIVE = (
@@ -177,16 +178,14 @@ def _combined(operator: str, left: Fraction | None, right: Fraction | None) -> F
 
 
 def sizes_are_positive(scope: Scope) -> Iterator[Diagnostic]:
-    """A size, mass or stiffness written as a number is more than zero; only a part (a hole) may have minus mass."""
+    """A size, mass or stiffness is more than zero, whatever its letters are; only a hole may have minus mass."""
+    letters = {symbol.name: symbol for symbol in scope.problem.symbols}
+    given = {symbol.name: symbol for symbol in scope.problem.given}
     for formula in formulas(scope.problem):
         if not formula.what.startswith(POSITIVE) or " of a part " in formula.what:
             continue
-        tree = formula.tree
-        if isinstance(tree, Name) and tree.name in scope.numbers:
-            tree = scope.numbers[tree.name].value or tree
-        negative = isinstance(tree, Negate) and isinstance(tree.operand, Number)
-        nothing = isinstance(tree, Number) and tree.value == 0 and "inertia" not in formula.what
-        if negative or nothing or (isinstance(tree, Number) and tree.value * tree.sense < 0):
+        sign = certain_sign(formula.tree, letters, given) if isinstance(formula.tree, Side) else None
+        if sign == -1 or (sign == 0 and "inertia" not in formula.what):
             hint = "leave the mass out for a body without mass" if "mass" in formula.what else ""
             yield Diagnostic(formula.mark, "PL454", f"{formula.what} is not more than zero", hint)
 

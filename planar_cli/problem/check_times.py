@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 
 from planar_cli.errors import Diagnostic, Mark
 from planar_cli.joints.base import Joint
-from planar_cli.problem.check_names import points_of_place
+from planar_cli.problem.check_names import missing_state, points_of_place
 from planar_cli.problem.expression import Extreme, Grouped, JustAfter, Name, Quantity, Relation, Word
 from planar_cli.problem.formulas import formulas
 from planar_cli.problem.reading import listed
@@ -112,6 +112,9 @@ def spans_in_order(scope: Scope) -> Iterator[Diagnostic]:
     for formula in formulas(scope.problem):
         quantities = (node for node in walk(formula.tree) if isinstance(node, Quantity))
         spans += [(q.at, q.mark) for q in quantities if isinstance(q.at, tuple)]
+    for law in scope.problem.motion:
+        for state in law.during or ():
+            yield from missing_state(state, scope, law.statement.mark)
     for (start, end), mark in spans:
         known = start in scope.states and end in scope.states
         if known and start == end:

@@ -9,9 +9,10 @@ import sympy as sp
 from planar_cli.equation.exact import Settled, Valuation
 from planar_cli.equation.plain import letters, longer, replaced, rounded_inside, simplified, with_short_roots
 from planar_cli.equation.system import mode_of
-from planar_cli.errors import Undecided, refuse
+from planar_cli.errors import Undecided, refuse, undecided_at
 from planar_cli.problem.expression import Quantity, Relation
 from planar_cli.problem.outermost import is_energy
+from planar_cli.problem.scene import Find
 from planar_cli.records import record
 from planar_cli.solve.between.asked_finds import TRUTHS, AskedFind
 from planar_cli.solve.between.derivation import Route
@@ -82,6 +83,7 @@ class Answering:
             parts = [put_in(p, passing) for p in parts]
         closed = tuple(closed_formula(p, self.route, self.course.symbolic) for p in parts)
         self._demand_state(asked, closed)
+        self._demand_limits(find, closed, value)
         by = settled_by(self.course, find, closed, value, self.spans)
         told = tuple(parts) if by is value else closed
         if isinstance(what, Relation):
@@ -117,6 +119,16 @@ class Answering:
             states = ", ".join(f"`@ {s.name}`" for s in self.course.states)
             text = f"{asked.find.name} varies in the course of the motion: it has no one value"
             raise refuse(asked.find.mark, "PL560", text, f"say at which state: {states}")
+
+    def _demand_limits(self, find: Find, closed: tuple[sp.Expr, ...], value: Valuation) -> None:
+        """Undecided: what is asked where the time is infinite approaches nothing that was found."""
+        course = self.course
+        for k, state in enumerate(course.states):
+            if without_end(course, k):
+                own = set(course.stops[state.name].letters.values()) - value.values.keys()
+                if any(c.free_symbols & own for c in closed):
+                    text = f"{find.name}: as the time grows without end, no value was found that it approaches"
+                    raise undecided_at(find.mark, f"{text}; ask at a time that is given, or for an extreme")
 
     def _varying(self) -> set[sp.Symbol]:
         return {s for r in self.course.distinct_regimes() for s in r.letters}

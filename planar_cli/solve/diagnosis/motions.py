@@ -104,9 +104,8 @@ def missing(course: MotionEquations) -> NoSolution | None:
         and s.name not in course.modes.turnings
     ]
     if unsaid and not sought and not open_first:
-        text = f"nothing says when state {unsaid[0].name} is"
         hint = "give a relation with `=` that holds first in this state, or `t = …`"
-        return _wrong(unsaid[0].mark, "PL623", text, hint)
+        return _wrong(unsaid[0].mark, "PL623", f"nothing says when state {unsaid[0].name} is", hint)
     if not sought and not open_first:
         return _open_impact(course, loose)
     names = [s.name for s in sought] or list(dict.fromkeys(_title(course, first, s) for s in open_first))
@@ -114,6 +113,8 @@ def missing(course: MotionEquations) -> NoSolution | None:
     what = " and ".join(", ".join(names).rsplit(", ", 1)) if len(names) > 1 else names[0]
     text = f"{what} {'is' if len(names) == 1 else 'are'} open: no state tells enough"
     hint = _mode_at_a_time(course) or driven_with(course.problem, sought)
+    if not sought and all(name.startswith("the rate of") for name in names):
+        hint = hint or f"say in state {first.name} how it moves: `at rest`, or velocities"
     hint = hint or "give one more relation in a state, as a place, a velocity or a time"
     return _wrong(mark, "PL623", text, hint)
 
@@ -334,10 +335,14 @@ def _hint(course: MotionEquations, followed: Followed, stop: Stop, value: Valuat
             run = min(20 * scale_of(onward), max(p.t1 for p in onward.pieces) - onward.t0)
             times = [onward.t0 + run * k / SAMPLES for k in range(SAMPLES + 1)]
             away, at = _nearest(g, times)
+            lasts = max(abs(g(t)) for t in times) - away <= BEFORE * away
         except NoValue:
             return ""
         apart = _apart(course, d, Decimal(repr(away)))
-        found.append(f"`{d.text}` is nearest at t = {at:.4g} s{apart and f', where {apart}'}")
+        if lasts and apart:
+            found.append(f"from t = {onward.t0:.4g} s on `{d.text}` stays as far off: {apart}")
+        else:
+            found.append(f"`{d.text}` is nearest at t = {at:.4g} s{apart and f', where {apart}'}")
     outcome = followed.run.trajectory.outcome if followed.run is not None else None
     if outcome is not None and outcome.kind == "repeats":
         found.append(outcome.words)
