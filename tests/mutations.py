@@ -53,6 +53,7 @@ TEXTS = frozenset(("title", "text", "source", "note", "tolerance", "variants", "
 STATEMENTS = frozenset(("motion", "instant", "assume", "joints", "loads", "relaxed_at"))
 NAMED = frozenset(("given", "symbols", "unknowns", "coordinates", "points", "surfaces", "bodies", "states"))
 SIZES = frozenset("particle rod disk ring sphere sector plate center radius hub width height points".split())
+OTHER_MODES = {"stick": "slip", "slip": "stick", "taut": "slack", "slack": "taut", "apart": "stick", "tip": "stick"}
 A_NAME = "a name"
 OFF = "1.07"
 UNCHANGED, FAULT = "unchanged", "fault"
@@ -244,6 +245,8 @@ def _contrary(node: Node) -> str | None:
         return None
     if rest := re.fullmatch(r"(\w+) at rest", node.text):
         return f"v({rest[1]}).x > 0"
+    if "mode(" in node.text:
+        return re.sub("|".join(OTHER_MODES), lambda found: OTHER_MODES[found[0]], node.text)
     for sign, other in (("<=", ">"), (">=", "<"), ("<", ">"), (">", "<"), ("=", ">"), ("largest", "smallest")):
         if sign in node.text:
             return node.text.replace(sign, other)

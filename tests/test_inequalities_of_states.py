@@ -8,6 +8,7 @@ import pytest
 
 from planar_cli.errors import NoSolution
 from planar_cli.homework.checking import read
+from planar_cli.problem.structure import load
 from planar_cli.solve.run import solve_problem
 
 CRATE = """plane: vertical
@@ -123,3 +124,12 @@ def test_two_sizes_of_one_velocity(tmp_path: Path) -> None:
     (diagnostic,) = told.value.diagnostics
     assert diagnostic.mark.line == 2
     assert "remains off" in diagnostic.message
+
+
+def test_two_modes_of_one_joint(tmp_path: Path) -> None:
+    path = tmp_path / "crate.yaml"
+    path.write_text(
+        CRATE.replace(" FIRST", ", mode(P) = slip, mode(P) = stick").replace(" SECOND", ""), encoding="utf-8"
+    )
+    found = load(str(path))[1]
+    assert [(d.code, d.message) for d in found] == [("PL437", "`mode(P) = stick` contradicts `mode(P) = slip`")]

@@ -121,6 +121,22 @@ def spans_in_order(scope: Scope) -> Iterator[Diagnostic]:
             yield Diagnostic(mark, "PL434", f"the span {start}->{end} has no length", "write two different states")
 
 
+def one_mode_at_a_time(scope: Scope) -> Iterator[Diagnostic]:
+    """A joint has one mode at an instant."""
+    p = scope.problem
+    for statements in (p.instant or (), *(state.relations for state in p.states)):
+        told: dict[tuple[str, ...], Word] = {}
+        for relation in statements:
+            if not isinstance(relation, Relation) or relation.operator != "=":
+                continue
+            for one, other in ((relation.left, relation.right), (relation.right, relation.left)):
+                if isinstance(one, Quantity) and one.word == "mode" and one.at is None and isinstance(other, Word):
+                    first = told.setdefault(one.things, other)
+                    if first.word != other.word:
+                        text = f"`{relation.text}` contradicts `mode({'/'.join(one.things)}) = {first.word}`"
+                        yield Diagnostic(relation.mark, "PL437", text, "a joint has one mode at an instant; keep one")
+
+
 def finds_say_when(scope: Scope) -> Iterator[Diagnostic]:
     """In a file with states a find of the time says at which."""
     if not scope.states:

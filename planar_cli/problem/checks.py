@@ -23,6 +23,7 @@ from planar_cli.problem.check_times import (
     finds_say_when,
     instant_or_states,
     no_circles,
+    one_mode_at_a_time,
     spans_in_order,
     statements_in_place,
 )
@@ -50,6 +51,7 @@ CHECKS: tuple[Check, ...] = (
     statements_in_place,
     blows_have_spans,
     spans_in_order,
+    one_mode_at_a_time,
     finds_say_when,
     no_circles,
     dimensions_agree,

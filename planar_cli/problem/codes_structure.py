@@ -142,6 +142,7 @@ _NAMES = {
     "PL434": "A span runs from one state to another.",
     "PL435": "In a file with states the time of one of them is `t @ 2`.",
     "PL436": "Something is defined by itself, perhaps through others. Then its value cannot be found.",
+    "PL437": "One joint has two modes at the same instant. Keep the one that is meant; another state may have others.",
 }
 
 _PHYSICS = {
