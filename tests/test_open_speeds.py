@@ -60,3 +60,23 @@ def test_speed_at_which_the_acceleration_is_given() -> None:
     """m a = m g sin 5° - 4 v - 0.4 v²."""
     pull = 90 * (9.81 * math.sin(math.radians(5)) - 0.2)
     assert_close(solve(HILL)["v"], (-4 + math.sqrt(16 + 1.6 * pull)) / 0.8, digits=10)
+
+
+STEADY = """
+title: Cart that rolls on steadily
+plane: horizontal
+given: {c: 2 N*s^2/m^2, F: 50 N}
+bodies: {cart: {particle: [0, 0], mass: 20 kg}}
+joints:
+  - guide: {body: cart, along: 0 deg}
+loads:
+  - force: {body: cart, magnitude: F, angle: 0 deg}
+  - drag: {body: cart, magnitude: c*v(cart).mag^2}
+instant: [equilibrium, v(cart).x > 0]
+find: {v: v(cart).x}
+"""
+
+
+def test_equilibrium_of_what_moves() -> None:
+    """Zero accelerations: F = c v²."""
+    assert_close(solve(STEADY)["v"], 5)

@@ -22,7 +22,7 @@ from planar_cli.equation.natural import natural_pushes
 from planar_cli.equation.quantities import Quantities, quantities_of
 from planar_cli.equation.scene import Scene
 from planar_cli.equation.swaying import ROPES, sways
-from planar_cli.problem.expression import AtRest, Equilibrium, Extreme, Quantity, Relation, Statement, Word
+from planar_cli.problem.expression import AtRest, Equilibrium, Extreme, Number, Quantity, Relation, Statement, Word
 from planar_cli.problem.facts import Law, Mode, Push, Skid, Wrench
 from planar_cli.problem.reactions import Reactions
 from planar_cli.records import changing, record
@@ -49,12 +49,24 @@ class Statements:
         relations = [(s, True) for s in always if isinstance(s, Relation) and s.operator == "=" and mode_of(s) is None]
         relations += [(s, False) for s in now if isinstance(s, Relation) and s.operator == "=" and mode_of(s) is None]
         everything = (*always, *now)
-        still = tuple(s.body for s in everything if isinstance(s, AtRest | Equilibrium))
+        # A body that is said to go on moves steadily in its equilibrium.
+        steady = any(isinstance(s, Relation) and _tells_motion(s) for s in now)
+        rests = AtRest if steady else AtRest | Equilibrium
+        still = tuple(s.body for s in everything if isinstance(s, rests))
         balanced = tuple(s.body for s in everything if isinstance(s, Equilibrium))
         unequal = tuple(s for s in everything if isinstance(s, Relation) and s.operator != "=")
         modes = tuple(m for s in everything if isinstance(s, Relation) and (m := mode_of(s)) is not None)
         extremes = tuple(s for s in everything if isinstance(s, Extreme))
         return Statements(tuple(relations), still, balanced, unequal, modes, extremes)
+
+
+def _tells_motion(relation: Relation) -> bool:
+    """Does a relation say that something moves: that a velocity is a number other than zero, more or less than one?"""
+    for one, other in ((relation.left, relation.right), (relation.right, relation.left)):
+        if isinstance(one, Quantity) and one.word in ("v", "omega", "dot"):
+            nothing = isinstance(other, Number) and other.value == 0
+            return relation.operator in ("<", ">") or not nothing
+    return False
 
 
 def mode_of(relation: Relation) -> tuple[str, str] | None:

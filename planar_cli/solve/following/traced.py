@@ -24,7 +24,7 @@ from planar_cli.records import record
 from planar_cli.simulate.measures import Moment
 from planar_cli.simulate.run import Prepared, Run, Settings, followed, prepared
 from planar_cli.solve.between.stated_motion import StatedMotion
-from planar_cli.solve.following.dated import dated
+from planar_cli.solve.following.dated import dated, is_told_by_a_span
 from planar_cli.solve.following.letters import Letters
 from planar_cli.solve.impulsive.impact import arriving
 from planar_cli.solve.regimes.mode_sequence import Stretch, Workshop, fixed_time
@@ -147,6 +147,12 @@ def traced(course: StatedMotion, problem: Problem, value: Valuation, start: Mapp
     problem = replace(problem, joints=tuple(j.told(told) for j in problem.joints))
     times = _times(course, value)
     problem = dated(problem, times)
+    spanned = next((s.name for s in problem.states if is_told_by_a_span(s)), "")
+    if spanned:
+        return (
+            f"state {spanned} is told by a quantity over a span, which is not looked for step by step; "
+            "a place, a speed or a time of it helps"
+        )
     values = _values(course, problem, value)
     speeds = _speeds(course, value, start)
     try:
