@@ -10,7 +10,9 @@ import sympy as sp
 from answered import BRAKED, solved
 from answered import first as number
 
-from planar_cli.errors import NoSolution
+from planar_cli.errors import NoSolution, Undecided
+from planar_cli.problem.structure import load_text
+from planar_cli.solve.run import solve_problem
 
 SPRING = """
 title: Block on a spring
@@ -167,3 +169,30 @@ def test_a_path_length_fixes_a_state(tmp_path: Path) -> None:
     text = SLIDE.replace("2: [block at rest]", "2: [path_length(P) @ 1->2 = 3 m]")
     text = text[: text.index("find:")] + "find: {v: v(P).x @ 2}\n"
     assert number(solved(tmp_path, text)["v"]) == pytest.approx(math.sqrt(16 - 2 * 0.2 * 9.81 * 3))
+
+
+def test_a_state_that_only_a_span_tells_is_not_looked_for() -> None:
+    """Where no equation leads to it, the reason is told with the name of the state."""
+    text = """
+title: Spool on a slope, held by its cord
+plane: vertical
+points:
+  C: [0, 0]
+  G: {from: C, distance: 0.4 m, angle: 120 deg}
+  T: {from: G, distance: 0.2 m, angle: 120 deg}
+  Q: {from: T, distance: 5 m, angle: 30 deg}
+surfaces: {slope: {through: C, angle: 30 deg}}
+bodies: {spool: {disk: G, radius: 0.4 m, hub: 0.2 m, mass: 40 kg, radius_of_gyration: 0.25 m}}
+joints:
+  - rope: {path: [Q, T on spool]}
+  - contact: {between: [spool, slope], at: C, mu: 0.15}
+states:
+  1: [t = 0, at rest]
+  2: [path_length(G) @ 1->2 = 3 m]
+find: {v: v(G).mag @ 2}
+"""
+    problem, wrong = load_text(text)
+    assert not wrong
+    assert problem is not None
+    with pytest.raises(Undecided, match="state 2 is told by a quantity over a span"):
+        solve_problem(problem)
