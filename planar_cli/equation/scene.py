@@ -24,7 +24,7 @@ from planar_cli.problem.expression import Name, Side, Statement
 from planar_cli.problem.facts import Outline
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.located import located
-from planar_cli.problem.outlines import Bend, edges_at, outline_of
+from planar_cli.problem.outlines import Bend, Span, edges_at, outline_of, spot_of
 from planar_cli.problem.scene import (
     GROUND,
     Curve,
@@ -253,6 +253,9 @@ class Scene(Decided):
         """The body that a partner of a joint stands for: a surface's body, or the ground."""
         surface = self.surfaces.get(partner)
         return (surface.body or GROUND) if surface is not None else partner
+
+    def spot(self, partner: str, point: Vec, during: Span) -> Vec:
+        return spot_of(self, self.problem.states, during, partner, point)
 
     def outline(self, partner: str, point: Vec, mark: Mark) -> Outline:
         if (partner, point) not in self._outlines:

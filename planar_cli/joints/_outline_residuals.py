@@ -37,6 +37,15 @@ def touching(title: str, a: Outline, b: Outline, place: Vec) -> tuple[Residual, 
 
         return (Residual(f"{title}: distance from the edge", height),)
     first, second = center_of(a, place) or place, center_of(b, place) or place
+    corner, arc = (a, b) if a.kind == "corner" else (b, a)
+    if corner.kind == "corner" and arc.center is not None:
+        center = arc.center
+
+        def off(poses: Poses) -> Any:
+            reach = poses.length(poses.point(corner.body, place) - poses.point(arc.body, center))
+            return reach * reach - poses.number(1 / arc.curvature**2)
+
+        return (Residual(f"{title}: distance from the centre", off, anywhere=True),)
 
     def distance(poses: Poses) -> Any:
         return poses.change(poses.length(poses.point(a.body, first) - poses.point(b.body, second)))

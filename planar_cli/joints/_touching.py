@@ -39,6 +39,8 @@ class ContactPlace:
     """The point where they touch."""
     mark: Mark
     """The place of the entry in the file."""
+    during: tuple[str, str] | None = None
+    """The states between which it acts; None: always."""
 
 
 @record
@@ -104,7 +106,8 @@ class Touching:
     def _roles(self) -> tuple[Outline, Outline]:
         """Mover and base: a corner or rim slides on the other outline; of two rims, the moving one on the fixed one."""
         scene, contact = self.scene, self.contact
-        a, b = (scene.outline(p, self.place, contact.mark) for p in contact.between)
+        spots = [(p, scene.spot(p, self.place, contact.during)) for p in contact.between]
+        a, b = (scene.outline(p, spot, contact.mark) for p, spot in spots)
         demand_common_tangent(contact.between, contact.at, a, b, scene, contact.mark)
         if (
             a.body == "ground"

@@ -94,4 +94,4 @@ class Contact(Joint):
         return (stuck if sticks else flush)(self.name, mover, pair.base, place)
 
     def _place(self) -> ContactPlace:
-        return ContactPlace(self.name, self.between, self.at, self.mark)
+        return ContactPlace(self.name, self.between, self.at, self.mark, self.during)

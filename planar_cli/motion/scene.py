@@ -29,7 +29,7 @@ from planar_cli.problem.expression import Name, Relation, Side, Statement
 from planar_cli.problem.facts import Outline, Wrench
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.keys import Table
-from planar_cli.problem.outlines import Bend, edges_at, outline_of
+from planar_cli.problem.outlines import Bend, Span, edges_at, outline_of, spot_of
 from planar_cli.problem.scene import GROUND, Curve, Line, Plate, Problem, Round, Surface
 from planar_cli.units import parse_unit
 
@@ -57,7 +57,7 @@ class MovingScene(Carried):
         self._skids: Skids | None = None
         self.facings = Facings(self.graph, self.extent)
         self.feet: dict[tuple[str, str], Foot] = feet_of(self)
-        self._points |= spots_of(self, partial(outline_of, self), self.feet)
+        self._points |= spots_of(self, partial(outline_of, self), self.spot, self.feet)
         self._outlines: dict[tuple[str, Vec], Outline] = {}
         self.coordinates, self.ties = self._coordinates()
 
@@ -92,6 +92,9 @@ class MovingScene(Carried):
         base = self.carrier(name) if self.names_carrier(name) else GROUND
         self._steady(base, () if isinstance(along, str) else (along,), mark)
         return Outline("straight", base, self.direction(along), self.graph.number(0.0))
+
+    def spot(self, partner: str, point: Vec, during: Span) -> Vec:
+        return spot_of(self, self.problem.states, during, partner, point)
 
     def outline(self, partner: str, point: Vec, mark: Mark) -> Outline:
         surface = self.surfaces.get(partner)

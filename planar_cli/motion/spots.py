@@ -11,19 +11,24 @@ from planar_cli.motion.carried import Carried
 from planar_cli.motion.feet import Foot
 from planar_cli.problem.facts import Outline
 from planar_cli.problem.geometry import Vec
+from planar_cli.problem.outlines import Span
 from planar_cli.problem.scene import GROUND
 
 OutlineAt = Callable[[str, Vec, Mark], Outline]
 """The outline of a partner of a joint at a place."""
+SpotAt = Callable[[str, Vec, Span], Vec]
+"""Where a partner is touched at a place by a joint that acts between some states."""
 
 
-def spots_of(scene: Carried, outline_at: OutlineAt, feet: Mapping[tuple[str, str], Foot]) -> dict[str, Vec]:
+def spots_of(
+    scene: Carried, outline_at: OutlineAt, spot_at: SpotAt, feet: Mapping[tuple[str, str], Foot]
+) -> dict[str, Vec]:
     """The places of such points, by name."""
     found: dict[str, Vec] = {}
     for joint in scene.problem.joints:
         at, between = getattr(joint, "at", None), getattr(joint, "between", ())
         if joint.touches and at is not None and len(between) == 2:
-            spot = _touching(scene, outline_at, feet, joint, at, between)
+            spot = _touching(scene, outline_at, spot_at, feet, joint, at, between)
             if spot is not None:
                 found[at] = spot
     members: tuple[Joint | Load, ...] = (*scene.problem.joints, *scene.problem.loads)
@@ -38,6 +43,7 @@ def spots_of(scene: Carried, outline_at: OutlineAt, feet: Mapping[tuple[str, str
 def _touching(
     scene: Carried,
     outline_at: OutlineAt,
+    spot_at: SpotAt,
     feet: Mapping[tuple[str, str], Foot],
     joint: Joint,
     at: str,
@@ -45,7 +51,7 @@ def _touching(
 ) -> Vec | None:
     """Between the centres of two rims, or off the centre of one across the edge that it touches."""
     place = scene.point(at)
-    outlines = [outline_at(p, place, joint.mark) for p in between]
+    outlines = [outline_at(p, spot_at(p, place, joint.during), joint.mark) for p in between]
     rounds = [o for o in outlines if o.kind == "arc" and o.center is not None]
     drawn = scene.place_drawn(at)
     if len(rounds) == 2:

@@ -5,6 +5,7 @@ Written once for whatever numbers a scene is made of: exact expressions, or term
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any, Protocol
 
@@ -12,8 +13,11 @@ from planar_cli.errors import Mark, refuse
 from planar_cli.problem.expression import Side
 from planar_cli.problem.facts import Outline
 from planar_cli.problem.geometry import Vec
-from planar_cli.problem.scene import GROUND, Circle, Composite, Curve, Line, Plate, Rod, Round, Sector, Surface
+from planar_cli.problem.scene import GROUND, Circle, Composite, Curve, Line, Plate, Rod, Round, Sector, State, Surface
 from planar_cli.records import record
+
+Span = tuple[str, str] | None
+"""The states between which a joint acts; None: always."""
 
 
 @record
@@ -78,6 +82,25 @@ def outline_of(scene: Outlined, partner: str, point: Vec, mark: Mark) -> Outline
                 radius = scene.length(out)
                 return Outline("arc", partner, (out / radius).turned(), 1 / radius, center, shape.apex)
     return Outline("corner", partner)
+
+
+def spot_of(scene: Outlined, states: Sequence[State], during: Span, partner: str, point: Vec) -> Vec:
+    """Where a partner is touched at a point: there; a line or circle that is met later where it is nearest."""
+    surface = scene.surfaces.get(partner)
+    later = during is not None and bool(states) and during[0] != states[0].name
+    if not later or surface is None:
+        return point
+    body = surface.body or GROUND
+    if isinstance(surface.shape, Line):
+        start, along = scene.carried(body, surface.shape.through), scene.surface_direction(surface)
+        foot: Vec = start + along * (point - start).dot(along)
+        return foot
+    if isinstance(surface.shape, Circle):
+        center = scene.carried(body, surface.shape.center)
+        out = point - center
+        nearest: Vec = center + out * (scene.value(surface.shape.radius) / scene.length(out))
+        return nearest
+    return point
 
 
 def edges_at(scene: Outlined, body: str, shape: Plate, point: Vec) -> list[Outline]:

@@ -68,7 +68,10 @@ class Poses(Protocol):
 
 @record
 class Residual:
-    """`of` gives a number that stays zero, or a Vec of which both parts do; `title` says what it keeps."""
+    """`of` gives a number that stays zero, or a Vec of which both parts do; `title` says what it keeps. `anywhere`: it
+    vanishes wherever the joint begins to hold, not only from where things are drawn.
+    """
 
     title: str
     of: Callable[[Poses], Any]
+    anywhere: bool = False

@@ -158,6 +158,8 @@ def constraints_of(
         if joint.during is not None:
             if GROUND in getattr(joint, "between", ()):
                 found += _residuals(scene, joint, modes[index], poses, value, start, "kept")
+            elif not modes[index].parted:
+                found += _residuals(scene, joint, modes[index], poses, value, start, "loop", anywhere=True)
             continue
         if not modes[index].parted:
             found += _residuals(scene, joint, modes[index], poses, value, start, "loop")
@@ -196,9 +198,12 @@ def _residuals(
     value: Valuation,
     start: Mapping[sp.Symbol, sp.Expr],
     kind: str,
+    anywhere: bool = False,
 ) -> Iterator[Constraint]:
-    """The places that a joint keeps in one of its modes."""
+    """The places that a joint keeps in one of its modes; `anywhere`: only those that it keeps wherever it begins."""
     for residual in joint.residuals(scene, mode):
+        if anywhere and not residual.anywhere:
+            continue
         vanishing = residual.of(poses)
         for part in (vanishing.x, vanishing.y) if isinstance(vanishing, Vec) else (vanishing,):
             expr = simplified(part)

@@ -311,9 +311,12 @@ def loosened(drawn: Instant, choice: tuple[int, ...]) -> tuple[int, ...]:
 
 
 def loose_tree(drawn: Instant, choice: tuple[int, ...]) -> Tree:
-    """The tree along which places are described: of the joints that hold all the time, one for all spans."""
+    """The tree along which places are described: of the joints that hold all the time, and of those that hold from the
+    first state on, as drawn.
+    """
     modes = drawn.system(loosened(drawn, choice)).modes
-    lasting = {joint.name for joint, _ in drawn.modes if joint.during is None}
+    first = drawn.scene.problem.states[0].name if drawn.scene.problem.states else ""
+    lasting = {joint.name for joint, _ in drawn.modes if joint.during is None or joint.during[0] == first}
     return drawn.builder.build(j for name, mode in modes.items() if name in lasting for j in mode.facts.joinings)
 
 
