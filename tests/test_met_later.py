@@ -7,6 +7,8 @@ import math
 import pytest
 from answered import solve
 
+from planar_cli.errors import PlanarError
+
 G = 9.81
 BOWL = """
 title: Ball that slides down a bowl, and then along a rough floor
@@ -51,3 +53,9 @@ def test_a_floor_and_then_a_ramp() -> None:
     square = 25 - 2 * 0.2 * G
     expected = {"v": math.sqrt(square), "N": 2 * (G + square / 1.5), "h": square / (2 * G)}
     assert _first(RAMP) == pytest.approx(expected)
+
+
+def test_a_force_of_a_contact_that_is_over() -> None:
+    """What is asked at a state where something changes is asked of what begins."""
+    with pytest.raises(PlanarError, match="first does not act then"):
+        solve(BOWL.replace("N(second)", "N(first)"))

@@ -118,3 +118,36 @@ def _part(text: str) -> PartSolution:
     assert problem is not None, wrong
     (part,) = solve_problem(problem).parts
     return part
+
+
+PROBE = """
+title: Probe that is to pass through two points about a planet
+plane: horizontal
+given: {{GM: 398600 km^3/s^2, r_1: 7000 km, r_2: 9000 km, m: 500 kg, v_1: 8.5 km/s}}
+unknowns: {{beta: deg}}
+points: {{O: [0, 0], P: [r_1, 0]}}
+bodies: {{probe: {{particle: P, mass: m}}}}
+loads:
+  - force: {{at: P, body: probe, magnitude: GM*m/r(probe/O).mag^2, towards: O}}
+states:
+  1: [t = 0, v(probe).x = v_1*cos(beta), v(probe).y = v_1*sin(beta)]
+  2: [x(probe) = 0, y(probe) = r_2]
+assume: [{assumed}]
+find: {{beta: beta}}
+"""
+
+
+@pytest.mark.parametrize(("assumed", "way"), [("beta > 45 deg, beta < 180 deg", 0), ("beta > 0 deg, beta < 45 deg", 1)])
+def test_an_orbit_through_two_points(assumed: str, way: int) -> None:
+    """u = tan(90 deg - β): u² - λ u + 1 - λ r_1/r_2 = 0 with λ = r_1 v²/GM, by the conic through both points."""
+    ratio, size = 7000 / 9000, 7000 * 8.5**2 / 398600
+    root = sqrt(size**2 - 4 * (1 - size * ratio))
+    u = (size - root) / 2 if way == 0 else (size + root) / 2
+    (found,) = _part(PROBE.format(assumed=assumed)).found
+    assert degrees(float((found.values or ())[0])) == pytest.approx(90 - degrees(atan(u)), rel=1e-8)
+
+
+def test_several_angles_lead_there() -> None:
+    """Two of them, each found from another relation of the state, and each in the author's unit."""
+    with pytest.raises(NoSolution, match="beta may be 38.4734, 89.4016 deg"):
+        _part(PROBE.format(assumed="beta > 0 deg, beta < 180 deg"))

@@ -91,7 +91,8 @@ class SceneAutomaton:
     def undetermined(self, choice: Choice, t: float, y: Sequence[float]) -> tuple[str, ...]:
         """Bodies without mass that some motion moves which no constraint forbids and no mass resists.
 
-        A round body that only spins so does nothing that matters.
+        A round body that only spins so does nothing that matters, nor does what nothing drives along it: a pulley
+        between vertical parts of ropes stays where it is drawn.
         """
         model, indices = self.model, self.model.chosen(choice)
         layout = model.layout
@@ -109,12 +110,32 @@ class SceneAutomaton:
                 row[i] = next(numbers)
             rows.append(row)
         found: set[str] = set()
+        driving = self._driving(choice, t, y)
         for vector in null_space([r for r in rows if any(r)], layout.count):
+            if not any(abs(sum(f * v for f, v in zip(row, vector, strict=True))) > 1e-9 for row in driving):
+                continue
             largest = max(map(abs, vector))
             moves = [s for s, v in zip(layout.slots, vector, strict=True) if abs(v) > 1e-9 * largest]
             if any(s.kind in ("x", "y") for s in moves):
                 found |= {s.body for s in moves}
         return tuple(sorted(found))
+
+    def _driving(self, choice: Choice, t: float, y: Sequence[float]) -> list[list[float]]:
+        """What loads and reactions drive, for each velocity, in parts of the largest."""
+        model, indices = self.model, self.model.chosen(choice)
+        layout = model.layout
+        columns = [layout.of_actions(wrenches) for wrenches in model.wrenches.values()]
+        for joint in model.joints:
+            columns += [layout.of_actions(p.actions) for p in model.modes[joint.name][indices[joint.name]].facts.pushes]
+        numbers = iter(compiled([x for c in columns for x in c.values()], layout.state, layout.time).function(t, y))
+        found: list[list[float]] = []
+        for column in columns:
+            row = [0.0] * layout.count
+            for i in column:
+                row[i] = next(numbers)
+            largest = max(map(abs, row), default=0.0) or 1.0
+            found.append([x / largest for x in row])
+        return found
 
     def drawn_apart(self, t: float, y: Sequence[float], struck: Collection[str] = ()) -> tuple[str, str] | None:
         """The impact that leaves its partners at different places, and what is open then."""

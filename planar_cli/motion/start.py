@@ -368,25 +368,32 @@ class _Search:
 
     def _fulfilled(self) -> None:
         """The inequalities and senses of the first state."""
-        for text, mark, value in self._conditions():
-            if value < -AGREES * self.model.scales.length:
+        for text, mark, holds in self._conditions():
+            if not holds:
                 raise NoSolution([Diagnostic(mark, "PL704", f"the start that was found contradicts “{text}”")])
 
     def _true(self) -> bool:
-        return all(value >= -AGREES for _, _, value in self._conditions())
+        return all(holds for _, _, holds in self._conditions())
 
-    def _conditions(self) -> list[tuple[str, Mark, float]]:
-        """What may not be negative, with its value."""
+    def _conditions(self) -> list[tuple[str, Mark, bool]]:
+        """Do they hold, but for the rounding of what they measure?"""
         found = [(s.text, s.mark, s.sense) for s in self.said if s.sense is not None]
         asked = self.model.asked
         for s in self.statements:
             if isinstance(s, Relation) and s.operator != "=" and not of_forces(s):
                 left, right = asked.quantities.sides.value(s.left), asked.quantities.sides.value(s.right)
                 term = left - right if s.operator in (">", ">=") else right - left
-                if asked.level(term) in (PLACES, VELOCITIES):
+                if asked.level(term) in (None, PLACES, VELOCITIES):
                     found.append((s.text, s.mark, term))
-        values = self.zeros.numbers(tuple(t for _, _, t in found))
-        return [(text, mark, value) for (text, mark, _), value in zip(found, values, strict=True)]
+        return [(text, mark, self._not_negative(term)) for text, mark, term in found]
+
+    def _not_negative(self, term: Term) -> bool:
+        """Is it zero or more, but for what a usual change of the state, in its last digits, makes of it?"""
+        layout = self.layout
+        row = coefficients(term, {v: i for i, v in enumerate(layout.state)}, layout)
+        value, *slopes = self.zeros.numbers((term, *row.values()))
+        usual = sum(abs(slope) * self.model.scale[i] for i, slope in zip(row, slopes, strict=True))
+        return value >= -AGREES * usual
 
     def _unknown(self, text: str, hint: str) -> FileProblem:
         mark = next((s.mark for s in self.said), Mark(self.model.scene.problem.file, 1, 1))

@@ -68,7 +68,7 @@ class Strikes:
     model: HybridModel
     directions: tuple[Direction, ...]
     mutual: frozenset[str]
-    """The joints that bodies exert on each other alone."""
+    """The joints that bodies exert on each other alone, where they are drawn."""
     _codes: dict[Choice, Code] = field(default_factory=dict)
 
     def at(
@@ -165,7 +165,8 @@ def strikes_of(model: HybridModel) -> Strikes:
         elif any(m.parted for m in modes):
             found += [_with_impact(model, joint, d) for d in _pressing(model, joint, modes)]
     facts = {j.name: [p for m in model.modes[j.name] for p in m.facts.pushes] for j in model.joints}
-    mutual = (name for name, pushes in facts.items() if pushes and not any(map(_on_ground, pushes)))
+    aside = {j.name for j in model.joints if j.drawn_beside}
+    mutual = (n for n, pushes in facts.items() if pushes and n not in aside and not any(map(_on_ground, pushes)))
     return Strikes(model, tuple(found), frozenset(mutual))
 
 

@@ -34,9 +34,9 @@ class Reactions:
     def _of(self, q: Quantity) -> list[tuple[Push, Any]]:
         name = q.things[0]
         if name not in self.joints.values():
-            raise refuse(
-                q.mark, "PL557", f"{name} is no joint", "N, friction, reaction, moment and tension take a joint's name"
-            )
+            text = f"{name} does not act then"
+            hint = "at a state where a joint begins or ends to act, its forces are those just after it"
+            raise refuse(q.mark, "PL557", text, hint)
         return [(p, e) for p, e in self.pushes if self.joints.get(p.joint) == name]
 
     def number(self, q: Quantity, kind: str) -> Any:

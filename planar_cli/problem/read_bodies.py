@@ -93,8 +93,8 @@ def _body(name: str, shape: Shape, fields: Fields, key: Scalar) -> Body:
         )
     inertia = None if any_inertia else fields.side("inertia")
     gyration = fields.side("radius_of_gyration")
-    if isinstance(mass, Number) and mass.value == 0 and inertia is not None:
-        mass = None  # a wheel that is light, and is still hard to turn
+    # What is light has none; with an inertia it is still hard to turn.
+    mass, weight = (None if isinstance(x, Number) and x.value == 0 else x for x in (mass, weight))
     if "inertia" in fields and gyration is not None:
         fields.report.add(
             fields.place("radius_of_gyration"),

@@ -45,7 +45,7 @@ def _acting(instant: InstantSolution, body: str, phrases: Phrases) -> Line:
     parts: list[list[Any]] = []
     for w in system.wrenches:
         if w.body == body and not (w.kind == "momentum" and phrases.value.is_zero(w.magnitude)):
-            where = f"at {w.place}" if w.place else _at(instant, w.point)
+            where = f"at {w.place}" if w.place else _at(instant, w.point, body)
             if w.force is not None:
                 parts.append([phrases.math(w.magnitude), Text(f" {_sense(w, phrases)} {where}")])
             elif w.couple != 0:
@@ -53,7 +53,7 @@ def _acting(instant: InstantSolution, body: str, phrases: Phrases) -> Line:
     assert system.reactions is not None
     for push, expr in system.reactions.pushes:
         own = (a for a in push.actions if a.body == body)
-        parts.extend(_push(push, expr, a, phrases, _at(instant, a.point)) for a in own)
+        parts.extend(_push(push, expr, a, phrases, _at(instant, a.point, body)) for a in own)
     joined: list[Any] = []
     for i, part in enumerate(parts):
         joined += [Text(",  ")] * bool(i) + part
@@ -81,10 +81,11 @@ def _push(push: Push, expr: sp.Expr, action: Any, phrases: Phrases, place: str) 
     return [Math(expr), Text(f" {phrases.arrow(action.force.x, action.force.y)} {where}{assumed}")]
 
 
-def _at(instant: InstantSolution, point: Any) -> str:
-    """The name of a place: a point, or the body whose mass centre it is."""
+def _at(instant: InstantSolution, point: Any, body: str) -> str:
+    """The name of a place: a point, of the body itself if there is one, or the body whose mass centre it is."""
     scene, value = instant.instant.scene, instant.value
-    for name, place in (*scene.points.items(), *((b, scene.center(b)) for b in scene.bodies)):
+    places = sorted(scene.points.items(), key=lambda item: body not in scene.owners.get(item[0], ()))
+    for name, place in (*places, *((b, scene.center(b)) for b in scene.bodies)):
         if all(value.is_zero(getattr(place, a) - getattr(point, a)) for a in ("x", "y")):
             return f"at {name}"
     return ""

@@ -67,14 +67,16 @@ def shooting(problem: Problem, known: Mapping[str, float]) -> tuple[float, ...] 
         return None
     unknown = problem.unknowns[0]
     for values in _values(problem, unknown, known):
+        found: list[float] = []
+        least = min(abs(v) for v in values if v)
+        # A root may be one of a relation only that is left out of one of the states: each is tried.
         for shot in shots:
-            found: list[float] = []
             for root in _roots(_missed(shot, unknown.name, known), values):
-                new = not any(abs(root - other) <= SAME * abs(other) for other in found)
+                new = not any(abs(root - other) <= SAME * max(abs(other), least) for other in found)
                 if new and _passes(problem, {**known, unknown.name: root}):
                     found.append(root)
-            if found:
-                return tuple(found)
+        if found:
+            return tuple(sorted(found))
     return ()
 
 
@@ -133,12 +135,10 @@ def _telling(state: State) -> list[Statement]:
 
 
 def _values(problem: Problem, unknown: Symbol, known: Mapping[str, float]) -> Iterator[list[float]]:
-    """Where the constant is looked for, in SI units, in order: positive values, then negative ones."""
+    """Where the constant is looked for, in SI units: positive values, then negative ones; an angle all round."""
     unit = parse_unit(unknown.unit or "1")
     if unit.angle and unit.dimension == PURE:
-        turn = [math.radians(d) for d in range(0, 181, DEGREES)]
-        yield turn
-        yield [-v for v in turn]
+        yield [math.radians(d) for d in range(-180, 181, DEGREES)]
         return
     written = (getattr(joint, "restitution", None) for joint in problem.joints)
     if any(isinstance(e, Name) and e.name == unknown.name for e in written):

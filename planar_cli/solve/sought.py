@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
+from decimal import Decimal
 
+from planar_cli.equation.ledger import display
 from planar_cli.equation.setup import Earlier, numbers_of
 from planar_cli.errors import Diagnostic, NoSolution, PlanarError, Undecided
 from planar_cli.problem.not_negative import not_negative
@@ -12,6 +14,7 @@ from planar_cli.problem.scene import Problem
 from planar_cli.simulate.shooting import has_no_effect, shooting
 from planar_cli.solve.followed import can_be_followed, followed_part
 from planar_cli.solve.solved_problem import PartSolution
+from planar_cli.units import parse_unit
 
 OPEN = "PL623"
 """The diagnostic of a constant that seems to be open."""
@@ -45,8 +48,10 @@ def root_of(problem: Problem, earlier: Mapping[str, Earlier], error: Undecided |
         text = f"no motion passes through these states, whatever {unknown.name} is"
         raise NoSolution([Diagnostic(unknown.mark, "PL620", text, "follow it with `planar simulate --set`")]) from error
     if len(roots) > 1:
-        listed = ", ".join(f"{root:.6g}" for root in roots)
-        text = f"{unknown.name} may be {listed} (SI units): with each of them the motion passes all states"
+        unit = parse_unit(unknown.unit or "1")
+        listed = ", ".join(f"{display(Decimal(repr(root)), unit):.6g}" for root in roots)
+        measure = "" if unit.text == "1" else f" {unit.text}"
+        text = f"{unknown.name} may be {listed}{measure}: with each of them the motion passes all states"
         raise NoSolution([Diagnostic(unknown.mark, "PL635", text, "write an inequality that tells which is meant")])
     return {unknown.name: roots[0]}
 
