@@ -76,6 +76,18 @@ joints:
 states: {1: [at rest], 2: [y(ball) = 0], 3: [just after 2], 4: [t - t @ 3 = 1 s]}
 find: {y: y(ball) @ 4}
 """
+FLAT = """
+title: Rod that falls flat on both ends at once
+plane: vertical
+given: {m: 3 kg, l: 1.2 m, h: 0.8 m, e: 0.4}
+points: {A: [-l/2, h], B: [l/2, h], O: [0, 0]}
+surfaces: {floor: {through: O, angle: 0 deg}}
+bodies: {AB: {rod: [A, B], mass: m}}
+joints:
+  - impact: {between: [AB, floor], restitution: e, name: hit}
+states: {1: [t = 0, at rest], 2: [y(A) = 0], 3: [just after 2], 4: [y(A) is largest]}
+find: {v: v(A).y @ 3, w: omega(AB) @ 3, h: y(B) @ 4}
+"""
 WELD = "  - weld: {between: [bullet, block], at: B, during: 1->3}"
 G = 9.81
 
@@ -140,3 +152,9 @@ def test_partners_of_an_impact_that_is_over_do_not_pass_through_each_other() -> 
     again = _first(twice.replace("y: y(ball) @ 4", "t: t @ b, v: v(ball).y @ b"))
     assert again["v"] == pytest.approx(0.36 * math.sqrt(2 * G))
     assert again["t"] == pytest.approx((1 + 2 * 0.6) * math.sqrt(2 / G))
+
+
+def test_a_rod_falls_flat() -> None:
+    """Both ends rise with e times the speed with which they come."""
+    found = _first(FLAT)
+    assert found == pytest.approx({"v": 0.4 * math.sqrt(2 * G * 0.8), "w": 0, "h": 0.16 * 0.8}, abs=1e-12)

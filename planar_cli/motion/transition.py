@@ -146,7 +146,7 @@ def _impact(moment: Moment, struck: Struck, y: tuple[float, ...], choice: Choice
     transition = Transition(
         t=moment.t,
         kind="impact",
-        words=moment.words if not closed else "impact at " + ", ".join(struck.contacts[k].joint for k in closed),
+        words=moment.words if not closed else f"impact at {_names(struck, closed)}",
         joints=joints,
         before=tuple(y),
         after=tuple(after),
@@ -162,6 +162,11 @@ def _impact(moment: Moment, struck: Struck, y: tuple[float, ...], choice: Choice
         words = f"in the impact at t = {moment.t:.9g} s momentum does not add up"
         return Outcome("unbalanced", words, moment.t, joints[0] if joints else "", "PL710")
     return transition, note
+
+
+def _names(struck: Struck, closed: Sequence[int]) -> str:
+    """The joints of these contacts, a face with two ends once."""
+    return ", ".join(dict.fromkeys(struck.contacts[k].joint for k in closed))
 
 
 def _does_something(impact: Transition) -> bool:

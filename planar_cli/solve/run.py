@@ -37,6 +37,8 @@ from planar_cli.solve.states import solve_states, stand_at_states
 from planar_cli.solve.static_alone import whatever_kinetic
 
 NO_MOTION = frozenset(("PL620", "PL621", "PL622"))
+AT_ONCE = "PL528"
+"""Where several corners strike at once one point of impact does not do."""
 """Verdicts that a motion which is followed to all states refutes."""
 SEED = 1
 """SymPy factors and tests for zero at places that it draws: the same ones whenever, and after whatever, it solves."""
@@ -116,7 +118,7 @@ def _part(problem: Problem, case: str, units: dict[str, str], earlier: dict[str,
             return _confirmed(problem, _shot(problem, case, units, earlier, error), numbers)
         # Where the modes change in ways that no equation tells, as from blow to blow, it is only followed. And that no
         # motion comes to a state does not stand against one that does.
-        by_steps = isinstance(error, Undecided) or told_by_modes(problem) or _denies_motion(error)
+        by_steps = isinstance(error, Undecided) or told_by_modes(problem) or _steps_may_tell(error)
         follows = by_steps and can_be_followed(problem)
         ends = isinstance(error, Undecided)
         part = followed_part(problem, case, numbers, units, SOME_STEPS, ends) if follows else None
@@ -132,9 +134,9 @@ def _part(problem: Problem, case: str, units: dict[str, str], earlier: dict[str,
         return _confirmed(problem, _shot(problem, case, units, earlier, error), numbers)
 
 
-def _denies_motion(error: NoSolution) -> bool:
-    """Does it say that there is no motion, or none that comes to some state?"""
-    return any(d.code in NO_MOTION for d in error.diagnostics)
+def _steps_may_tell(error: NoSolution) -> bool:
+    """Does it say that there is no motion, or none that comes to some state, or that several corners strike at once?"""
+    return any(d.code in NO_MOTION or d.code == AT_ONCE for d in error.diagnostics)
 
 
 def _shot(
