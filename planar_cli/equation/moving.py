@@ -18,7 +18,7 @@ from planar_cli.equation.plain import MANY, longer, simplified
 from planar_cli.equation.quantities import quantities_of
 from planar_cli.equation.scene import Scene
 from planar_cli.equation.struck import StruckScene
-from planar_cli.errors import Mark, NoValue, Undecided, refuse
+from planar_cli.errors import Mark, NoDirection, NoValue, Undecided, refuse
 from planar_cli.loads.base import Load
 from planar_cli.problem.acting import acting_loads, kind_of
 from planar_cli.problem.expression import Side
@@ -90,6 +90,10 @@ class Moving:
 
     def velocity(self, point: Vec, body: str) -> Vec:
         return self._motion.velocity(point, body)
+
+    def acceleration(self, point: Vec, body: str) -> Vec:
+        """Of the body's point, in the unknowns of the tree."""
+        return self._motion.acceleration(point, body)
 
     def turn(self, body: str) -> sp.Expr:
         return self._motion.velocities[body].angular
@@ -180,9 +184,12 @@ def _skid(skid: Skid, setting: Moving, others: list[Wrench]) -> list[Wrench]:
         for w in others:
             if w.body == skid.body and w.force is not None:
                 pushing = pushing + w.force
-        if setting.is_zero(pushing.dot(pushing)):
+        carried = setting.acceleration(skid.point, skid.base)
+        relative = pushing - carried * setting.mass(skid.body)
+        if carried.x.free_symbols or carried.y.free_symbols:
+            raise NoDirection(f"in which direction {skid.body} begins to slide on {skid.base} is not told")
+        if setting.is_zero(relative.dot(relative)):
             return []
-        relative = pushing
     force = setting.against(relative, skid.size)
     on_body = Wrench(skid.joint, "skid", skid.body, skid.point, force, 0, skid.size)
     if skid.base == GROUND:

@@ -97,9 +97,8 @@ def _left_out(instant: Instant, trial: Trial, relation: Relation, others: list[s
         against = f"{against} and the equations of motion" if others else "the equations of motion"
     reason = against or "the joints"
     verb = "make" if len(others) > 1 or not level or not others else "makes"
-    hint = "leave one of them out, or declare its value under `unknowns`"
-    always = any(r is relation for r, lasting in instant.statements.relations if lasting)
-    if not level and not always and any(q.word in DRIVEN for q in quantities_in(relation)):
+    hint = _or_now(instant, relation, "leave one of them out, or declare its value under `unknowns`")
+    if not level and not _always(instant, relation) and any(q.word in DRIVEN for q in quantities_in(relation)):
         hint = f"{hint}; where something drives it, write it under `motion`"
     if instant.scene.ledger.symbolic:
         return Diagnostic(
@@ -207,7 +206,7 @@ def _as_drawn(instant: Instant, relation: Relation) -> Diagnostic | None:
         return None
     if abs(left - right) <= NEGLIGIBLE * max(abs(left), abs(right), Decimal("1e-3")):
         return None
-    hint = "draw the points at this instant, or write one of them with a coordinate"
+    hint = _or_now(instant, relation, "draw the points at this instant, or write one of them with a coordinate")
     if instant.scene.ledger.symbolic:
         return Diagnostic(relation.mark, "PL609", f"`{relation.text}` does not hold in the drawn position", hint)
     unit = unit_of(instant, relation.right, relation.left)
@@ -218,6 +217,16 @@ def _as_drawn(instant: Instant, relation: Relation) -> Diagnostic | None:
         f"`{relation.text}`, but as drawn {left_of(relation)} = {in_unit(left, unit)}; {off}",
         hint,
     )
+
+
+def _or_now(instant: Instant, relation: Relation, hint: str) -> str:
+    """What to write, where the relation is said to hold at all times."""
+    more = f"{hint}; `motion` holds all the time, what holds now stands under `instant:`"
+    return more if _always(instant, relation) else hint
+
+
+def _always(instant: Instant, relation: Relation) -> bool:
+    return any(known is relation for known, holds in instant.statements.relations if holds)
 
 
 def _vectors_off(instant: Instant, relation: Relation, apart: Jet | Vec) -> Diagnostic | None:

@@ -18,12 +18,13 @@ from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.motion import Motion, TreeBuilder
 from planar_cli.equation.setup import Setup, names_in
 from planar_cli.equation.system import Statements, System, make_system
-from planar_cli.errors import Undecided
+from planar_cli.errors import NoDirection, Undecided
 from planar_cli.joints.base import Joint, distinct
 from planar_cli.loads.base import Load, mode_key
 from planar_cli.principles.base import Family, Principle
 from planar_cli.problem.expression import Side
-from planar_cli.problem.facts import Mode, Push, Test
+from planar_cli.problem.facts import Mode, Push, Row, Skid, Test, relative
+from planar_cli.problem.geometry import Vec
 from planar_cli.problem.keys import Flow, keys_of
 from planar_cli.problem.outermost import quantities_in
 from planar_cli.problem.polar import TOGETHER
@@ -330,16 +331,23 @@ def search_modes(instant: Instant, valuations: tuple[Valuation, ...]) -> tuple[l
     """All choices that hold, told apart by their motion, and those that do not, in natural order."""
     held: list[Trial] = []
     rejected: list[Trial] = []
+    undirected: NoDirection | None = None
     for count, choice in enumerate(instant.choices()):
         if count >= MOST_MODES:
             if not held:
                 raise Undecided(f"none of the first {MOST_MODES} combinations of contact modes holds; there are more")
             break
-        trial = instant.try_choice(choice, valuations)
+        try:
+            trial = instant.try_choice(choice, valuations)
+        except NoDirection as error:
+            undirected = error
+            continue
         if trial.objection:
             rejected.append(trial)
         elif not any(same_motion(trial, other) for other in held):
             held.append(trial)
+    if undirected is not None and not held:
+        raise undirected
     return [t for t in held if not any(begins(instant, t, other) for other in held)], rejected
 
 
@@ -353,11 +361,17 @@ def begins(instant: Instant, trial: Trial, other: Trial) -> bool:
             differs = True
             if modes[j].name != "stick" or modes[i].name != "slip":
                 return False
-            outcome = trial.outcomes[0]
-            sliding = modes[i].sliding
-            if sliding is None or abs(outcome.assembly.row_speed(sliding)) > TINY:
+            rows = [modes[i].sliding, *(row for skid in modes[i].facts.skids for row in _apart(skid))]
+            sliding = [row for row in rows if row is not None]
+            if not sliding or any(abs(trial.outcomes[0].assembly.row_speed(row)) > TINY for row in sliding):
                 return False
     return differs
+
+
+def _apart(skid: Skid) -> Iterator[Row]:
+    """How fast a body moves along x and y over what it slides on."""
+    for along in (Vec(1, 0), Vec(0, 1)):
+        yield Row(skid.joint, "", relative(skid.body, skid.base, skid.point, along))
 
 
 def same_motion(a: Trial, b: Trial) -> bool:

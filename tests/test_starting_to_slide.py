@@ -1,0 +1,35 @@
+"""Friction of a fixed size on what rests on something that moves: it holds as long as it can."""
+
+from __future__ import annotations
+
+import pytest
+from answered import solve
+
+from planar_cli.errors import Undecided
+
+COIN = """
+title: Coin at rest on a turning table
+plane: horizontal
+given: {{m: 50 g, mu: 0.4, r: 0.2 m, w: {w} rad/s}}
+points: {{O: [0, 0], P: [r, 0]}}
+bodies: {{table: {{disk: O, radius: 0.5 m}}, coin: {{particle: P, mass: m}}}}
+joints:
+  - pin: {{at: O, between: [table, ground]}}
+  - flat: {{between: [coin, table], mu: mu, name: rub}}
+motion: [omega(table) = w]
+instant: [v(coin/table).mag = 0]
+find: {{F: friction(rub/coin).mag, holds: mode(rub)}}
+"""
+
+
+def test_what_friction_can_hold_does_not_begin_to_slide() -> None:
+    """m ω² r = 0.09 N is less than μ m g = 0.196 N."""
+    found = solve(COIN.format(w=3))
+    assert float((found["F"].values or ())[0]) == pytest.approx(0.05 * 9 * 0.2)
+    assert found["holds"].word == "stick"
+
+
+def test_what_begins_to_slide_on_what_accelerates_is_told() -> None:
+    """m ω² r = 0.36 N is more: friction is not zero then, and its direction is that in which it begins."""
+    with pytest.raises(Undecided, match="in which direction coin begins to slide on table"):
+        solve(COIN.format(w=6))
