@@ -24,6 +24,7 @@ def driving_pushes(system: System, free: Motion) -> tuple[Push, ...]:
     quantities = system.quantities_of(free, system.reactions)
     names = {s.name for s in system.scene.ledger.coordinates}
     parts: dict[sp.Symbol, tuple[str, str]] = {}
+    speeds = _speeds(system, free)
     for edge in free.tree.edges:
         for symbol, part in ((edge.slide_rate, "x"), (edge.rise_rate, "y"), (edge.spin_rate, "turn")):
             if symbol is not None:
@@ -41,7 +42,7 @@ def driving_pushes(system: System, free: Motion) -> tuple[Push, ...]:
                     continue
                 if not always and any(system.scene.bodies[parts[s][0]].mass != 0 for s in form.terms):
                     continue
-                actions = _actions(system, {parts[s]: c for s, c in form.terms.items()})
+                actions = _actions(system, {parts[s]: c.xreplace(speeds) for s, c in form.terms.items()})
                 if actions:
                     found.append(Push(f"drive_{len(found) + 1}", "drive", "", relation.text, actions))
         if always and not any(p.place == relation.text for p in found):
@@ -49,6 +50,18 @@ def driving_pushes(system: System, free: Motion) -> tuple[Push, ...]:
             if actions:
                 found.append(Push(f"drive_{len(found) + 1}", "drive", "", relation.text, actions))
     return tuple(found)
+
+
+def _speeds(system: System, free: Motion) -> dict[sp.Symbol, sp.Expr]:
+    """The velocities of free bodies in the unknowns of the system: on them depends where a given speed drives."""
+    assert system.motion is not None
+    found: dict[sp.Symbol, sp.Expr] = {}
+    for edge in free.tree.edges:
+        velocity = system.motion.velocity(system.scene.bodies[edge.body].center, edge.body)
+        turn = system.motion.velocities[edge.body].angular
+        pairs = ((edge.slide, velocity.x), (edge.rise, velocity.y), (edge.spin, turn))
+        found |= {symbol: value for symbol, value in pairs if symbol is not None}
+    return found
 
 
 def _through_coordinate(system: System, relation: Relation) -> tuple[Action, ...]:

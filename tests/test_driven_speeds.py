@@ -1,0 +1,32 @@
+"""A speed that `motion` prescribes without its sense: both are asked about, and the sense that is stated drives."""
+
+from __future__ import annotations
+
+import pytest
+from answered import solve
+
+from planar_cli.errors import NoSolution
+
+ROD = """
+title: Light rod between two guides
+plane: vertical
+points: {{A: [0, 0.8 m], B: [0.6 m, 0]}}
+bodies: {{AB: {{rod: [A, B]}}}}
+joints:
+  - guide: {{point: A, along: 90 deg}}
+  - guide: {{point: B, along: 0 deg}}
+motion: [v(A).mag = 2 m/s]
+instant: [{sense}]
+find: {{v: v(B).x, w: omega(AB)}}
+"""
+
+
+def test_a_speed_without_its_sense() -> None:
+    with pytest.raises(NoSolution, match="holds both ways"):
+        solve(ROD.format(sense=""))
+
+
+def test_a_speed_with_its_sense() -> None:
+    """The rod keeps its length: v_B · 0.6 = v_A · 0.8; ω = v_A / 0.6."""
+    found = solve(ROD.format(sense="v(A).y < 0"))
+    assert [float((found[n].values or ())[0]) for n in ("v", "w")] == pytest.approx([2 * 0.8 / 0.6, 2 / 0.6])
