@@ -6,7 +6,7 @@ SymPy's own `simplify` brings in its physical units at the first call, which cos
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import lru_cache
 from typing import Any
 
@@ -240,6 +240,20 @@ def with_short_roots(expr: sp.Expr) -> sp.Expr:
         return expr
     rooted = expr.xreplace({p: factored(p.base) ** p.exp for p in sums})
     return min((expr, simplified(rooted), sp.powsimp(factored(rooted))), key=_beside_roots)
+
+
+def with_whole_roots(expr: sp.Expr, root: Callable[[sp.Expr], sp.Expr]) -> sp.Expr:
+    """An expression without the roots of fractions that are complete squares; `root`: of what is not negative."""
+    found: dict[sp.Expr, sp.Expr] = {}
+    for power in expr.atoms(sp.Pow):
+        if abs(power.exp) != sp.Rational(1, 2) or not power.free_symbols or longer(power, SOME):
+            continue
+        above, below = sp.fraction(sp.together(power.base))
+        if below.free_symbols:
+            whole = root(above) / root(below)
+            if not any(abs(p.exp) == sp.Rational(1, 2) for p in whole.atoms(sp.Pow)):
+                found[power] = whole ** (2 * power.exp)
+    return expr.xreplace(found) if found else expr
 
 
 def _beside_roots(expr: sp.Expr) -> int:

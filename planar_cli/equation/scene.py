@@ -346,7 +346,8 @@ class Scene(Decided):
             return plain
         # A complete square has a root without one.
         whole = sp.sqrt(factored(expanded(sp.sympify(square))))
-        return self._sided(whole) if whole.has(sp.Abs) else plain
+        rooted = any(p.exp.is_Rational and not p.exp.is_Integer for p in whole.atoms(sp.Pow))
+        return self._sided(whole) if whole.has(sp.Abs) else plain if rooted else whole
 
     def middle(self) -> Vec:
         """The mean of all drawn points."""

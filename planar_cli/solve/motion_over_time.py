@@ -82,7 +82,7 @@ def _told(solved: SolvedMotion, case: str) -> PartSolution:
     _demand_told(course)
     router, route = _route(found)
     begun = router.route(course.first.letters.values())
-    start = {s: closed_formula(s, begun, course.symbolic) for s in course.first.letters.values()}
+    start = {s: closed_formula(s, begun, course) for s in course.first.letters.values()}
     throughout = Throughout(course, found.followed, found.value, start)
     assumed = presumed(found, (route, begun))
     found = replace(found, checks=(*found.checks, *blow_checks(found), *compared(found)))

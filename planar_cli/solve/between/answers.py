@@ -7,7 +7,15 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.exact import Settled, Valuation
-from planar_cli.equation.plain import letters, longer, replaced, rounded_inside, simplified, with_short_roots
+from planar_cli.equation.plain import (
+    letters,
+    longer,
+    replaced,
+    rounded_inside,
+    simplified,
+    with_short_roots,
+    with_whole_roots,
+)
 from planar_cli.equation.system import mode_of
 from planar_cli.errors import Undecided, refuse, undecided_at
 from planar_cli.problem.expression import Quantity, Relation
@@ -81,7 +89,7 @@ class Answering:
         passing = self.throughout.route(parts)
         if passing is not None:
             parts = [put_in(p, passing) for p in parts]
-        closed = tuple(closed_formula(p, self.route, self.course.symbolic) for p in parts)
+        closed = tuple(closed_formula(p, self.route, self.course) for p in parts)
         self._demand_state(asked, closed)
         self._demand_limits(find, closed, value)
         by = settled_by(self.course, find, closed, value, self.spans)
@@ -176,8 +184,10 @@ def put_in(expr: sp.Expr, route: Route) -> sp.Expr:
     return expr
 
 
-def closed_formula(expr: sp.Expr, route: Route, symbolic: bool) -> sp.Expr:
-    """A formula down to the names of the file. `symbolic`: letters of the file stay in it."""
-    expr = put_in(expr, route)
+def closed_formula(expr: sp.Expr, route: Route, course: MotionEquations) -> sp.Expr:
+    """A formula down to the names of the file; letters of the file stay in it."""
+    expr, symbolic = put_in(expr, route), course.symbolic
+    if symbolic and not longer(expr, LONGEST):
+        expr = with_whole_roots(expr, course.scene.root)
     most = LONGEST if symbolic else CLOSED_OPS
     return expr if expr.is_number or expr.is_Symbol or longer(expr, most) else with_short_roots(simplified(expr))
