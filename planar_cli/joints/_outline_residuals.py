@@ -43,7 +43,7 @@ def touching(title: str, a: Outline, b: Outline, place: Vec) -> tuple[Residual, 
 
         def off(poses: Poses) -> Any:
             reach = poses.length(poses.point(corner.body, place) - poses.point(arc.body, center))
-            return reach * reach - poses.number(1 / arc.curvature**2)
+            return (reach * reach - poses.number(1 / arc.curvature**2)) * poses.number(arc.curvature)
 
         return (Residual(f"{title}: distance from the centre", off, anywhere=True),)
 

@@ -91,8 +91,8 @@ class SceneAutomaton:
     def undetermined(self, choice: Choice, t: float, y: Sequence[float]) -> tuple[str, ...]:
         """Bodies without mass that some motion moves which no constraint forbids and no mass resists.
 
-        A round body that only spins so does nothing that matters, nor does what nothing drives along it: a pulley
-        between vertical parts of ropes stays where it is drawn.
+        A round body that only spins so does nothing that matters, nor does one that may go one way, along which nothing
+        drives it: a pulley between vertical parts of ropes stays where it is drawn.
         """
         model, indices = self.model, self.model.chosen(choice)
         layout = model.layout
@@ -112,10 +112,11 @@ class SceneAutomaton:
         found: set[str] = set()
         driving = self._driving(choice, t, y)
         for vector in null_space([r for r in rows if any(r)], layout.count):
-            if not any(abs(sum(f * v for f, v in zip(row, vector, strict=True))) > 1e-9 for row in driving):
-                continue
             largest = max(map(abs, vector))
             moves = [s for s, v in zip(layout.slots, vector, strict=True) if abs(v) > 1e-9 * largest]
+            driven = any(abs(sum(f * v for f, v in zip(row, vector, strict=True))) > 1e-9 * largest for row in driving)
+            if len(moves) == 1 and not driven:
+                continue
             if any(s.kind in ("x", "y") for s in moves):
                 found |= {s.body for s in moves}
         return tuple(sorted(found))

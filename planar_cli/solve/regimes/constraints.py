@@ -206,7 +206,8 @@ def _residuals(
             continue
         vanishing = residual.of(poses)
         for part in (vanishing.x, vanishing.y) if isinstance(vanishing, Vec) else (vanishing,):
-            expr = simplified(part)
+            expr = sp.fraction(sp.together(part))[0] if anywhere else part
+            expr = simplified(expr)
             if expr != 0 and expr.free_symbols & set(start) and not _vanishes(expr, value, start):
                 yield Constraint(expr, residual.title, joint.name, kind)
 
