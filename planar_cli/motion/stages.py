@@ -307,15 +307,15 @@ def stages_of(
     open_gaps = {j.name: gaps for j in problem.joints if j.strikes and (gaps := _untold(scene.gaps(j)))}
     if not pressing and not open_gaps:
         return stages
-    start = start_of(automaton.model)
-    automaton.note(start.time, start.state)
+    start = stages.start()
+    automaton.note(start.t, start.y)
     sides: dict[str, int] = {}
     if pressing:
-        found = Chooser(automaton, start.time, start.state).choose(automaton.model.natural)
+        found = Chooser(automaton, start.t, start.y).choose(automaton.model.natural)
         if isinstance(found, Chosen):
             chosen = zip(automaton.choices.items(), found.choice, strict=True)
             sides |= {name: modes[i].side for (name, modes), i in chosen if modes[i].side}
-    at = automaton.model.layout.values(start.time, start.state)
+    at = automaton.model.layout.values(start.t, start.y)
     for name, gaps in open_gaps.items():
         if any(rate > 0 for rate in evaluate([scene.graph.rate(g.distance, scene.rates()) for g in gaps], at)):
             sides[name] = -1
