@@ -31,6 +31,7 @@ from planar_cli.problem.scene import (
 from planar_cli.records import record
 
 HINT = "the point where they touch"
+FACES = "the middle of the face with which one stands on the other, such as `at: [0, 0.2 m]`"
 
 
 @record
@@ -78,7 +79,8 @@ def with_touching_points(
             points.append(Point(next(names), found, joint.mark))
             read.append(replace(touching, at=points[-1].name))
         elif GROUND not in touching.between:
-            report.add(joint.mark, "PL311", f"the {joint.kind} needs the key 'at'", HINT)
+            faces = all(isinstance(_edge(shapes.get(name)), _Face) for name in touching.between)
+            report.add(joint.mark, "PL311", f"the {joint.kind} needs the key 'at'", FACES if faces else HINT)
             read.append(joint)
         else:
             read.append(joint)
