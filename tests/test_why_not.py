@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import pytest
-from answered import solve
+from answered import assert_close, solve
 
-from planar_cli.errors import Diagnostic, NoSolution
+from planar_cli.errors import Diagnostic, NoSolution, Undecided
 
 UNUSED = """
 title: Crank whose torque stands nowhere
@@ -80,3 +80,32 @@ def test_a_motion_that_comes_to_rest_before_a_state() -> None:
     assert why.message == "state 2 is never reached: theta(rod) = 60 deg"
     assert why.hint is not None
     assert why.hint.startswith("nothing moves any more from t = ")
+
+
+TURNTABLE = """
+title: Block on a turntable, whose friction turns as it begins to slip
+plane: horizontal
+points: {O: [0, 0], B: [0.4 m, 0]}
+bodies: {table: {disk: O, radius: 0.6 m}, block: {particle: B, mass: 2 kg}}
+joints:
+  - pin: {at: O, between: [ground, table]}
+  - flat: {between: [block, table], mu: 0.45, name: F}
+motion: [alpha(table) = 0.8 rad/s^2]
+states:
+  1: [t = 0, at rest]
+  2: [mode(F) = slip]
+find: {t: t @ 2}
+"""
+
+
+def test_a_block_on_a_turntable_slips_when_friction_is_used_up() -> None:
+    """m r √(α² + ω⁴) = μ m g."""
+    omega = ((0.45 * 9.81 / 0.4) ** 2 - 0.8**2) ** 0.25
+    assert_close(solve(TURNTABLE.replace("find: {t:", "find: {time:"))["time"], omega / 0.8, digits=8)
+
+
+def test_what_no_formula_leads_to_is_told_in_words() -> None:
+    with pytest.raises(Undecided) as error:
+        solve(TURNTABLE.replace("{t: t @ 2}", "{f: friction(F/block).across(table) @ 2}"))
+    assert "angle of table in state 2" in str(error.value)
+    assert "__" not in str(error.value)

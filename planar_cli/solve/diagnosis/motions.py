@@ -31,7 +31,7 @@ from planar_cli.solve.between.stated_motion import StatedMotion
 from planar_cli.solve.diagnosis.failures import explain_failure, singular_position
 from planar_cli.solve.diagnosis.false_inequalities import false_inequality
 from planar_cli.solve.diagnosis.placed import driven_with
-from planar_cli.solve.diagnosis.words import in_unit, unit_of
+from planar_cli.solve.diagnosis.words import in_unit, listed, unit_of
 from planar_cli.solve.following.follower import Follower
 from planar_cli.solve.instant.instant import make_instant, search_modes
 from planar_cli.solve.multibody.linear import solve
@@ -110,8 +110,7 @@ def missing(course: MotionEquations) -> NoSolution | None:
         return _open_impact(course, loose)
     names = [s.name for s in sought] or list(dict.fromkeys(_title(course, first, s) for s in open_first))
     mark = first.mark if not sought else _mark_of(course, sought[0])
-    what = " and ".join(", ".join(names).rsplit(", ", 1)) if len(names) > 1 else names[0]
-    text = f"{what} {'is' if len(names) == 1 else 'are'} open: no state tells enough"
+    text = f"{listed(names)} {'is' if len(names) == 1 else 'are'} open: no state tells enough"
     hint = _mode_at_a_time(course) or driven_with(course.problem, sought)
     if not sought and all(name.startswith("the rate of") for name in names):
         hint = hint or f"say in state {first.name} how it moves: `at rest`, or velocities"
@@ -155,7 +154,8 @@ def demand_told(course: MotionEquations, finds: tuple[AskedFind, ...], told: Col
     untold = asked_letters(finds) & course.chain().unknowns - set(told)
     if untold:
         mark = course.problem.find[0].mark
-        names = ", ".join(sorted(s.name for s in untold))
+        titles = {s: _title(course, p, s) for p in course.stops.values() for s in p.letters.values() if s in untold}
+        names = listed(titles.get(s, s.name) for s in sorted(untold, key=str))
         raise missing(course) or Undecided(
             f"{mark.file}:{mark.line}: not decided, no formula leads from what is known to {names}; it may help to "
             "give numbers for letters, or to ask for less of the motion"
