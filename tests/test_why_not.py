@@ -6,6 +6,7 @@ import pytest
 from answered import assert_close, solve
 
 from planar_cli.errors import Diagnostic, NoSolution, Undecided
+from planar_cli.problem.structure import load_text
 
 UNUSED = """
 title: Crank whose torque stands nowhere
@@ -109,3 +110,24 @@ def test_what_no_formula_leads_to_is_told_in_words() -> None:
         solve(TURNTABLE.replace("{t: t @ 2}", "{f: friction(F/block).across(table) @ 2}"))
     assert "angle of table in state 2" in str(error.value)
     assert "__" not in str(error.value)
+
+
+ON_TRACK = """
+title: Bead on a parabola, its place told by a relation
+plane: vertical
+surfaces: {track: {y: x^2/(2 m)}}
+bodies: {P: {particle: free, mass: 1 kg}}
+joints:
+  - guide: {point: P, along: track}
+states:
+  1: [t = 0, x(P) = 1 m, at rest]
+  2: [x(P) = 0]
+find: {v: v(P).mag @ 2}
+"""
+
+
+def test_a_free_particle_is_drawn_on_its_surface() -> None:
+    _, wrong = load_text(ON_TRACK)
+    (why,) = wrong
+    assert (why.code, why.mark.line) == ("PL521", 7)
+    assert why.message == "P is free, and lies on track: where it lies at first is open"

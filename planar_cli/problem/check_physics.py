@@ -210,6 +210,22 @@ def members_act(scope: Scope) -> Iterator[Diagnostic]:
             yield Diagnostic(member.mark, "PL458", text, hint)
 
 
+def places_on_surfaces(scope: Scope) -> Iterator[Diagnostic]:
+    """What lies on a surface is drawn there: relations may then move it along, but do not put it on."""
+    free = {b.name for b in scope.problem.bodies if isinstance(b.shape, Particle) and b.shape.place is None}
+    surfaces = {s.name for s in scope.problem.surfaces}
+    for joint in scope.problem.joints if free and surfaces else ():
+        along = getattr(joint, "along", None)
+        between = [*getattr(joint, "between", ()), getattr(joint, "point", ""), getattr(along, "name", along)]
+        names = {n for n in between if isinstance(n, str)}
+        if joint.strikes or not names & surfaces or not names & free:
+            continue
+        body, surface = min(names & free), min(names & surfaces)
+        message = f"{body} is free, and lies on {surface}: where it lies at first is open"
+        hint = f"draw it there, as it is at the first state or instant: `{body}: {{particle: [x, y]}}`"
+        yield Diagnostic(joint.mark, "PL521", message, hint)
+
+
 def partners_fit(scope: Scope) -> Iterator[Diagnostic]:
     """A joint is between two different things that can move against each other, of the shapes it needs."""
     for joint in scope.problem.joints:

@@ -15,6 +15,7 @@ from planar_cli.problem.check_physics import (
     members_act,
     particles_move,
     partners_fit,
+    places_on_surfaces,
     plane_is_given,
     sizes_are_positive,
 )
@@ -46,6 +47,7 @@ CHECKS: tuple[Check, ...] = (
     coefficients,
     sizes_are_positive,
     partners_fit,
+    places_on_surfaces,
     members_act,
     instant_or_states,
     statements_in_place,
