@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from answered import solve
 
-from planar_cli.errors import NoSolution
+from planar_cli.errors import FileProblem, NoSolution
 
 ROD = """
 title: Light rod between two guides
@@ -30,3 +30,21 @@ def test_a_speed_with_its_sense() -> None:
     """The rod keeps its length: v_B · 0.6 = v_A · 0.8; ω = v_A / 0.6."""
     found = solve(ROD.format(sense="v(A).y < 0"))
     assert [float((found[n].values or ())[0]) for n in ("v", "w")] == pytest.approx([2 * 0.8 / 0.6, 2 / 0.6])
+
+
+ACCELERATED = """
+title: Particle whose acceleration has a given size
+plane: horizontal
+given: {v: 3 m/s}
+bodies: {p: {particle: [0, 0], mass: 1 kg}}
+motion: [a(p).mag = 2 m/s^2, v(p).x = v]
+states: {1: [t = 0, v(p).y = 0], 2: [t = 2 s]}
+find: {y: y(p) @ 2}
+"""
+
+
+def test_an_acceleration_of_a_given_size_may_go_either_way() -> None:
+    with pytest.raises(FileProblem) as refused:
+        solve(ACCELERATED)
+    (found,) = refused.value.diagnostics
+    assert found.code == "PL716"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
+from planar_cli.errors import refuse
 from planar_cli.motion.constraints import Constraint, of_accelerations, of_places, of_velocities
 from planar_cli.motion.layout import Layout
 from planar_cli.motion.quantities import Quantities
@@ -63,8 +64,19 @@ def drives_of(scene: MovingScene, asked: Asked) -> tuple[Constraint, ...]:
     statements = [law.statement for law in scene.problem.motion if law.during is None]
     found: list[Constraint] = []
     for relation in asked.said(statements):
+        if any(_bent(asked, residual) for residual in relation.residuals):
+            text = f"`{relation.text}` leaves open which way the acceleration goes"
+            raise refuse(relation.mark, "PL716", text, "give its components, as `a(P).x = …`")
         found += constraints_of(asked, relation.text, relation.residuals)
     return tuple(found)
+
+
+def _bent(asked: Asked, residual: Term) -> bool:
+    """Do accelerations stand in it otherwise than linearly?"""
+    if asked.level(residual) != ACCELERATIONS:
+        return False
+    slopes = asked.layout.graph.gradient(residual)
+    return any(asked.level(slopes[a]) == ACCELERATIONS for a in asked.accelerations if a in slopes)
 
 
 def constraints_of(asked: Asked, title: str, residuals: Sequence[Term]) -> list[Constraint]:

@@ -82,6 +82,10 @@ _ENGINE = {
         "that. An `impact` without `during` acts whenever they meet: give the meeting a state, and one `just after` "
         "it. A `contact` keeps them from passing through each other. Or let the last state come before."
     ),
+    "PL716": (
+        "The size of an acceleration is prescribed for all the time, and with it alone a motion can go on in two ways. "
+        "Give its components in `motion`; at one instant, under `instant`, a size and a sense are enough."
+    ),
     "PL720": (
         "A motion that was solved is followed once more by independent facts, step by step, and an answer comes out "
         "otherwise: nothing is printed as an answer. The message gives both values, and when. It is a fault of the "

@@ -17,6 +17,7 @@ from planar_cli.equation.quantities import Quantities
 from planar_cli.equation.sample import anywhere
 from planar_cli.equation.setup import Course, Setup
 from planar_cli.equation.system import Statements
+from planar_cli.errors import Undecided
 from planar_cli.problem.ordinary import Scales
 from planar_cli.problem.scene import Problem
 from planar_cli.records import changing
@@ -132,6 +133,8 @@ class General:
 
     @property
     def value(self) -> Valuation:
+        if not self.trial.outcomes:
+            raise Undecided("what `motion` prescribes leaves open which way something accelerates")
         return self.trial.outcomes[0].value
 
 
