@@ -77,10 +77,6 @@ class Undecided(PlanarError):
     """Not decided within the limits; the message says what was tried."""
 
 
-class NoDirection(Undecided):
-    """In which direction something begins to slide is not told; where friction can hold it, it does not begin."""
-
-
 def undecided_at(mark: Mark, text: str) -> Undecided:
     """The same with the line of the file that it is about."""
     return Undecided(f"{mark.file}:{mark.line}: {text}")

@@ -252,7 +252,7 @@ def test_chains_of_points(tmp_path: Path) -> None:
     path = Path(file_of(tmp_path))
     text = path.read_text(encoding="utf-8").replace("{P: [0, 0]}", f"{{P: [0, 0], P0: [0, 0]{rows}}}")
     path.write_text(text, encoding="utf-8")
-    said = "the point P50 is told by a chain of more than 50 points"
+    said = "the point P100 is told by a chain of more than 100 points"
     assert complaints(str(path)) == [("PL207", said)]
 
 

@@ -33,3 +33,8 @@ def test_what_begins_to_slide_on_what_accelerates_is_told() -> None:
     """m ω² r = 0.36 N is more: friction is not zero then, and its direction is that in which it begins."""
     with pytest.raises(Undecided, match="in which direction coin begins to slide on table"):
         solve(COIN.format(w=6))
+
+
+def test_that_it_slides_is_told_all_the_same() -> None:
+    text = COIN.format(w=6).replace("F: friction(rub/coin).mag, ", "")
+    assert solve(text)["holds"].word == "slip"

@@ -18,7 +18,7 @@ from planar_cli.equation.plain import MANY, longer, simplified
 from planar_cli.equation.quantities import quantities_of
 from planar_cli.equation.scene import Scene
 from planar_cli.equation.struck import StruckScene
-from planar_cli.errors import Mark, NoDirection, NoValue, Undecided, refuse
+from planar_cli.errors import Mark, NoValue, Undecided, refuse
 from planar_cli.loads.base import Load
 from planar_cli.problem.acting import acting_loads, kind_of
 from planar_cli.problem.expression import Side
@@ -174,20 +174,35 @@ def _named(wrench: Wrench, scene: Scene) -> Wrench:
     return replace(wrench, force=force, magnitude=symbol)
 
 
+def open_direction(scene: Scene, motion: Motion, numbers: Any, skids: Iterable[Skid]) -> str:
+    """What begins to slide from rest on what accelerates in a way that is only worked out: its friction is left out,
+    as its direction is not told. In words; "" where nothing does.
+    """
+    setting = Moving(scene, motion, numbers)
+    for skid in skids:
+        relative = setting.velocity(skid.point, skid.body) - setting.velocity(skid.point, skid.base)
+        if setting.is_zero(relative.dot(relative)) and _is_open(setting.acceleration(skid.point, skid.base)):
+            return f"in which direction {skid.body} begins to slide on {skid.base} is not told"
+    return ""
+
+
+def _is_open(acceleration: Vec) -> bool:
+    return bool(sp.sympify(acceleration.x).free_symbols | sp.sympify(acceleration.y).free_symbols)
+
+
 def _skid(skid: Skid, setting: Moving, others: list[Wrench]) -> list[Wrench]:
     """Friction against the relative velocity; from rest, against what pushes the body."""
     relative = setting.velocity(skid.point, skid.body) - setting.velocity(skid.point, skid.base)
     if setting.rigid(skid.body) and not setting.is_zero(setting.turn(skid.body) - setting.turn(skid.base)):
         raise Undecided(f"{skid.body} turns on {skid.base} as it slides: how the pressure is spread is not known")
     if setting.is_zero(relative.dot(relative)):
-        pushing = Vec(sp.S.Zero, sp.S.Zero)
+        carried = setting.acceleration(skid.point, skid.base)
+        if _is_open(carried):
+            return []
+        relative = -carried * setting.mass(skid.body)
         for w in others:
             if w.body == skid.body and w.force is not None:
-                pushing = pushing + w.force
-        carried = setting.acceleration(skid.point, skid.base)
-        relative = pushing - carried * setting.mass(skid.body)
-        if carried.x.free_symbols or carried.y.free_symbols:
-            raise NoDirection(f"in which direction {skid.body} begins to slide on {skid.base} is not told")
+                relative = relative + w.force
         if setting.is_zero(relative.dot(relative)):
             return []
     force = setting.against(relative, skid.size)

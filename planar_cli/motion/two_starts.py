@@ -11,6 +11,9 @@ from planar_cli.motion.zeros import AGREES, Equation, Zeros
 from planar_cli.problem.scene import Problem
 from planar_cli.units import RATE, VELOCITY, default_unit
 
+DISTINCT = AGREES**0.5
+"""A start that is found twice, as where a square is zero, is known to this part of the usual sizes only."""
+
 
 def demand_one_start(
     zeros: Zeros,
@@ -31,7 +34,7 @@ def demand_one_start(
     for guess in guesses:
         zeros.state = list(guess)
         if zeros.solved(equations, numbers) and holds():
-            other = [n for n in numbers if abs(zeros.state[n] - first[n]) > AGREES * zeros.sizes[n]]
+            other = [n for n in numbers if abs(zeros.state[n] - first[n]) > DISTINCT * zeros.sizes[n]]
             if other:
                 n = other[0]
                 marks = [e.mark for e in equations] + [law.statement.mark for law in problem.motion]

@@ -16,7 +16,7 @@ from planar_cli.problem.walk import Tree, children, walk
 
 LONGEST = 100
 """So many names, signs and brackets may stand one inside the other until numbers are reached."""
-LONGEST_OF_POINTS = 50
+LONGEST_OF_POINTS = 100
 """So many points may be placed one from the other: each adds its sine and cosine."""
 
 Link = tuple[Mark, int, tuple[str, ...]]

@@ -33,7 +33,8 @@ def certain_sign(side: Side, letters: Mapping[str, Symbol], values: Mapping[str,
         case Function(name="exp"):
             return 1
         case Function(name="sqrt", argument=argument):
-            return certain_sign(argument, letters, values)
+            inner = certain_sign(argument, letters, values)
+            return None if inner == -1 else inner
         case _:
             return None
 

@@ -15,6 +15,7 @@ from planar_cli.equation.setup import Earlier, first_unit, numbers_of
 from planar_cli.equation.system import System
 from planar_cli.errors import Mark, NoSolution, NotReached, Undecided, refuse
 from planar_cli.problem.scene import Find, Problem
+from planar_cli.solve.diagnosis.beginning import demand_direction
 from planar_cli.solve.diagnosis.cases import several
 from planar_cli.solve.diagnosis.clash import check_positions
 from planar_cli.solve.diagnosis.failures import explain_failure, place, singular_position
@@ -303,7 +304,9 @@ def _solve(
         return _searched(instant, rejected, finds, units, state)
     if not held:
         raise explain_failure(instant, rejected, finds)
-    return outcome_that_holds(instant, several(instant, held), tuple(rejected), finds, units, state)
+    trials = several(instant, held)
+    demand_direction(trials[0], finds)
+    return outcome_that_holds(instant, trials, tuple(rejected), finds, units, state)
 
 
 def _searched(

@@ -18,7 +18,7 @@ from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.motion import Motion, TreeBuilder
 from planar_cli.equation.setup import Setup, names_in
 from planar_cli.equation.system import Statements, System, make_system
-from planar_cli.errors import NoDirection, Undecided
+from planar_cli.errors import Undecided
 from planar_cli.joints.base import Joint, distinct
 from planar_cli.loads.base import Load, mode_key
 from planar_cli.principles.base import Family, Principle
@@ -331,23 +331,16 @@ def search_modes(instant: Instant, valuations: tuple[Valuation, ...]) -> tuple[l
     """All choices that hold, told apart by their motion, and those that do not, in natural order."""
     held: list[Trial] = []
     rejected: list[Trial] = []
-    undirected: NoDirection | None = None
     for count, choice in enumerate(instant.choices()):
         if count >= MOST_MODES:
             if not held:
                 raise Undecided(f"none of the first {MOST_MODES} combinations of contact modes holds; there are more")
             break
-        try:
-            trial = instant.try_choice(choice, valuations)
-        except NoDirection as error:
-            undirected = error
-            continue
+        trial = instant.try_choice(choice, valuations)
         if trial.objection:
             rejected.append(trial)
         elif not any(same_motion(trial, other) for other in held):
             held.append(trial)
-    if undirected is not None and not held:
-        raise undirected
     return [t for t in held if not any(begins(instant, t, other) for other in held)], rejected
 
 

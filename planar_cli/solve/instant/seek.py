@@ -14,7 +14,7 @@ from decimal import Decimal
 import sympy as sp
 
 from planar_cli.equation.system import System
-from planar_cli.errors import Diagnostic, NoDirection, NoSolution, Undecided
+from planar_cli.errors import Diagnostic, NoSolution, Undecided
 from planar_cli.solve.diagnosis.not_found import contradiction, not_found, open_symbols
 from planar_cli.solve.instant.instant import Instant, Trial
 from planar_cli.solve.instant.seeker import Seeker, Sought, seekers
@@ -37,12 +37,7 @@ def seek(instant: Instant, targets_of: Callable[[System], set[sp.Symbol]]) -> tu
     extremes = instant.statements.extremes
     for choice in itertools.islice(instant.choices(), MOST_CHOICES):
         held: list[Sought] = []
-        try:
-            ways = list(seekers(instant, choice))
-        except NoDirection as error:
-            undecided = error
-            continue
-        for seeker in ways:
+        for seeker in seekers(instant, choice):
             try:
                 found = None if seeker.conflict else _best(seeker, targets_of(seeker.system), rejected)
             except Undecided as error:
