@@ -6,6 +6,8 @@ import pytest
 from answered import solve
 
 from planar_cli.errors import Undecided
+from planar_cli.problem.structure import load_text
+from planar_cli.simulate.run import Settings, simulate
 
 COIN = """
 title: Coin at rest on a turning table
@@ -38,3 +40,27 @@ def test_what_begins_to_slide_on_what_accelerates_is_told() -> None:
 def test_that_it_slides_is_told_all_the_same() -> None:
     text = COIN.format(w=6).replace("F: friction(rub/coin).mag, ", "")
     assert solve(text)["holds"].word == "slip"
+
+
+SPUN = """
+title: Block on a turntable that is spun up
+plane: horizontal
+given: {m: 2 kg, r: 0.4 m, e_0: 0.8 rad/s^2, mu: 0.45}
+points: {O: [0, 0], B: [r, 0]}
+bodies: {table: {disk: O, radius: 0.6 m}, block: {particle: B, mass: m}}
+joints:
+  - pin: {at: O, between: [ground, table]}
+  - flat: {between: [block, table], mu: mu, name: F}
+motion: [alpha(table) = e_0]
+states: {1: [t = 0, at rest], 2: [mode(F) = slip]}
+find: {along: friction(F/block).across(table) @ 2, across: friction(F/block).along(table) @ 2}
+"""
+
+
+def test_friction_keeps_its_direction_as_sliding_begins() -> None:
+    """Along the motion m r α, across it what is left of μ m g."""
+    problem, _ = load_text(SPUN)
+    assert problem is not None
+    along, across = (answer.values[0] for answer in simulate(problem, Settings()).answers)
+    assert along == pytest.approx(2 * 0.4 * 0.8, rel=1e-7)
+    assert across == pytest.approx(-(((0.45 * 2 * 9.81) ** 2 - along**2) ** 0.5), rel=1e-7)

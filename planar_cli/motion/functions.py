@@ -91,26 +91,29 @@ class Sliding:
     x: float = 0.0
     y: float = 0.0
     """The unit vector last noted; zero: there was none."""
+    least: float = 0.0
+    """A speed up to this is rounding, and has no direction of its own [m/s]."""
 
     def along_x(self, vx: float, vy: float) -> float:
         """The x part of the direction."""
         speed = self.speed(vx, vy)
-        return vx / speed if speed else self.x
+        return vx / speed if abs(speed) > self.least else self.x
 
     def along_y(self, vx: float, vy: float) -> float:
         """The y part of the direction."""
         speed = self.speed(vx, vy)
-        return vy / speed if speed else self.y
+        return vy / speed if abs(speed) > self.least else self.y
 
     def speed(self, vx: float, vy: float) -> float:
         """The speed in that direction [m/s]."""
         return math.copysign(math.hypot(vx, vy), vx * self.x + vy * self.y)
 
-    def note(self, vx: float, vy: float) -> None:
-        """From now on the direction of this vector counts, unless it is zero."""
+    def note(self, vx: float, vy: float) -> bool:
+        """From now on the direction of this vector counts, unless it is too small to have one; has it?"""
         size = math.hypot(vx, vy)
-        if size:
+        if size > self.least:
             self.x, self.y = vx / size, vy / size
+        return size > self.least
 
 
 @record

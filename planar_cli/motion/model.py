@@ -35,6 +35,8 @@ MOST_TURNED = 1e5
 """Of a step that turns a body further than that [rad] turns are no longer counted one by one."""
 STILL = 1e-12
 """A resistance that is below this part of the force scale at rest vanishes there."""
+NO_SPEED = 1e-10
+"""A speed below this part of the scale is rounding."""
 ANYWHERE = (0.6, 0.8)
 """From where a particle is sought whose place is open, in parts of the scene's extent: no special place."""
 
@@ -67,6 +69,7 @@ class Model:
         self.drives = (*drives_of(scene, self.asked), *ties)
         """What the file prescribes, and what keeps points where they are written."""
         self.scales = self._scales()
+        self.skids.least = NO_SPEED * self.scales.speed
         self.drives = (*self.drives[: -len(ties) or None], *self._beside_joints(ties))
         self._regimes: dict[Choice, Regime] = {}
         self._held: dict[tuple[str, int], Held] = {}
@@ -165,8 +168,7 @@ class Model:
         self.scene.facings.begin()
         for turning in self.graph.turnings.values():
             turning.begin()
-        for sliding in self.skids.slidings.values():
-            sliding.x = sliding.y = 0.0
+        self.skids.forget()
 
     # --- making a regime ---------------------------------------------------------------------------------------------
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import field
 
@@ -27,6 +28,20 @@ class Skids:
     """Direction x, y, and the speed in it."""
     _velocities: dict[str, Vec] = field(default_factory=dict)
     _code: Code | None = None
+    least: float = 0.0
+    """A speed up to this is rounding [m/s]."""
+    begun: list[tuple[float, str, float, float]] = field(default_factory=list)
+    """When friction that held was asked for its direction, of which joint, and against which way it pushed."""
+
+    noted: dict[str, float] = field(default_factory=dict)
+    """When a velocity last told the direction, by joint."""
+
+    def begins(self, t: float, joint: str, x: float, y: float) -> None:
+        """What sticks would slide along (x, y) if it did now."""
+        size = math.hypot(x, y)
+        if size:
+            self.begun.append((t, joint, x / size, y / size))
+            self.slidings[joint].x, self.slidings[joint].y = x / size, y / size
 
     def loads(self, skid: Skid) -> dict[int, Term]:
         """The generalized force of the friction."""
@@ -51,16 +66,30 @@ class Skids:
         if self._code is None:
             parts = [p for v in self._velocities.values() for p in (v.x, v.y)]
             self._code = compiled(parts, self.layout.state, self.layout.time)
+        self.recall(t)
         numbers = iter(self._code.function(t, y))
+        for joint, sliding in self.slidings.items():
+            if sliding.note(next(numbers), next(numbers)):
+                self.noted[joint] = t
+
+    def recall(self, t: float) -> None:
+        """At a time without velocity the direction counts in which sliding was last to begin."""
+        for when, joint, x, y in self.begun:
+            if self.noted.get(joint, -math.inf) <= when <= t:
+                self.slidings[joint].x, self.slidings[joint].y = x, y
+
+    def forget(self) -> None:
+        """A motion begins anew."""
+        self.noted.clear()
         for sliding in self.slidings.values():
-            sliding.note(next(numbers), next(numbers))
+            sliding.x = sliding.y = 0.0
 
     def _of(self, skid: Skid) -> tuple[Term, Term, Term]:
         if skid.joint not in self._terms:
             graph = self.layout.graph
             apart = self.scene.velocity(skid.point, skid.body) - self.scene.velocity(skid.point, skid.base)
             velocity = Vec(graph.of(apart.x), graph.of(apart.y))
-            sliding = self.slidings[skid.joint] = Sliding()
+            sliding = self.slidings[skid.joint] = Sliding(least=self.least)
             self._velocities[skid.joint], self._code = velocity, None
             number = len(self.slidings)
             for part, function in (("x", sliding.along_x), ("y", sliding.along_y), ("speed", sliding.speed)):

@@ -153,10 +153,10 @@ class SceneAutomaton:
             return
         regime = self.model.regime(choice)
         pushes = list(zip(regime.reactions, regime.forces(t, y), strict=True))
-        for joint, sliding in slidings.items():
+        for joint in slidings:
             found = {p.name.rpartition("_")[2]: size for p, size in pushes if p.joint == joint and p.kind == "friction"}
             if found:
-                sliding.note(-found.get("x", 0.0), -found.get("y", 0.0))
+                self.model.skids.begins(t, joint, -found.get("x", 0.0), -found.get("y", 0.0))
 
     def note(self, t: float, y: Sequence[float], step: Step | None = None) -> None:
         """Angles that go on over many turns and directions of sliding count from this state."""
@@ -216,6 +216,7 @@ class SceneStages:
         """A motion begins anew: turns and directions of sliding count from this state."""
         for automaton in self._made.values():
             automaton.model.begin()
+            automaton.model.skids.begun.clear()
             automaton.note(t, y)
 
     def automaton(self, reached: Sequence[str], striking: str = "") -> SceneAutomaton:

@@ -119,6 +119,7 @@ class Measures:
             for t, y in self._way[:k]:
                 self.model.note(t, y)
             self.model.wind(self._way[k:])
+            self.model.skids.recall(until)
         if self.followed is not None:
             self.model.recall(time)
 
