@@ -30,8 +30,8 @@ def factor_of(dimension: Dimension, world: World) -> Decimal:
 def scaled(problem: Problem, world: World) -> Problem:
     """The same problem with every number that has a unit multiplied; gravity, where the file leaves it out, as well."""
     found: Problem = _scaled(problem, world)
-    weighs = problem.plane == "vertical" and not any(s.name == "g" for s in (*problem.given, *problem.symbols))
-    if weighs and not problem.symbols:
+    told = any(s.name == "g" for s in (*problem.given, *problem.symbols))
+    if not told and not problem.symbols:
         found = _with_gravity(found, Symbol("g", _scaled(GRAVITY, world), None, NOWHERE))
     return found
 
