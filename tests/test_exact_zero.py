@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from decimal import Decimal
+
 import pytest
 import sympy as sp
 from answered import assert_close, solve
@@ -89,3 +91,11 @@ def test_equilibrium_settles_a_force() -> None:
 def test_no_equilibrium_is_said() -> None:
     with pytest.raises(NoSolution, match="contradict"):
         solve(LEVER.format(unknown="", force="10 N", more=""))
+
+
+@pytest.mark.parametrize(("function", "other"), [(sp.cot, sp.tan), (sp.sec, sp.cos), (sp.csc, sp.sin)])
+def test_functions_that_sympy_writes_itself(function: type[sp.Expr], other: type[sp.Expr]) -> None:
+    """Their products with their inverses are 1."""
+    angle = sp.atan(sp.Rational(10, 3)) / 2
+    value = Valuation({})
+    assert abs(value(function(angle, evaluate=False)) * value(other(angle, evaluate=False)) - 1) < Decimal("1e-50")

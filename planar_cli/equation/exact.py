@@ -65,6 +65,9 @@ FUNCTIONS: dict[type, Callable[..., Decimal]] = {
     sp.sin: _through_mpmath("sin"),
     sp.cos: _through_mpmath("cos"),
     sp.tan: _through_mpmath("tan"),
+    sp.cot: _through_mpmath("cot"),  # SymPy writes them where it reduces fractions
+    sp.sec: _through_mpmath("sec"),
+    sp.csc: _through_mpmath("csc"),
     sp.asin: _to_one("asin"),
     sp.acos: _to_one("acos"),
     sp.atan: _through_mpmath("atan"),
