@@ -70,24 +70,3 @@ def test_a_speed_and_its_growth_anywhere_in_a_bend(angle: int) -> None:
     found = solve(ROADS.format(angle=angle))
     assert float((found["v"].values or ())[0]) == pytest.approx(10 * abs(math.sin(math.radians(angle))))
     assert float((found["a"].values or ())[0]) == pytest.approx(math.hypot(2, 100 / 80))
-
-
-GUIDED = """
-title: Light rod between two guides, over time
-plane: vertical
-points: {{A: [0, 0.8 m], B: [0.6 m, 0]}}
-bodies: {{AB: {{rod: [A, B]}}}}
-joints:
-  - guide: {{point: A, along: 90 deg}}
-  - guide: {{point: B, along: 0 deg}}
-motion: [{speed}]
-states: {{1: [t = 0], 2: [t = 0.05 s]}}
-find: {{y: y(A) @ 2}}
-"""
-
-
-def test_a_speed_without_its_sense_over_time() -> None:
-    with pytest.raises(NoSolution, match="holds for v"):
-        solve(GUIDED.format(speed="v(A).mag = 2 m/s"))
-    found = solve(GUIDED.format(speed="v(A).y = -2 m/s"))
-    assert float((found["y"].values or ())[0]) == pytest.approx(0.7)

@@ -21,7 +21,6 @@ from planar_cli.solve.diagnosis.clash import check_positions
 from planar_cli.solve.diagnosis.failures import explain_failure, place, singular_position
 from planar_cli.solve.diagnosis.impacts import pressing_impact, unnamed_impact
 from planar_cli.solve.diagnosis.known import demand_stated
-from planar_cli.solve.diagnosis.senses import demand_sense
 from planar_cli.solve.held import outcome_that_holds
 from planar_cli.solve.instant.by_direction import SPEEDS, alike, is_settled, with_speeds, with_statements
 from planar_cli.solve.instant.finish import Finisher, not_reached
@@ -92,7 +91,6 @@ def _part(problem: Problem, case: str, units: dict[str, str], earlier: dict[str,
     demand_stated(problem, earlier)
     if not problem.states[1:]:
         return _confirmed(problem, _derived(problem, case, units, earlier), numbers)
-    demand_sense(problem, earlier)
     from planar_cli.solve.followed import (
         SOME_STEPS,
         can_be_followed,
