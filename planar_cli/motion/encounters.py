@@ -14,7 +14,7 @@ from planar_cli.joints.base import Joint
 from planar_cli.motion.gaps import Gap
 from planar_cli.motion.scene import MovingScene
 from planar_cli.motion.terms import Term
-from planar_cli.problem.facts import Action, Anchor, Facts, Law, Mode, Pull, Push, Row, Test
+from planar_cli.problem.facts import Facts, Law, Mode, Push, Row, Test, opposed, relative
 from planar_cli.problem.residuals import Residual
 from planar_cli.problem.scene import GROUND
 from planar_cli.problem.setting import Setting
@@ -93,17 +93,11 @@ class Encounter(Joint):
         return (Residual(f"{self.impact}: distance", lambda poses: self.gap.distance),)
 
     def _push(self, stem: str, kind: str, along: Any) -> Push:
-        actions = (
-            Action(self.gap.second, self.gap.point, along),
-            Action(self.gap.first, self.gap.point, -along),
-        )
+        actions = opposed(self.gap.second, self.gap.first, self.gap.point, along)
         return Push(f"{stem}_{self.name}", kind, self.name, self.name, actions)
 
     def _row(self, along: Any, title: str) -> Row:
-        pulls = (
-            Pull(Anchor(self.gap.second, self.gap.point), along),
-            Pull(Anchor(self.gap.first, self.gap.point), -along),
-        )
+        pulls = relative(self.gap.second, self.gap.first, self.gap.point, along)
         return Row(self.name, f"{self.impact}: {title}", pulls)
 
 

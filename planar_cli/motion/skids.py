@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from bisect import bisect_right
 from collections.abc import Sequence
 from dataclasses import field
 
@@ -30,8 +31,9 @@ class Skids:
     _code: Code | None = None
     least: float = 0.0
     """A speed up to this is rounding [m/s]."""
-    begun: list[tuple[float, str, float, float]] = field(default_factory=list)
-    """When friction that held was asked for its direction, of which joint, and against which way it pushed."""
+    begun: dict[str, list[tuple[float, float, float]]] = field(default_factory=dict)
+    """By joint, in order of time: when friction that held was asked for its direction, and against which way it pushed.
+    """
 
     noted: dict[str, float] = field(default_factory=dict)
     """When a velocity last told the direction, by joint."""
@@ -40,7 +42,7 @@ class Skids:
         """What sticks would slide along (x, y) if it did now."""
         size = math.hypot(x, y)
         if size:
-            self.begun.append((t, joint, x / size, y / size))
+            self.begun.setdefault(joint, []).append((t, x / size, y / size))
             self.slidings[joint].x, self.slidings[joint].y = x / size, y / size
 
     def loads(self, skid: Skid) -> dict[int, Term]:
@@ -74,9 +76,10 @@ class Skids:
 
     def recall(self, t: float) -> None:
         """At a time without velocity the direction counts in which sliding was last to begin."""
-        for when, joint, x, y in self.begun:
-            if self.noted.get(joint, -math.inf) <= when <= t:
-                self.slidings[joint].x, self.slidings[joint].y = x, y
+        for joint, known in self.begun.items():
+            k = bisect_right(known, t, key=lambda begun: begun[0])
+            if k and known[k - 1][0] >= self.noted.get(joint, -math.inf):
+                _, self.slidings[joint].x, self.slidings[joint].y = known[k - 1]
 
     def forget(self) -> None:
         """A motion begins anew."""

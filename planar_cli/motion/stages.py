@@ -110,16 +110,21 @@ class SceneAutomaton:
                 row[i] = next(numbers)
             rows.append(row)
         found: set[str] = set()
-        driving = self._driving(choice, t, y)
         for vector in null_space([r for r in rows if any(r)], layout.count):
             largest = max(map(abs, vector))
             moves = [s for s, v in zip(layout.slots, vector, strict=True) if abs(v) > 1e-9 * largest]
-            driven = any(abs(sum(f * v for f, v in zip(row, vector, strict=True))) > 1e-9 * largest for row in driving)
-            if len(moves) == 1 and not driven:
+            if not any(s.kind in ("x", "y") for s in moves):
                 continue
-            if any(s.kind in ("x", "y") for s in moves):
+            if len(moves) > 1 or self._is_driven(vector, largest, choice, t, y):
                 found |= {s.body for s in moves}
         return tuple(sorted(found))
+
+    def _is_driven(
+        self, way: Sequence[float], largest: float, choice: Choice, t: float, y: Sequence[float]
+    ) -> bool:
+        """Does a load or a reaction drive along this way? `largest`: its largest part."""
+        rows = self._driving(choice, t, y)
+        return any(abs(sum(f * v for f, v in zip(row, way, strict=True))) > 1e-9 * largest for row in rows)
 
     def _driving(self, choice: Choice, t: float, y: Sequence[float]) -> list[list[float]]:
         """What loads and reactions drive, for each velocity, in parts of the largest."""

@@ -71,8 +71,10 @@ class Numbers:
         if x not in opened.free_symbols:
             return ZERO
         slope = self._clean(derivative(opened, x))
+        if slope:
+            return slope
         rooted = opened.has(sp.Abs, sp.sign) or any(p.exp.is_Rational and p.exp.q == 2 for p in opened.atoms(sp.Pow))
-        return self._clean(opened - opened.xreplace({x: -x})) if not slope and rooted else slope
+        return self._clean(opened - opened.xreplace({x: -x})) if rooted else ZERO
 
 
 def opened_for(expr: sp.Expr, x: sp.Symbol, definitions: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:

@@ -13,9 +13,10 @@ from typing import Any, ClassVar
 from planar_cli.equation.meeting import meeting_of, partner_of
 from planar_cli.equation.scene import Scene
 from planar_cli.joints.base import Joint
-from planar_cli.problem.expression import JustAfter, Name, Number, Side
-from planar_cli.problem.facts import Action, Anchor, Facts, Joining, Law, Mode, Path, Pull, Push, Row, Test
+from planar_cli.problem.expression import JustAfter, Side
+from planar_cli.problem.facts import Facts, Joining, Law, Mode, Path, Push, Row, Test, opposed, relative
 from planar_cli.problem.geometry import Vec
+from planar_cli.problem.known_values import KnownValues
 from planar_cli.problem.residuals import Residual
 from planar_cli.problem.scene import GROUND, Line, Particle, Problem, State
 
@@ -38,8 +39,8 @@ class LastingContact(Joint):
         mover, base, point, normal = self._place(scene)
         words = " and ".join(sorted((mover, base), key=lambda b: b == GROUND))
         parts = self._row(mover, base, point, normal, f"{self.name}: apart")
-        apart = Mode("apart", f"{words} are apart", Facts(), (Test(self.name, f"{words} are apart", row=parts),))
-        apart = Mode(apart.name, apart.words, Facts(), apart.tests, touching=Facts(rows=(parts,)))
+        tests = (Test(self.name, f"{words} are apart", row=parts),)
+        apart = Mode("apart", f"{words} are apart", Facts(), tests, touching=Facts(rows=(parts,)))
         joining = Joining(self.name, mover, base, point, mover, Path(normal.turned(), 0))
         press = self._push("N", "normal", joining, normal)
         pressed = Test(self.name, f"{words} press on each other", ((press.name, 1),))
@@ -95,10 +96,10 @@ class LastingContact(Joint):
             yield Mode("slip", slips, facts, (pressed, moves), sliding, direction)
 
     def _row(self, mover: str, base: str, point: Vec, along: Vec, title: str) -> Row:
-        return Row(self.name, title, (Pull(Anchor(mover, point), along), Pull(Anchor(base, point), -along)))
+        return Row(self.name, title, relative(mover, base, point, along))
 
     def _push(self, stem: str, kind: str, joining: Joining, along: Vec) -> Push:
-        actions = (Action(joining.mover, joining.point, along), Action(joining.base, joining.point, -along))
+        actions = opposed(joining.mover, joining.base, joining.point, along)
         return Push(f"{stem}_{self.name}", kind, self.name, joining.place, actions)
 
 
@@ -144,11 +145,7 @@ def _slides(problem: Problem, joint: Joint) -> bool:
     shapes |= {s.name: isinstance(s.shape, Line) for s in problem.surfaces}
     particles = [b.name for b in problem.bodies if isinstance(b.shape, Particle)]
     straight = all(shapes.get(name, False) for name in _partners(joint))
-    return straight and any(n in particles for n in _partners(joint)) and _is_zero(problem, _side(joint, "restitution"))
-
-
-def _is_zero(problem: Problem, side: Side | None) -> bool:
-    """Is it the number zero, or a given that is?"""
-    if isinstance(side, Name):
-        return any(g.name == side.name and _is_zero(problem, g.value) for g in problem.given)
-    return isinstance(side, Number) and side.value == 0
+    restitution = _side(joint, "restitution")
+    if not straight or restitution is None or not any(n in particles for n in _partners(joint)):
+        return False
+    return KnownValues({g.name: g for g in problem.given}).value(restitution) == 0
