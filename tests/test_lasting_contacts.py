@@ -133,6 +133,25 @@ def test_what_stays_together_must_be_said(place: str) -> None:
     assert "weld: {between: [bullet, block], at: P, during: 1->3}" in found.hint
 
 
+def test_points_that_slide_are_told_without_during_too() -> None:
+    """An impact that names no states acts whenever its bodies meet; what it leaves open is the same."""
+    text = PENDULUM.format(place="B", weld="").replace(", during: 1->2", "")
+    assert "during" not in text
+    with pytest.raises(NoSolution) as refused:
+        solve(text)
+    assert [d.code for d in refused.value.diagnostics] == ["PL714"]
+
+
+def test_lengths_are_told_in_feet_where_the_file_is_in_feet() -> None:
+    """As the author drew them."""
+    text = PENDULUM.format(place="[-0.2 ft, 0]", weld="")
+    for metric, us in (("20 g", "0.05 lb"), ("2 kg", "5 lb"), ("300 m/s", "900 ft/s"), ("1.5 m", "5 ft")):
+        text = text.replace(metric, us)
+    with pytest.raises(NoSolution) as refused:
+        solve(text)
+    assert "0.2 ft apart" in refused.value.diagnostics[0].message
+
+
 def test_a_weld_beside_the_impact_keeps_them_together() -> None:
     """By momentum and energy: v = m v_0/(m + M), h = v²/(2 g), and both principles agree."""
     v = 0.02 * 300 / 2.02

@@ -14,6 +14,7 @@ from planar_cli.motion.hybrid import HybridModel
 from planar_cli.motion.model import Choice
 from planar_cli.motion.source import compiled
 from planar_cli.motion.terms import Term
+from planar_cli.units import LENGTH, default_unit
 
 TOUCHES = 1e-6
 """Partners touch that are closer than this part of the scene's length."""
@@ -35,9 +36,10 @@ def drawn_apart(
     for encounter, gap in zip(plastic, gaps, strict=True):
         if abs(gap) > TOUCHES * model.scales.length:
             one, other = _names(encounter)
+            unit = default_unit(LENGTH, us=model.scene.problem.us)
             return encounter.impact, (
-                f"after the plastic impact {one} and {other} are {abs(gap):.3g} m apart as they are drawn, "
-                "and nothing holds them"
+                f"after the plastic impact {one} and {other} are {abs(gap) / float(unit.factor):.3g} {unit.text} apart "
+                "as they are drawn, and nothing holds them"
             )
     return None
 
@@ -45,7 +47,7 @@ def drawn_apart(
 def sliding_points(model: HybridModel, choice: Choice, t: float, y: Sequence[float]) -> tuple[str, str] | None:
     """The impact whose partners are points that press on each other and would slide along each other; None: none."""
     indices = model.chosen(choice)
-    held = [e for e in model.over if e.gap.points and not model.modes[e.name][indices[e.name]].parted]
+    held = [e for e in model.lasting if e.gap.points and not model.modes[e.name][indices[e.name]].parted]
     if not held:
         return None
     regime = model.regime(choice)

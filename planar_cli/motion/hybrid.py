@@ -63,7 +63,9 @@ class HybridModel(Model):
         self.impacts = [j for j in self.impacts if j.name not in over]
         self.encounters = encounters_of(scene, apart, over)
         """The contacts that impacts make, where no joint is one already, by the impact's name."""
-        self.over = [e for found in self.encounters.values() for e in found if e.over]
+        every = [e for found in self.encounters.values() for e in found]
+        self.over = [e for e in every if e.over]
+        self.lasting = [e for e in every if e.plastic and not e.forced]
         """Those that are behind."""
         for encounter in (e for found in self.encounters.values() for e in found):
             self.joints.append(encounter)

@@ -119,9 +119,7 @@ class SceneAutomaton:
                 found |= {s.body for s in moves}
         return tuple(sorted(found))
 
-    def _is_driven(
-        self, way: Sequence[float], largest: float, choice: Choice, t: float, y: Sequence[float]
-    ) -> bool:
+    def _is_driven(self, way: Sequence[float], largest: float, choice: Choice, t: float, y: Sequence[float]) -> bool:
         """Does a load or a reaction drive along this way? `largest`: its largest part."""
         rows = self._driving(choice, t, y)
         return any(abs(sum(f * v for f, v in zip(row, way, strict=True))) > 1e-9 * largest for row in rows)
@@ -149,7 +147,7 @@ class SceneAutomaton:
 
     def sliding_points(self, choice: Choice, t: float, y: Sequence[float]) -> tuple[str, str] | None:
         """The impact that leaves points in contact that slide along each other, and what is open then."""
-        return sliding_points(self.model, choice, t, y) if self.model.over else None
+        return sliding_points(self.model, choice, t, y) if self.model.lasting else None
 
     def prepare(self, choice: Choice, t: float, y: Sequence[float]) -> None:
         """Friction of a fixed size that holds now has, at its limit, the direction that it has while it holds."""

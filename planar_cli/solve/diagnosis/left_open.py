@@ -25,4 +25,5 @@ def _weld(problem: Problem, impact: Joint) -> str:
     partners = ", ".join(getattr(impact, "between", ()))
     begins = impact.during[0] if impact.during is not None else problem.states[0].name
     during = f"{begins}->{problem.states[-1].name}"
-    return f"write `weld: {{between: [{partners}], at: P, during: {during}}}` if they stay together; P: where they meet"
+    weld = f"`weld: {{between: [{partners}], at: P, during: {during}}}` if they stay together (P: where they meet)"
+    return f"write {weld}, or the `contact` on which the one slides along the other"
