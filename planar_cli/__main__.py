@@ -5,7 +5,7 @@ from __future__ import annotations
 import gc
 import sys
 
-CLUTTER = 100_000
+CLUTTER = 400_000
 """So many objects more are looked through for what nobody needs: most of what is made at a start lives to the end."""
 
 

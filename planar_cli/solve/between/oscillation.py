@@ -58,7 +58,9 @@ class Oscillation:
 
     @property
     def period(self) -> sp.Expr:
-        return 2 * sp.pi * sp.sqrt(1 / self.square)
+        # A damped one is a difference under the root: its reciprocal would be looked into for signs that nobody knows.
+        root = sp.sqrt(1 / self.square) if self.damping[0][0] == 0 else 1 / sp.sqrt(self.square)
+        return 2 * sp.pi * root
 
     @property
     def frequency(self) -> sp.Expr:

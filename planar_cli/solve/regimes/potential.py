@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 import sympy as sp
 
 from planar_cli.calculus.antiderivative import antiderivative
@@ -11,6 +13,7 @@ from planar_cli.equation.plain import derivative, longer, simplified
 from planar_cli.solve.regimes.regime import Regime
 
 LONG = 400
+_KEPT = 10_000
 
 
 def potential(rate: sp.Expr, regime: Regime) -> sp.Expr | None:
@@ -30,7 +33,7 @@ def potential(rate: sp.Expr, regime: Regime) -> sp.Expr | None:
         slope = _along(rest, c.symbol, pace, regime)
         if slope is None or slope == 0:
             continue
-        part = antiderivative(slope, c.symbol)
+        part = _integral(slope, c.symbol)
         if part is None:
             continue
         total += part
@@ -39,9 +42,15 @@ def potential(rate: sp.Expr, regime: Regime) -> sp.Expr | None:
         if rest == 0:
             return total
     if rest.free_symbols & set(regime.letters) <= {regime.time}:
-        part = antiderivative(rest, regime.time)
+        part = _integral(rest, regime.time)
         return None if part is None else total + part
     return None
+
+
+@lru_cache(maxsize=_KEPT)
+def _integral(f: sp.Expr, x: sp.Symbol) -> sp.Expr | None:
+    """An antiderivative; None: none is known. The laws of regimes, states and cases have most integrals in common."""
+    return antiderivative(f, x)
 
 
 def _along(rest: sp.Expr, q: sp.Symbol, pace: sp.Expr, regime: Regime) -> sp.Expr | None:
