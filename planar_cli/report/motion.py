@@ -22,7 +22,7 @@ from planar_cli.report.integrals import over_coordinates, plain_integral
 from planar_cli.report.origins import HAPPENS, head, named, told_once, turning
 from planar_cli.report.oscillation import oscillation_blocks
 from planar_cli.report.span_integrals import span_blocks
-from planar_cli.report.words import Phrases, in_si, told_unit
+from planar_cli.report.words import Phrases, told_unit
 from planar_cli.solve.between.trace import ImpactEquation, MotionTrace, Relation, Result, RouteStep, RouteTrace
 
 MOST_ROOTS = 4
@@ -105,9 +105,10 @@ class MotionTelling:
                     unit, energy = asked.unit, is_energy(asked.find.found.what)
                     value = Decimal(0) if self.found.value.is_zero(part) else self.found.value(part)
                     shown = Value(display(value, unit), told_unit(unit, energy), self.phrases.figures)
-                    coherent = unit.text == "deg" or (unit.factor == 1 and unit.pi_power == 0)
-                    first = shown if coherent else Value(value, told_unit(in_si(unit), energy), self.phrases.figures)
-                    sides += [*phrases.substituted(part, first), first, *([] if coherent else [shown])]
+                    own = self.phrases.page_unit(unit)
+                    kept = unit.text == "deg" or display(Decimal(1), unit) == display(Decimal(1), own)
+                    first = shown if kept else Value(display(value, own), told_unit(own, energy), self.phrases.figures)
+                    sides += [*phrases.substituted(part, first), first, *([] if kept else [shown])]
                 yield Equation(tuple(sides))
 
     def _signed(self, expr: sp.Expr) -> sp.Expr:

@@ -17,10 +17,11 @@ from planar_cli.equation.plain import PRINTABLE, longer
 from planar_cli.problem.expression import Quantity
 from planar_cli.records import record
 from planar_cli.report.blocks import Line, Math, Text, Value
+from planar_cli.report.clean import is_clean
 from planar_cli.report.numbers import quantity, rotation_words, significant, vector_words
 from planar_cli.report.pieces import met
 from planar_cli.solve.solution import Found
-from planar_cli.units import Unit, default_unit
+from planar_cli.units import Unit, coherent_unit, default_unit
 
 LONG = 7
 """A rational with more digits than this is shown rounded."""
@@ -77,6 +78,8 @@ class Phrases:
         if not self.has_numbers(expr):
             return None
         expr = self.met(expr)
+        if self.ledger.us and not is_clean(self.ledger, expr):
+            return None
         texts = {}
         degrees = [s for s in expr.free_symbols if self._in_degrees(s)]
         apart = {} if is_angle(expr, degrees) else {s: sp.Symbol(f"{s.name} rad", **s.assumptions0) for s in degrees}
@@ -84,7 +87,7 @@ class Phrases:
             value = self.value.known(symbol)
             if value is None:
                 return None
-            texts[symbol] = significant(value, self.figures)
+            texts[symbol] = significant(self._in_page_units(symbol, value), self.figures)
             if symbol in apart:
                 texts[apart[symbol]] = texts[symbol]
             if symbol in degrees:
@@ -121,15 +124,24 @@ class Phrases:
             return False
         return not is_angle(formula, [s for s in formula.free_symbols if self._in_degrees(s)])
 
+    def _in_page_units(self, symbol: sp.Symbol, value: Decimal) -> Decimal:
+        unit = self.ledger.units.get(symbol)
+        return value if unit is None else display(value, self.page_unit(unit))
+
+    def page_unit(self, unit: Unit) -> Unit:
+        """The unit of the lines of the page: SI, or feet, slugs, seconds and pounds in a file in US units."""
+        return coherent_unit(unit.dimension, unit.angle, self.ledger.us)
+
     def shown(self, symbol: sp.Symbol, value: Decimal | None = None) -> Value:
-        """The value of a symbol in SI units."""
+        """The value of a symbol in the units of the page."""
         unit = self.ledger.units.get(symbol)
         number = self.value(symbol) if value is None else value
         if unit is None:
             return Value(number, "1", self.figures)
         if unit.angle and unit.text == "deg":
             return Value(display(number, unit), "deg", self.figures)
-        return Value(number, si_text(unit), self.figures)
+        own = self.page_unit(unit)
+        return Value(display(number, own), own.text, self.figures)
 
     def arrow(self, x: Any, y: Any) -> str:
         """The direction of a vector as an arrow."""

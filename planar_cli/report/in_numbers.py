@@ -1,0 +1,113 @@
+"""Equations with the numbers put in: what a page prints where letters would need decimal factors or whole pages.
+
+Every known is a number, and the equation is collected in its unknowns: 24.53 - 0.25 N = 12.5 α, in N·m. In a file in US
+units the numbers are in feet, pounds and slugs, so that the equation is true as it stands.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from decimal import Decimal
+
+import sympy as sp
+
+from planar_cli.equation.ledger import Ledger
+from planar_cli.records import record
+from planar_cli.report.blocks import Math
+from planar_cli.report.clean import Mixed, dimension_of
+from planar_cli.report.numbers import significant
+from planar_cli.report.words import Phrases
+from planar_cli.units import Dimension, coherent_unit
+
+SMALL = Decimal("1e-30")
+"""In parts of the largest term: a term below it is the rounding of sixty digits."""
+
+
+@record
+class Sides:
+    """Both sides of an equation in numbers, and what one unit of them is (None: it is not known)."""
+
+    left: Math
+    right: Math
+    dimension: Dimension | None
+
+
+def in_numbers(
+    left: sp.Expr, right: sp.Expr, unknowns: Collection[sp.Symbol], phrases: Phrases, dimension: Dimension | None = None
+) -> Sides | None:
+    """An equation collected in its unknowns, with a number for everything else; None where a known has none, or where
+    its unknowns stand in functions. `dimension`: of its sides, where it is known; else that of its terms.
+    """
+    if not all(phrases.has_numbers(s) or s in unknowns for s in (left - right).free_symbols):
+        return None
+    dimension = dimension or _common(phrases.ledger, left, right)
+    writer = _Collected(frozenset(unknowns), phrases, dimension)
+    sides = [writer.side(e) for e in (left, right)]
+    return None if sides[0] is None or sides[1] is None else Sides(sides[0], sides[1], dimension)
+
+
+def _common(ledger: Ledger, *sides: sp.Expr) -> Dimension | None:
+    """The dimension in which all terms of both sides agree."""
+    try:
+        found = {dimension_of(e, ledger) for e in sides if e != 0}
+    except Mixed:
+        return None
+    return found.pop() if len(found) == 1 else None
+
+
+class _Collected:
+    """Sides of one equation in its unknowns."""
+
+    def __init__(self, unknowns: frozenset[sp.Symbol], phrases: Phrases, dimension: Dimension | None) -> None:
+        self.unknowns, self.phrases, self.dimension = unknowns, phrases, dimension
+
+    def side(self, expr: sp.Expr) -> Math | None:
+        terms = self._terms(expr)
+        if terms is None:
+            return None
+        largest = max((abs(c) for c in terms.values()), default=Decimal(0))
+        texts: dict[sp.Symbol, str] = {}
+        parts = []
+        for monomial, coefficient in terms.items():
+            if abs(coefficient) > SMALL * largest:
+                parts.append(self._part(monomial, coefficient, texts))
+        return Math(sp.Add(*parts, evaluate=False) if len(parts) > 1 else sp.Add(*parts), texts)
+
+    def _part(self, monomial: sp.Expr, coefficient: Decimal, texts: dict[sp.Symbol, str]) -> sp.Expr:
+        """coefficient · monomial, the number behind a symbol that is printed as its text."""
+        size = abs(coefficient) / self._unit(monomial)
+        sign = sp.Integer(-1 if coefficient < 0 else 1)
+        shown = significant(size, self.phrases.figures)
+        if shown == "1" and monomial != 1:
+            return sign * monomial
+        number = sp.Symbol(f"#{len(texts)}", positive=True)
+        texts[number] = shown
+        return sign * number * monomial
+
+    def _unit(self, monomial: sp.Expr) -> Decimal:
+        """What one unit of the coefficient is in SI units."""
+        if self.dimension is None:
+            return Decimal(1)
+        ledger = self.phrases.ledger
+        unit = coherent_unit(self.dimension / dimension_of(monomial, ledger), us=ledger.us)
+        return Decimal(unit.factor.numerator) / Decimal(unit.factor.denominator)
+
+    def _terms(self, expr: sp.Expr) -> dict[sp.Expr, Decimal] | None:
+        """Coefficients by products of unknowns."""
+        opened = sp.expand(self._with_rationals(expr)) if expr.free_symbols & self.unknowns else expr
+        found: dict[sp.Expr, Decimal] = {}
+        for term in sp.Add.make_args(opened):
+            known, monomial = term.as_independent(*self.unknowns, as_Add=False)
+            factors = sp.Mul.make_args(monomial)
+            if not all(f.is_Symbol or (f.is_Pow and f.base.is_Symbol and f.exp.is_Integer) or f == 1 for f in factors):
+                return None
+            found[monomial] = found.get(monomial, Decimal(0)) + self.phrases.value(known)
+        return found
+
+    def _with_rationals(self, expr: sp.Expr) -> sp.Expr:
+        """What holds no unknown as the number that it is."""
+        if not expr.free_symbols & self.unknowns:
+            return sp.Rational(str(self.phrases.value(expr)))
+        if expr.is_Symbol or not (expr.is_Add or expr.is_Mul or expr.is_Pow):
+            return expr
+        return expr.func(*(self._with_rationals(a) for a in expr.args))
