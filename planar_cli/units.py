@@ -331,17 +331,6 @@ _ANGULAR: Mapping[Dimension, tuple[str, str]] = MappingProxyType(
     }
 )
 
-_SLUGS: Mapping[Dimension, str] = MappingProxyType(
-    {
-        MASS: "slug",
-        INERTIA: "slug*ft^2",
-        PRESSURE: "lbf/ft^2",
-        DENSITY: "slug/ft^3",
-        LINE_DENSITY: "slug/ft",
-    }
-)
-"""US units of what is told in pounds of mass or in square inches, where formulas are to need no factors."""
-
 
 def default_unit(dimension: Dimension, angle: bool = False, us: bool = False) -> Unit:
     """The unit in which a value is printed when nobody asked for another: SI, or US customary.
@@ -355,21 +344,10 @@ def default_unit(dimension: Dimension, angle: bool = False, us: bool = False) ->
     return _generic_unit(dimension, us)
 
 
-def coherent_unit(dimension: Dimension, angle: bool = False, us: bool = False) -> Unit:
-    """The unit in which a formula needs no factors: SI, or feet, slugs, seconds and pounds of force."""
-    if us and dimension in _SLUGS:
-        return parse_unit(_SLUGS[dimension])
-    if (angle and dimension in _ANGULAR) or dimension in _KNOWN:
-        return default_unit(dimension, angle, us)
-    return _generic_unit(dimension, us, "slug")
-
-
-def _generic_unit(dimension: Dimension, us: bool, pound: str = "lb") -> Unit:
-    """A unit put together from powers of the base units; with broken powers it is always SI, where the factor is 1.
-    `pound`: the US unit of mass.
-    """
+def _generic_unit(dimension: Dimension, us: bool) -> Unit:
+    """A unit put together from powers of the base units; with broken powers it is always SI, where the factor is 1."""
     whole = all(power.denominator == 1 for power in (dimension.mass, dimension.length, dimension.time))
-    mass, length = (pound, "ft") if us and whole else ("kg", "m")
+    mass, length = ("lb", "ft") if us and whole else ("kg", "m")
     powers = ((mass, dimension.mass), (length, dimension.length), ("s", dimension.time))
     above = [_power(base, power) for base, power in powers if power > 0]
     below = [_power(base, -power) for base, power in powers if power < 0]

@@ -16,8 +16,9 @@ from planar_cli.records import record
 from planar_cli.report.blocks import Math
 from planar_cli.report.clean import Mixed, dimension_of
 from planar_cli.report.numbers import significant
+from planar_cli.report.page_units import coherent_unit
 from planar_cli.report.words import Phrases
-from planar_cli.units import Dimension, coherent_unit
+from planar_cli.units import Dimension
 
 SMALL = Decimal("1e-30")
 """In parts of the largest term: a term below it is the rounding of sixty digits."""

@@ -19,9 +19,10 @@ from planar_cli.records import record
 from planar_cli.report.blocks import Line, Math, Text, Value
 from planar_cli.report.clean import is_clean
 from planar_cli.report.numbers import quantity, rotation_words, significant, vector_words
+from planar_cli.report.page_units import coherent_unit
 from planar_cli.report.pieces import met
 from planar_cli.solve.solution import Found
-from planar_cli.units import Unit, coherent_unit, default_unit
+from planar_cli.units import Unit, default_unit
 
 LONG = 7
 """A rational with more digits than this is shown rounded."""
