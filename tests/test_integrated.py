@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 
 import sympy as sp
+from answered import assert_close, solve
 
 from planar_cli.problem.structure import load_text
 from planar_cli.solve.between.integrated import apart, digits
@@ -25,6 +27,17 @@ states:
   1: [theta = 40 deg, at rest]
   2: [theta = -20 deg]
 find: {omega: omega(rod) @ 2}
+"""
+
+PUCK = """
+title: A puck on a string that is pulled through a hole
+plane: horizontal
+points: {O: [0, 0]}
+bodies: {P: {particle: [0.6 m, 0], mass: 0.2 kg}, hand: {particle: [0, -1 m]}}
+joints: [{rope: {path: [P, O, hand]}}, {guide: {point: hand, along: 90 deg}}]
+motion: [v(hand).y = -0.1 m/s]
+states: {1: [t = 0, v(P).theta = 1.5 m/s], 2: [r(P).mag = 0.3 m]}
+find: {v: v(P).theta @ 2, turns: (r(P).angle @ 2 - r(P).angle @ 1)/(2*pi)}
 """
 
 
@@ -56,3 +69,17 @@ def test_its_answers_are_compared() -> None:
     assert part.motion is not None
     assert part.confirmed.finds == {"omega"}
     assert part.motion.integrated
+
+
+def test_a_divisor_that_passes_through_zero_cuts_what_is_compared() -> None:
+    """v_x = (v_hand r - v_y y)/x has a pole wherever the puck passes x = 0; v_theta = r_0 v_0/r beside it."""
+    problem, wrong = load_text(PUCK)
+    assert problem is not None
+    assert not wrong
+    (part,) = solve_problem(problem).parts
+    assert part.motion is not None
+    assert part.motion.integrated
+    assert part.confirmed.finds == {"v", "turns"}
+    found = solve(PUCK)
+    assert_close(found["v"], 3.0)
+    assert_close(found["turns"], 7.5 / math.pi)

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 from answered import assert_close, solve
 
+from planar_cli.errors import FileProblem
 from planar_cli.problem.structure import load_text
 
 PLACES = """
@@ -70,6 +73,21 @@ instant: [at rest]
 find: {N: N(plank/drum), a: a(block).x}
 """
 
+ROCKER = """
+title: Half disk that is let go while it leans
+plane: vertical
+given: {R: 0.3 m}
+surfaces: {floor: {through: [0, 0], angle: 0 deg}}
+bodies: {rocker: {sector: [0, R], radius: R, span: 180 deg, angle: -60 deg, mass: any}}
+joints:
+  - rolling: {between: [rocker, floor]}
+instant: [at rest]
+find: {a: alpha(rocker)}
+"""
+REACH = 4 * 0.3 / (3 * math.pi)
+SWING = 0.3**2 / 2 - REACH**2 + (0.3 - REACH * math.cos(math.pi / 6)) ** 2 + (REACH / 2) ** 2
+"""About the point of contact, by mass: the mass centre lies REACH from the middle, 30 deg beside the vertical."""
+
 
 @pytest.mark.parametrize(
     ("text", "expected"),
@@ -78,8 +96,9 @@ find: {N: N(plank/drum), a: a(block).x}
         (BOWL, {"a": 32.7, "N": 2 * 9.81 * 3**0.5 / 2}),
         (GEARS, {"a": 3 / (0.01 + 0.015), "b": -3 / (0.01 + 0.015) / 2}),
         (PLANK, {"N": 2 * 9.81 / 1.25, "a": 10 - 0.5 * 9.81}),
+        (ROCKER, {"a": -9.81 * REACH / 2 / SWING}),
     ],
-    ids=["places", "inside a ring", "side by side", "edge and particle"],
+    ids=["places", "inside a ring", "side by side", "edge and particle", "arc of a sector"],
 )
 def test_answers(text: str, expected: dict[str, float]) -> None:
     found = solve(text)
@@ -103,3 +122,13 @@ find: {a: alpha(rod)}
 """
     )
     assert [(d.code, d.message) for d in wrong] == [("PL311", "the contact needs the key 'at'")]
+
+
+def test_the_arc_of_a_sector_has_its_radius() -> None:
+    text = ROCKER.replace("sector: [0, R]", "sector: [0, 0.25 m]").replace(
+        "[rocker, floor]", "[rocker, floor], at: [0, 0]"
+    )
+    with pytest.raises(FileProblem) as caught:
+        solve(text)
+    (diagnostic,) = caught.value.diagnostics
+    assert (diagnostic.code, diagnostic.message) == ("PL522", "the point of contact is not on the arc of rocker")

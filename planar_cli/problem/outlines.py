@@ -76,11 +76,7 @@ def outline_of(scene: Outlined, partner: str, point: Vec, mark: Mark) -> Outline
         case Rod() as shape:
             return _rod(scene, partner, shape, point)
         case Sector() as shape:
-            center = scene.carried(partner, shape.apex)
-            if not _same(scene, center, point):
-                out = point - center
-                radius = scene.length(out)
-                return Outline("arc", partner, (out / radius).turned(), 1 / radius, center, shape.apex)
+            return _arc(scene, partner, shape, point, mark)
     return Outline("corner", partner)
 
 
@@ -162,6 +158,18 @@ def _round(scene: Outlined, body: str, shape: Round, point: Vec, mark: Mark) -> 
         return Outline("corner", body)
     hint = "its distance from the centre is the radius or the hub"
     raise refuse(mark, "PL522", f"the point of contact is not on the rim of {body}", hint)
+
+
+def _arc(scene: Outlined, body: str, shape: Sector, point: Vec, mark: Mark) -> Outline:
+    """The arc of a sector, or its apex."""
+    center, radius = scene.carried(body, shape.apex), scene.value(shape.radius)
+    out = point - center
+    if scene.is_zero(out.dot(out) - radius * radius):
+        return Outline("arc", body, (out / radius).turned(), 1 / radius, center, shape.apex)
+    if _same(scene, center, point):
+        return Outline("corner", body)
+    hint = f"its distance from {shape.apex} is the radius"
+    raise refuse(mark, "PL522", f"the point of contact is not on the arc of {body}", hint)
 
 
 def _plate(scene: Outlined, body: str, shape: Plate, point: Vec, mark: Mark) -> Outline:

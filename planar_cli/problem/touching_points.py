@@ -1,7 +1,8 @@
 """Where two bodies touch of which the file does not say it: only where the shapes leave no choice.
 
-A particle touches where it is; a round rim or its hub at the foot on a straight edge, or on the line of centres of two;
-a plate with the middle of the edge that lies flush on another (if none does, the point is not on the plate).
+A particle touches where it is; a round rim, its hub or the arc of a sector at the foot on a straight edge, or on the
+line of centres of two; a plate with the middle of the edge that lies flush on another (if none does, the point is not
+on the plate).
 """
 
 from __future__ import annotations
@@ -26,6 +27,7 @@ from planar_cli.problem.scene import (
     Rims,
     Rod,
     Round,
+    Sector,
     Surface,
 )
 from planar_cli.records import record
@@ -111,6 +113,8 @@ def _edge(partner: Body | Surface | None) -> _Rim | _Straight | _Face | None:
             return _Rim(center, (radius,))
         case Body(shape=Round(center=center, radius=radius, hub=hub)):
             return _Rim(center, (radius,) if hub is None else (radius, hub))
+        case Body(shape=Sector(apex=apex, radius=radius)):
+            return _Rim(apex, (radius,))
         case Body(shape=Plate(center=center)):
             return _Face(center)
         case Body(shape=Rod(start=start, end=end, angle=angle)) if end is not None or angle is not None:
