@@ -8,7 +8,7 @@ import pytest
 
 from planar_cli.errors import NoSolution
 from planar_cli.problem.structure import load_text
-from planar_cli.simulate.shooting import shooting
+from planar_cli.simulate.shooting import has_no_effect, shooting
 from planar_cli.solve.run import solve_problem
 from planar_cli.solve.solved_problem import PartSolution
 
@@ -151,3 +151,25 @@ def test_several_angles_lead_there() -> None:
     """Two of them, each found from another relation of the state, and each in the author's unit."""
     with pytest.raises(NoSolution, match=r"beta may be 38\.4734, 89\.4016 deg"):
         _part(PROBE.format(assumed="beta > 0 deg, beta < 180 deg"))
+
+
+NAIL = """
+title: Bob whose cord catches on a nail that is too low
+plane: vertical
+given: {l: 2 m}
+unknowns: {d: m}
+points: {O: [0, 0], Q: [0, -d], P: [l, 0]}
+bodies: {bob: {particle: P, mass: 1 kg}}
+joints:
+  - rope: {path: [O, P], name: long, during: 1->2}
+  - link: {between: [Q, P], name: short, during: 2->3}
+states: {1: [t = 0, at rest], 2: [x(bob) = 0], 3: [x(bob) = 0, tension(short) = 900 N]}
+find: {d: d}
+"""
+
+
+def test_what_acts_in_the_last_segment_tells_its_modes() -> None:
+    """A motion that misses a state after a joint has let go and another has taken hold."""
+    problem, wrong = load_text(NAIL)
+    assert problem is not None, wrong
+    assert not has_no_effect(problem, {})

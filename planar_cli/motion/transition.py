@@ -94,7 +94,7 @@ def resolve(moment: Moment) -> Resolved | Outcome:
         if isinstance(hit, Outcome):
             return hit
         transition, note = hit
-        if _does_something(transition):
+        if _does_something(transition, struck, moment.tolerance):
             done.append(transition)
         notes += [note] if note else []
         y = transition.after
@@ -169,9 +169,18 @@ def _names(struck: Struck, closed: Sequence[int]) -> str:
     return ", ".join(dict.fromkeys(struck.contacts[k].joint for k in closed))
 
 
-def _does_something(impact: Transition) -> bool:
-    """Does anything change in it, or is anything given?"""
-    return impact.after != impact.before or any(any(column) for column in impact.given.values())
+def _does_something(impact: Transition, struck: Struck, tolerance: float) -> bool:
+    """Does anything change in it, or is anything given, beyond rounding and the error of what was followed so far? A
+    joint that takes hold of what already moves as it demands does nothing.
+    """
+    slight = max(1e-10, min(tolerance, 1e-6))
+    velocities = impact.after[len(impact.after) - len(struck.velocities) :]
+    changes = zip(struck.velocities, velocities, struck.speeds, strict=True)
+    if any(abs(after - before) > slight * speed for before, after, speed in changes):
+        return True
+    usual = [abs(mass) * speed for mass, speed in zip(struck.masses, struck.speeds, strict=True)]
+    given = (zip(column, usual, strict=True) for column in impact.given.values())
+    return any(abs(x) > slight * size for pairs in given for x, size in pairs)
 
 
 def _moved(struck: Struck) -> bool:

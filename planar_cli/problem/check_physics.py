@@ -85,10 +85,16 @@ def _is_driven(body: Body, scope: Scope) -> bool:
     trees: list[Tree] = [*laws, *(p.instant or ())]
     if any(_mentions(tree, names) for tree in trees):
         return True
+    if p.states and all(any(_tells_velocity(r, names) for r in state.relations) for state in p.states):
+        return True
     accelerations = (node for state in p.states for s in state.relations for node in walk(s))
     if any(isinstance(q, Quantity) and q.word in ("a", "ddot") and names & set(q.things) for q in accelerations):
         return True
     return _moves_with_coordinate(names, scope)
+
+
+def _tells_velocity(tree: Tree, names: set[str]) -> bool:
+    return any(isinstance(q, Quantity) and q.word in ("v", "dot") and names & set(q.things) for q in walk(tree))
 
 
 def _mentions(tree: Tree, names: set[str]) -> bool:

@@ -121,6 +121,18 @@ def spans_in_order(scope: Scope) -> Iterator[Diagnostic]:
             yield Diagnostic(mark, "PL434", f"the span {start}->{end} has no length", "write two different states")
 
 
+def lengths_taken_up(scope: Scope) -> Iterator[Diagnostic]:
+    """What joins two points from a later state on keeps the distance that they have there."""
+    states = scope.problem.states
+    for joint in scope.problem.joints:
+        length = getattr(joint, "length", None)
+        if length is None or joint.during is None or not states or joint.during[0] == states[0].name:
+            continue
+        text = f"{joint.name} takes hold at state {joint.during[0]} and keeps the distance that its ends have then"
+        hint = "leave `length` out; where the distance is sought, a relation of that state tells it"
+        yield Diagnostic(joint.mark, "PL438", text, hint)
+
+
 def one_mode_at_a_time(scope: Scope) -> Iterator[Diagnostic]:
     """A joint has one mode at an instant."""
     p = scope.problem

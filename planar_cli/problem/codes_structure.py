@@ -143,6 +143,10 @@ _NAMES = {
     "PL435": "In a file with states the time of one of them is `t @ 2`.",
     "PL436": "Something is defined by itself, perhaps through others. Then its value cannot be found.",
     "PL437": "One joint has two modes at the same instant. Keep the one that is meant; another state may have others.",
+    "PL438": (
+        "A link that begins at a later state joins its ends where they are then: its length is the distance that they "
+        "have. A `length` is for a link of the first state, whose ends the drawing leaves open."
+    ),
 }
 
 _PHYSICS = {
@@ -152,7 +156,7 @@ _PHYSICS = {
     ),
     "PL451": (
         "A particle without mass cannot be moved by forces. Give it a mass (`mass: any` where it cancels), or"
-        " say in `motion` how it moves."
+        " say in `motion` how it moves, or in every state which velocity it has."
     ),
     "PL452": "Coefficients of friction are not negative, and the kinetic one is not larger than the static one.",
     "PL453": "The coefficient of restitution lies between 0 (they stay together) and 1 (no energy is lost).",

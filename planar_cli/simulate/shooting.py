@@ -13,6 +13,7 @@ from dataclasses import replace
 from itertools import pairwise
 
 from planar_cli.errors import PlanarError
+from planar_cli.motion.regime import Regime
 from planar_cli.problem.expression import Name, Quantity, Relation, Statement
 from planar_cli.problem.scene import Problem, State, Symbol
 from planar_cli.problem.walk import walk
@@ -111,7 +112,8 @@ def _sides(problem: Problem, values: Mapping[str, float]) -> list[float] | None:
     if not run.trajectory.segments or not others <= set(run.measures.moments):
         return None
     last = run.trajectory.segments[-1]
-    regime = run.model.regime(last.choice)
+    assert isinstance(last.regime, Regime)
+    regime = last.regime
     return [last.t1, *(off for r in relations for off in run.measures.gap(r, regime)(last.t1, last.end))]
 
 

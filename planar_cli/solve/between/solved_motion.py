@@ -13,6 +13,9 @@ from planar_cli.solve.between.motion_equations import MotionEquations
 from planar_cli.solve.between.oscillation import Oscillation
 from planar_cli.solve.between.trace import SpanIntegral
 
+ALIKE = 1e-6
+"""Times that differ by this part of them are the same, as of departures to either side of a symmetrical scene."""
+
 
 @record
 class SolvedMotion:
@@ -38,3 +41,11 @@ class SolvedMotion:
     """Quantities over spans, once they are worked out."""
     oscillations: tuple[Oscillation, ...] = ()
     """About equilibrium states that are asked about, once the places of these are known."""
+
+
+def sooner(first: SolvedMotion, other: SolvedMotion) -> SolvedMotion:
+    """Of two motions that begin at the same time the one that passes all states first; `first` where both take the same
+    time.
+    """
+    spent = [s.followed.segments[-1].t1 for s in (first, other) if s.followed is not None and s.followed.segments]
+    return other if len(spent) == 2 and spent[1] < spent[0] * (1 - ALIKE) else first

@@ -71,14 +71,17 @@ def _difference(
 ) -> sp.Expr:
     q = asked.quantity
     a, b = (course.stops[n] for n in asked.span)
-    reader = course.readers[asked.span[1]]
-    rates = tuple(reader.closed(e) for e in asked.rates[id(reader.regime)])
     g = None
     order = {s.name: i for i, s in enumerate(course.states)}
     since, until = order[a.name], order[b.name]
     if all(i in blows for i in range(since, until)):
         return sp.Add(*(over_blow(blows[i], q) for i in range(since, until)))
-    if len({id(r) for r in course.regimes}) == 1 and q.word != "count" and not blows:
+    # Which way a path is run is told at the first state alone: there nothing may change on the way.
+    passed = range(len(course.regimes)) if q.word == "path_length" else range(since, until)
+    acting = {id(course.regimes[i]) for i in passed}
+    reader = next((r for r in course.distinct_readers() if acting == {id(r.regime)}), None)
+    if reader is not None and q.word != "count" and not any(i in blows for i in passed):
+        rates = tuple(reader.closed(e) for e in asked.rates[id(reader.regime)])
         rate = signed_speed(rates[0], rates[1], reader.regime)[0] if q.word == "path_length" else rates[0]
         g = potential(rate, reader.regime)
     if g is None:

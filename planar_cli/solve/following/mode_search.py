@@ -26,7 +26,7 @@ from planar_cli.solve.between.methods import by_method
 from planar_cli.solve.between.motion_equations import MotionEquations, all_equations, first_equations
 from planar_cli.solve.between.needed_times import without_unneeded_times
 from planar_cli.solve.between.reached import asked_about
-from planar_cli.solve.between.solved_motion import SolvedMotion
+from planar_cli.solve.between.solved_motion import SolvedMotion, sooner
 from planar_cli.solve.between.stated_motion import StatedMotion, stated_motion
 from planar_cli.solve.diagnosis.motions import clash, demand_told, missing, never, passed_before, strikes_before
 from planar_cli.solve.diagnosis.unbounded_times import Endless
@@ -34,7 +34,6 @@ from planar_cli.solve.following.continuation import continued_branch
 from planar_cli.solve.following.departure import DEPARTS, departure_of
 from planar_cli.solve.following.follower import Follower
 from planar_cli.solve.following.foreseen import as_it_happens, foreseen
-from planar_cli.solve.following.gaps import just_parted
 from planar_cli.solve.following.known_prefix import Beginning, beginning
 from planar_cli.solve.following.mode_choice import Far, ModeChoice, assumed, at_a_top
 from planar_cli.solve.following.seen import Seen
@@ -42,8 +41,8 @@ from planar_cli.solve.following.solved_beside import solved_beside
 from planar_cli.solve.following.starts import (
     Start,
     balanced,
-    certain_start,
     resting_though_sought,
+    separated_start,
     trial_start,
     untold,
 )
@@ -88,6 +87,10 @@ class ModeSearch(ModeChoice):
         self.seen = foreseen(self.problem, self.workshop)
         if self.seen is not None:
             modes = as_it_happens(modes, self.seen, self.workshop)
+        return self._sooner(self._searched(modes))
+
+    def _searched(self, modes: ModeSequence) -> SolvedMotion:
+        """The same, beginning with these modes."""
         looked: list[tuple[ModeSequence, int]] = []
         while (modes, self.sense) not in looked and len(looked) < CHANGES:
             looked.append((modes, self.sense))
@@ -134,13 +137,25 @@ class ModeSearch(ModeChoice):
             if self.sense < 0:
                 raise self.lack or error from error
             self.lack = self.lack or error
-            self.sense = -1 if self.sense else 1
-            self.tried, self.tried_blows = {}, {}
-            return self.unstable
+            return self._departed(self.unstable, -1 if self.sense else 1)
+
+    def _departed(self, modes: ModeSequence, sense: int) -> ModeSequence:
+        """These modes, to be left to one side, with nothing tried yet."""
+        self.sense, self.tried, self.tried_blows = sense, {}, {}
+        return modes
+
+    def _sooner(self, found: SolvedMotion) -> SolvedMotion:
+        """The same, or the departure to the other side where that passes all states sooner."""
+        if self.sense < 1 or self.unstable is None:
+            return found
+        try:
+            return sooner(found, self._searched(self._departed(self.unstable, -1)))
+        except (NoSolution, Undecided):
+            return found
 
     def _solve(self, course: MotionEquations, finds: tuple[AskedFind, ...]) -> SolvedMotion | ModeSequence:
         """The motion solved, or other modes to try."""
-        course, start = self._start(course)
+        course, start = separated_start(course)
         if start is Start.OPEN and self.trial:
             start = trial_start(course, self._known(course))
         if start is Start.CONTRADICTS:
@@ -189,19 +204,6 @@ class ModeSearch(ModeChoice):
         """With the equations from state to state."""
         course = all_equations(course)
         return replace(course, equations=without_unneeded_times(course, finds))
-
-    @staticmethod
-    def _start(course: MotionEquations) -> tuple[MotionEquations, dict[sp.Symbol, Decimal] | Start]:
-        """The letters of the first state. What its own statements leave open of things that have just parted has no
-        velocity apart.
-        """
-        start = certain_start(course)
-        for e in just_parted(course) if start is Start.OPEN else ():
-            parted = replace(course, equations=(*course.equations, e), separations=(*course.separations, e))
-            now = certain_start(parted)
-            if now is not Start.CONTRADICTS:
-                course, start = parted, now
-        return course, start
 
     def _tried(self, course: MotionEquations, start: dict[sp.Symbol, Decimal]) -> ModeSequence | None:
         """Other modes, if following these as far as they go shows a wrong assumption."""

@@ -13,6 +13,7 @@ from planar_cli.equation.exact import CERTAIN, Valuation
 from planar_cli.equation.plain import derivative
 from planar_cli.solve.between.motion_equations import MotionEquations
 from planar_cli.solve.between.stated_motion import StatedMotion
+from planar_cli.solve.following.gaps import just_parted
 from planar_cli.solve.following.stillness import acted_on, resting
 from planar_cli.solve.regimes.regime import Regime
 from planar_cli.solve.regimes.regime_sequence import RegimeSequence
@@ -57,6 +58,19 @@ def certain_start(course: MotionEquations) -> dict[sp.Symbol, Decimal] | Start:
     found = _first_letters(course)
     whole = [letters for letters in found if len(letters) == len(course.first.letters)]
     return whole[0] if whole else Start.OPEN if found else Start.CONTRADICTS
+
+
+def separated_start(course: MotionEquations) -> tuple[MotionEquations, dict[sp.Symbol, Decimal] | Start]:
+    """The letters of the first state. What its own statements leave open of things that have just parted has no
+    velocity apart; the equations have that then.
+    """
+    start = certain_start(course)
+    for e in just_parted(course) if start is Start.OPEN else ():
+        parted = replace(course, equations=(*course.equations, e), separations=(*course.separations, e))
+        now = certain_start(parted)
+        if now is not Start.CONTRADICTS:
+            course, start = parted, now
+    return course, start
 
 
 def trial_start(course: MotionEquations, known: Valuation) -> dict[sp.Symbol, Decimal] | Start:

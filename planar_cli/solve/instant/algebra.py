@@ -6,7 +6,7 @@ and a number; closed formulas are put together from them at the end, where they 
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from decimal import Decimal
 
 import sympy as sp
@@ -91,8 +91,8 @@ class Algebra:
         return SolvedBlock(written, order, letters, tuple(lines))
 
     def in_unknowns(self, equation: Written, unknowns: tuple[sp.Symbol, ...]) -> sp.Expr:
-        """Left minus right side; explicit lines are put in where they hold an unknown of the block, else they have
-        values.
+        """Left minus right side; explicit lines and named intermediates are put in where they hold an unknown of the
+        block, else they have values.
         """
         residual = equation.residual
         inside = {}
@@ -104,7 +104,7 @@ class Algebra:
                 inside[symbol] = line
             elif symbol not in self.value.values:
                 self.value = self.value.extended({symbol: self.value(line)})
-        return self._without_idle(residual.xreplace(inside), unknowns)
+        return self._opened(self._without_idle(residual.xreplace(inside), unknowns), unknowns)
 
     def _without_idle(self, residual: sp.Expr, unknowns: tuple[sp.Symbol, ...]) -> sp.Expr:
         """Unknowns of later blocks whose coefficients cancel are left out."""
@@ -116,6 +116,13 @@ class Algebra:
                 residual = linear_form(residual, {x}).constant
             except Nonlinear:
                 continue
+        return residual
+
+    def _opened(self, residual: sp.Expr, unknowns: tuple[sp.Symbol, ...]) -> sp.Expr:
+        """Named intermediates that hold an unknown of the block are put in."""
+        definitions = self.value.definitions
+        while inside := {s: definitions[s] for s in residual.free_symbols if holds(definitions, s, set(unknowns))}:
+            residual = residual.xreplace(inside)
         return residual
 
     def _solve_for(self, residual: sp.Expr, x: sp.Symbol) -> sp.Expr:
@@ -304,3 +311,11 @@ def in_numbers(rows: list[list[Decimal]]) -> list[Decimal]:
         known = sum((a * x for a, x in zip(rows[k][k + 1 : size], reversed(found), strict=True)), rows[k][size])
         found.append(-known / rows[k][k])
     return found[::-1]
+
+
+def holds(definitions: Mapping[sp.Symbol, sp.Expr], symbol: sp.Symbol, unknowns: set[sp.Symbol]) -> bool:
+    """Does a named intermediate rest on one of the unknowns?"""
+    expr = definitions.get(symbol)
+    if expr is None:
+        return False
+    return any(s in unknowns or holds(definitions, s, unknowns) for s in expr.free_symbols)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import replace
 from decimal import Decimal
 
@@ -59,28 +59,13 @@ class Brancher:
         self, algebra: Algebra, block: Block, written: tuple[Written, ...]
     ) -> Iterator[tuple[Algebra, SolvedBlock, tuple[Choice, ...]]]:
         order = tuple(self.unknowns[j] for j in block.unknowns)
-        residuals = [self._opened(algebra.in_unknowns(w, order), algebra, order) for w in written]
+        residuals = [algebra.in_unknowns(w, order) for w in written]
         if self._linear(residuals, order):
             after = copied(algebra)
             yield after, after.solve(block, written, self.unknowns), ()
             return
         letters = tuple(self.unknowns[j] for j in block.letters) or order
         yield from self._nonlinear(algebra, residuals, written, order, letters)
-
-    @staticmethod
-    def _opened(residual: sp.Expr, algebra: Algebra, order: tuple[sp.Symbol, ...]) -> sp.Expr:
-        """Named intermediates that hold an unknown of the block are put in."""
-        definitions = algebra.value.definitions
-        for _ in range(20):
-            inside = {
-                s: definitions[s]
-                for s in residual.free_symbols
-                if s in definitions and holds(definitions, s, set(order))
-            }
-            if not inside:
-                return residual
-            residual = residual.xreplace(inside)
-        return residual
 
     @staticmethod
     def _linear(residuals: list[sp.Expr], order: tuple[sp.Symbol, ...]) -> bool:
@@ -198,14 +183,6 @@ def vanishes(residual: sp.Expr, x: sp.Symbol, value: Valuation) -> bool:
     """Does an equation hold for every value of its unknown? Then it follows from the others and says nothing of it."""
     tried = (value.extended({x: Decimal(n)}) for n in ("0.73205", "1.31607", "0.27915"))
     return all(v.vanishes(residual) for v in tried)
-
-
-def holds(definitions: Mapping[sp.Symbol, sp.Expr], symbol: sp.Symbol, unknowns: set[sp.Symbol]) -> bool:
-    """Does a named intermediate rest on one of the unknowns?"""
-    expr = definitions.get(symbol)
-    if expr is None:
-        return False
-    return any(s in unknowns or holds(definitions, s, unknowns) for s in expr.free_symbols)
 
 
 def copied(algebra: Algebra) -> Algebra:

@@ -160,6 +160,7 @@ def constraints_of(
                 found += _residuals(scene, joint, modes[index], poses, value, start, "kept")
             elif not modes[index].parted:
                 found += _residuals(scene, joint, modes[index], poses, value, start, "loop", anywhere=True)
+                found += _residuals(scene, joint, modes[index], poses, value, start, "kept", anywhere=False)
             continue
         if not modes[index].parted:
             found += _residuals(scene, joint, modes[index], poses, value, start, "loop")
@@ -198,11 +199,13 @@ def _residuals(
     value: Valuation,
     start: Mapping[sp.Symbol, sp.Expr],
     kind: str,
-    anywhere: bool = False,
+    anywhere: bool | None = None,
 ) -> Iterator[Constraint]:
-    """The places that a joint keeps in one of its modes; `anywhere`: only those that it keeps wherever it begins."""
+    """The places that a joint keeps in one of its modes; `anywhere`: only those that it keeps wherever it begins, or
+    only the others.
+    """
     for residual in joint.residuals(scene, mode):
-        if anywhere and not residual.anywhere:
+        if anywhere not in (None, residual.anywhere):
             continue
         vanishing = residual.of(poses)
         for part in (vanishing.x, vanishing.y) if isinstance(vanishing, Vec) else (vanishing,):

@@ -283,9 +283,18 @@ def loop_equations(regime: Regime, first: Stop, stop: Stop) -> Iterator[Equation
 def kept_equations(regime: Regime, since: Stop, stop: Stop) -> Iterator[Equation]:
     """What a joint keeps that took hold after the first state."""
     for c in regime.general.kept:
-        residual = simplified(stop.at(c.residual) - since.at(c.residual))
+        residual = simplified(_squared(stop.at(c.residual) - since.at(c.residual)))
         if residual != 0:
             yield Equation(residual, "loop", c.title, stop.name, since.name)
+
+
+def _squared(change: sp.Expr) -> sp.Expr:
+    """a² - b² instead of a - b for two square roots (lengths), which vanishes with it."""
+    roots = [t for t in sp.Add.make_args(change) if t.is_Pow and t.exp == sp.S.Half]
+    less = [-t for t in sp.Add.make_args(change) if (-t).is_Pow and (-t).exp == sp.S.Half]
+    if len(roots) == len(less) == 1 and len(sp.Add.make_args(change)) == 2:
+        return roots[0].base - less[0].base
+    return change
 
 
 def drawn_equations(regime: Regime, first: Stop) -> Iterator[Equation]:
