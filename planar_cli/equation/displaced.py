@@ -284,15 +284,12 @@ class Displacer:
         if other == 0:
             height = roll.tangent.cross(rim - start)
             return parent.point(rim + roll.tangent * (way - height * relative))
-        if own == 0:
-            raise self.scene.refuse(
-                self.scene.problem.bodies[0].mark,
-                "PL591",
-                f"{edge.body} rocks on a round rim: its places are not followed over time",
-                "ask at one instant",
-            )
-        # Same arc on both rims: (ψ - θ_b) ρ_b = (ψ - θ_a) ρ_a, ψ the direction of the line of centres.
         hub = start + roll.tangent.turned() / other
+        if own == 0:
+            # A straight edge on a rim: the normal turns with the edge, (θ_b - θ_a) ρ of it has passed the foot.
+            passed = roll.tangent * (relative / other)
+            return Pose(hub, parent.point(hub), ZERO, turn).point(rim - passed)
+        # Same arc on both rims: (ψ - θ_b) ρ_b = (ψ - θ_a) ρ_a, ψ the direction of the line of centres.
         rho_own, rho_other = 1 / own, 1 / other
         psi = simplified((rho_other * parent.turn - rho_own * turn) / (rho_other - rho_own))
         return Pose(hub, parent.point(hub), ZERO, psi).point(start + roll.tangent.turned() / own)
