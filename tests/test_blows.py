@@ -800,6 +800,28 @@ def test_a_line_of_impact_that_is_open() -> None:
     assert diagnostic.hint == "write `normal: 0 deg`, the direction of the common normal"
 
 
+STRUCK_ROD = """
+title: Ball that strikes the end of a pinned rod
+plane: horizontal
+points: {O: [0, 0], B: [0, -1.5 m]}
+bodies: {rod: {rod: [O, B], mass: 4 kg}, ball: {particle: B, mass: 0.5 kg}}
+joints:
+  - pin: {at: O, between: [ground, rod]}
+  - impact: {between: [ball, rod], at: B, normal: 0 deg, restitution: 0.6}
+states: {1: [omega(rod) = 0, v(ball).x = 6 m/s, v(ball).y = 0], 2: [just after 1]}
+find: {omega: omega(rod) @ 2, v: v(ball).x @ 2, J: impulse(B/rod).x @ 1->2}
+"""
+
+
+def test_the_point_of_an_impact_may_be_written_and_names_it() -> None:
+    """m v L = I ω + m v_2 L about the pin, and 1.5 ω - v_2 = e v; the wrong point is in tests/bad_solve."""
+    found = solve(STRUCK_ROD)
+    omega = sp.Rational(72, 10) / sp.Rational(4125, 1000)
+    assert_close(found["omega"], Decimal(str(omega.evalf(30))))
+    assert_close(found["v"], Decimal(str((sp.Rational(3, 2) * omega - sp.Rational(36, 10)).evalf(30))))
+    assert_close(found["J"], Decimal(str((2 * omega).evalf(30))))
+
+
 @pytest.mark.parametrize("e", ["1.2", "-0.1"])
 def test_a_restitution_that_can_not_be(e: str) -> None:
     with pytest.raises(FileProblem, match="the coefficient of restitution is between 0 and 1"):

@@ -1,7 +1,8 @@
-"""How far apart two partners of an impact are: rims, particles, edges and corners."""
+"""How far apart two partners of an impact are: rims, particles, edges, corners; do they meet as the file says?"""
 
 from __future__ import annotations
 
+import math
 from decimal import Decimal
 from itertools import product
 
@@ -9,6 +10,9 @@ from planar_cli.equation.exact import Valuation
 from planar_cli.equation.meeting import Partner, partner_of
 from planar_cli.equation.scene import Scene
 from planar_cli.problem.geometry import Vec
+
+ALIGNED = Decimal("1e-6")
+"""Two directions are the same within this angle, in rad."""
 
 
 def distance(scene: Scene, between: tuple[str, ...], value: Valuation) -> Decimal | None:
@@ -37,6 +41,41 @@ def doubtful_corner(scene: Scene, between: tuple[str, ...], struck: Vec, value: 
         if abs(value((struck - start).cross(along))) - found[0] > near:
             return f"another corner of {one.name} meets {other.name} than in the drawing"
     return ""
+
+
+def doubtful_place(struck: Vec, said: Vec, value: Valuation, near: Decimal) -> bool:
+    """Is the point at which the file says that two bodies touch another than that where they do?"""
+    return _long(said - struck, value) > near
+
+
+def doubtful_normal(
+    scene: Scene, between: tuple[str, ...], struck: Vec, said: Vec, value: Valuation, near: Decimal
+) -> Decimal | None:
+    """The common normal as the shapes tell it, in degrees from 0 to 180; None where the file says the same."""
+    a, b = (partner_of(scene, name) for name in between)
+    out = _radius_or_edge(a, b, struck, value, near)
+    if out is None:
+        return None
+    length = _long(out, value)
+    if length <= near or abs(value(out.cross(said))) <= ALIGNED * length:
+        return None
+    return Decimal(math.degrees(math.atan2(value(out.y), value(out.x)))) % 180
+
+
+def _radius_or_edge(a: Partner, b: Partner, struck: Vec, value: Valuation, near: Decimal) -> Vec | None:
+    """Along the normal: the radius of a rim, or across an edge that is not met at its end; None where it is open."""
+    for one in (a, b):
+        if one.center is not None and not one.particle:
+            return struck - one.center
+    for one in (a, b):
+        if one.line is None:
+            continue
+        along = one.line[1]
+        ends = [value((p - struck).dot(along)) for p in one.corners]
+        if not ends or min(ends) < -near < near < max(ends):
+            across: Vec = along.turned()
+            return across
+    return None
 
 
 def _from_edge(one: Partner, other: Partner, value: Valuation) -> list[Decimal]:

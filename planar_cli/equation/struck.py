@@ -18,9 +18,9 @@ import sympy as sp
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.meeting import meeting_of
 from planar_cli.equation.motion import Twist
-from planar_cli.equation.nearness import distance, doubtful_corner
+from planar_cli.equation.nearness import distance, doubtful_corner, doubtful_normal, doubtful_place
 from planar_cli.equation.scene import Scene
-from planar_cli.errors import Mark
+from planar_cli.errors import Mark, refuse
 from planar_cli.problem.expression import Side
 from planar_cli.problem.facts import Meeting, Wrench
 from planar_cli.problem.geometry import Vec
@@ -55,6 +55,23 @@ class StruckScene(Scene):
         """What is wrong with the point at which an impact is taken to happen, with these numbers; "" if nothing is."""
         struck = self.meeting(joint.between, joint.normal, joint.mark).point
         return doubtful_corner(self, joint.between, struck, value, near)
+
+    def demand_as_said(self, joint: Any, value: Valuation, near: Decimal) -> None:
+        """FileProblem where an impact says another point or another normal than the shapes have, with these numbers.
+        Nothing is said against a particle that is drawn beside what it strikes.
+        """
+        struck, words = self.meeting(joint.between, joint.normal, joint.mark).point, " and ".join(joint.between)
+        gap = self.distance(joint.between, value)
+        if gap is not None and gap > near:
+            return
+        if joint.at and doubtful_place(struck, self.point(joint.at), value, near):
+            text = f"{words} do not touch at {joint.at}"
+            raise refuse(joint.mark, "PL536", text, "leave `at` out, or correct the places")
+        if joint.normal is not None:
+            turned = doubtful_normal(self, joint.between, struck, self.unit(joint.normal), value, near)
+            if turned is not None:
+                text = f"the common normal of {words} is at {turned:.6g} deg"
+                raise refuse(joint.mark, "PL536", text, "leave `normal` out, or correct the places")
 
     def unknown(self, name: str, unit: str) -> sp.Symbol:
         """A constant of the blow that the file leaves open."""

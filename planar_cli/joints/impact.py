@@ -11,7 +11,7 @@ from planar_cli.joints.base import Joint
 from planar_cli.problem.expression import Number, Side
 from planar_cli.problem.facts import FAR, Facts, Law, Meeting, Mode, Push, Row, Test, opposed, relative
 from planar_cli.problem.geometry import Vec
-from planar_cli.problem.keys import PartnersKey, SideKey, key
+from planar_cli.problem.keys import PartnersKey, PointKey, SideKey, key
 from planar_cli.problem.residuals import Residual
 from planar_cli.problem.setting import Setting, StruckSetting
 
@@ -25,8 +25,9 @@ class Impact(Joint):
         `during` whenever they meet: in every blow in which they touch and approach, and on the way between states.
         Places that a motion or the state itself tells, and bodies that are drawn with their sizes, must touch; a
         particle may be drawn beside what it strikes. They meet where a particle is, where a round rim touches, or with
-        the end of a rod or the corner of a plate that is nearest. `normal` is the direction of the common normal,
-        where the shapes leave it open (particles at one place, corners). `restitution` is the ratio of the speeds of
+        the end of a rod or the corner of a plate that is nearest; `at` is checked. `normal` is the direction of the
+        common normal, where the shapes leave it open (particles at one place, corners), and is checked where they do
+        not. `restitution` is the ratio of the speeds of
         separation and approach along it; left out, it is unknown, and something is stated of the velocities after it.
         `mu` adds a friction impulse; without it the impact is smooth. Several impacts in one blow happen at once, each
         with its own restitution: planar explain blows. After a plastic impact (`restitution: 0`) the bodies stay in
@@ -67,6 +68,7 @@ class Impact(Joint):
     strikes: ClassVar[bool] = True
 
     between: tuple[str, ...] = key(PartnersKey(), "the two bodies, or a body and a surface")
+    at: str = key(PointKey(), "the point where they touch; left out where the shapes tell it", default="")
     normal: Side | None = key(SideKey("deg", angle=True), "direction of the common normal", default=None)
     restitution: Side | None = key(SideKey("1"), "coefficient of restitution, 0 to 1; left out: unknown", default=None)
     mu: Side | None = key(SideKey("1"), "coefficient of friction during the impact", default=None)

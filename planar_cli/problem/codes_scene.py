@@ -66,6 +66,10 @@ _SCENE = {
         "or the corner of a plate must meet the other body; where two particles are at one place, or two corners meet, "
         "write `normal: 0 deg`, the direction of the common normal."
     ),
+    "PL536": (
+        "The shapes tell where two bodies strike each other, and often the direction of the common normal: along the "
+        "radius of a rim, across an edge. What the impact says of them, `at` and `normal`, must be the same."
+    ),
     "PL527": "Two corners touch: the direction of the contact is open. One side needs a rim, an edge or a surface.",
     "PL534": (
         "A rim that touches something has its tangent there. Where the two cross, either the point does not lie where "

@@ -217,7 +217,7 @@ class Blow:
         far = self._far(here, Decimal(repr(near)))
         if not self.fits(self.choice, far):
             return Stroke({}, {}, "what is apart is not struck", far=far)
-        self._demand_corners(here, Decimal(repr(near)), far)
+        self._demand_meeting(here, Decimal(repr(near)), far)
         trial = self._tried(here, value)
         if not trial.outcomes:
             return Stroke({}, {}, trial.objection, far=far)
@@ -249,14 +249,17 @@ class Blow:
         after = {s: float(v) for s, v in told.items() if v is not None}
         return Stroke(after, {}, trial.objection, self._moves(after, self.numbers(value).extended(unknowns)))
 
-    def _demand_corners(self, here: Valuation, near: Decimal, far: frozenset[str]) -> None:
-        """NoSolution: the corner that strikes is another than was taken, or there are two."""
+    def _demand_meeting(self, here: Valuation, near: Decimal, far: frozenset[str]) -> None:
+        """NoSolution: the corner that strikes is another than was taken, or there are two. FileProblem: the file says
+        another point or normal.
+        """
         for joint in self.struck.joints:
             if joint.strikes and joint.name not in far:
                 wrong = self.scene.doubtful(joint, here, near)
                 if wrong:
                     hint = "draw the points in the state of the impact, slightly turned so that one corner comes first"
                     raise NoSolution([Diagnostic(joint.mark, "PL528", wrong, hint)])
+                self.scene.demand_as_said(joint, here, near)
 
     def _far(self, here: Valuation, near: Decimal) -> frozenset[str]:
         """Impacts of the whole motion that do not strike here: their bodies are apart. Where all are, and nothing else
