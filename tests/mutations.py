@@ -41,7 +41,7 @@ from planar_cli.problem.tokens import ParseError, Token, tokenize
 from planar_cli.problem.words import QUANTITIES
 from planar_cli.registry import members
 from planar_cli.report.json_document import solution_data
-from planar_cli.report.narrate import narrate
+from planar_cli.report.narrate import Voice, narrate
 from planar_cli.units import UnitError, parse_unit
 
 Path_ = tuple[int, ...]
@@ -319,7 +319,7 @@ def solved(task: tuple[str, Mutant | None]) -> Outcome:
     except Undecided as error:
         return Outcome("undecided", str(error))
     data = solution_data(solution, verdicts, 12, None)
-    page = members("formats")["markdown"]().render(narrate(solution, 12, "exam", None))
+    page = members("formats")["markdown"]().render(narrate(solution, Voice(12)))
     answers: Any = data["answers"]
     return Outcome("solved", "", json.dumps(answers, default=str, sort_keys=True), page)
 

@@ -18,7 +18,7 @@ from planar_cli import cli
 from planar_cli.errors import FileProblem
 from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.structure import load_text
-from planar_cli.report.narrate import narrate
+from planar_cli.report.narrate import Voice, narrate
 from planar_cli.solve.run import solve_problem
 from planar_cli.solve.solved_problem import PartSolution
 
@@ -32,7 +32,7 @@ def example(number: str) -> Path:
 
 def told(path: Path) -> str:
     """A printed solution, its spaces made equal."""
-    return " ".join(Terminal().render(narrate(worked(path)[0])).split())
+    return " ".join(Terminal().render(narrate(worked(path)[0], Voice(verbose=True))).split())
 
 
 def part_of(text: str, method: str | None = None) -> PartSolution:

@@ -19,7 +19,7 @@ from planar_cli.errors import NoSolution
 from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.structure import load_text
 from planar_cli.report.json_document import solution_data
-from planar_cli.report.narrate import narrate
+from planar_cli.report.narrate import Voice, narrate
 from planar_cli.solve import run as solving
 from planar_cli.solve.instant.verify import Disagreement
 from planar_cli.solve.run import solve_problem
@@ -156,8 +156,10 @@ def test_what_is_only_approached_is_not_compared() -> None:
     assert data["answers"]["end"]["confirmed"] is False
     assert data["answers"]["end"]["unconfirmed"] == "state far is only approached"
     assert data["unconfirmed"] == 1
-    page = " ".join(Terminal().render(narrate(solution)).split())
+    page = " ".join(Terminal().render(narrate(solution, Voice(verbose=True))).split())
     assert "not compared: end (state far is only approached)" in page
+    page = " ".join(Terminal().render(narrate(solution)).split())
+    assert "checked by an independent multibody solution, but for end" in page
 
 
 def test_a_restitution_that_a_velocity_tells() -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 
 from planar_cli.errors import PlanarError
@@ -50,8 +52,8 @@ def told(text: str) -> str:
 def test_a_sign_that_the_file_leaves_open_is_said(scene: str, unit: str, letters: str) -> None:
     """It goes with the answer: whichever is taken."""
     text = told(scene % (", ".join(f"{x}: {unit}" for x in letters), ""))
-    above = "Assume a > b, which the file leaves open" in text
-    assert above != ("Assume b > a, which the file leaves open" in text)
+    above = "Assume a > b" in text
+    assert above != ("Assume b > a" in text)
     free = "T = 0 N" if scene is ROPE else "v = a "
     assert (free in text) == (above == (scene is ROPE))
 
@@ -60,11 +62,11 @@ def test_a_sign_that_the_file_leaves_open_is_said(scene: str, unit: str, letters
 @pytest.mark.parametrize("assumed", ["a < b", "a > b"])
 def test_what_is_assumed_is_no_news(scene: tuple[str, str], assumed: str) -> None:
     text = told(scene[0] % (f"a: {scene[1]}, b: {scene[1]}", f"assume: [{assumed}]"))
-    assert "leaves open" not in text
+    assert not re.search("Assume [ab] >", text)
 
 
 def test_letters_of_unlike_size() -> None:
-    assert "leaves open" not in told(ROPE % ("a: m, b: m", "assume: [b > 50*a]"))
+    assert not re.search("Assume [ab] >", told(ROPE % ("a: m, b: m", "assume: [b > 50*a]")))
 
 
 def test_no_letters_at_all() -> None:

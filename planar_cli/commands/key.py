@@ -51,10 +51,10 @@ def _section(path: str, worked: bool, figures: int) -> tuple[Document, int]:
     """The document of one file, and its exit status."""
     from planar_cli.homework.checking import read, solve_and_compare
     from planar_cli.report.key import key_document, with_disagreements
-    from planar_cli.report.narrate import narrate
+    from planar_cli.report.narrate import Voice, narrate
 
     solution, verdicts = solve_and_compare(read(path))
     status = cli.SOLVED if all(v.agrees for v in verdicts) else cli.DISAGREES
     if worked:
-        return with_disagreements(narrate(solution, figures), verdicts), status
+        return with_disagreements(narrate(solution, Voice(figures)), verdicts), status
     return key_document(solution, verdicts, figures), status

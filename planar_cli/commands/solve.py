@@ -42,6 +42,8 @@ class Wanted:
     why: str | None
     figures: int
     audience: str
+    effects: bool
+    verbose: bool
     timeout: float
 
     @property
@@ -71,6 +73,8 @@ FIGURES = click.IntRange(1, LARGEST_FIGURES)
 @click.option("--figures", type=FIGURES, default=4, show_default=True, help="Significant figures of numbers.")
 @click.option("--digits", type=FIGURES, help=f"As --figures: so many certain digits, at most {LARGEST_FIGURES}.")
 @click.option("--audience", type=click.Choice(["exam", "lesson"]), default="exam", help="Short, or with every line.")
+@click.option("--effects", is_flag=True, help="Also which effects the scene has, and which it lacks.")
+@click.option("--verbose", is_flag=True, help="Also what was compared, with digits, and the effects.")
 @click.option("--timeout", type=click.FloatRange(0), default=60, show_default=True, help="Seconds a problem; 0: none.")
 def command(files: tuple[str, ...], digits: int | None, **options: Any) -> int:
     """Solve each file; one that fails does not keep the others from being solved."""
@@ -135,14 +139,15 @@ def _solved(problem: Problem, wanted: Wanted) -> Report:
     from planar_cli.homework.checking import solve_and_compare
     from planar_cli.report.json_document import solution_data
     from planar_cli.report.key import with_disagreements
-    from planar_cli.report.narrate import narrate
+    from planar_cli.report.narrate import Voice, narrate
 
     _demand_find(problem, wanted.why)
     solution, verdicts = solve_and_compare(problem, wanted.method)
     status = cli.SOLVED if all(v.agrees for v in verdicts) else cli.DISAGREES
     if wanted.json:
         return Report(status, data=solution_data(solution, verdicts, wanted.figures, wanted.method))
-    document = narrate(solution, wanted.figures, wanted.audience, wanted.why)
+    voice = Voice(wanted.figures, wanted.audience, wanted.effects or wanted.verbose, wanted.verbose)
+    document = narrate(solution, voice, wanted.why)
     return Report(status, _printed(with_disagreements(document, verdicts), wanted))
 
 

@@ -24,6 +24,8 @@ from planar_cli.problem.scene import GROUND
 from planar_cli.records import record
 
 ZERO = sp.S.Zero
+SHORT_NAME = 2
+"""Names with more letters are set off from the axis of a component."""
 STILL = Vec(ZERO, ZERO)
 
 
@@ -142,7 +144,9 @@ class TreeBuilder:
     def _free(self, body: str) -> Edge:
         name = self.center_name(body) or body
         (v_x, a_x), (v_y, a_y) = (
-            self._pair(f"{name}{axis}", f"velocity of {name} along {axis}", f"acceleration of {name} along {axis}")
+            self._pair(
+                component(name, axis), f"velocity of {name} along {axis}", f"acceleration of {name} along {axis}"
+            )
             for axis in ("x", "y")
         )
         spin, rate = self.spin_of(body) if self.rigid(body) else (None, None)
@@ -160,6 +164,11 @@ class TreeBuilder:
             path = f"of {joining.place} along its path{seen}"
             slide, slide_rate = self._pair(name, f"speed {path}", f"acceleration {path}")
         return Edge(body, parent, joining, backward, spin, rate, slide, slide_rate, particle=not self.rigid(body))
+
+
+def component(name: str, axis: str) -> str:
+    """The index of a component: Gx of a point G, ball_x of what has a word for a name."""
+    return f"{name}{axis}" if len(name) <= SHORT_NAME else f"{name}_{axis}"
 
 
 class Motion:

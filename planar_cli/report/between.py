@@ -18,7 +18,7 @@ from planar_cli.solve.between.trace import BalanceTrace, Impact, ImpactEquation
 
 LONGEST, MOST_NAMED = 60, 8
 AT_ONCE = "each with its own restitution: Newton's law at every contact. One after the other they would end otherwise."
-FINITE = "weights, springs and other finite forces have no impulse in no time"
+FINITE = "the impulse of weights, springs and other finite forces is negligible"
 
 
 @changing

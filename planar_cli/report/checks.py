@@ -1,4 +1,6 @@
-"""What was checked, in short phrases: residuals, the independent road, the assumptions of contacts."""
+"""What was checked, in short phrases: the assumptions of contacts and another principle, which a person can follow, and
+one line on the independent road. What only the program needs to say stands behind an option.
+"""
 
 from __future__ import annotations
 
@@ -9,20 +11,69 @@ import sympy as sp
 from planar_cli.equation.exact import ZERO
 from planar_cli.equation.system import System
 from planar_cli.problem.facts import Test
-from planar_cli.report.blocks import Check, Line, Math, Relation, Value, line
+from planar_cli.report.blocks import Check, Line, Math, Name, Relation, Value, line
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.instant import Trial
 from planar_cli.solve.instant.worked import unknowns_of
-from planar_cli.solve.solution import InstantSolution
+from planar_cli.solve.solution import BY_ENERGY, Found, InstantSolution
+from planar_cli.solve.solved_problem import PartSolution
 
 MOST_PRESSES = 4
 TINY = Decimal("1e-30")
 
 
+INDEPENDENT = "checked by an independent multibody solution"
+
+
 def check_blocks(instant: InstantSolution, phrases: Phrases) -> list[Check]:
-    """The checks of one instant, each a phrase."""
-    found = [Check(line(text)) for text in instant.checks.get("lines", ())]
-    return [*found, *(Check(p) for p in _presses(instant, phrases))] if found else []
+    """The checks of one instant that a person can follow, each a phrase."""
+    if not instant.checks.get("lines"):
+        return []
+    told = [line(text) for text in instant.checks.get("told", ())]
+    return [Check(phrase) for phrase in (*_presses(instant, phrases), *told)]
+
+
+def road_blocks(part: PartSolution) -> list[Check]:
+    """What another way to the answers of a part gave, in one line for each."""
+    if part.followed is not None:
+        errors = any(a.error is not None and a.values for a in part.followed.answers)
+        return [Check(line("a second run with finer steps gives the same"))] if errors else []
+    by_energy = part.motion is not None and any(text.startswith(BY_ENERGY) for text in part.motion.checks)
+    found = [Check(line(BY_ENERGY))] if by_energy else []
+    apart = [f.name for f in part.found if unconfirmed(f, part)]
+    if not apart:
+        return [*found, Check(line(INDEPENDENT))]
+    if len(apart) < len(part.found):
+        names = [piece for name in apart for piece in (", ", Name(name))]
+        return [*found, Check(line(f"{INDEPENDENT}, but for ", *names[1:]))]
+    if part.instants and part.instants[-1].checks.get("digits") is not None:
+        found.append(Check(line(f"equations of motion {INDEPENDENT}")))
+    return found
+
+
+def unconfirmed(found: Found, part: PartSolution) -> str:
+    """Why nothing was compared with an answer; "" where a second road to it agrees."""
+    if part.followed is not None:
+        return "it is read off one motion, whose error was estimated by a second run"
+    if part.motion is not None:
+        return part.confirmed.apart.get(found.name, "")
+    return "" if part.instants[-1].checks.get("digits") is not None else "no second road leads to it"
+
+
+def program_blocks(part: PartSolution) -> list[Check]:
+    """What the program compared, with digits."""
+    heard = [instant for instant in part.instants if not instant.quiet]
+    texts = [str(text) for instant in heard for text in instant.checks.get("lines", ())]
+    if part.motion is not None:
+        texts += [*part.motion.checks, *part.not_compared]
+    if part.confirmed.words:
+        texts.append(part.confirmed.words)
+    found = [Check(line(text)) for text in dict.fromkeys(texts)]
+    if part.followed is not None:
+        from planar_cli.report.read_off import read_off_checks
+
+        found += read_off_checks(part.followed)
+    return found
 
 
 def _presses(instant: InstantSolution, phrases: Phrases) -> list[Line]:

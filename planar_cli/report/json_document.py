@@ -15,6 +15,7 @@ import sympy as sp
 from planar_cli.equation.ledger import display
 from planar_cli.equation.plain import PRINTABLE, longer
 from planar_cli.homework.verdict import Verdict
+from planar_cli.report.checks import unconfirmed
 from planar_cli.report.effects import effects
 from planar_cli.report.narrate import phrases_in
 from planar_cli.report.words import answer_text, in_si, rounded, si_text, told_unit
@@ -39,7 +40,7 @@ def solution_data(solution: Solution, verdicts: Sequence[Verdict], figures: int,
         "problem": solution.problem.title or solution.problem.file,
         "outcome": "solved",
         "answers": {f.name: _answer(f, part, figures) for part in solution.parts for f in part.found},
-        "unconfirmed": sum(bool(_unconfirmed(f, part)) for part in solution.parts for f in part.found),
+        "unconfirmed": sum(bool(unconfirmed(f, part)) for part in solution.parts for f in part.found),
         "plan": _plan(solution, method),
         "steps": [
             *(step for case, instant in instants for step in _steps(case, instant)),
@@ -94,18 +95,9 @@ def _answer(found: Found, part: PartSolution, figures: int) -> dict[str, Any]:
         "expression": _expression(found),
         "text": answer_text(found, phrases_in(part, figures)),
         "digits": digits,
-        "confirmed": not (why := _unconfirmed(found, part)),
+        "confirmed": not (why := unconfirmed(found, part)),
         **({"unconfirmed": why} if why else {}),
     }
-
-
-def _unconfirmed(found: Found, part: PartSolution) -> str:
-    """Why nothing was compared with an answer; "" where a second road to it agrees."""
-    if part.followed is not None:
-        return "it is read off one motion, whose error was estimated by a second run"
-    if part.motion is not None:
-        return part.confirmed.apart.get(found.name, "")
-    return "" if part.instants[-1].checks.get("digits") is not None else "no second road leads to it"
 
 
 def _digits(found: Found, part: PartSolution) -> int | None:

@@ -11,7 +11,7 @@ import sympy as sp
 
 from planar_cli.equation.exact import Sample
 from planar_cli.equation.expansion import expanded
-from planar_cli.equation.ledger import Kind, display
+from planar_cli.equation.ledger import display
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.problem.check_dimensions import Kinds
 from planar_cli.problem.outermost import is_energy
@@ -19,14 +19,25 @@ from planar_cli.problem.scope import Scope
 from planar_cli.report.between import BetweenTelling
 from planar_cli.report.blocks import Block, Equation, Heading, Line, Math, Name, Paragraph, Value, line
 from planar_cli.report.integrals import over_coordinates, plain_integral
+from planar_cli.report.left_out import reason
 from planar_cli.report.origins import HAPPENS, head, named, told_once, turning
 from planar_cli.report.oscillation import oscillation_blocks
 from planar_cli.report.span_integrals import span_blocks
 from planar_cli.report.words import Phrases, told_unit
-from planar_cli.solve.between.trace import ImpactEquation, MotionTrace, Relation, Result, RouteStep, RouteTrace
+from planar_cli.solve.between.trace import (
+    BalanceTrace,
+    ImpactEquation,
+    MotionTrace,
+    Relation,
+    Result,
+    RouteStep,
+    RouteTrace,
+)
 
 MOST_ROOTS = 4
 SHORT = 40
+WORK, MOMENTUM = "work and energy", "impulse and momentum"
+HENCE = Paragraph(line("Hence:"))
 LONGEST = 90
 """A longer formula is told by its value alone."""
 
@@ -62,8 +73,20 @@ class MotionTelling:
             return []
         route = self.found.route
         timed = any(e.law is not None for leg in route.steps for e in leg.relations)
-        title = "Motion over time" if timed or self.found.spans or self.found.passing else "From state to state"
+        title = "Motion over time" if timed or self.found.spans or self.found.passing else self._principle()
+        if body[0] == HENCE:
+            body = body[1:]
         return [Heading(f"STEP {step}", title, self._states()), *body]
+
+    def _principle(self) -> str:
+        """By what the states are joined, where no time runs between them."""
+        sources = [e.source for leg in self.found.route.steps for e in leg.relations]
+        laws = {b.law.letter for b in sources if isinstance(b, BalanceTrace)}
+        blows = any(isinstance(b, ImpactEquation) for b in sources)
+        words = [WORK] * ("T" in laws) + [MOMENTUM] * (blows or bool(laws - {"T"}))
+        if not words and self.found.oscillations:
+            return "Small oscillations"
+        return " and ".join(words).capitalize() if words else "Motion"
 
     def _states(self) -> str:
         names = [name for name in self.found.states if name]
@@ -96,7 +119,7 @@ class MotionTelling:
             if any(p.is_Symbol or p.is_number or longer(p, LONGEST) or p.free_symbols & self.varying for p in parts):
                 continue
             if not told:
-                yield Paragraph(line("What is asked, in these letters:"))
+                yield HENCE
                 told = True
             for axis, part in zip(("x", "y") if len(parts) > 1 else ("",), parts, strict=True):
                 sides: list[Any] = [line(Name(name), f", {axis}" if axis else ""), self.phrases.math(part)]
@@ -173,12 +196,18 @@ class MotionTelling:
 
     def _datum(self, leg: RouteStep) -> Iterator[Block]:
         e = leg.relations[0]
-        words = {"drawn": "as drawn", "start": e.words, "turn": turning(e.words), "followed": e.words}.get(
-            e.kind, "given"
-        )
+        words = self._known(e)
         place = f"{e.stop}: " if e.stop else ""
         for r in leg.results:
             yield Equation(self._chain(r), None, line(f"{place}{words}:"))
+
+    @staticmethod
+    def _known(e: Relation) -> str:
+        """Where a datum comes from."""
+        if e.kind == "turn":
+            return turning(e.words)
+        other = {"drawn": "in the given position", "start": e.words, "followed": "by numerical integration"}
+        return other.get(e.kind, "given")
 
     def _leg(self, leg: RouteStep, route: RouteTrace) -> Iterator[Block]:
         equations = leg.relations
@@ -338,20 +367,7 @@ class MotionTelling:
             shown = self.phrases.shown(r.unknown, root.value)
             sign = Math(root.expression) if symbolic and root.expression is not None else shown
             parts += [", " if i else "", sign]
-        yield Paragraph(line(*parts, f": {self._reason(r, left)}"))
-
-    def _reason(self, r: Result, left: list[Any]) -> str:
-        general = self.general[r.unknown]
-        values = [x.value for x in left]
-        if self.found.ledger.roles[general].kind is Kind.TIME:
-            if all(v < r.value for v in values):
-                return "that is not after the state before"
-            if all(v > r.value for v in values):
-                return "a later instant; the first one counts"
-            return "the first instant after the state before counts"
-        if general in self.found.free and all(v * r.value < 0 for v in values):
-            return "it moves the other way there"
-        return "this motion does not come there at that state"
+        yield Paragraph(line(*parts, ": ", *reason(self.found, r, [x.value for x in left])))
 
     def _letter(self, e: Relation) -> sp.Symbol | None:
         """The letter that a relation between states gives, by its kind."""

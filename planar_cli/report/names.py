@@ -45,6 +45,7 @@ GREEK = {
     "Psi": "Ψ",
     "Omega": "Ω",
 }
+_WORD = re.compile(r"[a-z]{3,}")
 _LATEX_OF = {letter: "\\" + word for word, letter in GREEK.items()}
 _COMPONENTS = frozenset({"x", "y", "t", "n", "r", "theta"})
 _DOTS = {"dot": ("\N{COMBINING DOT ABOVE}", r"\dot"), "ddot": ("\N{COMBINING DIAERESIS}", r"\ddot")}
@@ -113,6 +114,15 @@ def stem(name: str) -> str:
 def _parts(name: str) -> _Parts:
     name, _, state = printable(name).partition("__")
     first, *pieces = name.split("_")
+    if (
+        not state
+        and len(pieces) > 1
+        and first not in GREEK
+        and _WORD.fullmatch(first)
+        and not {"prime", *_DOTS} & set(pieces)
+    ):
+        # A sentence such as `rain_speed_seen` stands as its author wrote it.
+        return _Parts("", name, "", "", False)
     prefix = ""
     if first.startswith("Σ") and len(first) > 1:
         prefix, first = "Σ", first[1:]

@@ -2,56 +2,87 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
+from planar_cli.equation.ledger import display
 from planar_cli.problem.unused import unused
-from planar_cli.report.blocks import Answer, Block, Check, Document, Heading, Note, Paragraph, line
-from planar_cli.report.checks import check_blocks
+from planar_cli.records import record
+from planar_cli.report.blocks import (
+    Answer,
+    Block,
+    Document,
+    Equation,
+    Heading,
+    Inline,
+    Math,
+    Note,
+    Paragraph,
+    Text,
+    Value,
+    line,
+)
+from planar_cli.report.checks import check_blocks, program_blocks, road_blocks
 from planar_cli.report.discussion import discussion_lines
 from planar_cli.report.effects import effect_notes
+from planar_cli.report.names import plain_name
 from planar_cli.report.passages import tale_blocks
 from planar_cli.report.presumed import presumed_notes
 from planar_cli.report.telling import Telling
-from planar_cli.report.words import Phrases, answer_line
-from planar_cli.solve.solution import InstantSolution
+from planar_cli.report.words import Phrases, answer_line, direction_words
+from planar_cli.solve.solution import Found, InstantSolution
 from planar_cli.solve.solved_problem import PartSolution, Solution
 
 
-def narrate(solution: Solution, figures: int = 4, audience: str = "exam", why: str | None = None) -> Document:
-    """The worked solution of a file. `audience`: exam (short) or lesson (with the text and every line).
+@record
+class Voice:
+    """How a page speaks. `figures`: significant figures; `audience`: exam (short) or lesson (with the text and every
+    line); `effects`: which effects the scene has, and lacks; `verbose`: what the program compared, with digits.
+    """
+
+    figures: int = 4
+    audience: str = "exam"
+    effects: bool = False
+    verbose: bool = False
+
+
+STUDENT = Voice()
+
+
+def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) -> Document:
+    """The worked solution of a file.
 
     `why`: the name of one find; only what its answer used is told. KeyError: there is no such find.
     """
     blocks: list[Block] = []
     problem = solution.problem
-    if audience == "lesson" and problem.text:
+    if voice.audience == "lesson" and problem.text:
         blocks.append(Paragraph(line(problem.text)))
     if why is not None and not any(f.name == why for part in solution.parts for f in part.found):
         raise KeyError(why)
     told: set[tuple[str, ...]] = set()
     if surplus := unused(problem):
-        blocks.append(Note("Not used", line(f"{', '.join(surplus)}: nothing that is asked or acts names it")))
+        blocks.append(Note("Not used", line(f"{', '.join(surplus)}: not needed here")))
     for part in solution.parts:
         if why is not None and not any(f.name == why for f in part.found):
             continue
         if part.case:
             blocks.append(Heading("CASE", part.case.replace("_", " ")))
-        blocks += part_blocks(part, figures, audience, why, told)
+        blocks += part_blocks(part, voice, why, told)
     return Document(problem.title or problem.file, tuple(blocks))
 
 
-def part_blocks(
-    part: PartSolution, figures: int, audience: str, why: str | None, told: set[tuple[str, ...]]
-) -> list[Block]:
+def part_blocks(part: PartSolution, voice: Voice, why: str | None, told: set[tuple[str, ...]]) -> list[Block]:
     """One part: its instants, its answers, its checks. `told`: effects that were listed before."""
     blocks: list[Block] = []
+    figures, audience = voice.figures, voice.audience
     steps = count = 0
     for instant in part.instants:
         if instant.state:
             blocks.append(Heading("STATE", instant.state))
         if part.motion is not None and len(part.instants) > 1:
-            blocks.append(Heading("SPAN", _stretches(part, instant)))
-        blocks += _effects(instant, told)
+            blocks.append(Heading("MOTION", _stretches(part, instant)))
+        if voice.effects:
+            blocks += _effects(instant, told)
         if instant is part.instants[0]:
             blocks += presumed_notes(part, phrases_of(instant, figures))
         if not instant.quiet and (part.tale is None or not part.tale.whole):
@@ -74,16 +105,41 @@ def part_blocks(
         blocks += tale_blocks(part.tale, phrases)
     for found in part.found:
         if why is None or found.name == why:
-            said = answer_line(found, phrases)
+            said = line(*_letter(found, part, phrases, blocks), answer_line(found, phrases))
             blocks.append(Answer(found.name, said, ":" if found.word or found.curve is not None else "="))
     heard = [instant for instant in part.instants if not instant.quiet]
     checks = [b for instant in heard for b in check_blocks(instant, phrases_of(instant, figures))]
     blocks += [b for i, b in enumerate(checks) if b not in checks[:i]]
-    blocks += _motion_checks(part)
+    blocks += [*road_blocks(part), *(program_blocks(part) if voice.verbose else ())]
     tested = any(mode.tests for instant in part.instants for mode in instant.trial.system.modes.values())
     if not tested and part.motion is None and part.tale is None:
         blocks += [Note("Discussion", remark) for remark in discussion_lines(part.found, phrases)]
     return blocks
+
+
+def _letter(found: Found, part: PartSolution, phrases: Phrases, told: Iterable[Block]) -> Iterator[Inline]:
+    """The letter of the solution that an answer of another name is, and its sign where the answer tells a direction."""
+    asked = found.asked
+    if part.motion is not None:
+        asked = next((r.parts for r in part.motion.requests if r.find is found.find), ())
+    if len(asked) != 1 or found.kind != "number" or found.word or asked[0] in (found.expressions or ()):
+        return
+    symbol = next((s for s in (asked[0], -asked[0]) if s.is_Symbol), None)
+    solved = {b.sides[0].expr for b in told if isinstance(b, Equation) and isinstance(b.sides[0], Math)}
+    if symbol is None or symbol not in solved:
+        return
+    own = part.motion.general.get(symbol, symbol) if part.motion is not None else symbol
+    if plain_name(found.name) in (plain_name(symbol.name), plain_name(own.name)):
+        return
+    yield Math(asked[0])
+    yield Text(" = ")
+    if (
+        found.values is not None
+        and direction_words(found, number := display(found.values[0], found.unit))
+        and number < 0
+    ):
+        yield Value(number, found.unit.text, phrases.figures)
+        yield Text(", that is ")
 
 
 def _effects(instant: InstantSolution, told: set[tuple[str, ...]]) -> Iterator[Block]:
@@ -137,18 +193,6 @@ def _read_off(part: PartSolution, figures: int) -> Iterator[Block]:
         from planar_cli.report.read_off import read_off_blocks
 
         yield from read_off_blocks(part.followed, figures)
-
-
-def _motion_checks(part: PartSolution) -> Iterator[Block]:
-    """The checks of a motion."""
-    if part.motion is not None:
-        yield from (Check(line(text)) for text in (*part.motion.checks, *part.not_compared))
-    if part.confirmed.words:
-        yield Check(line(part.confirmed.words))
-    if part.followed is not None:
-        from planar_cli.report.read_off import read_off_checks
-
-        yield from read_off_checks(part.followed)
 
 
 def phrases_in(part: PartSolution, figures: int) -> Phrases:

@@ -65,7 +65,7 @@ def _several(found: OscillationTrace) -> Iterator[Block]:
 
 def _because(verdict: Verdict) -> str:
     if verdict.kind == "indifferent":
-        return ": no term of the equation of motion draws it back or drives it away"
+        return ": no force or moment arises when it is displaced"
     if verdict.power > 1:
         return f": the linear part vanishes, the power {verdict.power} of the deviation decides"
-    return ": it is drawn back" if verdict.stable else ": it is driven away"
+    return f": displaced, it {'returns' if verdict.stable else 'moves further away'}"

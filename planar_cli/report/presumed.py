@@ -24,7 +24,7 @@ def presumed_notes(part: PartSolution, phrases: Phrases) -> Iterator[Note]:
         signs += part.motion.presumed
     for expr in dict.fromkeys(signs):
         if not longer(expr, LONGEST):
-            yield Note("Assume", line(phrases.math(_above_zero(expr)), ", which the file leaves open"))
+            yield Note("Assume", line(phrases.math(_above_zero(expr))))
 
 
 def _above_zero(expr: Any) -> sp.Expr:

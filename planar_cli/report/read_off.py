@@ -29,12 +29,12 @@ def read_off_blocks(motion: Simulation, figures: int) -> Iterator[Block]:
     """How the answers came about."""
     run = motion.run
     trajectory, count = run.trajectory, run.model.layout.count
-    yield Heading("STEP 1", "Motion followed step by step")
+    yield Heading("STEP 1", "Numerical integration")
     rows = sum(len(s.regime.parts.constraints) for s in trajectory.segments[:1] if hasattr(s.regime, "parts"))
     relations = f", together with {rows} relations of the joints between them," if rows else ""
     text = (
-        f"The answers are read off the motion. Newton's law for every body, {count} equations for {count} "
-        f"accelerations{relations} is integrated numerically from the first state on."
+        f"Newton's law for every body, {count} equations for {count} "
+        f"accelerations{relations} is integrated numerically from the first state on; the answers are read off."
     )
     yield Paragraph(line(text))
     sought = [s.name for s in run.problem.unknowns if s.name in run.settings.values]

@@ -16,10 +16,10 @@ from planar_cli.units import ANGULAR_MOMENTUM, TIME, Dimension, default_unit
 
 ANGULAR_IMPULSE = "N*m*s"
 HOW = {
-    "difference": "the integrand is the rate of",
+    "difference": "antiderivative",
     "integral": "with the motion as a function of time",
     "quadrature": "with the motion as a function of time, by quadrature",
-    "flow": "integrated along with the motion, step by step",
+    "flow": "by numerical integration",
 }
 
 

@@ -98,7 +98,10 @@ class Telling:
         return [Note("Assume", line("; ".join(words)))] if words else []
 
     def _objection(self, trial: Any) -> Line:
-        reasons = {"velocities": "the velocities contradict it", "contradiction": "the equations contradict it"}
+        reasons = {
+            "velocities": "the velocities do not allow it",
+            "contradiction": "the equations have no solution then",
+        }
         if not trial.tests:
             return line(reasons.get(trial.objection, trial.objection))
         test, value = trial.tests[0]
@@ -106,7 +109,7 @@ class Telling:
             words = list(dict.fromkeys(t.words for t, v in trial.tests if v is None and len(t.pushes) > 1)) or [
                 test.words
             ]
-            return line("no distribution of the reactions keeps all of these: " + "; ".join(words))
+            return line("no reactions satisfy all of these: " + "; ".join(words))
         return line(f"this would not hold: {test.words}", self._by_how_much(trial, test))
 
     def _by_how_much(self, trial: Any, test: Any) -> Line:
@@ -189,7 +192,7 @@ class Telling:
         blocks += self._equations(relations, last)
         blocks += [self._explicit(x, last) for x in last.lines]
         for zero in last.zero if self.audience == "lesson" else ():
-            blocks.append(Paragraph(line(self.phrases.math(zero), " = 0: nothing acts that way.")))
+            blocks.append(Paragraph(line(self.phrases.math(zero), " = 0.")))
         return blocks
 
     def _explicit(self, x: Explicit, stage: Stage) -> Block:
@@ -363,4 +366,4 @@ class Telling:
         reasons = {
             s.objection for s in self.instant.left_out if any(c.symbol == choice.symbol for c in s.branch.choices)
         }
-        return "; ".join(sorted(r for r in reasons if r)) or "not taken: it holds as well, the smaller one is usual"
+        return "; ".join(sorted(r for r in reasons if r)) or "it holds as well; the smaller one is taken"

@@ -39,6 +39,10 @@ class Found:
     curve: Curve | None = None
 
 
+BY_ENERGY = "the balance of energy gives the same equation of motion"
+"""How a check by energy is told; how well it agrees follows."""
+
+
 @changing
 class InstantSolution:
     """One instant worked out. `rejected`: the first assumption and others, with why they fail. `value`: numbers of all.

@@ -9,9 +9,9 @@ constants under `unknowns`, a restitution that a velocity just after tells, velo
 tells. Letters have numbers that are drawn for them. Energy, linear momentum and angular momentum must add up over every
 part of it. Then every find is compared:
 
-  agrees          to six digits, or to what the steps are good for: counted on the line of checks
+  agrees          to six digits, or to what the steps are good for: counted with --verbose
   differs         nothing is an answer: the error (PL720) names the find, both values, and where; exit status 3
-  not compared    said on the line of checks with the reason, and in JSON as `confirmed: false` with `unconfirmed`
+  not compared    named on the line of checks; --verbose and JSON (`confirmed: false`, `unconfirmed`) tell why
 
 What can not be compared, and when:
   - curves, and periods, frequencies and stability, which belong to no single motion

@@ -24,6 +24,7 @@ from planar_cli.solve.between.solved_motion import SolvedMotion
 from planar_cli.solve.instant.verify import Disagreement
 from planar_cli.solve.regimes.equations import DATA
 from planar_cli.solve.regimes.regime import Regime
+from planar_cli.solve.solution import BY_ENERGY
 
 NEEDED = 6
 FULL = 50
@@ -70,7 +71,7 @@ def balanced(regimes: Iterable[Regime]) -> tuple[str, ...]:
         return ()
     if min(powers) < NEEDED:
         raise Disagreement("the balance of energy gives another equation of motion")
-    return (f"the balance of energy gives the same equation of motion, to {min(powers)} digits",)
+    return (f"{BY_ENERGY}, to {min(powers)} digits",)
 
 
 def _apart(found: SolvedMotion, followed: Followed) -> float:

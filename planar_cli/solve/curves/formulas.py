@@ -38,7 +38,7 @@ from planar_cli.solve.regimes.functions import Functions, directed, drawn_start
 from planar_cli.solve.regimes.mode_sequence import Stretch, Workshop, spans_of
 from planar_cli.solve.regimes.regime import Regime
 from planar_cli.solve.roads import asks_forces, is_curve
-from planar_cli.solve.solution import Found
+from planar_cli.solve.solution import BY_ENERGY, Found, InstantSolution
 from planar_cli.solve.solved_problem import PartSolution
 from planar_cli.units import parse_unit
 
@@ -80,11 +80,17 @@ def solve_formulas(problem: Problem, case: str, units: Mapping[str, str], earlie
     solution = regime.general.solution
     assert solution is not None
     if reader.compared:
-        lines = solution.checks.setdefault("lines", [])
-        lines.append("velocities and accelerations along the joints agree")
-    solution.checks.setdefault("lines", []).extend(balanced([regime]))
+        _checked(solution, "velocities and accelerations along the joints agree")
+    for words in balanced([regime]):
+        _checked(solution, words, BY_ENERGY)
     whole = not reader.kinetic and not reader.by_joints
     return PartSolution(case, (solution,), found, None, Tale(reader.passages(), whole))
+
+
+def _checked(solution: InstantSolution, words: str, told: str = "") -> None:
+    """A check that a person can make too. `told`: how the page tells it, where that is shorter."""
+    solution.checks.setdefault("lines", []).append(words)
+    solution.checks.setdefault("told", []).append(told or words)
 
 
 def _values(find: Find, quantities: Quantities) -> tuple[sp.Expr, ...]:
