@@ -327,10 +327,9 @@ HOUSE_WORDS = (
     "followed step by step",
     "agree with the motion followed",
     "by independent facts",
-    "gives the same equation of motion",
     "solved at once for all bodies",
     "not compared",
-    "velocities and accelerations along the joints agree",
+    " digits",
     "not in this scene",
     "as drawn",
     "in these letters",
@@ -398,7 +397,7 @@ def diagrams(page: Page) -> Iterator[str]:
             yield f"norm: {r.text}"
         if re.search(r" \d+ ↺|-\S+ ↺| -\S", r.sides[0]):
             yield f"sense: {r.text}"
-        if r.sides[1] and " at " not in r.sides[1] and r.sides[1] != "0" and not _central(r.sides[0]):
+        if r.sides[1] and not re.search(r" [↑↓←→↖↗↘↙]", r.sides[1]) and r.sides[1] != "0" and not _central(r.sides[0]):
             yield f"no m a: {r.text}"
 
 
@@ -412,7 +411,7 @@ def axes(page: Page) -> Iterator[str]:
     drawn = {}
     for r in page.of("forces"):
         for piece in (*r.sides[0].split(",  "), *r.sides[1].split(",  ")):
-            if match := re.match(rf"(.*?) ([{ARROWS}]) at", piece.strip()):
+            if match := re.match(rf"(.*?) ([{ARROWS}])", piece.strip()):
                 drawn.setdefault(match[1], set()).add(match[2])
     opposite = dict(zip("↑↓←→↖↗↘↙", "↓↑→←↘↙↖↗", strict=True))
     for r in page.of("equation"):

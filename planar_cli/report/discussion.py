@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from decimal import Decimal
-from fractions import Fraction
 
 import sympy as sp
 
@@ -11,17 +10,15 @@ from planar_cli.equation.common_factors import factor_terms, together
 from planar_cli.equation.expansion import expanded
 from planar_cli.equation.plain import longer
 from planar_cli.report.blocks import Line, Math, Name, Relation, Value, line
+from planar_cli.report.clean import is_clean
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.roots import linear_or_square_roots
 from planar_cli.solve.solution import Found
-from planar_cli.units import Dimension
 
 MOST = 2
 LONGEST = 60
 SHORT = 16
 """A condition with more operations is of use to nobody."""
-OTHER_UNITS = (7, 11, 13)
-"""How much larger lengths, masses and times are in other units."""
 FAR = 3
 """A value that differs by more than this ratio from the one of the file is another machine."""
 
@@ -70,7 +67,7 @@ def _remark(answer: Found, symbol: sp.Symbol, root: sp.Expr, turning: sp.Expr, p
         return None
     if value <= 0 or not rises or root.has(sp.I):
         return None
-    if root.is_Symbol or root.is_number or longer(root, SHORT) or not _in_units(symbol, root, phrases):
+    if root.is_Symbol or root.is_number or longer(root, SHORT) or not is_clean(phrases.ledger, root, symbol):
         return None
     opening, end = line("With "), line(", ", Name(answer.name), " would be zero; beyond it, it has the other sign.")
     if phrases.symbolic:
@@ -81,28 +78,3 @@ def _remark(answer: Found, symbol: sp.Symbol, root: sp.Expr, turning: sp.Expr, p
     return line(
         opening, Relation(Math(symbol), "=", Math(root)), " = ", Value(unit.number, unit.unit, unit.figures), end
     )
-
-
-def _exponents(dimension: Dimension) -> tuple[Fraction, Fraction, Fraction]:
-    return dimension.length, dimension.mass, dimension.time
-
-
-def _in_units(symbol: sp.Symbol, root: sp.Expr, phrases: Phrases) -> bool:
-    """Does a formula count in the unit of its letter, with no unit hidden in its numbers? In other units of mass,
-    length and time all letters have other numbers, and so has what they make.
-    """
-    units = phrases.ledger.units
-    if any(s not in units for s in (symbol, *root.free_symbols)):
-        return False
-
-    def scale(s: sp.Symbol) -> sp.Expr:
-        return sp.Mul(
-            *(
-                sp.Integer(p) ** sp.Rational(n.numerator, n.denominator)
-                for p, n in zip(OTHER_UNITS, _exponents(units[s].dimension), strict=True)
-            )
-        )
-
-    grown = root.xreplace({s: s * scale(s) for s in root.free_symbols})
-    before, after = phrases.value.known(root), phrases.value.known(grown / scale(symbol))
-    return before is not None and after is not None and abs(after - before) <= abs(before) * Decimal("1e-12")

@@ -8,15 +8,21 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.factoring import factored
+from planar_cli.equation.ledger import display
 from planar_cli.equation.plain import longer, simplified
+from planar_cli.equation.scene import Scene
 from planar_cli.loads.base import Load
 from planar_cli.problem.acting import kind_of
 from planar_cli.problem.facts import Push, Wrench
-from planar_cli.report.blocks import Forces, Line, Math, Name, Text
+from planar_cli.report.blocks import Forces, Line, Math, Name, Text, Value
+from planar_cli.report.names import plain_name
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.stages import Stage
 from planar_cli.solve.solution import InstantSolution
+from planar_cli.units import ENERGY, FORCE, PURE, TIME, Dimension, default_unit
 
+SUDDEN = ("momentum", "impulse")
+"""Kinds of wrenches that are momenta or impulses."""
 LONGEST = 30
 """Of an acceleration with more operations only the name is told: the equations say what it is."""
 
@@ -41,54 +47,86 @@ def force_rows(instant: InstantSolution, stage: Stage, phrases: Phrases, inertia
 
 
 def _acting(instant: InstantSolution, body: str, phrases: Phrases) -> Line:
+    """What acts on a body; on a rigid one with where it acts."""
     system = instant.trial.system
+    rigid = instant.instant.scene.bodies[body].rigid
     parts: list[list[Any]] = []
     for w in system.wrenches:
         if w.body == body and not (w.kind == "momentum" and phrases.value.is_zero(w.magnitude)):
-            where = f"at {w.place}" if w.place else _at(instant, w.point, body)
+            named = f" at {w.place}" if w.place and w.place != body else _at(instant, w.point, body)
+            where = named if rigid else ""
+            lasting = PURE if w.kind not in SUDDEN else TIME
             if w.force is not None:
-                parts.append([phrases.math(w.magnitude), Text(f" {_sense(w, phrases)} {where}")])
+                back = sp.sympify(w.magnitude).could_extract_minus_sign()
+                size = -w.magnitude if back else w.magnitude
+                parts.append([_amount(size, FORCE * lasting, phrases), Text(f" {_sense(w, phrases, back)}{where}")])
             elif w.couple != 0:
-                parts.append([phrases.math(w.couple), Text(" ↺")])
+                back = sp.sympify(w.couple).could_extract_minus_sign()
+                parts.append(
+                    [_amount(-w.couple if back else w.couple, ENERGY * lasting, phrases), Text(" ↻" if back else " ↺")]
+                )
     assert system.reactions is not None
     for push, expr in system.reactions.pushes:
-        own = (a for a in push.actions if a.body == body)
-        parts.extend(_push(push, expr, a, phrases, _at(instant, a.point, body)) for a in own)
+        for a in (a for a in push.actions if a.body == body):
+            named = _at(instant, a.point, body) if push.kind == "tension" else f" at {push.place}"
+            parts.append(_push(push, expr, a, phrases, named if rigid else ""))
     joined: list[Any] = []
     for i, part in enumerate(parts):
         joined += [Text(",  ")] * bool(i) + part
     return tuple(joined)
 
 
-def _sense(w: Wrench, phrases: Phrases) -> str:
-    """The direction in which a positive magnitude acts; the sense of a velocity that it opposes may be open."""
+def _amount(size: sp.Expr, dimension: Dimension, phrases: Phrases) -> Math | Value:
+    """A force or couple: a number has its unit."""
+    size = sp.sympify(size)
+    if not size.is_number or size == 0:
+        return phrases.math(size)
+    unit = phrases.page_unit(default_unit(dimension))
+    return Value(display(phrases.value(size), unit), unit.text, phrases.figures)
+
+
+def _sense(w: Wrench, phrases: Phrases, back: bool) -> str:
+    """The direction in which a positive magnitude acts, or its opposite; the sense of a velocity that it opposes may be
+    open.
+    """
     assert w.force is not None
     if (kind_of(w) or Load).opposes and phrases.symbolic:
         return "against its velocity"
-    reversed_sense = phrases.value(sp.sympify(w.magnitude)) < 0
+    reversed_sense = (phrases.value(sp.sympify(w.magnitude)) < 0) != back
     return phrases.arrow(-w.force.x, -w.force.y) if reversed_sense else phrases.arrow(w.force.x, w.force.y)
 
 
-def _push(push: Push, expr: sp.Expr, action: Any, phrases: Phrases, place: str) -> list[Any]:
-    """One reaction on a body. `place`: "at P" where its point has a name."""
+def _push(push: Push, expr: sp.Expr, action: Any, phrases: Phrases, where: str) -> list[Any]:
+    """One reaction on a body. `where`: " at P" where its point has a name."""
     if action.force is None:
-        sign = phrases.value(sp.sympify(action.couple))
-        return [Math(expr), Text(" ↺" if sign > 0 else " ↻")]
-    where = f"at {push.place}" if push.kind != "tension" else place
+        back = expr.could_extract_minus_sign()
+        counterclockwise = (phrases.value(sp.sympify(action.couple)) > 0) != back
+        return [_amount(-expr if back else expr, ENERGY, phrases), Text(" ↺" if counterclockwise else " ↻")]
     if expr.could_extract_minus_sign():
-        return [phrases.math(-expr), Text(f" {phrases.arrow(-action.force.x, -action.force.y)} {where}")]
+        return [phrases.math(-expr), Text(f" {phrases.arrow(-action.force.x, -action.force.y)}{where}")]
     assumed = " (assumed)" if push.kind == "friction" and expr.is_Symbol else ""
-    return [Math(expr), Text(f" {phrases.arrow(action.force.x, action.force.y)} {where}{assumed}")]
+    return [Math(expr), Text(f" {phrases.arrow(action.force.x, action.force.y)}{where}{assumed}")]
 
 
 def _at(instant: InstantSolution, point: Any, body: str) -> str:
-    """The name of a place: a point, of the body itself if there is one, or the body whose mass centre it is."""
+    """The name of a place as " at P": a point, of the body itself if there is one, or a mass centre."""
     scene, value = instant.instant.scene, instant.value
-    places = sorted(scene.points.items(), key=lambda item: body not in scene.owners.get(item[0], ()))
-    for name, place in (*places, *((b, scene.center(b)) for b in scene.bodies)):
+    points = sorted(scene.points.items(), key=lambda item: body not in scene.owners.get(item[0], ()))
+    places = [(f" at {name}", place) for name, place in points]
+    places += [(_centre(scene, b), scene.center(b)) for b in scene.bodies]
+    for words, place in places:
         if all(value.is_zero(getattr(place, a) - getattr(point, a)) for a in ("x", "y")):
-            return f"at {name}"
+            return words
     return ""
+
+
+def _centre(scene: Scene, body: str) -> str:
+    """Where the mass centre of a body is, as " at G"."""
+    model = scene.bodies[body]
+    if not model.rigid or (model.center_name and model.center_name != body):
+        return f" at {plain_name(model.center_name or body)}"
+    alone = sum(b.rigid for b in scene.bodies.values()) == 1 and "G" not in scene.points
+    return " at G" if alone else f" at {plain_name(f'G_{body}')}"
 
 
 def _inertia(instant: InstantSolution, stage: Stage, body: str, phrases: Phrases, reversed_sense: bool) -> Line:
@@ -97,7 +135,7 @@ def _inertia(instant: InstantSolution, stage: Stage, body: str, phrases: Phrases
         return ()
     model = instant.instant.scene.bodies[body]
     parts: list[Any] = []
-    place = instant.instant.scene.center_name(body)
+    place, at = instant.instant.scene.center_name(body), _centre(instant.instant.scene, body) if model.rigid else ""
     forces: list[tuple[sp.Expr, str]] = []
     for direction, component in stage.accelerations.get(body, []) if model.mass != 0 else ():
         v = -direction if reversed_sense else direction
@@ -110,10 +148,10 @@ def _inertia(instant: InstantSolution, stage: Stage, body: str, phrases: Phrases
         forces.append((force, phrases.arrow(v.x, v.y)))
     if any(longer(force, LONGEST) for force, _ in forces):
         sign = "-" if reversed_sense else ""
-        parts += [Text(sign), phrases.math(model.mass), Text(" "), Name(f"a_{place}"), Text(f" at {place}")]
+        parts += [Text(sign), phrases.math(model.mass), Text(" "), Name(f"a_{place}"), Text(at)]
     else:
         for force, arrow in forces:
-            parts += [Text(",  ")] * bool(parts) + [phrases.math(force), Text(f" {arrow} at {place}")]
+            parts += [Text(",  ")] * bool(parts) + [phrases.math(force), Text(f" {arrow}{at}")]
     motion = instant.trial.system.motion
     alpha = motion.accelerations[body].angular if motion and model.rigid else sp.S.Zero
     if model.inertia != 0 and alpha != 0:
