@@ -145,8 +145,8 @@ find: {{a: a(crate).along(beta)}}
 @pytest.mark.parametrize(
     ("mode", "more", "told"),
     [
-        (", mode(C) = stick", "", "Assume   μ cos β > sin β, which the file leaves open"),
-        (", mode(C) = slip", "", "Assume   sin β > μ cos β, which the file leaves open"),
+        (", mode(C) = stick", "", "Assume   μ cos β > sin β"),
+        (", mode(C) = slip", "", "Assume   sin β > μ cos β"),
         ("", "assume: [mu > tan(beta)]", "Assume   crate at P does not slip"),
     ],
 )
