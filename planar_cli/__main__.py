@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import gc
+import os
 import sys
+from typing import NoReturn
 
 CLUTTER = 400_000
 """So many objects more are looked through for what nobody needs: most of what is made at a start lives to the end."""
@@ -21,14 +23,20 @@ def main() -> None:
             # It cannot be written; the command line tells why.
             pass
     gc.set_threshold(CLUTTER, 20, 20)
-    from planar_cli.cli import main as command_line
+    from planar_cli.cli import run
 
+    _leave(run())
+
+
+def _leave(status: int) -> NoReturn:
+    """End the process at once: to take apart what goes with it anyway takes as long as a third of importing SymPy."""
     try:
-        command_line()
-    finally:
-        # What is left goes with the process: at its end nobody has to look through it for what is out of use, which
-        # takes as long as a third of importing SymPy.
-        gc.freeze()
+        for stream in (sys.stdout, sys.stderr):
+            stream.flush()
+    except OSError:
+        # The interpreter tells it its own way.
+        sys.exit(status)
+    os._exit(status)
 
 
 if __name__ == "__main__":

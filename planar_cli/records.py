@@ -71,6 +71,8 @@ class _Told:
         self.name, self.made, self.written, self.frozen = name, made, written, frozen
 
     def __get__(self, owner: object, kind: type | None = None) -> Any:
+        # Without one, the standard library takes long to write one from the signature.
+        self.written.__doc__ = self.written.__doc__ or self.written.__qualname__
         twin: Any = dataclass(init=False, repr=False, eq=False)(self.written)
         # Told only now: the methods of a class that is frozen from the start would be compiled for it alone.
         twin.__dataclass_params__.frozen, twin.__dataclass_params__.eq = self.frozen, True

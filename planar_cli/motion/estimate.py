@@ -1,8 +1,8 @@
 """How good the numbers of a run are: its global error by a second run, and how fast the smallest error grows.
 
 The error that an integrator keeps small is that of one step; what has come of all steps at the end is another matter:
-in a chaotic motion a millionfold. It is measured by a second run with a tolerance TIGHTER times as small, whose own
-error is negligible beside it, or with half the step (`by_halving`). On the reference problems
+in a chaotic motion a millionfold. It is measured by a second run with TIGHTER times the tolerance, whose own error is
+small beside it, or with half the step (`by_halving`). On the reference problems
 (tests/test_estimates.py) that is within a factor 10 of the truth, from the loosest tolerance down to rounding.
 """
 
@@ -14,7 +14,7 @@ from collections.abc import Callable, Sequence
 from planar_cli.integrators.base import EPSILON
 from planar_cli.records import record
 
-TIGHTER = 1 / 32
+TIGHTER = 1 / 8
 """The tolerance of the second run, in parts of that of the first."""
 TIGHTEST = 2e-15
 """A smaller tolerance has no meaning."""

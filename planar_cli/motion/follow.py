@@ -66,6 +66,8 @@ class Follower:
     """Is a balance that does not add up a failure?"""
     momenta: bool = False
     """Is the balance of momentum looked at over every segment too? It costs as much as the motion."""
+    balanced: bool = True
+    """Are balances looked at?"""
 
     t: float = 0.0
     y: tuple[float, ...] = ()
@@ -279,11 +281,13 @@ class Follower:
         if end > self.t:
             scene = self.automaton
             outside = scene.outside(self.choice) if self.momenta else None
-            balance = balance_of(regime, self.t, self.y, end, y, steps, scene.energy_scale, scene.note, outside)
+            what = regime, self.t, self.y, end, y, steps, scene.energy_scale, scene.note, outside
+            balance = balance_of(*what) if self.balanced else None
             segment = Segment(self.choice, regime, self.t, end, self.y, y, tuple(steps), balance)
             self.segments.append(segment)
             self.at_once = 0
-            if balance.off > max(ALLOWED * self.setting.tolerance, LEAST_ALLOWED) and self.check:
+            allowed = max(ALLOWED * self.setting.tolerance, LEAST_ALLOWED)
+            if balance is not None and balance.off > allowed and self.check:
                 words = f"between t = {self.t:.9g} s and t = {end:.9g} s {balance.told}"
                 self.outcome = Outcome("unbalanced", words, end, "", "PL710")
         self.t, self.y = end, y

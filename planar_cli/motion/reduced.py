@@ -91,15 +91,15 @@ class Reduced:
         loops: int,
         scale: Sequence[float],
         rates: Callable[[View, Sequence[int]], Routine],
-        whole_rates: Rates,
+        anywhere: Rates,
         energies: tuple[Term, Term] | None,
     ) -> None:
         """`given`: what `told` has found. `loops`: so many relations are left to the projection. `rates`: from a view
-        of the state to a routine for the accelerations of some coordinates; `whole_rates`: the rates of a whole state.
-        `energies`: kinetic and potential, where their sum is kept.
+        of the state to a routine for the accelerations of some coordinates; `anywhere`: the rates of a whole state, by
+        another way. `energies`: kinetic and potential, where their sum is kept.
         """
         self.layout, self.given, self.loops, self.scale = layout, given, loops, scale
-        self.whole_rates, self.energies = whole_rates, energies
+        self.anywhere, self.energies = anywhere, energies
         count = layout.count
         self.free = tuple(i for i in range(count) if i not in given)
         self._places = (*self.free, *(count + i for i in self.free))
@@ -146,7 +146,16 @@ class Reduced:
         try:
             return self._accelerations.regular(t, z)
         except Singular:
-            return self.part(self.whole_rates(t, self.whole(t, z)))
+            return self.part(self.anywhere(t, self.whole(t, z)))
+
+    def whole_rates(self, t: float, z: Sequence[float]) -> list[float]:
+        """The rates of the whole state."""
+        return self._at(t, z, self.rates(t, z))[1]
+
+    @property
+    def operations(self) -> int:
+        """Of one evaluation of `rates`."""
+        return self._accelerations.operations
 
     def fits(self, t: float, y: Sequence[float]) -> bool:
         """Do the independent numbers of a state tell the others?"""

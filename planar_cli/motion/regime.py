@@ -86,6 +86,11 @@ class Regime:
 
     def rates(self, t: float, y: Sequence[float]) -> list[float]:
         """y': the rates of the coordinates, then the accelerations."""
+        part = self.reduced(t, y)
+        return self._whole_rates(t, y) if part is None else part.whole_rates(t, part.part(y))
+
+    def _whole_rates(self, t: float, y: Sequence[float]) -> list[float]:
+        """The same of a state that may miss its joints, or near a singular position."""
         found = self._rates(t, y)
         # Continued through a singular position, the first half is only nearly this.
         half = self.layout.count
@@ -101,7 +106,7 @@ class Regime:
         sizes = [self.parts.scales.length if s.kind in ("x", "y") else 1.0 for s in self.layout.slots]
         scale = [*sizes, *(size / self.parts.scales.time for size in sizes)]
         energies = (self._kinetic(), self.parts.potential) if self.conservative else None
-        return Reduced(self.layout, given, len(kept) - len(given), scale, self._part, self.rates, energies)
+        return Reduced(self.layout, given, len(kept) - len(given), scale, self._part, self._whole_rates, energies)
 
     def _part(self, view: View, numbers: Sequence[int]) -> Routine:
         """The rates of some coordinates and their accelerations."""
@@ -171,12 +176,12 @@ class Regime:
 
     @property
     def operations(self) -> int:
-        """Of one evaluation of `rates`."""
-        return self._rates.operations
+        """Of one evaluation while it is followed."""
+        return self._rates.operations if self._reduced is None else self._reduced.operations
 
     @property
     def source(self) -> str:
-        """The generated code of `rates`."""
+        """The generated code of the rates of a whole state."""
         return self._rates.code(0).text
 
     def neighbour(self, t: float, y: Sequence[float], place: int) -> tuple[float, list[float]]:

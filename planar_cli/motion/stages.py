@@ -96,9 +96,11 @@ class SceneAutomaton:
         """
         model, indices = self.model, self.model.chosen(choice)
         layout = model.layout
+        masses = [s.mass for s in layout.slots]
+        if all(m.constant and m.value > 0.0 for m in masses):
+            return ()
         held = [c for j in model.joints for c in model.held(j, indices[j.name]).constraints]
         constraints = [*held, *model.drives]
-        masses = [s.mass for s in layout.slots]
         terms = [*masses, *(x for c in constraints for x in c.row.values())]
         numbers = iter(compiled(terms, layout.state, layout.time).function(t, y))
         rows = [

@@ -78,6 +78,8 @@ class Settings:
     """Are linear and angular momentum balanced too? It costs about as much as the motion."""
     estimate: bool = True
     """Run twice, to estimate the error?"""
+    balanced: bool = True
+    """Are balances of energy (and momentum) looked at?"""
     progress: Callable[[float, float], None] | None = None
     """Told how far the motion has been followed, and to where it goes [s]."""
 
@@ -150,7 +152,8 @@ def simulate(problem: Problem, settings: Settings, units: Mapping[str, str] = US
     if not settings.estimate:
         return Simulation(first, found, False)
     step = None if settings.step is None else settings.step / 2
-    second = followed(scene, replace(settings, tolerance=tighter(settings.tolerance), step=step))
+    # What it is compared with has been balanced.
+    second = followed(scene, replace(settings, tolerance=tighter(settings.tolerance), step=step, balanced=False))
     better = Answers(problem, second.measures, second.trajectory, units).all()
     part = 1.0 if step is None else by_halving(order_of(settings.integrator))
     pairs = zip(found, better, strict=True)
@@ -289,6 +292,7 @@ def _followed(scene: Prepared, settings: Settings, shift: float, known: _Known) 
         None if shown is None else lambda t: shown(t, until),
         check=settings.check,
         momenta=settings.momenta,
+        balanced=settings.balanced,
         rest_ends=settings.until is None and not any(e.time is not None for e in schedule.events),
     )
     began = time.perf_counter()
