@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection, Mapping
+from typing import Any, Protocol
 
 import sympy as sp
 
+from planar_cli.equation.bodies import BodyModel
 from planar_cli.equation.evaluate import Evaluator
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.jets import Jet, constant, magnitude
-from planar_cli.equation.ledger import Ledger
-from planar_cli.errors import NoValue, refuse
-from planar_cli.problem.expression import Name, Number, Relation, Scaled, Side, Statement
+from planar_cli.errors import NoValue
+from planar_cli.problem.expression import Name, Number, Scaled, Side
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.located import length_in
 from planar_cli.problem.walk import walk
@@ -78,15 +79,38 @@ class Jets:
         return length_in(meters, units)
 
 
-def at_relations(ledger: Ledger, evaluator: Evaluator, relations: tuple[Statement, ...], expr: sp.Expr) -> sp.Expr:
-    """An expression at other values of the coordinates, each given by a relation `theta = 30 deg`."""
-    for relation in relations:
-        if not isinstance(relation, Relation) or not isinstance(relation.left, Name):
-            raise refuse(
-                relation.mark,
-                "PL542",
-                "a relaxed position is given by its coordinates",
-                "write `relaxed_at: [theta = 30 deg]`",
-            )
-        expr = expr.subs(ledger.symbols[relation.left.name], evaluator.value(relation.right))
-    return expr
+class Placed(Protocol):
+    """A scene whose places are expressions."""
+
+    @property
+    def bodies(self) -> Mapping[str, BodyModel]: ...
+    @property
+    def owners(self) -> Mapping[str, Collection[str]]: ...
+
+    def point(self, name: str) -> Vec: ...
+    def as_drawn(self, expr: Any) -> Any: ...
+    def value(self, side: Side) -> sp.Expr: ...
+
+
+@record
+class AsDrawn:
+    """A scene where the file draws it (problem/relaxed.py)."""
+
+    scene: Placed
+
+    def place_drawn(self, name: str) -> Vec:
+        place = self.scene.point(name)
+        return Vec(self.scene.as_drawn(place.x), self.scene.as_drawn(place.y))
+
+    def angle_drawn(self, body: str) -> sp.Expr:
+        found: sp.Expr = self.scene.as_drawn(self.scene.bodies[body].theta)
+        return found
+
+    def angle_at(self, side: Side) -> sp.Expr:
+        return self.scene.value(side)
+
+    def heading_of(self, angle: sp.Expr) -> Vec:
+        return Vec(sp.cos(angle), sp.sin(angle))
+
+    def owners_of(self, point: str) -> tuple[str, ...]:
+        return tuple(self.scene.owners.get(point, ()))

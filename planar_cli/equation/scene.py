@@ -17,7 +17,7 @@ from planar_cli.equation.evaluate import Evaluator
 from planar_cli.equation.expansion import expanded
 from planar_cli.equation.factoring import factored
 from planar_cli.equation.ledger import Ledger
-from planar_cli.equation.places import Jets, at_relations
+from planar_cli.equation.places import AsDrawn, Jets
 from planar_cli.equation.plain import longer, trigonometric
 from planar_cli.errors import Mark, refuse
 from planar_cli.problem.expression import Name, Side, Statement
@@ -25,6 +25,7 @@ from planar_cli.problem.facts import Outline
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.located import located
 from planar_cli.problem.outlines import Bend, Span, edges_at, outline_of, spot_of
+from planar_cli.problem.relaxed import reach_of, relaxed_at
 from planar_cli.problem.scene import (
     GROUND,
     Curve,
@@ -245,9 +246,12 @@ class Scene(Decided):
             return found
         return Vec(sp.cos(body.theta), sp.sin(body.theta))
 
-    def with_relations(self, relations: tuple[Statement, ...], expr: sp.Expr) -> sp.Expr:
-        """An expression at other values of the coordinates: `relaxed_at: [theta = 30 deg]`."""
-        return at_relations(self.ledger, self.evaluator, relations, expr)
+    def with_relations(self, relations: tuple[Statement, ...], expr: sp.Expr, ends: tuple[str, str]) -> sp.Expr:
+        """A distance of two points where relations hold: `relaxed_at: [theta = 30 deg]`."""
+        found = relaxed_at(self.problem, relations)
+        if found.turned:
+            return self.length(reach_of(AsDrawn(self), found, ends, relations[0].mark))
+        return expr.subs({self.ledger.symbols[name]: self.value(side) for name, side in found.coordinates.items()})
 
     def carrier(self, partner: str) -> str:
         """The body that a partner of a joint stands for: a surface's body, or the ground."""

@@ -86,7 +86,7 @@ class Spring(Load):
         """How much longer it is than when relaxed."""
         if self.natural_length is not None:
             return length - scene.value(self.natural_length)
-        return length - scene.with_relations(self.relaxed_at or (), length)
+        return length - scene.with_relations(self.relaxed_at or (), length, self.between)
 
     def wrenches(self, scene: MovingSetting) -> tuple[Wrench, ...]:
         start, end = (scene.point(p) for p in self.between)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from functools import cached_property, partial
 from itertools import pairwise
@@ -25,11 +26,12 @@ from planar_cli.motion.skids import Skids
 from planar_cli.motion.spots import spots_of
 from planar_cli.motion.terms import Term, evaluate
 from planar_cli.problem.acting import acting_loads
-from planar_cli.problem.expression import Name, Relation, Side, Statement
+from planar_cli.problem.expression import Name, Side, Statement
 from planar_cli.problem.facts import Outline, Wrench
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.keys import Table
 from planar_cli.problem.outlines import Bend, Span, edges_at, outline_of, spot_of
+from planar_cli.problem.relaxed import reach_of, relaxed_at
 from planar_cli.problem.scene import GROUND, Curve, Line, Plate, Problem, Round, Surface
 from planar_cli.units import parse_unit
 
@@ -193,15 +195,27 @@ class MovingScene(Carried):
             raise refuse(magnitude.mark, "PL592", "the instants of a table must follow each other", "sort its rows")
         return self.graph.call(self.graph.table(rows), self.time)
 
-    def with_relations(self, relations: tuple[Statement, ...], expr: Any) -> Term:
-        """An expression of places at other values of the coordinates: `relaxed_at: [theta = 30 deg]`."""
-        there = dict(self.reference.coordinates)
-        for relation in relations:
-            if not isinstance(relation, Relation) or not isinstance(relation.left, Name):
-                text, hint = "a relaxed position is given by its coordinates", "write `relaxed_at: [theta = 30 deg]`"
-                raise refuse(relation.mark, "PL542", text, hint)
-            there[relation.left.name] = self.value(relation.right).value
-        return self.graph.number(evaluate([self.graph.of(expr)], self.configuration(there))[0])
+    def with_relations(self, relations: tuple[Statement, ...], expr: Any, ends: tuple[str, str]) -> Term:
+        """A distance of two points where relations hold: `relaxed_at: [theta = 30 deg]`."""
+        found = relaxed_at(self.problem, relations)
+        if found.turned:
+            reach = reach_of(self, found, ends, relations[0].mark)
+            return self.graph.number(math.hypot(reach.x, reach.y))
+        there = {name: self.value(side).value for name, side in found.coordinates.items()}
+        configuration = self.configuration({**self.reference.coordinates, **there})
+        return self.graph.number(evaluate([self.graph.of(expr)], configuration)[0])
+
+    def angle_drawn(self, body: str) -> float:
+        """The angle of a rigid body as drawn, rad."""
+        return float(self.drawn[body].theta.value)
+
+    def angle_at(self, side: Side) -> float:
+        """An angle that the file gives, rad."""
+        return float(self.value(side).value)
+
+    def heading_of(self, angle: float) -> Vec:
+        """(cos, sin) of an angle in plain numbers."""
+        return Vec(math.cos(angle), math.sin(angle))
 
     # --- loads -------------------------------------------------------------------------------------------------------
 

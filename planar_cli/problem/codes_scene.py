@@ -82,7 +82,10 @@ _SCENE = {
     ),
     "PL540": "The direction of a force is missing. Write `angle: 30 deg` or `towards: P`.",
     "PL541": "The ends of a spring, damper, link or part of a rope are at the same place: its pull has no direction.",
-    "PL542": "A relaxed position is given by values of the coordinates: `relaxed_at: [theta = 30 deg]`.",
+    "PL542": (
+        "A relaxed position is given by values of the coordinates, `relaxed_at: [theta = 30 deg]`, or by the angles of "
+        "bodies on a pin of the ground, `relaxed_at: [theta(b) = 30 deg]`; each end of the spring must follow from it."
+    ),
     "PL543": "`speed:` makes a belt that runs along a line. For a round surface that moves let a disk turn instead.",
 }
 

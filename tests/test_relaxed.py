@@ -1,0 +1,53 @@
+"""Springs that are relaxed at the angle of a body, without a coordinate of the file."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+from answered import assert_close, number, solve
+
+from planar_cli.errors import FileProblem
+
+BAR = """
+title: Bar held by a spring that is relaxed when the bar is slanted
+plane: vertical
+given: {m: 3 kg, L: 1 m, k: 50 N/m}
+points: {O: [0, 0], B: [L, 0], C: [2*L, 0], W: [L, 1 m]}
+bodies: {rod: {rod: [O, B], mass: m}, other: {rod: [B, C], mass: m}}
+joints:
+  - pin: {at: O, between: [ground, rod]}
+  - weld: {at: B, between: [rod, other]}
+loads:
+  - spring: {between: [W, B], stiffness: k, relaxed_at: [theta(rod) = 30 deg], name: s}
+states: {1: [at rest, t = 0], 2: [omega(rod) = 0]}
+find: {F: force(s).mag @ 1, alpha: alpha(rod) @ 1, phi: theta(rod) @ 2}
+"""
+RELAXED = math.hypot(math.cos(math.pi / 6) - 1, 0.5 - 1)
+
+
+def test_a_bar_on_a_pin() -> None:
+    """k (1 m - l_0) L - 2 m g L = (8/3) m L² α; and the energy is the same where the bar is at rest again."""
+    found = solve(BAR)
+    force = 50 * (1 - RELAXED)
+    assert_close(found["F"], force)
+    assert_close(found["alpha"], (force - 6 * 9.81) / 8)
+    phi = float(number(found["phi"]))
+    stretch = math.hypot(math.cos(phi) - 1, math.sin(phi) - 1) - RELAXED
+    assert phi < -0.1
+    gained = 25 * (stretch**2 - (1 - RELAXED) ** 2) + 6 * 9.81 * math.sin(phi)
+    assert abs(gained) < 1e-9
+
+
+@pytest.mark.parametrize(
+    ("relation", "message"),
+    [
+        ("theta(other) = 30 deg", "other does not turn about one pin of the ground: where it is at that angle is open"),
+        ("x(B) = 0.5 m", "a relaxed position is given by its coordinates or by the angle of a body"),
+    ],
+)
+def test_what_leaves_it_open(relation: str, message: str) -> None:
+    with pytest.raises(FileProblem) as caught:
+        solve(BAR.replace("theta(rod) = 30 deg", relation))
+    (diagnostic,) = caught.value.diagnostics
+    assert (diagnostic.code, diagnostic.message) == ("PL542", message)
