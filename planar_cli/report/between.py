@@ -88,7 +88,7 @@ class BetweenTelling:
             yield Paragraph(line(f"{impact.impacts} impacts at once, {AT_ONCE}"))
         ledger = solution.instant.scene.ledger
         phrases = Phrases(ledger, solution.value, self.phrases.figures, self.phrases.symbolic)
-        yield from force_rows(solution, solution.stages[0], phrases, inertia_as_force=False)
+        yield from force_rows(solution, solution.stages[0], phrases, inertia_as_force=False, impulsive=True)
 
     def _impact(self, e: ImpactEquation, number: int) -> Iterator[Block]:
         left, right = self._put(e.left), self._put(e.right)

@@ -41,9 +41,11 @@ def dimension_of(expr: sp.Expr, ledger: Ledger) -> Dimension:
     return PURE
 
 
-def is_clean(ledger: Ledger, *exprs: sp.Expr) -> bool:
-    """Is it written in letters and such numbers as a person would write, with no unit swallowed by a number?"""
-    dimensions = set()
+def is_clean(ledger: Ledger, *exprs: sp.Expr, dimension: Dimension | None = None) -> bool:
+    """Is it written in letters and such numbers as a person would write, with no unit swallowed by a number?
+    `dimension`: what all of it must be, where that is known.
+    """
+    dimensions = {dimension} if dimension is not None else set()
     for expr in exprs:
         if expr == 0:
             continue

@@ -14,6 +14,7 @@ from planar_cli.report.clean import is_clean
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.roots import linear_or_square_roots
 from planar_cli.solve.solution import Found
+from planar_cli.units import LENGTH
 
 MOST = 2
 LONGEST = 60
@@ -47,11 +48,17 @@ def _sign_change(answer: Found, phrases: Phrases) -> Line | None:
     turning = factors[-1]
     options = []
     for symbol in sorted(turning.free_symbols, key=lambda s: s.name):
-        for root in linear_or_square_roots(turning, symbol) if symbol.name != "g" else ():
+        for root in linear_or_square_roots(turning, symbol) if _is_free(symbol, phrases) else ():
             remark = _remark(answer, symbol, root, turning, phrases)
             if remark is not None:
                 options.append((_distance(symbol, root, phrases), symbol.name, remark))
     return min(options, key=lambda o: o[:2])[2] if options else None
+
+
+def _is_free(symbol: sp.Symbol, phrases: Phrases) -> bool:
+    """Can it have another value in the scene as it is drawn? A length can not, but for a radius of gyration."""
+    unit = phrases.ledger.units.get(symbol)
+    return symbol.name != "g" and (unit is None or unit.dimension != LENGTH or symbol.name.startswith("k_"))
 
 
 def _distance(symbol: sp.Symbol, root: sp.Expr, phrases: Phrases) -> Decimal:

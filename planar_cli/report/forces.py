@@ -14,12 +14,16 @@ from planar_cli.equation.scene import Scene
 from planar_cli.loads.base import Load
 from planar_cli.problem.acting import kind_of
 from planar_cli.problem.facts import Push, Wrench
-from planar_cli.report.blocks import Forces, Line, Math, Name, Text, Value
+from planar_cli.report.blocks import Forces, Line, Math, Name, Text, Value, line
+from planar_cli.report.clean import is_clean
+from planar_cli.report.in_numbers import amount_in_numbers
 from planar_cli.report.names import plain_name
+from planar_cli.report.numeric import vanishing
+from planar_cli.report.page_units import coherent_unit
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.stages import Stage
 from planar_cli.solve.solution import InstantSolution
-from planar_cli.units import ENERGY, FORCE, PURE, TIME, Dimension, default_unit
+from planar_cli.units import ANGULAR_MOMENTUM, ENERGY, FORCE, MOMENTUM, PURE, TIME, Dimension, default_unit, pretty_unit
 
 SUDDEN = ("momentum", "impulse")
 """Kinds of wrenches that are momenta or impulses."""
@@ -27,10 +31,13 @@ LONGEST = 30
 """Of an acceleration with more operations only the name is told: the equations say what it is."""
 
 
-def force_rows(instant: InstantSolution, stage: Stage, phrases: Phrases, inertia_as_force: bool) -> list[Forces]:
+def force_rows(
+    instant: InstantSolution, stage: Stage, phrases: Phrases, inertia_as_force: bool, impulsive: bool = False
+) -> list[Forces]:
     """One row for each body that takes part in the kinetic equations; with D'Alembert's inertial forces among the
-    forces.
+    forces. `impulsive`: impulses and momenta.
     """
+    kinds = (MOMENTUM, ANGULAR_MOMENTUM) if impulsive else (FORCE, ENERGY)
     bodies: list[str] = []
     for block in stage.blocks:
         for w in block.equations:
@@ -38,7 +45,8 @@ def force_rows(instant: InstantSolution, stage: Stage, phrases: Phrases, inertia
     order = [b for b in instant.instant.scene.bodies if b in bodies]
     rows = []
     for body in order:
-        acting, inertia = _acting(instant, body, phrases), _inertia(instant, stage, body, phrases, inertia_as_force)
+        acting = _acting(instant, stage, body, phrases)
+        inertia = _inertia(instant, stage, body, phrases, inertia_as_force, kinds)
         if inertia_as_force:
             rows.append(Forces(body, (*acting, Text(",  "), *inertia) if inertia else acting, (Text("0"),)))
         else:
@@ -46,9 +54,10 @@ def force_rows(instant: InstantSolution, stage: Stage, phrases: Phrases, inertia
     return rows
 
 
-def _acting(instant: InstantSolution, body: str, phrases: Phrases) -> Line:
-    """What acts on a body; on a rigid one with where it acts."""
+def _acting(instant: InstantSolution, stage: Stage, body: str, phrases: Phrases) -> Line:
+    """What acts on a body; on a rigid one with where it acts. Couples of guides only where an equation has them."""
     system = instant.trial.system
+    used = {s for block in stage.blocks for w in block.equations for s in w.residual.free_symbols}
     rigid = instant.instant.scene.bodies[body].rigid
     parts: list[list[Any]] = []
     for w in system.wrenches:
@@ -67,7 +76,7 @@ def _acting(instant: InstantSolution, body: str, phrases: Phrases) -> Line:
                 )
     assert system.reactions is not None
     for push, expr in system.reactions.pushes:
-        for a in (a for a in push.actions if a.body == body):
+        for a in (a for a in push.actions if a.body == body and (a.force is not None or expr.free_symbols & used)):
             named = _at(instant, a.point, body) if push.kind == "tension" else f" at {push.place}"
             parts.append(_push(push, expr, a, phrases, named if rigid else ""))
     joined: list[Any] = []
@@ -129,7 +138,14 @@ def _centre(scene: Scene, body: str) -> str:
     return " at G" if alone else f" at {plain_name(f'G_{body}')}"
 
 
-def _inertia(instant: InstantSolution, stage: Stage, body: str, phrases: Phrases, reversed_sense: bool) -> Line:
+def _inertia(
+    instant: InstantSolution,
+    stage: Stage,
+    body: str,
+    phrases: Phrases,
+    reversed_sense: bool,
+    kinds: tuple[Dimension, Dimension],
+) -> Line:
     """m a_G and I α of a body; reversed they are the inertial force and couple. In equilibrium there is none."""
     if instant.trial.system.balanced(body):
         return ()
@@ -137,7 +153,10 @@ def _inertia(instant: InstantSolution, stage: Stage, body: str, phrases: Phrases
     parts: list[Any] = []
     place, at = instant.instant.scene.center_name(body), _centre(instant.instant.scene, body) if model.rigid else ""
     forces: list[tuple[sp.Expr, str]] = []
+    still = vanishing(stage)
     for direction, component in stage.accelerations.get(body, []) if model.mass != 0 else ():
+        if component in still:
+            continue
         v = -direction if reversed_sense else direction
         size = _size(direction, phrases)
         force = (
@@ -151,15 +170,29 @@ def _inertia(instant: InstantSolution, stage: Stage, body: str, phrases: Phrases
         parts += [Text(sign), phrases.math(model.mass), Text(" "), Name(f"a_{place}"), Text(at)]
     else:
         for force, arrow in forces:
-            parts += [Text(",  ")] * bool(parts) + [phrases.math(force), Text(f" {arrow}{at}")]
+            told = _clean(force, stage, phrases, kinds[0])
+            parts += [Text(",  ")] * bool(parts) + [*told, Text(f" {arrow}{at}")]
     motion = instant.trial.system.motion
     alpha = motion.accelerations[body].angular if motion and model.rigid else sp.S.Zero
+    alpha = sp.S.Zero if alpha in vanishing(stage) else alpha
     if model.inertia != 0 and alpha != 0:
         parts += [Text(",  ")] * bool(parts) + [
-            phrases.math(model.inertia * alpha),
+            *_clean(model.inertia * alpha, stage, phrases, kinds[1]),
             Text(" ↻" if reversed_sense else " ↺"),
         ]
     return tuple(parts)
+
+
+def _clean(amount: sp.Expr, stage: Stage, phrases: Phrases, dimension: Dimension) -> Line:
+    """m a or I α in letters; with its numbers where a number would hide a length."""
+    if phrases.symbolic or is_clean(phrases.ledger, amount, dimension=dimension):
+        return (phrases.math(amount),)
+    found = amount_in_numbers(amount, stage.algebra.unknowns, phrases, dimension)
+    if found is None:
+        return (phrases.math(amount),)
+    unit = coherent_unit(dimension, us=phrases.ledger.us).text
+    number = found.expr.free_symbols <= set(found.values or ())
+    return line(found, f" {pretty_unit(unit)}" if number else "")
 
 
 def _size(direction: Any, phrases: Phrases) -> sp.Expr:

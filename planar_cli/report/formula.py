@@ -143,7 +143,7 @@ _FUNCTIONS = {
     "Min": "min",
 }
 # Coefficients such as 2/5 (a sphere) and 5/12 (a plate) are read as fractions, 0.45 as a decimal number.
-_FRACTION_DENOMINATORS = frozenset({2, 3, 4, 5, 6, 7, 8, 9, 12})
+_FRACTION_DENOMINATORS = frozenset({2, 3, 4, 5, 6, 7, 8, 9, 12, 16, 18, 24, 32, 48, 64})
 _LONG = 7
 _FIGURES_OF_LONG = 6
 

@@ -16,6 +16,7 @@ from planar_cli.records import record
 from planar_cli.report.blocks import Math
 from planar_cli.report.clean import Mixed, dimension_of
 from planar_cli.report.numbers import significant
+from planar_cli.report.ordering import NUMBER
 from planar_cli.report.page_units import coherent_unit
 from planar_cli.report.words import Phrases
 from planar_cli.units import Dimension
@@ -34,17 +35,52 @@ class Sides:
 
 
 def in_numbers(
-    left: sp.Expr, right: sp.Expr, unknowns: Collection[sp.Symbol], phrases: Phrases, dimension: Dimension | None = None
+    left: sp.Expr,
+    right: sp.Expr,
+    unknowns: Collection[sp.Symbol],
+    phrases: Phrases,
+    dimension: Dimension | None = None,
+    apart: bool = False,
 ) -> Sides | None:
     """An equation collected in its unknowns, with a number for everything else; None where a known has none, or where
-    its unknowns stand in functions. `dimension`: of its sides, where it is known; else that of its terms.
+    its unknowns stand in functions. `dimension`: of its sides, where it is known; else that of its terms. `apart`: all
+    unknowns on the left, all numbers on the right.
     """
     if not all(phrases.has_numbers(s) or s in unknowns for s in (left - right).free_symbols):
         return None
     dimension = dimension or _common(phrases.ledger, left, right)
     writer = _Collected(frozenset(unknowns), phrases, dimension)
-    sides = [writer.side(e) for e in (left, right)]
-    return None if sides[0] is None or sides[1] is None else Sides(sides[0], sides[1], dimension)
+    before, after = writer.terms(left), writer.terms(right)
+    if before is None or after is None:
+        return None
+    if apart:
+        before, after = _apart(before, after)
+    largest = max(map(abs, (*before.values(), *after.values())), default=Decimal(0))
+    return Sides(writer.side(before, largest), writer.side(after, largest), dimension)
+
+
+def amount_in_numbers(
+    expr: sp.Expr, unknowns: Collection[sp.Symbol], phrases: Phrases, dimension: Dimension
+) -> Math | None:
+    """One amount collected in its unknowns; None where `in_numbers` has none."""
+    if not all(phrases.has_numbers(s) or s in unknowns for s in expr.free_symbols):
+        return None
+    writer = _Collected(frozenset(unknowns), phrases, dimension)
+    terms = writer.terms(expr)
+    return None if terms is None else writer.side(terms, max(map(abs, terms.values()), default=Decimal(0)))
+
+
+def _apart(
+    left: dict[sp.Expr, Decimal], right: dict[sp.Expr, Decimal]
+) -> tuple[dict[sp.Expr, Decimal], dict[sp.Expr, Decimal]]:
+    """The unknowns on the left, the first of them positive, and the number on the right."""
+    whole = dict(left)
+    for monomial, coefficient in right.items():
+        whole[monomial] = whole.get(monomial, Decimal(0)) - coefficient
+    number = -whole.pop(sp.S.One, Decimal(0))
+    leading = next((c for c in whole.values() if c), Decimal(1))
+    sense = 1 if leading > 0 else -1
+    return {m: sense * c for m, c in whole.items()}, {sp.S.One: sense * number}
 
 
 def _common(ledger: Ledger, *sides: sp.Expr) -> Dimension | None:
@@ -62,11 +98,8 @@ class _Collected:
     def __init__(self, unknowns: frozenset[sp.Symbol], phrases: Phrases, dimension: Dimension | None) -> None:
         self.unknowns, self.phrases, self.dimension = unknowns, phrases, dimension
 
-    def side(self, expr: sp.Expr) -> Math | None:
-        terms = self._terms(expr)
-        if terms is None:
-            return None
-        largest = max((abs(c) for c in terms.values()), default=Decimal(0))
+    def side(self, terms: dict[sp.Expr, Decimal], largest: Decimal) -> Math:
+        """One side as a formula; what is below the rounding of the largest term is left out."""
         texts: dict[sp.Symbol, str] = {}
         parts = []
         for monomial, coefficient in terms.items():
@@ -81,7 +114,7 @@ class _Collected:
         shown = significant(size, self.phrases.figures)
         if shown == "1" and monomial != 1:
             return sign * monomial
-        number = sp.Symbol(f"#{len(texts)}", positive=True)
+        number = sp.Symbol(f"{NUMBER}{len(texts)}", positive=True)
         texts[number] = shown
         return sign * number * monomial
 
@@ -93,11 +126,11 @@ class _Collected:
         unit = coherent_unit(self.dimension / dimension_of(monomial, ledger), us=ledger.us)
         return Decimal(unit.factor.numerator) / Decimal(unit.factor.denominator)
 
-    def _terms(self, expr: sp.Expr) -> dict[sp.Expr, Decimal] | None:
+    def terms(self, expr: sp.Expr) -> dict[sp.Expr, Decimal] | None:
         """Coefficients by products of unknowns."""
         opened = sp.expand(self._with_rationals(expr)) if expr.free_symbols & self.unknowns else expr
         found: dict[sp.Expr, Decimal] = {}
-        for term in sp.Add.make_args(opened):
+        for term in sp.Add.make_args(opened) if opened != 0 else ():
             known, monomial = term.as_independent(*self.unknowns, as_Add=False)
             factors = sp.Mul.make_args(monomial)
             if not all(f.is_Symbol or (f.is_Pow and f.base.is_Symbol and f.exp.is_Integer) or f == 1 for f in factors):

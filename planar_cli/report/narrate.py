@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from planar_cli.equation.ledger import display
+from planar_cli.problem.expression import Quantity
 from planar_cli.problem.unused import unused
 from planar_cli.records import record
+from planar_cli.report.asked import AskedTelling
 from planar_cli.report.blocks import (
     Answer,
     Block,
@@ -90,6 +92,9 @@ def part_blocks(part: PartSolution, voice: Voice, why: str | None, told: set[tup
             before = (steps, count) if part.motion is not None else (0, 0)
             telling = Telling(instant, phrases_of(instant, figures), audience, wanted, *before)
             blocks += telling.blocks()
+            if part.motion is None:
+                mine = [f for f in part.found if (why is None or f.name == why) and _at(f) in ("", instant.state)]
+                blocks += AskedTelling(instant, telling.phrases, telling.vectors).blocks(mine)
             steps, count = telling.steps, telling.count
     phrases = phrases_in(part, figures)
     blocks += _read_off(part, figures)
@@ -140,6 +145,12 @@ def _letter(found: Found, part: PartSolution, phrases: Phrases, told: Iterable[B
     ):
         yield Value(number, found.unit.text, phrases.figures)
         yield Text(", that is ")
+
+
+def _at(found: Found) -> str:
+    """The state at which something is asked; empty of the only instant."""
+    what = found.find.found.what if found.find is not None else None
+    return what.at if isinstance(what, Quantity) and isinstance(what.at, str) else ""
 
 
 def _effects(instant: InstantSolution, told: set[tuple[str, ...]]) -> Iterator[Block]:

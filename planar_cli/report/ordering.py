@@ -29,6 +29,8 @@ _OTHER_LETTERS = 6
 _TIME = len(_GROUPS) - 1
 _FUNCTIONS = len(_GROUPS)
 _NUMBERS = -1
+NUMBER = "#"
+"""With this the name of a symbol begins that stands for a number as it is printed."""
 
 Key = tuple[float, bool, str, str, float]
 
@@ -42,6 +44,8 @@ def factor_key(factor: Any) -> Key:
         return (_NUMBERS, False, "", str(base), power)
     if base.is_Symbol:
         name = base.name
+        if name.startswith(NUMBER):
+            return (_NUMBERS, False, "", name, power)
         return (_rank(name), "_" in name, name.casefold(), name, power)
     if base.is_Add or base.is_Mul:
         # A bracket stands behind the letters of its own kind: (m_1 + m_2) g, P (R + r), m (R² + k_G²) α.

@@ -11,6 +11,8 @@ from planar_cli.equation.plain import identically_zero, longer
 from planar_cli.report.blocks import Block, Equation, Heading, Line, Math, Name, Note, Paragraph, Text, line
 from planar_cli.report.checks import friction_against_limit, friction_in
 from planar_cli.report.forces import force_rows
+from planar_cli.report.numeric import NumericTelling, vanishing
+from planar_cli.report.vectors import VectorTelling
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.algebra import Line as SolvedLine
 from planar_cli.solve.instant.algebra import SolvedBlock
@@ -47,6 +49,9 @@ class Telling:
         self.principle = instant.instant.principle
         self._numbers: dict[tuple[int, int], int] = {}
         self._premised: set[str] = set()
+        self._merged: set[int] = set()
+        self.vectors = VectorTelling(instant.trial, phrases, {z for s in self.stages for z in vanishing(s)})
+        self.numeric = NumericTelling(phrases, self.stages)
 
     def number(self, stage: Stage, own: int) -> int:
         """The printed number of an equation or line of a stage."""
@@ -155,7 +160,7 @@ class Telling:
         for stage in self.stages:
             for block in stage.blocks:
                 for w in block.equations:
-                    used |= w.residual.free_symbols
+                    used |= set() if self.numeric.put_whole(w, stage) else w.residual.free_symbols
             for x in stage.lines:
                 used |= x.expression.free_symbols
         return used
@@ -163,7 +168,7 @@ class Telling:
     def _chain(self, symbol: sp.Symbol, expr: sp.Expr, value: Any) -> tuple[Any, ...]:
         """symbol = formula = numbers = value."""
         sides: list[Any] = [self.phrases.math(symbol)]
-        if not expr.is_number:
+        if not expr.is_number and self.numeric.readable(expr):
             sides.append(self.phrases.math(expr))
             if not expr.is_Symbol:
                 sides += self.phrases.substituted(expr, value)
@@ -209,24 +214,41 @@ class Telling:
         if w.given:
             value = self.phrases.shown(w.left) if w.right.is_number else self.phrases.math(w.right)
             return [Equation((self.phrases.math(w.left), value), number, line("given:"))]
-        sides = (self.phrases.math(w.left), self.phrases.math(w.right))
         if w.law == "relation":
-            return [Paragraph(self._named(self._relation_words(w))), Equation(sides, number)]
+            return self._relation(w, stage, number)
+        sides, note = self.numeric.sides(w, stage, (w.left, w.right))
         if w.law == "single":
-            return [*self._premises(w), Paragraph(line(f"{w.words}:")), Equation(sides, number, self._lead(w))]
-        left, right = self.principle.sides(w.left, w.right)
-        sides = (self.phrases.math(left), self.phrases.math(right))
+            return [*self._premises(w), Paragraph(line(f"{w.words}:")), Equation(sides, number, self._lead(w), note)]
+        sides, note = self.numeric.sides(w, stage, self.principle.sides(w.left, w.right))
         group = ", ".join(w.bodies)
         if w.law == "moment":
             return [
                 Paragraph(self._moment_words(w, group, stage)),
-                Equation(sides, number, line("↺ ", Name(f"ΣM_{w.lead}"), ":")),
+                Equation(sides, number, line("↺ ", Name(f"ΣM_{w.lead}"), ":"), note),
             ]
         lead = line(f"{self.phrases.along(w.along)} ", Name(f"ΣF_{w.lead}") if w.lead else Text("ΣF"), ":")
         return [
             Paragraph(self._named(f"{group}:" if w.lead else f"{group}, {w.words}:")),
-            Equation(sides, number, lead),
+            Equation(sides, number, lead, note),
         ]
+
+    def _relation(self, w: Written, stage: Stage, number: int) -> list[Block]:
+        """A relation of kinematics: why it holds, and its component; with the value where it is its own solution."""
+        words = self.vectors.before(w, stage.level) or [Paragraph(self._named(self._relation_words(w)))]
+        line_of = next((x for b in stage.blocks for x in b.lines if x.equations == (w.number,)), None)
+        if line_of is not None and not self.numeric.put_whole(w, stage) and self._solves_itself(w, line_of, stage):
+            self._merged.add(w.number)
+            chain = self._chain(line_of.symbol, line_of.formula, self.phrases.shown(line_of.symbol, line_of.value))
+            return [*words, Equation(chain, number)]
+        turned = all(e.could_extract_minus_sign() for e in (w.left, w.right))
+        sides, note = self.numeric.sides(w, stage, (-w.left, -w.right) if turned else (w.left, w.right))
+        return [*words, Equation(sides, number, (), note)]
+
+    def _solves_itself(self, w: Written, found: SolvedLine, stage: Stage) -> bool:
+        """Does a relation already stand as unknown = formula, all of which is known by then?"""
+        if w.left != found.symbol or w.right != found.formula or found.letters:
+            return False
+        return not (found.formula.free_symbols & stage.algebra.unknowns) and self.numeric.readable(found.formula)
 
     def _premises(self, w: Written) -> list[Block]:
         """What stands in equations of a whole scene, each once."""
@@ -317,7 +339,11 @@ class Telling:
 
     def _block(self, block: SolvedBlock, stage: Stage) -> list[Block]:
         blocks: list[Block] = []
-        if len(block.unknowns) > 1:
+        lines = block.lines
+        if any(not self.numeric.readable(x.formula) for x in lines) or self._in_numbers(block, stage):
+            blocks = self._put_in(block, stage)
+            lines = tuple(x for x in lines if not x.letters)
+        elif len(block.unknowns) > 1:
             numbers = ", ".join(f"({self.number(stage, w.number)})" for w in block.equations)
             parts: list[Any] = [f"{numbers} together"]
             if block.letters:
@@ -325,16 +351,31 @@ class Telling:
                 for i, s in enumerate(block.letters):
                     parts += [", " if i else "", Math(s)]
             blocks.append(Paragraph(line(*parts, ":")))
-        lines = [b for x in block.lines for b in self._line(x, stage)]
-        return [*blocks, *lines]
+        return [*blocks, *(b for x in lines if not self._merged >= set(x.equations) for b in self._line(x, stage))]
+
+    def _in_numbers(self, block: SolvedBlock, stage: Stage) -> bool:
+        return any(self.numeric.put_whole(w, stage) for w in block.equations)
+
+    def _put_in(self, block: SolvedBlock, stage: Stage) -> list[Block]:
+        """The equations of a block with the numbers put in, those that were not printed so."""
+        found: list[Block] = []
+        for w in block.equations:
+            equation = self.numeric.put_in(w, stage, block.unknowns)
+            if equation is not None:
+                sides, note = equation
+                found.append(Equation(sides, None, line(f"({self.number(stage, w.number)}) in numbers:"), note))
+        return found
 
     def _line(self, x: SolvedLine, stage: Stage) -> list[Block]:
         lead = line(" and ".join(f"({self.number(stage, n)})" for n in x.equations) + ":")
         if x.letters:
             return [Equation((self.phrases.math(x.symbol), self.phrases.math(x.formula)), None, lead)]
-        found: list[Block] = [
-            Equation(self._chain(x.symbol, x.formula, self.phrases.shown(x.symbol, x.value)), None, lead)
-        ]
+        shown = self.phrases.shown(x.symbol, x.value)
+        put = any(
+            w.number in x.equations and self.numeric.put_whole(w, stage) for b in stage.blocks for w in b.equations
+        )
+        sides = (self.phrases.math(x.symbol), shown) if put else self._chain(x.symbol, x.formula, shown)
+        found: list[Block] = [Equation(sides, None, lead)]
         return [*found, *self._other_roots(x)]
 
     def _other_roots(self, x: SolvedLine) -> list[Block]:

@@ -22,7 +22,7 @@ from planar_cli.report.numbers import quantity, rotation_words, significant, vec
 from planar_cli.report.page_units import coherent_unit
 from planar_cli.report.pieces import met
 from planar_cli.solve.solution import Found
-from planar_cli.units import Unit, default_unit
+from planar_cli.units import Dimension, Unit, default_unit
 
 LONG = 7
 """A rational with more digits than this is shown rounded."""
@@ -133,6 +133,11 @@ class Phrases:
         """The unit of the lines of the page: SI, or feet, slugs, seconds and pounds in a file in US units."""
         return coherent_unit(unit.dimension, unit.angle, self.ledger.us)
 
+    def of_dimension(self, value: Decimal, dimension: Dimension, angle: bool = False) -> Value:
+        """A value in SI units in the unit of the page."""
+        unit = coherent_unit(dimension, angle, self.ledger.us)
+        return Value(display(value, unit), unit.text, self.figures)
+
     def shown(self, symbol: sp.Symbol, value: Decimal | None = None) -> Value:
         """The value of a symbol in the units of the page."""
         unit = self.ledger.units.get(symbol)
@@ -146,14 +151,15 @@ class Phrases:
 
     def arrow(self, x: Any, y: Any) -> str:
         """The direction of a vector as an arrow."""
-        return vector_arrow(self._certain(x), self._certain(y))
+        return vector_arrow(self.certain(x), self.certain(y))
 
     def along(self, direction: tuple[Any, Any] | None) -> str:
         """The sense in which forces or momenta count as positive."""
         assert direction is not None
         return self.arrow(*direction)
 
-    def _certain(self, expr: Any) -> Decimal:
+    def certain(self, expr: Any) -> Decimal:
+        """The value of an expression, zero where it is that to all certain digits."""
         value = self.value(expr)
         return Decimal(0) if value and self.value.is_zero(expr) else value
 

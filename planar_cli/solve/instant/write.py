@@ -356,9 +356,11 @@ class Writer:
     # --- relations ---------------------------------------------------------------------------------------------------
 
     def _relation(self, condition: Condition, choice: Choice | None) -> Written:
+        along = None
         if isinstance(condition.residual, Vec):
             assert choice is not None
             residual = condition.residual.dot(choice.vector)
+            along = (choice.vector.x, choice.vector.y)
             words = f"{condition.text}, {choice.words}" if condition.kind != "closure" else choice.words
         else:
             residual, words = condition.residual, ""
@@ -371,9 +373,10 @@ class Writer:
         if not left:
             left, right = self._apart(residual)
         datum = condition.kind == "given" and len(form.terms) == 1 and sp.Add(*left).is_Symbol
-        return Written(
+        written = Written(
             self.number(), "relation", (), condition.text, words, sp.Add(*left), right, condition.kind, datum
         )
+        return replace(written, along=along, place=condition.place)
 
     def _apart(self, residual: sp.Expr) -> tuple[list[sp.Expr], sp.Expr]:
         """What holds unknowns on the left, the rest on the right, where none of them enters linearly."""

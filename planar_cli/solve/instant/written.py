@@ -27,7 +27,12 @@ class Written:
     given: bool = False
     premises: tuple[Premise, ...] = ()
     along: tuple[sp.Expr, sp.Expr] | None = None
-    """Of a sum of forces, the direction in which they count as positive."""
+    """Of a sum of forces, the direction in which they count as positive; of a vector relation that of its component,
+    which is no unit vector where its length is a long formula.
+    """
+
+    place: str = ""
+    """Of a relation, the point that it is about."""
 
     @property
     def residual(self) -> sp.Expr:

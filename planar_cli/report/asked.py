@@ -1,0 +1,279 @@
+"""What is asked of one instant, where it is more than an unknown of the equations: each answer gets its line.
+
+A velocity or acceleration comes as its vector equation with the numbers, then the component that is asked.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
+from decimal import Decimal
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.equation.factoring import factored
+from planar_cli.equation.ledger import display
+from planar_cli.equation.plain import longer, simplified
+from planar_cli.problem.expression import Quantity
+from planar_cli.problem.geometry import Vec
+from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Text, Value, line
+from planar_cli.report.clean import is_clean
+from planar_cli.report.names import plain_name
+from planar_cli.report.numbers import significant
+from planar_cli.report.ordering import NUMBER
+from planar_cli.report.vectors import VectorTelling
+from planar_cli.report.words import Phrases, told_unit
+from planar_cli.solve.solution import Found, InstantSolution
+from planar_cli.units import ACCELERATION, VELOCITY, Dimension, pretty_unit
+
+LONGEST = 40
+"""A formula of more operations is told by its numbers alone, and where these are longer too by its value."""
+MOVING = ("v", "a", "coriolis")
+AXES = ("x", "y", "along", "across")
+"""Parts of a vector that are components along an axis."""
+
+
+class AskedTelling:
+    """Lines of what is asked of one instant."""
+
+    def __init__(self, instant: InstantSolution, phrases: Phrases, vectors: VectorTelling) -> None:
+        self.instant, self.phrases, self.vectors = instant, phrases, vectors
+        self.system = instant.trial.system
+        self.scene = instant.instant.scene
+        self._told: set[str] = set()
+        self._named: set[str] = set()
+
+    def blocks(self, found: Iterable[Found]) -> Iterator[Block]:
+        """A line or several for each answer that is no unknown of the equations."""
+        for raw in found:
+            if raw.kind not in ("number", "vector") or raw.find is None or all(e.is_number for e in raw.asked):
+                continue
+            answer = replace(raw, asked=tuple(e if longer(e, LONGEST) else simplified(e) for e in raw.asked))
+            if len(answer.asked) == 1 and answer.asked[0].is_Symbol:
+                continue
+            what = raw.find.found.what
+            if isinstance(what, Quantity) and self._has_vectors(answer, what):
+                yield from self._moving(answer, what)
+            else:
+                yield from self._formula(answer)
+
+    def _has_vectors(self, answer: Found, q: Quantity) -> bool:
+        """Is it a velocity or an acceleration, more than an unknown, all of whose components are known?"""
+        if q.word not in MOVING or not q.things or self._plain(answer):
+            return False
+        vector = self.system.quantities().any(replace(q, parts=(), word="a" if q.word == "coriolis" else q.word))
+        known = self.phrases.value.known
+        return isinstance(vector, Vec) and all(known(p.value) is not None for p in (vector.x, vector.y))
+
+    def _plain(self, answer: Found) -> bool:
+        """Is it an unknown up to its sign or a simple factor, which says more than a vector would?"""
+        expr = answer.asked[0]
+        return len(answer.asked) == 1 and len(expr.free_symbols) == 1 and not longer(expr, 2)
+
+    # --- formulas ----------------------------------------------------------------------------------------------------
+
+    def _formula(self, answer: Found) -> Iterator[Block]:
+        """name = formula = numbers = value, for each component; of a magnitude with a long formula √(x² + y²)."""
+        what = answer.find.found.what if answer.find is not None else None
+        sized = isinstance(what, Quantity) and len(what.parts) == 1 and what.parts[0].kind == "mag"
+        if sized and answer.values is not None and not self._readable(answer.asked[0]):
+            assert isinstance(what, Quantity)
+            vector = self._parts(what)
+            if vector is not None:
+                size = self._size(vector, answer.unit.dimension)
+                yield Equation((line(Name(answer.name)), size, *self._values(answer, answer.values[0])))
+                return
+        axes = ("x", "y") if len(answer.asked) == 2 else ("",)
+        for i, (axis, expr) in enumerate(zip(axes, answer.asked, strict=True)):
+            name = line(Name(answer.name), f", {axis}" if axis else self._sense(answer))
+            sides: list[Any] = [name]
+            values = [] if answer.values is None else self._values(answer, answer.values[i])
+            if self._readable(expr) and not expr.is_number:
+                sides.append(self.phrases.math(expr))
+            if not self.phrases.symbolic and values and not longer(expr, LONGEST):
+                sides += self.phrases.substituted(expr, values[0])
+            sides += values
+            if len(sides) > 1:
+                yield Equation(tuple(sides))
+
+    def _readable(self, expr: sp.Expr) -> bool:
+        return not longer(expr, LONGEST) and (self.phrases.symbolic or is_clean(self.phrases.ledger, expr))
+
+    def _size(self, vector: list[Decimal], dimension: Dimension) -> Math:
+        """√(x² + y²) with the numbers, in the units of the page."""
+        numbers = [self.phrases.of_dimension(v, dimension) for v in vector]
+        texts = {sp.Symbol(f"{NUMBER}{i}", real=True): _text(n) for i, n in enumerate(numbers)}
+        x, y = texts
+        return Math(sp.sqrt(sp.Add(x**2, y**2, evaluate=False), evaluate=False), texts)
+
+    def _sense(self, answer: Found) -> str:
+        """In which sense it counts, where the equations have a letter of its name."""
+        what = answer.find.found.what if answer.find is not None else None
+        same = any(plain_name(s.name) == plain_name(answer.name) for e in answer.asked for s in e.free_symbols)
+        if not same or not isinstance(what, Quantity) or not what.parts or what.parts[-1].kind not in AXES:
+            return " as asked" if same else ""
+        return f" in the sense {self.phrases.arrow(*map(_rational, self._axis(what)))}"
+
+    def _values(self, answer: Found, number: Decimal) -> list[Value]:
+        """A value in the unit of the page, which the numbers before it have, and in that of the answer."""
+        own = self.phrases.page_unit(answer.unit)
+        units = [answer.unit] if answer.unit.text == "deg" or own.factor == answer.unit.factor else [own, answer.unit]
+        return [Value(display(number, u), told_unit(u, answer.energy), self.phrases.figures) for u in units]
+
+    # --- velocities and accelerations --------------------------------------------------------------------------------
+
+    def _moving(self, answer: Found, q: Quantity) -> Iterator[Block]:
+        """The vectors that lead to it, then its component; its formula where no vector equation leads to it."""
+        point, frame = q.things[0], self.system.quantities().frame_body(q)
+        if frame is not None:
+            told = list(self._seen(point, frame, q.word))
+            name = {"v": "v_rel", "a": "a_rel", "coriolis": "a_cor"}[q.word]
+        elif len(q.things) == 2 and q.things[1] != "ground":
+            told = list(self._between(point, q.things[1], q.word))
+            name = f"{q.word}_{point}/{q.things[1]}"
+        else:
+            own = point if point in self.scene.points else self.scene.center_name(point)
+            told, name = list(self._absolute(point, q.word)), f"{q.word}_{own}"
+        if told or name in self._named:
+            self._named.add(name)
+            yield from told
+            yield from self._component(answer, q, name)
+        else:
+            yield from self._formula(answer)
+
+    def _absolute(self, point: str, word: str) -> Iterator[Block]:
+        """v_P = v_A + ω × r_P/A = [x, y]."""
+        level = "velocity" if word == "v" else "acceleration"
+        if point not in self.scene.points:
+            yield from self._body_point(point, self.scene.center(point), self.scene.center_name(point), level)
+            return
+        place = self.scene.point(point)
+        for body in self.scene.owners.get(point, ()) or (self.scene.owner(point),):
+            if body in self.scene.bodies and self.vectors.formula(body, place, point, level) is not None:
+                yield from self._body_point(body, place, point, level)
+                return
+
+    def _body_point(self, body: str, at: Vec, place: str, level: str) -> Iterator[Block]:
+        """The equation of a point of a body with its value, after those of the points on which it rests."""
+        body = self.vectors.carrier(body)
+        found = self.vectors.formula(body, at, place, level)
+        if found is None:
+            return
+        edge, sides, arm = found
+        if edge.joining is not None and not self.vectors.rests(edge, level):
+            yield from self._body_point(edge.parent, edge.joining.point, edge.joining.place, level)
+        motion = self.vectors.motion
+        vector = motion.velocity(at, body) if level == "velocity" else motion.acceleration(at, body)
+        note = self.vectors.arm_once(place, edge, arm)
+        yield from self._once(f"{level} {place}", sides, vector, level, note)
+
+    def _once(self, key: str, sides: tuple[Line, ...], vector: Vec, level: str, note: Line = ()) -> Iterator[Block]:
+        if key not in self._told:
+            self._told.add(key)
+            value = self._vector(vector, VELOCITY if level == "velocity" else ACCELERATION)
+            yield Equation((*sides, value) if value else sides, None, note=note)
+
+    def _seen(self, point: str, frame: str, word: str) -> Iterator[Block]:
+        """v_rel = v_P - v_P′; a_cor = 2 ω × v_rel; a_rel = a_P - a_P′ - a_cor."""
+        quantities, motion = self.system.quantities(), self.vectors.motion
+        place, spin = self.scene.point(point), motion.velocities[frame].angular
+        relative, acceleration = quantities.seen_from(point, frame)
+        levels = {"v": ("velocity",), "coriolis": ("velocity",), "a": ("velocity", "acceleration")}[word]
+        for level in levels:
+            yield from self._absolute(point, level[0])
+            yield from self._body_point(frame, place, f"{point}′", level)
+            v = level[0]
+            sides: list[Any] = [Name(f"{v}_{point}"), " - ", Name(f"{v}_{point}′")]
+            if level == "acceleration" and spin != 0:
+                sides += [" - ", Name("a_cor")]
+            vector = relative if level == "velocity" else acceleration
+            if level == "acceleration" and spin != 0:
+                yield from self._coriolis(relative, spin)
+            left = line(Name(f"{v}_rel"))
+            yield from self._once(f"{v}_rel {point} {frame}", (left, line(*sides)), vector, level)
+        if word == "coriolis":
+            yield from self._coriolis(relative, spin)
+
+    def _coriolis(self, relative: Vec, spin: sp.Expr) -> Iterator[Block]:
+        sides = (line(Name("a_cor")), line("2 ", self.phrases.math(spin), " × ", Name("v_rel")))
+        yield from self._once(f"a_cor {spin} {relative}", sides, relative.turned() * (2 * spin), "acceleration")
+
+    def _between(self, one: str, other: str, word: str) -> Iterator[Block]:
+        """v_A/B = v_A - v_B."""
+        for point in (one, other):
+            yield from self._absolute(point, word)
+        found = self.system.quantities().place(one) - self.system.quantities().place(other)
+        level = "velocity" if word == "v" else "acceleration"
+        vector = Vec(*(getattr(p, "rate" if word == "v" else "second") for p in (found.x, found.y)))
+        sides = (line(Name(f"{word}_{one}/{other}")), line(Name(f"{word}_{one}"), " - ", Name(f"{word}_{other}")))
+        yield from self._once(f"{word} {one}/{other}", sides, vector, level)
+
+    def _component(self, answer: Found, q: Quantity, name: str) -> Iterator[Block]:
+        """The part of the vector that is asked: its size, its direction, or along an axis."""
+        if not q.parts or answer.values is None:
+            if answer.values is None:
+                yield from self._formula(answer)
+            return
+        values, vector = self._values(answer, answer.values[0]), self._parts(q)
+        if vector is None or len(q.parts) > 1 or q.parts[-1].kind not in (*AXES, "mag"):
+            told = {"angle": "its direction", "t": "along the path", "n": "across the path"}.get(q.parts[-1].kind, "")
+            yield Equation((line(Name(answer.name)), *values), None, note=line(told) if told else ())
+            return
+        numbers = [self.phrases.of_dimension(v, self._dimension(q)) for v in vector]
+        texts = {sp.Symbol(f"{NUMBER}{i}", real=True): _text(n) for i, n in enumerate(numbers)}
+        own = [] if plain_name(answer.name) == plain_name(name) else [line(Name(answer.name))]
+        if q.parts[-1].kind == "mag":
+            size = self._size(vector, self._dimension(q))
+            yield Equation((*own, line("|", Name(name), "|"), size, *values))
+            return
+        axis = self._axis(q)
+        names = tuple(texts)
+        for i, cosine in enumerate(axis):
+            texts[sp.Symbol(f"{NUMBER}cos{i}", real=True)] = significant(cosine, self.phrases.figures)
+        cosines = [s for s in texts if s not in names]
+        sides: list[Any] = [line(Name(answer.name))]
+        if all(abs(c) not in (0, 1) for c in axis):
+            parts = [sp.Mul(c, n, evaluate=False) for c, n in zip(cosines, names, strict=True)]
+            sides.append(Math(sp.Add(*parts, evaluate=False), texts))
+        told = {"x": "along x", "y": "along y"}.get(q.parts[-1].kind, self.phrases.arrow(*map(_rational, axis)))
+        yield Equation((*sides, *values), None, note=line("the component of ", Name(name), f" {told}"))
+
+    def _axis(self, q: Quantity) -> list[Decimal]:
+        """The unit vector along which a component is taken."""
+        part = q.parts[-1]
+        if part.kind in ("x", "y"):
+            return [Decimal(part.kind == "x"), Decimal(part.kind == "y")]
+        unit = self.system.quantities().direction(part)
+        axis = Vec(unit.x.value, unit.y.value)
+        axis = axis if part.kind == "along" else axis.turned()
+        return [self.phrases.certain(axis.x), self.phrases.certain(axis.y)]
+
+    def _parts(self, q: Quantity) -> list[Decimal] | None:
+        """Both components of the whole vector [SI]."""
+        found = self.system.quantities().any(replace(q, parts=()))
+        if not isinstance(found, Vec):
+            return None
+        return [self.phrases.certain(p.value) for p in (found.x, found.y)]
+
+    @staticmethod
+    def _dimension(q: Quantity) -> Dimension:
+        return VELOCITY if q.word == "v" else ACCELERATION
+
+    def _vector(self, vector: Vec, dimension: Dimension) -> Line:
+        """[x, y] with its unit; in letters where they are short."""
+        if self.phrases.symbolic:
+            if longer(vector.x, LONGEST) or longer(vector.y, LONGEST):
+                return ()
+            return line("[", self.phrases.math(factored(vector.x)), ", ", self.phrases.math(factored(vector.y)), "]")
+        values = [self.phrases.of_dimension(self.phrases.certain(p), dimension) for p in (vector.x, vector.y)]
+        bare = [Value(v.number, "1", v.figures) for v in values]
+        return line("[", bare[0], ", ", bare[1], "] ", Text(pretty_unit(values[0].unit)))
+
+
+def _rational(number: Decimal) -> sp.Rational:
+    return sp.Rational(str(number))
+
+
+def _text(value: Value) -> str:
+    return significant(value.number, value.figures)

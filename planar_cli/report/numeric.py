@@ -1,0 +1,112 @@
+"""Which equations and formulas of one instant are printed in letters, and the others with the numbers put in."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.equation.plain import longer
+from planar_cli.report.blocks import Line, line
+from planar_cli.report.clean import is_clean
+from planar_cli.report.in_numbers import in_numbers
+from planar_cli.report.page_units import coherent_unit
+from planar_cli.report.words import Phrases
+from planar_cli.solve.instant.stages import Stage
+from planar_cli.solve.instant.written import Written
+from planar_cli.units import ACCELERATION, ENERGY, FORCE, VELOCITY, Dimension, pretty_unit
+
+LONGEST = 30
+"""A solution with more operations is not written as a formula where its equation can have numbers instead."""
+
+Printed = tuple[tuple[Any, ...], Line]
+"""The sides of an equation and the note behind it."""
+
+
+def vanishing(stage: Stage) -> frozenset[sp.Symbol]:
+    """Unknowns that are zero at sight or by the file."""
+    data = (w for block in stage.blocks for w in block.equations if w.given and w.right == 0)
+    return frozenset((*stage.zero, *(w.left for w in data)))
+
+
+class NumericTelling:
+    """Chooses between letters and numbers. In a problem of letters everything stays in letters."""
+
+    def __init__(self, phrases: Phrases, stages: Collection[Stage] = ()) -> None:
+        self.phrases = phrases
+        self._put: set[tuple[int, int]] = set()
+        self._whole = {id(s.algebra) for s in stages if not phrases.symbolic and not self._lettered(s)}
+        """Stages whose kinematic relations are all in numbers, because one of them has to be."""
+
+    def _lettered(self, stage: Stage) -> bool:
+        relations = [w for b in stage.blocks for w in b.equations if w.law == "relation" and not w.given]
+        return all(is_clean(self.phrases.ledger, w.left, w.right) for w in relations)
+
+    def put_whole(self, w: Written, stage: Stage) -> bool:
+        """Is an equation in numbers from the start?"""
+        if self.phrases.symbolic:
+            return False
+        if w.law == "relation" and id(stage.algebra) in self._whole:
+            return True
+        return not is_clean(self.phrases.ledger, w.left, w.right, dimension=self._dimension(w, stage))
+
+    def readable(self, formula: sp.Expr) -> bool:
+        """May a solution stand as a formula?"""
+        if self.phrases.symbolic:
+            return True
+        return not longer(formula, LONGEST) and is_clean(self.phrases.ledger, formula)
+
+    def sides(self, w: Written, stage: Stage, sides: tuple[sp.Expr, sp.Expr]) -> Printed:
+        """An equation in letters where these are all that it needs, else in numbers."""
+        if self.put_whole(w, stage):
+            found = self._numbers(w, stage, sides, stage.algebra.unknowns - self._data(stage))
+            if found is not None:
+                self._put.add((id(stage.algebra), w.number))
+                return found
+        return tuple(self.phrases.math(s) for s in sides), ()
+
+    def put_in(self, w: Written, stage: Stage, unknowns: Collection[sp.Symbol]) -> Printed | None:
+        """An equation in numbers, in unknowns that are still to be found; None where it was printed so."""
+        if (id(stage.algebra), w.number) in self._put or self.phrases.symbolic:
+            return None
+        return self._numbers(w, stage, (w.left, w.right), unknowns)
+
+    @staticmethod
+    def _data(stage: Stage) -> set[sp.Symbol]:
+        """What the file gives of this stage."""
+        return {w.left for b in stage.blocks for w in b.equations if w.given and w.right.is_number}
+
+    def _numbers(
+        self, w: Written, stage: Stage, sides: tuple[sp.Expr, sp.Expr], unknowns: Collection[sp.Symbol]
+    ) -> Printed | None:
+        explicit = stage.algebra.explicit
+        inside = {s: e for s, e in explicit.items() if e.free_symbols & stage.algebra.unknowns}
+        left, right = (s.xreplace(inside) / self._length(w) for s in sides)
+        apart = w.law == "relation"
+        found = in_numbers(left, right, unknowns, self.phrases, self._dimension(w, stage), apart)
+        if found is None:
+            return None
+        note: Line = ()
+        if found.dimension is not None:
+            unit = coherent_unit(found.dimension, us=self.phrases.ledger.us).text
+            note = line(f"in {pretty_unit(unit)}") if unit != "1" else ()
+        return (found.left, found.right), note
+
+    def _length(self, w: Written) -> sp.Expr:
+        """The length of the vector along which a component was taken; the sense in which its terms are positive."""
+        if w.law != "relation" or w.along is None:
+            return sp.S.One
+        x, y = (self.phrases.value(sp.sympify(p)) for p in w.along)
+        return sp.Rational(str((x * x + y * y).sqrt()))
+
+    @staticmethod
+    def _dimension(w: Written, stage: Stage) -> Dimension | None:
+        """What the sides of an equation are, by the law from which it comes."""
+        if w.law == "force":
+            return FORCE
+        if w.law == "moment":
+            return ENERGY
+        if w.source in ("closure", "coordinate"):
+            return VELOCITY if stage.level == "velocity" else ACCELERATION
+        return None

@@ -1,0 +1,232 @@
+"""Kinematic relations as the course writes them: the vector equation of each point, then the component that is taken.
+
+    v_B = v_A + ω × r_B/A                          a_B = a_A + α × r_B/A - ω² r_B/A
+    v_P = v_P′ + v_rel                             a_P = a_P′ + a_rel + 2 ω × v_rel
+
+P′ is the point of the moving body where P is (An Introduction to Planar Dynamics, 2.2 - 2.5).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.equation.motion import Edge, Motion
+from planar_cli.equation.plain import longer
+from planar_cli.problem.facts import Joining
+from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scene import GROUND
+from planar_cli.report.blocks import Block, Equation, Line, Name, Paragraph, Value, line
+from planar_cli.report.words import Phrases
+from planar_cli.solve.instant.instant import Trial
+from planar_cli.solve.instant.written import Written
+from planar_cli.units import LENGTH
+
+LONGEST = 12
+"""A component of an arm with more operations is not written beside the equation."""
+
+
+class VectorTelling:
+    """Vector equations of one system, each told once."""
+
+    def __init__(self, trial: Trial, phrases: Phrases, zero: Collection[sp.Symbol] = ()) -> None:
+        self.system, self.phrases, self.zero = trial.system, phrases, frozenset(zero)
+        self.edges = {e.body: e for e in self.system.tree.edges}
+        self._told: set[str] = set()
+        self._arms: dict[str, str] = {}
+
+    # --- a relation --------------------------------------------------------------------------------------------------
+
+    def before(self, w: Written, level: str) -> list[Block] | None:
+        """What stands before the component of a closing joint; None: its kind of relation has other words."""
+        if w.source == "coordinate" and w.place in self.system.scene.formulas:
+            return [Paragraph(line(*self._differentiated(w, level), ":"))]
+        joining = self._closure(w)
+        if joining is None or self.system.motion is None or joining.drift is not None:
+            return None
+        if any(push.kind == "tension" for push in self.system.modes[joining.joint].facts.pushes):
+            return None
+        blocks = [*self.point(joining.mover, joining.point, joining.place, level)]
+        if joining.base != GROUND:
+            blocks += self.point(joining.base, joining.point, self._beside(joining), level)
+        return [*blocks, Paragraph(line(*self._words(joining, w, level), ":"))]
+
+    def _differentiated(self, w: Written, level: str) -> Line:
+        """A point whose place the file gives by a formula: its components are differentiated."""
+        formula = self.system.scene.formulas[w.place]
+        times = "" if level == "velocity" else " twice"
+        told: list[Any] = []
+        for axis in ("x", "y"):
+            place = sp.sympify(getattr(formula, axis).value)
+            if w.words.endswith(f"along {'y' if axis == 'x' else 'x'}") or longer(place, LONGEST):
+                continue
+            told += [" and " if told else "", Name(f"{axis}_{w.place}"), " = ", self.phrases.math(place)]
+        if not told:
+            return line(f"The coordinates of {w.place} differentiated{times}")
+        return line(*told, f" differentiated{times}")
+
+    def _closure(self, w: Written) -> Joining | None:
+        if w.source != "closure":
+            return None
+        return next((j for j in self.system.tree.closures if j.joint == w.lead and j.place), None)
+
+    @staticmethod
+    def _beside(joining: Joining) -> str:
+        """The point of the base at the place of the joint: one of its own where the mover slides along it."""
+        return joining.place + "′" if joining.path is not None else joining.place
+
+    def _words(self, j: Joining, w: Written, level: str) -> Line:
+        """Why the component vanishes or agrees."""
+        v, place = ("v" if level == "velocity" else "a"), j.place
+        own, side = Name(f"{v}_{place}"), self._component(w)
+        if j.base == GROUND and j.path is None and j.rolling is None:
+            return line(f"{place} is fixed, ", own, " = 0; ", side)
+        if j.base == GROUND and j.path is not None and j.path.curvature == 0:
+            return line(f"{place} moves along a straight line; across it ", own, " = 0")
+        if j.base == GROUND and level == "velocity":
+            return line(f"{place} moves along its path; across it ", own, " = 0")
+        if j.base == GROUND:
+            at_rest = all(self.phrases.value.is_zero(p) for p in self._velocity(j))
+            why = line(" = 0, as long as ", Name(f"v_{place}"), " = 0") if at_rest else line(" is its normal part")
+            return line(f"{place} moves along its path; across it ", own, *why)
+        if j.rolling is not None:
+            part = "velocity" if level == "velocity" else "acceleration along the contact"
+            return line(f"{j.mover} rolls on {j.base}: at {place} both have the same {part}; ", side)
+        if j.path is None:
+            return line(f"{place} is a point of {j.mover} and of {j.base}; both have the same ", own, "; ", side)
+        relative: list[Any] = [own, " = ", Name(f"{own.name}′"), " + ", Name(f"{v}_rel")]
+        if level != "velocity":
+            spin = self._symbol(j.base, "velocity")
+            relative += [" + 2 ", self.phrases.math(spin), " × ", Name("v_rel")] if spin != 0 else []
+        return line(f"{place} slides along {j.base}: ", *relative, "; ", *self._across(j, v))
+
+    def _velocity(self, j: Joining) -> tuple[sp.Expr, sp.Expr]:
+        v = self.motion.velocity(j.point, j.mover)
+        return v.x, v.y
+
+    @staticmethod
+    def _across(j: Joining, v: str) -> Line:
+        """Why the component across the path of the base is taken."""
+        assert j.path is not None
+        if j.path.curvature == 0:
+            return line(f"across {j.base}, where ", Name(f"{v}_rel"), " has no component")
+        if v == "v":
+            return line("across the path, where ", Name("v_rel"), " has no component")
+        return line("across the path, where ", Name("a_rel"), " is its normal part")
+
+    def _component(self, w: Written) -> Line:
+        """Which component is taken, and why."""
+        if w.words.startswith("so that ") and w.words.endswith(" drops out"):
+            name = w.words.removeprefix("so that ").removesuffix(" drops out")
+            way = f"along {self._arms[name]}, where " if name in self._arms else "in the direction in which "
+            return line(way, Name(name), " does not enter")
+        return line(w.words)
+
+    # --- a point -----------------------------------------------------------------------------------------------------
+
+    def point(self, body: str, at: Vec, place: str, level: str) -> Iterator[Block]:
+        """The vector equations that lead to a point of a body, from the ground on, those that were not told before."""
+        body = self.carrier(body)
+        found = self.formula(body, at, place, level)
+        if found is None:
+            return
+        edge, sides, arm = found
+        reference = self._reference(edge)
+        if edge.joining is not None and not self.rests(edge, level):
+            yield from self.point(edge.parent, edge.joining.point, reference, level)
+        key = f"{level} {body} {place}"
+        if key not in self._told:
+            self._told.add(key)
+            yield Equation(sides, None, note=self.arm_once(place, edge, arm))
+
+    def carrier(self, body: str) -> str:
+        """The body itself; of a particle that is pinned to another body, that one."""
+        edge = self.edges.get(body)
+        pinned = edge is not None and edge.particle and edge.joining is not None and edge.joining.path is None
+        return self.carrier(edge.parent) if pinned and edge is not None else body
+
+    def formula(self, body: str, at: Vec, place: str, level: str) -> tuple[Edge, tuple[Line, Line], Vec] | None:
+        """v_P = v_A + ω × r_P/A of a point of a body, or a_P; with the arm r_P/A. None: the point is the one at which
+        the body is joined, the body does not turn, or it has no such equation.
+        """
+        edge = self.edges.get(body)
+        if edge is None or edge.particle or (edge.joining is not None and edge.joining.rolling is not None):
+            return None
+        if all(self._symbol(body, n) == 0 for n in ("velocity", level)):
+            return None
+        twists = self.motion.velocities if level == "velocity" else self.motion.accelerations
+        arm = at - twists[body].point
+        if all(self.phrases.value.is_zero(p) for p in (arm.x, arm.y)):
+            return None
+        v, reference = ("v" if level == "velocity" else "a"), self._reference(edge)
+        self._arms.setdefault(str(self._symbol(body, level)), f"{reference}{place.rstrip('′')}")
+        parts: list[Any] = [] if self.rests(edge, level) else [Name(f"{v}_{reference}")]
+        for sign, piece in self._turning(body, place, reference, level):
+            parts += [f" {sign} " if parts else "-" if sign == "-" else "", *piece]
+        return (edge, (line(Name(f"{v}_{place}")), line(*parts or ["0"])), arm) if reference else None
+
+    def _turning(self, body: str, place: str, reference: str, level: str) -> Iterator[tuple[str, Line]]:
+        """ω × r, or α × r and ω² r, where they are not zero."""
+        arm = _arm_name(place, reference)
+        omega = self._symbol(body, "velocity")
+        if level == "velocity":
+            if omega != 0:
+                yield "+", line(self.phrases.math(omega), " × ", arm)
+            return
+        alpha = self._symbol(body, "acceleration")
+        if alpha != 0:
+            yield "+", line(self.phrases.math(alpha), " × ", arm)
+        if omega != 0:
+            yield "-", line(self.phrases.math(omega**2), " ", arm)
+
+    def _symbol(self, body: str, level: str) -> sp.Expr:
+        motion = self.motion
+        found = (motion.velocities if level == "velocity" else motion.accelerations)[body].angular
+        return sp.S.Zero if found in self.zero else found
+
+    def _reference(self, edge: Edge) -> str:
+        """The point of a body from which its others are reached."""
+        if edge.joining is None:
+            return self.system.scene.center_name(edge.body) or edge.body
+        return edge.joining.place
+
+    @property
+    def motion(self) -> Motion:
+        """Velocities and accelerations of the instant."""
+        assert self.system.motion is not None
+        return self.system.motion
+
+    def arm_once(self, place: str, edge: Edge, arm: Vec) -> Line:
+        """The components of the arm, where they were not told before."""
+        reference = self._reference(edge)
+        key = f"{place.rstrip('′')}/{reference}"
+        if key in self._told:
+            return ()
+        self._told.add(key)
+        return self._arm(place, reference, arm)
+
+    def rests(self, edge: Edge, level: str) -> bool:
+        """Is the point at which a body is joined at rest, or without acceleration?"""
+        motion = self.motion
+        linear = (motion.velocities if level == "velocity" else motion.accelerations)[edge.body].linear
+        return bool(linear.x == 0 and linear.y == 0)
+
+    def _arm(self, place: str, reference: str, arm: Vec) -> Line:
+        """The arm in numbers, or in letters where they are short."""
+        name = _arm_name(place, reference)
+        if not self.phrases.symbolic and all(self.phrases.has_numbers(p) for p in (arm.x, arm.y)):
+            values = [self.phrases.of_dimension(self.phrases.value(p), LENGTH) for p in (arm.x, arm.y)]
+            return line(name, " = [", _bare(values[0]), ", ", _bare(values[1]), f"] {values[0].unit}")
+        if longer(arm.x, LONGEST) or longer(arm.y, LONGEST):
+            return ()
+        return line(name, " = [", self.phrases.math(arm.x), ", ", self.phrases.math(arm.y), "]")
+
+
+def _arm_name(place: str, reference: str) -> Name:
+    return Name(f"r_{place.rstrip('′')}/{reference}")
+
+
+def _bare(value: Value) -> Value:
+    return Value(value.number, "1", value.figures)

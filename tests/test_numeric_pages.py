@@ -1,0 +1,122 @@
+"""Pages with numbers: what is printed in numbers holds for the values that the page gives, in the units of the page."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from decimal import Decimal
+from pathlib import Path
+
+import pytest
+import sympy as sp
+from conftest import PROBLEMS
+from worked import name_of, worked
+
+from planar_cli.equation.ledger import display
+from planar_cli.report.blocks import Equation, Math
+from planar_cli.report.clean import Mixed, dimension_of, is_clean
+from planar_cli.report.in_numbers import in_numbers
+from planar_cli.report.narrate import narrate, phrases_of
+from planar_cli.report.ordering import NUMBER
+from planar_cli.report.page_units import coherent_unit
+from planar_cli.report.words import Phrases
+from planar_cli.solve.solution import InstantSolution
+from planar_cli.units import FORCE, INERTIA, MASS
+
+SAMPLE = (
+    "four-bar",
+    "ex-2-09",
+    "gas-force-on-piston",
+    "plate-on-parallel-links",
+    "hoist-with-moving-pulley",
+    "mine-hoist-us-units",
+    "ladder-sliding",
+    "quick-return",
+    "planetary-gear",
+    "falling-pole",
+)
+FILES = [p for p in PROBLEMS if p.stem in SAMPLE]
+
+
+def _instants(path: Path) -> Iterator[tuple[InstantSolution, Phrases]]:
+    for part in worked(path)[0].parts:
+        for instant in part.instants:
+            yield instant, phrases_of(instant, 12)
+
+
+def _number(math: Math, phrases: Phrases) -> tuple[Decimal, Decimal]:
+    """The value of one side as it is printed, and its largest term."""
+    terms = []
+    for term in sp.Add.make_args(math.expr):
+        value = Decimal(1)
+        for factor in sp.Mul.make_args(term):
+            base, power = factor.as_base_exp()
+            if base.is_number:
+                value *= Decimal(str(sp.N(factor, 30)))
+            elif base.name.startswith(NUMBER):
+                value *= Decimal(
+                    (math.values or {})[base].translate(str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")).replace("×10", "e")
+                )
+            else:
+                unit = phrases.ledger.units[base]
+                value *= display(phrases.value(base), phrases.page_unit(unit)) ** int(power)
+        terms.append(value)
+    return sum(terms, Decimal(0)), max((abs(t) for t in terms), default=Decimal(0))
+
+
+def _read(text: str) -> Decimal:
+    """A number as it is printed: 1.235×10⁶."""
+    return Decimal(text.translate(str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")).replace("×10", "e"))
+
+
+def test_the_sample_is_there() -> None:
+    assert {p.stem for p in FILES} == set(SAMPLE)
+
+
+@pytest.mark.parametrize("path", FILES, ids=name_of)
+def test_equations_in_numbers_hold(path: Path) -> None:
+    """Both sides of every equation of every instant, collected in its unknowns, to ten figures."""
+    seen = 0
+    for instant, phrases in _instants(path):
+        for stage in instant.stages:
+            for w in (w for block in stage.blocks for w in block.equations if w.residual.free_symbols):
+                found = in_numbers(w.left, w.right, stage.algebra.unknowns, phrases)
+                if found is None:
+                    continue
+                (left, one), (right, two) = _number(found.left, phrases), _number(found.right, phrases)
+                assert abs(left - right) <= Decimal("1e-9") * max(one, two, Decimal("1e-9")), w
+                seen += 1
+    assert seen
+
+
+@pytest.mark.parametrize("path", FILES, ids=name_of)
+def test_no_unit_is_swallowed(path: Path) -> None:
+    """Of a numeric problem, equations that are printed in letters have terms of one dimension."""
+    for part in worked(path)[0].parts:
+        ledgers = [i.instant.scene.ledger for i in part.instants if not i.instant.scene.ledger.symbolic]
+        document = narrate(worked(path)[0])
+        for block in document.blocks if ledgers else ():
+            if isinstance(block, Equation) and block.number is not None:
+                sides = [s.expr for s in block.sides if isinstance(s, Math) and s.values is None]
+                assert is_clean(ledgers[0], *sides), sides
+
+
+def test_dimensions_of_sums() -> None:
+    """A number beside a length hides a length."""
+    instant, phrases = next(_instants(next(p for p in FILES if p.stem == "falling-pole")))
+    ledger = phrases.ledger
+    length, m, g = (ledger.symbols[n] for n in ("l", "m", "g"))
+    assert dimension_of(m * g, ledger) == FORCE
+    assert dimension_of(m * length**2 / 12, ledger) == INERTIA
+    with pytest.raises(Mixed):
+        dimension_of(length + 1, ledger)
+    assert is_clean(ledger, m * length**2 / 12)
+    assert not is_clean(ledger, sp.Rational(2679, 100_000) * m)
+    assert not is_clean(ledger, m * length, m * g)
+    assert instant.instant.scene.bodies
+
+
+def test_us_units_need_no_factors() -> None:
+    """A slug is lbf s²/ft."""
+    units = [coherent_unit(d, us=True) for d in (MASS, FORCE, INERTIA)]
+    assert [u.text for u in units] == ["slug", "lbf", "slug*ft^2"]
+    assert units[0].factor * coherent_unit(FORCE / MASS, us=True).factor == units[1].factor
