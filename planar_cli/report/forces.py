@@ -155,7 +155,7 @@ def _inertia(
     forces: list[tuple[sp.Expr, str]] = []
     still = vanishing(stage)
     for direction, component in stage.accelerations.get(body, []) if model.mass != 0 else ():
-        if component in still:
+        if sp.sympify(component).xreplace(dict.fromkeys(still, sp.S.Zero)) == 0:
             continue
         v = -direction if reversed_sense else direction
         size = _size(direction, phrases)

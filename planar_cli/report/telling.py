@@ -8,8 +8,8 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.plain import identically_zero, longer
-from planar_cli.report.blocks import Block, Equation, Heading, Line, Math, Name, Note, Paragraph, Text, line
-from planar_cli.report.checks import friction_against_limit, friction_in
+from planar_cli.report.assumed import assumption_notes
+from planar_cli.report.blocks import Block, Equation, Heading, Line, Math, Name, Paragraph, Text, line
 from planar_cli.report.forces import force_rows
 from planar_cli.report.numeric import NumericTelling, vanishing
 from planar_cli.report.vectors import VectorTelling
@@ -63,7 +63,7 @@ class Telling:
         return self._before + len(self._numbers)
 
     def blocks(self) -> list[Block]:
-        blocks = self._assumptions()
+        blocks = assumption_notes(self.instant, self.phrases)
         velocity = [s for s in self.stages if s.level == "velocity"]
         last = next((s for s in self.stages if s.level == "acceleration"), None)
         kinetic = last is not None and any(w.law != "relation" for b in last.blocks for w in b.equations)
@@ -85,51 +85,6 @@ class Telling:
         """The heading of the next step."""
         self.steps += 1
         return Heading(f"STEP {self.steps}", title, aside)
-
-    # --- before step 1 -----------------------------------------------------------------------------------------------
-
-    def _assumptions(self) -> list[Block]:
-        """What the first assumption was, why it fails, and what is assumed instead."""
-        trial = self.instant.trial
-        natural = next((t for t in self.instant.rejected if not any(t.choice)), None)
-        words = list(dict.fromkeys(m.words for m in trial.system.modes.values() if m.words))
-        if natural is not None and any(trial.choice):
-            assumed = dict.fromkeys(m.words for m in natural.system.modes.values() if m.words)
-            return [
-                Note("Assume", line("; ".join(assumed))),
-                Note("Fails", self._objection(natural)),
-                Note("Instead", line("; ".join(words))),
-            ]
-        return [Note("Assume", line("; ".join(words)))] if words else []
-
-    def _objection(self, trial: Any) -> Line:
-        reasons = {
-            "velocities": "the velocities do not allow it",
-            "contradiction": "the equations have no solution then",
-        }
-        if not trial.tests:
-            return line(reasons.get(trial.objection, trial.objection))
-        test, value = trial.tests[0]
-        if value is None:
-            words = list(dict.fromkeys(t.words for t, v in trial.tests if v is None and len(t.pushes) > 1)) or [
-                test.words
-            ]
-            return line("no reactions satisfy all of these: " + "; ".join(words))
-        return line(f"this would not hold: {test.words}", self._by_how_much(trial, test))
-
-    def _by_how_much(self, trial: Any, test: Any) -> Line:
-        """What the failed test compares: friction with its limit, or the push that should press."""
-        if self.phrases.symbolic or not test.pushes:
-            return ()
-        if len(test.pushes) == 2 and friction_in(trial.system, test) is not None:
-            compared = friction_against_limit(trial, test, self.phrases)
-            return line(" (", compared, ")") if compared else ()
-        name = test.pushes[0][0]
-        value = trial.outcomes[0].push(name)
-        if value is None or name not in trial.system.symbols:
-            return ()
-        symbol = trial.system.symbols[name]
-        return line(" (", Math(symbol), " = ", self.phrases.shown(symbol, value), ")")
 
     # --- step 1 ------------------------------------------------------------------------------------------------------
 

@@ -1,0 +1,54 @@
+"""What was assumed of contacts, ropes and friction, why the first assumption fails, and what is assumed instead."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from planar_cli.report.blocks import Block, Line, Math, Note, line
+from planar_cli.report.checks import friction_against_limit, friction_in
+from planar_cli.report.words import Phrases
+from planar_cli.solve.solution import InstantSolution
+
+
+def assumption_notes(instant: InstantSolution, phrases: Phrases) -> list[Block]:
+    """What the first assumption was, why it fails, and what is assumed instead."""
+    trial = instant.trial
+    natural = next((t for t in instant.rejected if not any(t.choice)), None)
+    words = list(dict.fromkeys(m.words for m in trial.system.modes.values() if m.words))
+    if natural is not None and any(trial.choice):
+        assumed = dict.fromkeys(m.words for m in natural.system.modes.values() if m.words)
+        return [
+            Note("Assume", line("; ".join(assumed))),
+            Note("Fails", _objection(natural, phrases)),
+            Note("Instead", line("; ".join(words))),
+        ]
+    return [Note("Assume", line("; ".join(words)))] if words else []
+
+
+def _objection(trial: Any, phrases: Phrases) -> Line:
+    reasons = {
+        "velocities": "the velocities do not allow it",
+        "contradiction": "the equations have no solution then",
+    }
+    if not trial.tests:
+        return line(reasons.get(trial.objection, trial.objection))
+    test, value = trial.tests[0]
+    if value is None:
+        words = list(dict.fromkeys(t.words for t, v in trial.tests if v is None and len(t.pushes) > 1)) or [test.words]
+        return line("no reactions satisfy all of these: " + "; ".join(words))
+    return line(f"this would not hold: {test.words}", _by_how_much(trial, test, phrases))
+
+
+def _by_how_much(trial: Any, test: Any, phrases: Phrases) -> Line:
+    """What the failed test compares: friction with its limit, or the push that should press."""
+    if phrases.symbolic or not test.pushes:
+        return ()
+    if len(test.pushes) == 2 and friction_in(trial.system, test) is not None:
+        compared = friction_against_limit(trial, test, phrases)
+        return line(" (", compared, ")") if compared else ()
+    name = test.pushes[0][0]
+    value = trial.outcomes[0].push(name)
+    if value is None or name not in trial.system.symbols:
+        return ()
+    symbol = trial.system.symbols[name]
+    return line(" (", Math(symbol), " = ", phrases.shown(symbol, value), ")")
