@@ -8,6 +8,7 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.plain import identically_zero, longer
+from planar_cli.report.actions import force_named, perpendicular
 from planar_cli.report.assumed import assumption_notes
 from planar_cli.report.blocks import Block, Equation, Heading, Line, Math, Name, Paragraph, Text, line
 from planar_cli.report.forces import force_rows
@@ -183,9 +184,14 @@ class Telling:
             ]
         lead = line(f"{self.phrases.along(w.along)} ", Name(f"ΣF_{w.lead}") if w.lead else Text("ΣF"), ":")
         return [
-            Paragraph(self._named(f"{group}:" if w.lead else f"{group}, {w.words}:")),
+            Paragraph(line(f"{group}:") if w.lead else line(f"{group}, ", *self._way(w), ":")),
             Equation(sides, number, lead, note),
         ]
+
+    def _way(self, w: Written) -> Line:
+        """The direction along which forces are summed."""
+        found = perpendicular(self.system, w.words)
+        return self._named(w.words) if len(found) == 1 else found
 
     def _relation(self, w: Written, stage: Stage, number: int) -> list[Block]:
         """A relation of kinematics: why it holds, and its component; with the value where it is its own solution."""
@@ -265,7 +271,8 @@ class Telling:
             ")",
         ]
         if through:
-            parts += [", where ", Math(through[0]), " and ", Math(through[1]), " meet, so that neither enters:"]
+            one, other = (force_named(self.system, s) for s in through[:2])
+            parts += [", where ", *one, " and ", *other, " meet, so that neither enters:"]
         else:
             parts += [", about which the group turns in a virtual motion:"]
         return line(*parts)
