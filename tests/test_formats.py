@@ -148,45 +148,37 @@ MARKDOWN = r"""# Spool pulled along a rough floor
 The spool rolls without slipping on the floor at C:
 
 $$
-a_{G} = -R \alpha \tag{1}
+a_{G} = -R \alpha \qquad \text{rolling, }\alpha\text{ positive counterclockwise} \tag{1}
 $$
-
-(rolling, $\alpha$ positive counterclockwise)
 
 ## Step 2. Kinetic analysis
 
 (free-body diagram = kinetic diagram)
 
-**Spool:** P → at T,  $m g$ ↓ at G,  N ↑ at C,  F → at C (assumed) $=$ $m a_{G}$ → at G,  $I_{G} \alpha$ ↺
+| body | free-body diagram | kinetic diagram |
+| --- | --- | --- |
+| **Spool** | P → at T,  $m g$ ↓ at G,  N ↑ at C,  F → at C (assumed) | $m a_{G}$ → at G,  $I_{G} \alpha$ ↺ |
 
 Moments about C, where N and F meet, so that neither enters:
 
-↺ $\Sigma M_{C}$:
-
 $$
--P (R + r) = -m a_{G} R + I_{G} \alpha \tag{2}
+\text{↺ }\Sigma M_{C}\text{:} \quad -P (R + r) = -m a_{G} R + I_{G} \alpha \tag{2}
 $$
 
-→ $\Sigma F_{x}$:
-
 $$
-P + F = m a_{G} \tag{3}
+\text{→ }\Sigma F_{x}\text{:} \quad P + F = m a_{G} \tag{3}
 $$
 
 ## Step 3. Solving the equations
 
 (3 equations, 3 unknowns: $\alpha$, $a_{G}$, $F$)
 
-(1) in (2):
-
 $$
-\alpha = -\frac{P (R + r)}{m (R^{2} + k_{G}^{2})} = @ = -6.186~\mathrm{rad/s^{2}}
+\text{(1) in (2):} \quad \alpha = -\frac{P (R + r)}{m (R^{2} + k_{G}^{2})} = @ = -6.186~\mathrm{rad/s^{2}}
 $$
 
-(1) in (3):
-
 $$
-F = m R \lvert \alpha \rvert - P = 39.18~\mathrm{N}
+\text{(1) in (3):} \quad F = m R \lvert \alpha \rvert - P = 39.18~\mathrm{N}
 $$
 
 ## Answer

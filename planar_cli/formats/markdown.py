@@ -43,6 +43,10 @@ _PUNCTUATION = re.compile(r"([\\`*_{}\[\]<>#|~$^&!])")
 _OPENING = re.compile(r"^(\s*\d*)([-+.)])(?=\s|$)")
 
 
+NOTHING = (Text("0"),)
+"""The right-hand side of a body in equilibrium."""
+
+
 @final
 @record
 class Markdown(Format[str]):
@@ -79,15 +83,20 @@ class Markdown(Format[str]):
         left, *others = [_display(s) for s in equation.sides]
         formula = left + "".join(f" {relation if i == 0 else '='} {side}" for i, side in enumerate(others))
         tag = rf" \tag{{{equation.number}}}" if equation.number is not None else ""
-        words = [_paragraph(equation.lead)] if equation.lead else []
-        note = [f"({_inline(equation.note)})"] if equation.note else []
-        return [*words, f"$$\n{formula}{tag}\n$$", *note]
+        lead = _display(equation.lead) + r" \quad " if equation.lead else ""
+        note = r" \qquad " + _display(equation.note) if equation.note else ""
+        return [f"$$\n{lead}{formula}{note}{tag}\n$$"]
 
     def results(self, run: Sequence[Result]) -> list[str]:
         return [f"⇒ {_inline(r.line)}" for r in run]
 
     def forces(self, run: Sequence[Forces]) -> list[str]:
-        return [f"**{escaped(f.body)}:** " + " $=$ ".join(_inline(x) for x in (f.left, f.right) if x) for f in run]
+        """A table; free-body diagram and kinetic diagram side by side where both are told."""
+        both = any(f.right and f.right != NOTHING for f in run)
+        header = ["body", "free-body diagram", "kinetic diagram"] if both else ["body", "free-body diagram"]
+        rows = [[f"**{escaped(f.body)}**", _inline(f.left), *([_inline(f.right)] if both else [])] for f in run]
+        lines = [header, ["---"] * len(header), *rows]
+        return ["\n".join("| " + " | ".join(cells) + " |" for cells in lines)]
 
     def tables(self, run: Sequence[Table]) -> list[str]:
         return ["\n".join([_row(t.header), "|" + " --- |" * len(t.header), *(_row(r) for r in t.rows)]) for t in run]

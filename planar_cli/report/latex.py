@@ -24,6 +24,19 @@ _SIGNS = {
     "^": r"\wedge ",
     **{c: "\\" + c for c in "%_&#$"},
 }
+_SPOKEN = {
+    " + ": " + ",
+    " - ": " - ",
+    " = ": " = ",
+    " × ": r" \times ",
+    ", ": r",\ ",
+    "[": r"\lbrack ",
+    "] ": r"\rbrack\ ",
+    "]": r"\rbrack ",
+}
+_SPLIT = re.compile("( [-+=×] |, |\\[|\\] ?)")
+_OPERATORS = re.compile(r"[-\s=\[+×,|]*(\](?: .*)?)?")
+"""What stands between the parts of a vector equation, with the unit behind its components."""
 _SUPERSCRIPTS = "⁰¹²³⁴⁵⁶⁷⁸⁹⁻"
 _FROM_SUPERSCRIPT = str.maketrans(_SUPERSCRIPTS, "0123456789-")
 
@@ -40,9 +53,17 @@ def numeral(text: str) -> str:
 
 
 def words(text: str) -> str:
-    """Words in a formula, as `\\text`; what TeX would take for a command becomes a space."""
-    harmless = re.sub(r"[\\{}$^~_#%&<>`\[\]]", " ", printable(text))
-    return rf"\text{{{harmless}}}"
+    """Words in a formula, as `\\text`; signs between them as signs of mathematics."""
+    shown = printable(text)
+    if not _OPERATORS.fullmatch(shown):
+        return _said(shown)
+    return text if text == "-" else "".join(_SPOKEN.get(w) or _said(w) for w in _SPLIT.split(shown) if w)
+
+
+def _said(text: str) -> str:
+    """Words alone; what TeX would take for a command becomes a space."""
+    harmless = re.sub(r"[\\{}$^~_#%&<>`\[\]]", " ", text)
+    return rf"\text{{{harmless}}}" if harmless.strip() else r"\ " * (harmless != "")
 
 
 def _piece(piece: str) -> str:
