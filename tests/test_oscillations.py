@@ -252,3 +252,35 @@ def test_a_rim_that_rolls_in_a_bowl(tmp_path: Path) -> None:
     assert number(solved(tmp_path, CRADLE)["T"]) == pytest.approx(
         2 * math.pi * math.sqrt(1.75 * 2 * 0.2**2 / stiffness)
     )
+
+
+PIVOT = """
+title: Rod on a pivot beside its centre
+plane: vertical
+given: {{l: 1 m, m: 2 kg}}
+unknowns: {{b: m}}
+points: {{O: [0, 0], A: [0, l/2 - b], B: [0, -l/2 - b]}}
+bodies: {{rod: {{rod: [A, B], mass: m, points: [O]}}}}
+joints:
+  - pin: {{at: O, between: [ground, rod]}}
+states:
+  hang: [equilibrium, theta(rod) = -90 deg, {told}]
+find: {{b: b}}
+"""
+
+
+def test_a_period_tells_a_constant_that_is_sought(tmp_path: Path) -> None:
+    """g b T² = 4 π² (l²/12 + b²) has two roots; an inequality chooses."""
+    root = math.sqrt((9.81 * 1.6**2 / (8 * math.pi**2)) ** 2 - 1 / 12)
+    near = solved(tmp_path, PIVOT.format(told="period(hang) = 1.6 s, b < 0.3 m"))
+    assert number(near["b"]) == pytest.approx(9.81 * 1.6**2 / (8 * math.pi**2) - root)
+    with pytest.raises(NoSolution, match=r"b = 0\.184525, theta = -pi/2; b = 0\.451610"):
+        solved(tmp_path, PIVOT.format(told="period(hang) = 1.6 s"))
+
+
+def test_what_is_largest_nowhere_is_told(tmp_path: Path) -> None:
+    assert number(solved(tmp_path, PIVOT.format(told="frequency(hang) is largest"))["b"]) == pytest.approx(
+        1 / math.sqrt(12)
+    )
+    with pytest.raises(NoSolution, match="`period\\(hang\\) is largest` nowhere"):
+        solved(tmp_path, PIVOT.format(told="period(hang) is largest"))

@@ -232,7 +232,7 @@ class Displacer:
             y = self._coordinate(f"y_{place}", "m", start.y, edge.slide, sp.S.One, f"y of {place}", edge.body)
             return Vec(start.x, y) + drift
         s = self._coordinate(f"s_{place}", "m", ZERO, edge.slide, sp.S.One, words, edge.body)
-        along: Vec = start + t * (-s if edge.backward else s) + drift
+        along: Vec = start + t * s + drift
         return along
 
     def _center(self, shape: Circle, start: Vec, path: object) -> Vec:

@@ -103,8 +103,11 @@ def _told(solved: SolvedMotion, case: str) -> PartSolution:
 def _route(found: SolvedMotion) -> tuple[Router, Route]:
     """The way to what is asked, by the method of the file, and who plans it."""
     course, method = found.course, found.course.problem.method
-    unknowns = course.chain().unknowns
-    allowed = by_method(course.equations, method)
+    unknowns, equations = course.chain().unknowns, course.equations
+    balanced = course.equilibria
+    if sought := frozenset(course.sought()).intersection(balanced.branch.values):
+        unknowns, equations = unknowns | sought | set(balanced.branch.values), (*balanced.equations, *equations)
+    allowed = by_method(equations, method)
     steps = tuple(s for s in found.branch.steps if len(by_method(s.equations, method)) == len(s.equations))
     lettered = rests_on(course, found.value)
     loose = found.guessed | {s for s in unknowns & set(found.value.values) if s not in found.branch.values}
@@ -116,7 +119,7 @@ def _route(found: SolvedMotion) -> tuple[Router, Route]:
     wanted = _in_order(course, asked_letters(found.finds) & unknowns)
     route = router.route(wanted)
     if method is not None:
-        free = Router(course.equations, unknowns, found.value, course.symbolic, found.branch.steps, followed, natural)
+        free = Router(equations, unknowns, found.value, course.symbolic, found.branch.steps, followed, natural)
         demand_reached(course.problem, follows, route, wanted, lambda: free.route(wanted))
     return router, route
 

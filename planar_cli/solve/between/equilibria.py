@@ -4,8 +4,10 @@ and what equilibrium demands (free speeds and their rates vanish) are solved on 
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
 from decimal import Decimal
+from types import MappingProxyType
 from typing import Any
 
 import sympy as sp
@@ -16,12 +18,15 @@ from planar_cli.problem.expression import Equilibrium, Statement
 from planar_cli.problem.scene import State
 from planar_cli.records import record
 from planar_cli.solve.between.chain import Branch, Chain
+from planar_cli.solve.between.extremes import stationary
 from planar_cli.solve.regimes.equations import Equation, drawn_equations, loop_equations, stated_equations
 from planar_cli.solve.regimes.regime_sequence import RegimeSequence
 from planar_cli.solve.regimes.timeline import Demand, Stop
 
 TINY = Decimal("1e-15")
 SAME = Decimal("1e-12")
+ASIDE = Decimal("1e-4")
+"""By this part of an ordinary size a constant is changed, to see whether what is largest becomes less."""
 Raw = Mapping[str, list[tuple[Statement, tuple[Any, ...]]]]
 
 
@@ -55,6 +60,7 @@ def solve_equilibria(course: RegimeSequence, raw: Raw) -> Equilibria:
             drawn += drawn_equations(reader.regime, stop)
     if not states:
         return Equilibria((), {}, (), Branch({}, {}, (), ()))
+    equations += _stationary(course, states, demands, [*equations, *drawn])
     whole = _branches(course, states, demands, [*equations, *drawn])
     mark, names = states[0].mark, ", ".join(s.name for s in states)
     if not whole and drawn and _branches(course, states, demands, equations):
@@ -65,11 +71,81 @@ def solve_equilibria(course: RegimeSequence, raw: Raw) -> Equilibria:
     if not whole:
         hint = "check the relations of the state, and whether the forces can balance at all"
         raise NoSolution([Diagnostic(mark, "PL630", f"{names}: no position of equilibrium is found", hint)])
+    whole = _tops(course, states, demands, [*equations, *drawn], whole)
+    if not whole:
+        extreme = next(d for ds in demands.values() for d in ds if d.kind == "extreme")
+        hint = "ask for the other extreme, or state the limit itself up to which it may grow"
+        text = f"{extreme.state}: `{extreme.text}` nowhere: it does not become less on both sides"
+        raise NoSolution([Diagnostic(extreme.mark, "PL630", text, hint)])
     if len(whole) > 1:
-        places = "; ".join(_place(b, [course.stops[s.name] for s in states]) for b in whole[:6])
+        places = "; ".join(_place(b, [course.stops[s.name] for s in states], course.sought()) for b in whole[:6])
         hint = "say which is meant: give the coordinate, or an inequality"
         raise NoSolution([Diagnostic(mark, "PL630", f"{names}: several positions of equilibrium: {places}", hint)])
     return Equilibria(states, demands, (*equations, *drawn), whole[0])
+
+
+def _stationary(
+    course: RegimeSequence,
+    states: tuple[State, ...],
+    demands: Mapping[str, tuple[Demand, ...]],
+    equations: list[Equation],
+) -> list[Equation]:
+    """What is largest or smallest in an equilibrium is so for a constant that is sought."""
+    found: list[Equation] = []
+    unknowns = _unknowns(course, states)
+    for state in states:
+        for d in (d for d in demands[state.name] if d.kind == "extreme"):
+            if not course.sought():
+                text = f"{state.name}: `{d.text}`, and nothing is sought on which it could depend"
+                raise NoSolution([Diagnostic(d.mark, "PL623", text, "declare the constant under `unknowns`")])
+            like = Equation(sp.S.Zero, "extreme", d.text, state.name, mark=d.mark)
+            objective = course.stops[state.name].at(d.residual)
+            found += stationary(equations, objective, unknowns, frozenset(course.sought()), like)
+    return found
+
+
+def _tops(
+    course: RegimeSequence,
+    states: tuple[State, ...],
+    demands: Mapping[str, tuple[Demand, ...]],
+    equations: list[Equation],
+    whole: list[Branch],
+) -> list[Branch]:
+    """The positions in which what is to be largest (smallest) is more (less) than beside them; what cannot be told may
+    be.
+    """
+    extremes = [(course.stops[s.name], d) for s in states for d in demands[s.name] if d.kind == "extreme"]
+    related = [e for e in equations if e.kind != "extreme"]
+    natural = course.natural(course.sought())
+    base = course.given()
+
+    def beside(branch: Branch, constant: sp.Symbol, way: int) -> Branch | None:
+        at = branch.values[constant] + way * ASIDE * natural[constant]
+        near = _branches(course, states, demands, related, {constant: at})
+        return min(near, key=lambda b: _distance(b, branch), default=None)
+
+    def is_top(branch: Branch) -> bool:
+        here = base.extended(branch.values)
+        for constant, way in ((c, w) for c in course.sought() if c in branch.values for w in (-1, 1)):
+            other = beside(branch, constant, way)
+            if other is None:
+                continue
+            for stop, d in extremes:
+                top, less = here.known(stop.at(d.residual)), base.extended(other.values).known(stop.at(d.residual))
+                if top is None or (less is not None and (less - top) * d.extreme > 0):
+                    return False
+        return True
+
+    return [b for b in whole if is_top(b)] if extremes else whole
+
+
+def _distance(one: Branch, other: Branch) -> Decimal:
+    return sum((abs(v - other.values[s]) for s, v in one.values.items() if s in other.values), Decimal(0))
+
+
+def _unknowns(course: RegimeSequence, states: tuple[State, ...]) -> frozenset[sp.Symbol]:
+    """All letters of these states, and the constants that are sought."""
+    return frozenset([*(v for s in states for v in course.stops[s.name].letters.values()), *course.sought()])
 
 
 def _branches(
@@ -77,9 +153,10 @@ def _branches(
     states: tuple[State, ...],
     demands: Mapping[str, tuple[Demand, ...]],
     equations: list[Equation],
+    fixed: Mapping[sp.Symbol, Decimal] = MappingProxyType({}),
 ) -> list[Branch]:
-    """All positions in which the equations hold, one of each."""
-    base = course.given()
+    """All positions in which the equations hold, one of each. `fixed`: sought constants that have these values."""
+    base = course.given().extended(dict(fixed))
     stops = [course.stops[s.name] for s in states]
     letters = [v for stop in stops for v in stop.letters.values()]
     units = course.ledger.units
@@ -92,12 +169,13 @@ def _branches(
         number = base.extended(values)
         return all(_holds(d, number) for d in wanted)
 
-    unknowns = frozenset([*letters, *course.sought()])
+    unknowns = _unknowns(course, states).difference(fixed)
     natural = course.natural(unknowns)
     chain = Chain(unknowns, {}, dict.fromkeys(angles), base, symbolic, possible, natural=natural)
     found = [b for b in chain.branches(equations) if not b.left]
     if not symbolic:
         found = [b for b in found if _assumed(course, states, base.extended(b.values))]
+    found = [replace(b, values={**b.values, **fixed}) for b in found]
     return _distinct(found, set(angles), natural)
 
 
@@ -143,9 +221,9 @@ def _same(one: Branch, other: Branch, angles: set[sp.Symbol], natural: Mapping[s
     return True
 
 
-def _place(branch: Branch, stops: list[Stop]) -> str:
-    """The places of one branch in words."""
-    found = []
+def _place(branch: Branch, stops: list[Stop], sought: Iterable[sp.Symbol]) -> str:
+    """The places of one branch in words, and what is sought."""
+    found = [f"{s.name} = {branch.values[s]:.6g}" for s in sought if s in branch.values]
     others = {own for stop in stops for own in stop.letters.values()}
     for stop in stops:
         for letter, own in stop.letters.items():
