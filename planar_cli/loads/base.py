@@ -79,9 +79,19 @@ class Load(Entry, ABC):
         What it does to the ground needs not be stated, and is left out of the equations by whoever asks.
         """
 
+    def stored(self, scene: Setting) -> tuple[Any, Any, int, str] | None:
+        """What its potential energy is made of: factor, measure, power and the letter of the measure, for m g · y_G
+        (power 1) and k s²/2 (power 2); None: it is of no such kind.
+        """
+        return None
+
     def potential(self, scene: Setting) -> Any | None:
         """Its potential energy [J] in this position, whose value where it is zero is free; None: it has none.
 
         Where none is stated, a function of place is still looked for: the integral of the load's power.
         """
-        return None
+        made = self.stored(scene)
+        if made is None:
+            return None
+        factor, measure, power, _ = made
+        return factor * measure if power == 1 else factor * measure**power / power

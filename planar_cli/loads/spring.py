@@ -101,7 +101,7 @@ class Spring(Load):
         ends = ((self.between[0], start, along), (self.between[1], end, -along))
         return tuple(Wrench(self.name, "spring", scene.owner(p), at, d * tension, 0, tension) for p, at, d in ends)
 
-    def potential(self, scene: Setting) -> Any:
+    def stored(self, scene: Setting) -> tuple[Any, Any, int, str]:
         """k s²/2, s its stretch."""
         start, end = (scene.point(p) for p in self.between)
-        return scene.value(self.stiffness) * self._stretch(scene, scene.length(end - start)) ** 2 / 2
+        return scene.value(self.stiffness), self._stretch(scene, scene.length(end - start)), 2, "s"

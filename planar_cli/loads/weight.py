@@ -57,6 +57,7 @@ class Weight(Load):
         point, place = scene.center(self.name), scene.center_name(self.name)
         return (Wrench(self.name, "weight", self.name, point, Vec(0, -1) * weight, 0, weight, place),)
 
-    def potential(self, scene: Setting) -> Any:
+    def stored(self, scene: Setting) -> tuple[Any, Any, int, str]:
         """m g y_G, from y = 0."""
-        return scene.mass(self.name) * scene.gravity * scene.center(self.name).y
+        place = scene.center_name(self.name)
+        return scene.mass(self.name) * scene.gravity, scene.center(self.name).y, 1, f"y_{place}"

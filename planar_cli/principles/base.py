@@ -99,6 +99,20 @@ Family = BodyFamily | Single
 
 
 @record
+class Stored:
+    """The potential of a source by what it depends on: factor · measure, or factor · measure²/2 (power 2)."""
+
+    factor: sp.Expr
+    """The weight m g [N], or the stiffness k [N/m]."""
+    measure: sp.Expr
+    """The height y_G of the mass centre, or the stretch s of a spring [m]."""
+    power: int
+    """1 or 2."""
+    letter: str
+    """The name of the measure, without the state: y_G, s."""
+
+
+@record
 class Source:
     """What changes an amount, at a rate, in the unknowns of the general position."""
 
@@ -106,6 +120,59 @@ class Source:
     rate: sp.Expr
     function: sp.Expr | None = None
     """A function of place and time of which the rate is the derivative; None: it is looked for."""
+    stored: Stored | None = None
+    """What that function is made of, where the load says it."""
+
+
+@record
+class Moving:
+    """What the kinetic energy m v²/2 + I ω²/2 of one body is made of, in the unknowns of the general position."""
+
+    body: str
+    mass: sp.Expr
+    """m [kg]."""
+    inertia: sp.Expr
+    """I about the mass centre [kg m²]."""
+    vx: sp.Expr
+    """Of the mass centre, along x [m/s]."""
+    vy: sp.Expr
+    omega: sp.Expr
+    """Of turning [rad/s]."""
+    center: str
+    """The name of the mass centre."""
+
+
+@record
+class Storage:
+    """What a weight or a spring brings between two states, by what its potential is made of."""
+
+    words: str
+    """The words of the source."""
+    factor: sp.Expr
+    """m g [N], or the stiffness k [N/m]."""
+    first: sp.Expr
+    """The height y or the stretch s at the beginning [m]."""
+    last: sp.Expr
+    """The same at the end."""
+    power: int
+    """1: factor · (first - last); 2: factor · (first² - last²)/2."""
+    letter: str
+    """The name of height or stretch, without the state."""
+
+    @property
+    def brought(self) -> sp.Expr:
+        """What it brings [J]."""
+        return self.factor * (self.first**self.power - self.last**self.power) / self.power
+
+
+@record
+class EnergyParts:
+    """The parts of the energies of one balance."""
+
+    moving: tuple[Moving, ...]
+    """Of every body at the end of the balance, in letters of that state."""
+    storages: tuple[Storage, ...]
+    """Of the sources that have a potential of such parts."""
 
 
 @record
@@ -141,6 +208,8 @@ class Balance:
     """Does it run on through regimes that follow each other?"""
     timeless: bool = False
     """Is it only put on paper where no time enters it?"""
+    moving: tuple[Moving, ...] = ()
+    """Of kinetic energies, what each is made of."""
     longest: int = 300
     """With more operations an amount, or what a source brings, is not put on paper."""
 

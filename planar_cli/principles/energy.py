@@ -8,8 +8,8 @@ from typing import ClassVar, final
 import sympy as sp
 
 from planar_cli.equation.motion import Motion
-from planar_cli.equation.moving import Moving
-from planar_cli.principles.base import Balance, Position, Principle, Source
+from planar_cli.equation.moving import Moving as MovingScene
+from planar_cli.principles.base import Balance, Moving, Position, Principle, Source, Stored
 from planar_cli.problem.acting import acting_loads
 from planar_cli.problem.facts import Wrench
 from planar_cli.problem.geometry import Vec
@@ -69,10 +69,11 @@ class WorkEnergy(Principle):
         if not _closed(position):
             return
         scene, motion = position.system.scene, position.motion
-        kinetic = []
+        kinetic, moving = [], []
         for name, body in scene.bodies.items():
             v, omega = motion.velocity(body.center, name), motion.velocities[name].angular
             kinetic.append((name, body.mass * v.dot(v) / 2 + body.inertia * omega**2 / 2))
+            moving.append(Moving(name, body.mass, body.inertia, v.x, v.y, omega, scene.center_name(name)))
         yield Balance(
             words="work and kinetic energy",
             name="",
@@ -84,6 +85,7 @@ class WorkEnergy(Principle):
             idle=_idle(position),
             adds=True,
             timeless=True,
+            moving=tuple(moving),
             longest=500,
         )
 
@@ -114,13 +116,15 @@ def _sources(position: Position) -> Iterator[Source]:
     for w in system.wrenches:
         named.setdefault((w.kind, w.name), []).append(w)
     loads = {(x.kind, x.name): x for x in acting_loads(system.scene.problem)}
-    setting = Moving(system.scene, motion, position.value)
+    setting = MovingScene(system.scene, motion, position.value)
     for (kind, name), wrenches in named.items():
         power = sp.Add(*(_power(w, motion) for w in wrenches))
         load = loads.get((kind, name))
+        made = None if load is None else load.stored(setting)
         stored = None if load is None else load.potential(setting)
         working = FRICTION if load is None else load.working or f"{kind} {{}}"
-        yield Source(working.format(name), power, None if stored is None else -sp.sympify(stored))
+        of = None if made is None else Stored(sp.sympify(made[0]), sp.sympify(made[1]), made[2], made[3])
+        yield Source(working.format(name), power, None if stored is None else -sp.sympify(stored), of)
     followers = {law.push for law in system.laws}
     for push, value in system.reactions.pushes:
         if push.name not in followers or value == 0:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import field
 from typing import Any
 
@@ -12,11 +12,16 @@ import sympy as sp
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.records import changing
 from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Paragraph, line
+from planar_cli.report.clean import is_clean
+from planar_cli.report.energies import EnergyTelling
 from planar_cli.report.forces import force_rows
+from planar_cli.report.put_in import put_in
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import BalanceTrace, Impact, ImpactEquation
 
 LONGEST, MOST_NAMED = 60, 8
+SHORT = 36
+"""A longer equation is told with its numbers, where it has some."""
 AT_ONCE = "each with its own restitution: Newton's law at every contact. One after the other they would end otherwise."
 FINITE = "the impulse of weights, springs and other finite forces is negligible"
 
@@ -27,12 +32,24 @@ class BetweenTelling:
 
     phrases: Phrases
     plain: Mapping[sp.Symbol, sp.Expr]
+    numeric: Phrases
+    """In which is told what rests on no letter without a number."""
+    unknowns: Collection[sp.Symbol] = ()
+    """What the equation at hand is solved for."""
     told: set[str] = field(default_factory=set)
+    stretches: set[tuple[sp.Symbol, sp.Expr]] = field(default_factory=set)
+    """Those of springs that were told."""
+    counted: set[int] = field(default_factory=set)
+    """The numbers of equations in which numbers were put in at once."""
 
     def blocks(self, source: BalanceTrace | ImpactEquation, number: int) -> Iterator[Block]:
         """One equation with its heading; `source`: what it was planned from."""
         if isinstance(source, BalanceTrace):
-            yield from self._balance(source, number)
+            yield Paragraph(self._heading(source))
+            if source.law.letter and self._has_numbers(source):
+                yield from self._energies(source, number)
+            else:
+                yield from self._balance(source, number)
         else:
             yield from self._drawn(source.impact)
             yield from self._impact(source, number)
@@ -48,9 +65,8 @@ class BetweenTelling:
         law = b.law
         lead = line(law.lead, Name(law.name), ":") if law.name else line(law.lead)
         before, after = self._put(b.before), self._put(b.after)
-        yield Paragraph(self._heading(b))
         if not law.letter:
-            yield Equation((self.phrases.math(before + self._put(b.gain)), self.phrases.math(after)), number, lead)
+            yield self._equation(before + self._put(b.gain), after, number, lead)
             return
         first, last = f"{law.letter}_{b.since}", f"{law.letter}_{b.stop}"
         yield Equation((line(Name(first)), self.phrases.math(before)))
@@ -65,6 +81,27 @@ class BetweenTelling:
         gain = sp.Add(*(put for _, put in brought))
         lead = line(Name(first), " + ", Name(law.bring), " = ", Name(last), ":")
         yield Equation((self.phrases.math(before + gain), self.phrases.math(after)), number, lead)
+
+    def _has_numbers(self, b: BalanceTrace) -> bool:
+        """Has everything a number that is not sought?"""
+        letters = (b.before + b.after + b.gain).xreplace(dict(self.plain)).free_symbols
+        return all(self.numeric.has_numbers(s) for s in letters - set(self.unknowns))
+
+    def _energies(self, b: BalanceTrace, number: int) -> Iterator[Block]:
+        """Energies one by one with their numbers, then their balance."""
+        yield from EnergyTelling(b, self.unknowns, self.numeric, self.plain, self.stretches).lines()
+        first, last = f"{b.law.letter}_{b.since}", f"{b.law.letter}_{b.stop}"
+        lead = line(Name(first), " + ", Name(b.law.bring), " = ", Name(last), ":")
+        yield self._equation(self._put(b.before) + self._put(b.gain), self._put(b.after), number, lead, energy=True)
+
+    def _equation(self, left: sp.Expr, right: sp.Expr, number: int, lead: Line, energy: bool = False) -> Equation:
+        """An equation in letters where that is short and hides no unit; else with its numbers put in."""
+        short = not longer(left - right, SHORT) and is_clean(self.phrases.ledger, left, right)
+        found = None if short else put_in(left, right, self.unknowns, self.numeric, energy)
+        if found is None:
+            return Equation((self.phrases.math(left), self.phrases.math(right)), number, lead)
+        self.counted.add(number)
+        return Equation((found.left, found.right), number, lead, found.note)
 
     @staticmethod
     def _heading(b: BalanceTrace) -> Line:
@@ -92,9 +129,8 @@ class BetweenTelling:
 
     def _impact(self, e: ImpactEquation, number: int) -> Iterator[Block]:
         left, right = self._put(e.left), self._put(e.right)
-        sides = (self.phrases.math(left), self.phrases.math(right))
         yield Paragraph(line(*self._head(e), ":"))
-        yield Equation(sides, number, self._lead(e))
+        yield self._equation(left, right, number, self._lead(e))
 
     def kept(self, e: ImpactEquation, result: Equation) -> Iterator[Block]:
         """An equation of a blow that gives at once a velocity that is zero. `result`: its letter with the value."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import replace
 from decimal import Decimal
 from typing import Any
@@ -11,19 +11,20 @@ import sympy as sp
 
 from planar_cli.equation.exact import Sample
 from planar_cli.equation.expansion import expanded
-from planar_cli.equation.ledger import display
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.problem.check_dimensions import Kinds
-from planar_cli.problem.outermost import is_energy
 from planar_cli.problem.scope import Scope
+from planar_cli.report.asked_of_states import HENCE, AskedTelling
 from planar_cli.report.between import BetweenTelling
-from planar_cli.report.blocks import Block, Equation, Heading, Line, Math, Name, Paragraph, Value, line
+from planar_cli.report.blocks import Block, Equation, Heading, Line, Math, Paragraph, Value, line
+from planar_cli.report.clean import is_clean
 from planar_cli.report.integrals import over_coordinates, plain_integral
 from planar_cli.report.left_out import reason
 from planar_cli.report.origins import HAPPENS, head, named, told_once, turning
 from planar_cli.report.oscillation import oscillation_blocks
+from planar_cli.report.put_in import put_in
 from planar_cli.report.span_integrals import span_blocks
-from planar_cli.report.words import Phrases, told_unit
+from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import (
     BalanceTrace,
     ImpactEquation,
@@ -35,11 +36,13 @@ from planar_cli.solve.between.trace import (
 )
 
 MOST_ROOTS = 4
-SHORT = 40
 WORK, MOMENTUM = "work and energy", "impulse and momentum"
-HENCE = Paragraph(line("Hence:"))
-LONGEST = 90
-"""A longer formula is told by its value alone."""
+LONGEST, SHORT, PLAIN = 90, 36, 12
+"""A longer formula is told by its value alone, after its equation in numbers: of letters, of what has numbers, and of
+what mixes letters and numbers with units.
+"""
+MOST_SHOWN = 60
+"""Of more operations an equation in numbers is told in letters alone."""
 
 
 def motion_phrases(found: MotionTrace, figures: int) -> Phrases:
@@ -63,7 +66,7 @@ class MotionTelling:
         self.general, self.varying = found.general, found.varying
         self.numeric = settled_phrases(found, phrases)
         self._told_laws: set[sp.Symbol] = set()
-        self.between = BetweenTelling(phrases, {})
+        self.between = BetweenTelling(phrases, {}, self.numeric)
         self._kinds = Kinds(Scope(found.problem, ()))
 
     def blocks(self, step: int) -> list[Block]:
@@ -95,7 +98,7 @@ class MotionTelling:
     def _body(self) -> Iterator[Block]:
         yield from self._turnings()
         yield from self._route(self.found.route)
-        yield from self._asked()
+        yield from AskedTelling(self.found, self.phrases, self.numeric, self.wanted).blocks()
         for name, route in self.found.passing.items():
             if any(not leg.is_datum for leg in route.steps):
                 yield Paragraph(line(f"{name} throughout the motion:"))
@@ -104,60 +107,6 @@ class MotionTelling:
             yield from span_blocks(span, self._kinds.of, self.phrases, self.phrases.symbolic)
         for swing in self.found.oscillations:
             yield from oscillation_blocks(swing, self.found.value, self.phrases, self.phrases.symbolic)
-
-    def _asked(self) -> Iterator[Block]:
-        """What is asked in the letters of its states, where it is more than a letter."""
-        zeros = {s: f for s, f in self.found.route.formulas.items() if f == 0}
-        told = False
-        for asked in self.found.requests:
-            name = asked.find.name
-            if name in self.found.passing or (self.wanted is not None and not self.wanted):
-                continue
-            parts = [self._signed(_without(p, zeros)) for p in asked.parts]
-            if asked.unit is None:
-                continue
-            if any(p.is_Symbol or p.is_number or longer(p, LONGEST) or p.free_symbols & self.varying for p in parts):
-                continue
-            if not told:
-                yield HENCE
-                told = True
-            for axis, part in zip(("x", "y") if len(parts) > 1 else ("",), parts, strict=True):
-                sides: list[Any] = [line(Name(name), f", {axis}" if axis else ""), self.phrases.math(part)]
-                phrases = self.numeric if self.numeric.has_numbers(part) else self.phrases
-                if not phrases.symbolic:
-                    unit, energy = asked.unit, is_energy(asked.find.found.what)
-                    value = Decimal(0) if self.found.value.is_zero(part) else self.found.value(part)
-                    shown = Value(display(value, unit), told_unit(unit, energy), self.phrases.figures)
-                    own = self.phrases.page_unit(unit)
-                    kept = unit.text == "deg" or display(Decimal(1), unit) == display(Decimal(1), own)
-                    first = shown if kept else Value(display(value, own), told_unit(own, energy), self.phrases.figures)
-                    sides += [*phrases.substituted(part, first), first, *([] if kept else [shown])]
-                yield Equation(tuple(sides))
-
-    def _signed(self, expr: sp.Expr) -> sp.Expr:
-        """|a| and sign a by the number that a has at its state; the direction of (a cos x, a sin x) where it is x."""
-        if self.phrases.symbolic or not expr.has(sp.Abs, sp.sign, sp.atan2):
-            return expr
-        expr = expr.replace(lambda x: isinstance(x, sp.atan2), self._direction)
-
-        def sense(a: sp.Expr) -> int:
-            return int(self.found.value.known(sp.sign(a)) or 0)
-
-        def put(x: Any) -> Any:
-            s = sense(x.args[0])
-            return x if not s else (s * x.args[0] if isinstance(x, sp.Abs) else sp.Integer(s))
-
-        if not expr.has(sp.Abs, sp.sign):
-            return expr
-        return simplified(expr.replace(lambda x: isinstance(x, sp.Abs | sp.sign), put))
-
-    def _direction(self, found: sp.Expr) -> sp.Expr:
-        y, x = found.args
-        for sine in y.atoms(sp.sin):
-            angle = sine.args[0]
-            if y / sine == x / sp.cos(angle) and self.found.value.is_zero(found - angle):
-                return angle
-        return found
 
     def _turnings(self) -> Iterator[Block]:
         """States that were put in: until when an assumption holds, or what happens there."""
@@ -230,13 +179,46 @@ class MotionTelling:
             if single and leg.results[0].formula == 0:
                 yield from self._zero(e, Equation(self._chain(leg.results[0]), self._number()), route)
                 return
-            yield from self._relation(e, route)
+            yield from self._relation(e, leg, route)
             numbers.append(self.next - 1)
+        yield from self._in_numbers(leg, numbers, route)
         lead = line(", ".join(f"({n})" for n in numbers) + (" together:" if len(numbers) > 1 else ":"))
         for i, r in enumerate(leg.results):
             yield Equation(self._chain(r), None, lead if i == 0 else ())
             if i == 0:
                 yield from self._others(r)
+
+    def _in_numbers(self, leg: RouteStep, numbers: list[int], route: RouteTrace) -> Iterator[Block]:
+        """The equations once more with their numbers, where a value follows from them without a formula."""
+        if self.phrases.symbolic and not set(leg.unknowns) <= route.settled:
+            return
+        if all(self._is_told(r) or r.value.is_infinite() for r in leg.results):
+            return
+        for e, number in zip(leg.relations, numbers, strict=True):
+            if number in self.between.counted or e.residual.free_symbols <= set(leg.unknowns):
+                continue
+            left, right = self._sides_of(e, route)
+            found = put_in(left, right, leg.unknowns, self.numeric)
+            if found is not None and found.length <= MOST_SHOWN:
+                lead = line(f"({number}) in numbers:")
+                yield Equation((found.left, found.right), None, lead, found.note)
+
+    def _is_told(self, r: Result) -> bool:
+        """Does a formula stand before its value, or nothing at all?"""
+        formula = self._formula(r)
+        return formula is not None and (not formula.is_number or formula == 0)
+
+    @staticmethod
+    def _sides_of(e: Relation, route: RouteTrace) -> tuple[sp.Expr, sp.Expr]:
+        """A relation as two sides."""
+        if isinstance(e.source, ImpactEquation):
+            return e.source.left.xreplace(dict(route.plain)), e.source.right.xreplace(dict(route.plain))
+        if isinstance(e.source, BalanceTrace):
+            sides = (e.source.before + e.source.gain, e.source.after)
+            return sides[0].xreplace(dict(route.plain)), sides[1].xreplace(dict(route.plain))
+        residual = e.residual.xreplace(dict(route.plain))
+        left = sp.Add(*(a for a in sp.Add.make_args(residual) if not a.could_extract_minus_sign()))
+        return left, left - residual
 
     def _zero(self, e: Relation, result: Equation, route: RouteTrace) -> Iterator[Block]:
         """A relation that says at once that its letter is zero."""
@@ -274,9 +256,9 @@ class MotionTelling:
     def _head(self, e: Relation) -> Line:
         return head(e, self.found.ledger.symbols)
 
-    def _relation(self, e: Relation, route: RouteTrace) -> Iterator[Block]:
+    def _relation(self, e: Relation, leg: RouteStep, route: RouteTrace) -> Iterator[Block]:
         if e.source is not None:
-            self.between.plain = route.plain
+            self.between.plain, self.between.unknowns = route.plain, leg.unknowns
             yield from self.between.blocks(e.source, self._number())
             return
         yield from self._law(e)
@@ -324,13 +306,9 @@ class MotionTelling:
         formula = r.formula
         if formula is not None and formula.free_symbols & self.varying:
             return self.phrases.math(r.unknown), self.phrases.math(formula)
-        formula = None if formula is None else over_coordinates(formula, self.general)
+        formula = self._formula(r)
         phrases = self.numeric if r.unknown in self.found.route.settled else self.phrases
-        if (
-            formula is not None
-            and not longer(formula, self._longest(r))
-            and (not formula.is_number or phrases.symbolic)
-        ):
+        if formula is not None and (not formula.is_number or phrases.symbolic):
             sides.append(self.phrases.math(formula))
             if not formula.is_Symbol:
                 sides += phrases.substituted(formula, self._shown(r))
@@ -342,11 +320,17 @@ class MotionTelling:
             sides.append(line("the root that this motion reaches"))
         return tuple(sides)
 
-    def _longest(self, r: Result) -> int:
-        """A formula out of a balance that was just printed is told only where it is short."""
-        legs = (leg for leg in self.found.route.steps if r in leg.results)
-        balance = any(e.source is not None for leg in legs for e in leg.relations)
-        return SHORT if balance and not self.phrases.symbolic else LONGEST
+    def _formula(self, r: Result) -> sp.Expr | None:
+        """The formula of a result as it is printed; None: it is too long, or its numbers would hide units."""
+        if r.formula is None:
+            return None
+        formula = over_coordinates(r.formula, self.general)
+        if self.phrases.symbolic:
+            return None if longer(formula, LONGEST) else formula
+        if formula.is_number or formula.has(sp.Integral):
+            return formula
+        clean = is_clean(self.found.ledger, r.unknown, formula)
+        return None if longer(formula, SHORT if clean else PLAIN) else formula
 
     def _shown(self, r: Result) -> Any:
         if r.value.is_infinite():
@@ -387,9 +371,3 @@ class MotionTelling:
 
 def _neat(expr: sp.Expr) -> sp.Expr:
     return expr if longer(expr, LONGEST) else simplified(expr)
-
-
-def _without(expr: sp.Expr, zeros: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
-    """An expression without letters that are zero."""
-    found = expr.xreplace(dict(zeros))
-    return expr if found.has(sp.nan, sp.zoo) else found

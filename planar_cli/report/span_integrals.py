@@ -41,7 +41,7 @@ def span_blocks(found: SpanIntegral, lookup: Lookup, phrases: Phrases, symbolic:
     for piece in [p for p in found.pieces if p.integrand != 0] or found.pieces[:1]:
         yield from _piece(piece, phrases, symbolic, unit, q.parts[0].kind if q.parts else "")
     if found.duration != 1:
-        sides: list[Inline | Line] = [line("mean = the sum divided by ", phrases.math(found.duration))]
+        sides: list[Inline | Line] = [line("mean (the sum divided by ", phrases.math(found.duration), ")")]
         if not symbolic:
             sides.append(Value(found.number, _unit(q, kind.dimension, kind.angle)))
         yield Equation(tuple(sides))

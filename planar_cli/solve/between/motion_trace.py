@@ -13,10 +13,12 @@ from planar_cli.equation.exact import Valuation
 from planar_cli.solve.between.answers import AnsweredFind
 from planar_cli.solve.between.balances import StateBalance
 from planar_cli.solve.between.derivation import DerivedStep, Route
+from planar_cli.solve.between.energies import energy_parts
 from planar_cli.solve.between.independence import lettered_starts, settled
 from planar_cli.solve.between.needed import wanted_of
 from planar_cli.solve.between.oscillation import Oscillation, roots_of, stability
 from planar_cli.solve.between.solved_motion import SolvedMotion
+from planar_cli.solve.between.stated_motion import StatedMotion
 from planar_cli.solve.between.taken import taken_of
 from planar_cli.solve.between.trace import (
     BalanceTrace,
@@ -52,7 +54,7 @@ def motion_trace(
     """
     course = found.course
     whole = found.oscillations or any(a.passing is not None or a.passage is not None for a in answers)
-    tracer = _Tracer(found.value, course.base(), lettered_starts(course, found.value))
+    tracer = _Tracer(course, found.value, lettered_starts(course, found.value))
     return MotionTrace(
         problem=course.problem,
         states=tuple(s.name for s in course.states),
@@ -120,12 +122,12 @@ def _regime(course: RegimeSequence, instant: InstantSolution, wanted: frozenset[
 
 
 class _Tracer:
-    """Turns equations and routes into what is said of them. `value`: numbers of everything; `base`: of what is no
-    unknown; `lettered`: letters of the first state whose numbers rest on drawn ones.
+    """Turns equations and routes into what is said of them. `value`: numbers of everything; `lettered`: letters of the
+    first state whose numbers rest on drawn ones.
     """
 
-    def __init__(self, value: Valuation, base: Valuation, lettered: frozenset[sp.Symbol]) -> None:
-        self.value, self.base, self.lettered = value, base, lettered
+    def __init__(self, course: StatedMotion, value: Valuation, lettered: frozenset[sp.Symbol]) -> None:
+        self.course, self.value, self.base, self.lettered = course, value, course.base(), lettered
         self._impacts: dict[str, Impact] = {}
 
     def route(self, route: Route) -> RouteTrace:
@@ -145,7 +147,8 @@ class _Tracer:
             return None
         if isinstance(source, StateBalance):
             b = source
-            return BalanceTrace(b.law, b.since.name, b.stop.name, b.before, b.after, b.brought, b.amounts)
+            parts = energy_parts(self.course, b, self.value)
+            return BalanceTrace(b.law, b.since.name, b.stop.name, b.before, b.after, b.brought, b.amounts, parts)
         blow, written = source
         return self._impact_equation(blow, written)
 

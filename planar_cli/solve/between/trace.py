@@ -15,7 +15,7 @@ from planar_cli.calculus.spans import Span
 from planar_cli.equation.displacement import Coordinate
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.ledger import Ledger
-from planar_cli.principles.base import Balance
+from planar_cli.principles.base import Balance, EnergyParts
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.scene import Find, Problem
 from planar_cli.records import record
@@ -64,6 +64,8 @@ class BalanceTrace:
     """What sources bring meanwhile, by their words; those that bring nothing are left out."""
     amounts: tuple[tuple[str, sp.Expr], ...]
     """The amount at the end, by body."""
+    parts: EnergyParts | None = None
+    """Of energies, what they are made of."""
 
     @property
     def gain(self) -> sp.Expr:

@@ -1,0 +1,175 @@
+"""Formulas with a number for everything that is known, whatever functions their unknowns stand in.
+
+Where an equation is a sum of products of its unknowns, `in_numbers` collects it; here the structure is kept as well:
+11.77 (0.065 - 0.15 sin θ) - 200 s² = 0. Angles beside unknown ones are in degrees, all else in the units of the page.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable
+from decimal import Decimal
+
+import sympy as sp
+from sympy.functions.elementary.trigonometric import TrigonometricFunction
+
+from planar_cli.equation.counting import operations
+from planar_cli.equation.exact import Unvalued
+from planar_cli.equation.expansion import expanded
+from planar_cli.equation.ledger import Ledger
+from planar_cli.equation.plain import longer
+from planar_cli.errors import NoValue
+from planar_cli.records import record
+from planar_cli.report.blocks import Line, Math, line
+from planar_cli.report.clean import Mixed, dimension_of
+from planar_cli.report.in_numbers import SMALL
+from planar_cli.report.numbers import significant
+from planar_cli.report.ordering import NUMBER
+from planar_cli.report.page_units import coherent_unit
+from planar_cli.report.words import Phrases, told_unit
+from planar_cli.units import ENERGY, PURE, pretty_unit
+
+OPENED = 150
+"""A longer formula is not multiplied out to see whether it gets shorter so."""
+
+
+@record
+class PutIn:
+    """Both sides of an equation with numbers, and their unit in print ("" where it is not known)."""
+
+    left: Math
+    right: Math
+    unit: str
+    length: int
+    """How many operations they have."""
+
+    @property
+    def note(self) -> Line:
+        """The unit of both sides, behind the equation."""
+        return line(f"({self.unit})") if self.unit else ()
+
+
+def put_in(
+    left: sp.Expr, right: sp.Expr, unknowns: Collection[sp.Symbol], phrases: Phrases, energy: bool = False
+) -> PutIn | None:
+    """An equation with numbers for all but its unknowns; None: something known has no number, or no unit can be told.
+    `energy`: its sides are energies.
+    """
+    if phrases.ledger.us and not _alike(phrases.ledger, left, right):
+        return None
+    writer = Writer(unknowns, phrases)
+    sides = [writer.written(e) for e in (left, right)]
+    if sides[0] is None or sides[1] is None:
+        return None
+    shown = (Math(sides[0], writer.texts), Math(sides[1], writer.texts))
+    return PutIn(*shown, _unit(phrases, energy, left, right), sum(operations(s) for s in sides if s is not None))
+
+
+def _alike(ledger: Ledger, *sides: sp.Expr) -> bool:
+    """Have all sides one dimension, with no unit behind a number?"""
+    try:
+        return len({dimension_of(e, ledger) for e in sides if e != 0}) < 2
+    except Mixed:
+        return False
+
+
+def _unit(phrases: Phrases, energy: bool, *sides: sp.Expr) -> str:
+    """The unit of a page in which the sides of an equation are."""
+    ledger = phrases.ledger
+    if energy:
+        return pretty_unit(told_unit(coherent_unit(ENERGY, us=ledger.us), True))
+    sides = tuple(e for e in sides if e != 0)
+    if not sides or not _alike(ledger, *sides):
+        return ""
+    dimension = dimension_of(sides[0], ledger)
+    return "" if dimension == PURE else pretty_unit(coherent_unit(dimension, us=ledger.us).text)
+
+
+class Writer:
+    """Writes numbers into formulas. `texts`: of the symbols that stand for numbers in what it has written."""
+
+    def __init__(self, unknowns: Collection[sp.Symbol], phrases: Phrases) -> None:
+        self.unknowns, self.phrases = frozenset(unknowns), phrases
+        self.texts: dict[sp.Symbol, str] = {}
+
+    def written(self, expr: sp.Expr) -> sp.Expr | None:
+        """The formula with numbers for all that is known, in the shorter of two forms; None: that is not possible."""
+        expr = sp.sympify(expr)
+        if not all(self.phrases.has_numbers(s) for s in expr.free_symbols - self.unknowns):
+            return None
+        forms = [expr]
+        if expr.free_symbols & self.unknowns and not longer(expr, OPENED):
+            forms.append(expanded(expr))
+        try:
+            found = [self._tree(self.phrases.met(f)) for f in forms]
+        except (Mixed, NoValue, Unvalued):
+            return None
+        return min(found, key=operations)
+
+    def _tree(self, expr: sp.Expr) -> sp.Expr:
+        if not expr.free_symbols & self.unknowns:
+            return self._number(expr)
+        if expr.is_Symbol:
+            return expr
+        if expr.is_Add:
+            return self._sum(expr)
+        if expr.is_Mul:
+            known, rest = expr.as_independent(*self.unknowns, as_Add=False)
+            return self._product(known, rest)
+        if expr.is_Pow and not expr.exp.free_symbols:
+            return sp.Pow(self._tree(expr.base), expr.exp)
+        if isinstance(expr, TrigonometricFunction):
+            return expr.func(self._angle(expr.args[0]))
+        if isinstance(expr, sp.Function) and not isinstance(expr, sp.Piecewise):
+            return expr.func(*(self._tree(a) for a in expr.args), evaluate=False)
+        raise Mixed(expr)
+
+    def _sum(self, expr: sp.Expr) -> sp.Expr:
+        """Like terms together, one number for all that is known."""
+        terms: dict[sp.Expr, list[sp.Expr]] = {}
+        for term in expr.args:
+            known, rest = term.as_independent(*self.unknowns, as_Add=False)
+            terms.setdefault(rest, []).append(known)
+        sums = {rest: sp.Add(*known) for rest, known in terms.items()}
+        sizes = {rest: abs(self.phrases.value(known)) for rest, known in sums.items()}
+        largest = max(sizes.values(), default=Decimal(0))
+        kept = [(known, rest) for rest, known in sums.items() if sizes[rest] > SMALL * largest]
+        return _added(self._product(known, rest) if rest != 1 else self._number(known) for known, rest in kept)
+
+    def _product(self, known: sp.Expr, rest: sp.Expr) -> sp.Expr:
+        if rest == 1:
+            return self._number(known)
+        factors = [self._tree(f) for f in sp.Mul.make_args(rest)]
+        number = self._number(known) if known not in (1, -1) else known
+        return sp.Mul(number, *factors)
+
+    def _number(self, known: sp.Expr) -> sp.Expr:
+        """A number behind a symbol that is printed as its text, its sign before it."""
+        ledger, value = self.phrases.ledger, self.phrases.value(known)
+        if known.is_Integer and abs(int(known)) < 10:
+            return known
+        size = abs(value)
+        if ledger.us:
+            unit = coherent_unit(dimension_of(known, ledger), us=True)
+            size = size * Decimal(unit.factor.denominator) / Decimal(unit.factor.numerator)
+        return self._text(significant(size, self.phrases.figures), value < 0)
+
+    def _text(self, text: str, negative: bool = False) -> sp.Expr:
+        if text in ("0", "1"):
+            return sp.Integer(-int(text) if negative else int(text))
+        # Each has a symbol of its own: two numbers that round to the same text do not cancel.
+        number = sp.Symbol(f"{NUMBER}{len(self.texts)}", positive=True)
+        self.texts[number] = text
+        return -number if negative else number
+
+    def _angle(self, expr: sp.Expr) -> sp.Expr:
+        """The argument of a trigonometric function; a known angle beside unknown ones in degrees."""
+        known, rest = expr.as_independent(*self.unknowns, as_Add=True)
+        if known == 0 or not expr.is_Add:
+            return self._tree(expr)
+        degrees = self.phrases.value(known * 180 / sp.pi)
+        shown = self._text(significant(abs(degrees), self.phrases.figures) + "°", degrees < 0)
+        return sp.Add(self._tree(rest), shown)
+
+
+def _added(terms: Iterable[sp.Expr]) -> sp.Expr:
+    return sp.Add(*terms)

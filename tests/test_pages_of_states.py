@@ -1,0 +1,100 @@
+"""Pages of several states, in a sample of the problem files: what is printed is true, no unknown is a bare number."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import pytest
+from conftest import ROOT
+from printed import Page, equations
+from worked import worked
+
+from planar_cli.report.blocks import Block, Equation, Math, Paragraph, Text, Value
+from planar_cli.report.motion import MotionTelling, motion_phrases
+from planar_cli.solve.between.trace import MotionTrace
+
+FILES = (
+    "textbook/ex-4-10",
+    "textbook/ex-4-17",
+    "energy/slider-crank-with-a-spring",
+    "energy/block-down-a-slope-onto-a-buffer",
+    "energy/bob-on-a-thread-that-goes-slack",
+    "energy/exercise-4-35",
+    "energy/yo-yo",
+    "friction/disk-that-screws-itself-up-a-slope",
+    "impact/pendulum-set-swinging",
+    "momentum/ball-with-backspin",
+    "momentum/winch-with-counterweight",
+    "motion/ball-up-with-drag",
+)
+FIGURES, ROUNDED = 6, 1e-3
+
+
+def motions(name: str) -> list[MotionTrace]:
+    """The motions of a file."""
+    solution, _ = worked(ROOT / "problems" / f"{name}.yaml")
+    return [part.motion for part in solution.parts if part.motion is not None]
+
+
+def told(motion: MotionTrace, figures: int = 4) -> tuple[Block, ...]:
+    """What is printed of a motion, without the general position of its regimes."""
+    return tuple(MotionTelling(motion, motion_phrases(motion, figures), 1).blocks(1))
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_printed_equations_are_true(name: str) -> None:
+    for motion in motions(name):
+        page = Page(motion.value)
+        wrong = [w for e in equations(told(motion, FIGURES)) for w in page.wrong(e, ROUNDED)]
+        assert not wrong
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_no_unknown_is_a_bare_number(name: str) -> None:
+    for motion in motions(name):
+        assert not [e for e, before in _results(told(motion)) if _is_bare(e) and not _put_in(before)]
+
+
+def _results(blocks: tuple[Block, ...]) -> Iterator[tuple[Equation, list[Equation]]]:
+    """The lines that follow from numbered equations, with what was printed for them under the last headings."""
+    before: list[Equation] = []
+    fresh = False
+    for block in blocks:
+        if isinstance(block, Paragraph):
+            before = [] if fresh else before
+            fresh = False
+        elif isinstance(block, Equation):
+            if block.lead and isinstance(block.lead[0], Text) and block.lead[0].text.endswith((":", "together:")):
+                yield block, before
+                fresh = True
+            before.append(block)
+
+
+def _is_bare(e: Equation) -> bool:
+    """Is it unknown = value, a value that is not zero?"""
+    known = [s for s in e.sides[1:] if not isinstance(s, Value)]
+    last = e.sides[-1]
+    return (
+        isinstance(e.sides[0], Math)
+        and not known
+        and isinstance(last, Value)
+        and last.number != 0
+        and e.number is None
+        and bool(e.lead)
+        and isinstance(e.lead[0], Text)
+        and e.lead[0].text.startswith("(")
+    )
+
+
+def _put_in(before: list[Equation]) -> bool:
+    """Does an equation with numbers alone beside its unknowns stand there?"""
+    return any(
+        all(isinstance(s, Math) for s in e.sides)
+        and (any(s.values for s in e.sides if isinstance(s, Math)) or bool(e.note) or _only_unknown(e))
+        for e in before
+    )
+
+
+def _only_unknown(e: Equation) -> bool:
+    symbols = {x for s in e.sides if isinstance(s, Math) for x in s.expr.free_symbols}
+    return len(symbols) == 1
