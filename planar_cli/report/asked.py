@@ -19,10 +19,11 @@ from planar_cli.problem.expression import Quantity
 from planar_cli.problem.geometry import Vec
 from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Text, Value, line
 from planar_cli.report.clean import is_clean
+from planar_cli.report.forces import centre_of
 from planar_cli.report.names import plain_name
 from planar_cli.report.numbers import significant
 from planar_cli.report.ordering import NUMBER
-from planar_cli.report.vectors import VectorTelling
+from planar_cli.report.vectors import VectorTelling, index_of
 from planar_cli.report.words import Phrases, told_unit
 from planar_cli.solve.solution import Found, InstantSolution
 from planar_cli.units import ACCELERATION, VELOCITY, Dimension, pretty_unit
@@ -133,8 +134,8 @@ class AskedTelling:
             told = list(self._between(point, q.things[1], q.word))
             name = f"{q.word}_{point}/{q.things[1]}"
         else:
-            own = point if point in self.scene.points else self.scene.center_name(point)
-            told, name = list(self._absolute(point, q.word)), f"{q.word}_{own}"
+            own = point if point in self.scene.points else centre_of(self.scene, point)
+            told, name = list(self._absolute(point, q.word)), f"{q.word}_{index_of(own)}"
         if told or name in self._named:
             self._named.add(name)
             yield from told
@@ -146,7 +147,7 @@ class AskedTelling:
         """v_P = v_A + ω × r_P/A = [x, y]."""
         level = "velocity" if word == "v" else "acceleration"
         if point not in self.scene.points:
-            yield from self._body_point(point, self.scene.center(point), self.scene.center_name(point), level)
+            yield from self._body_point(point, self.scene.center(point), centre_of(self.scene, point), level)
             return
         place = self.scene.point(point)
         for body in self.scene.owners.get(point, ()) or (self.scene.owner(point),):

@@ -54,6 +54,15 @@ def force_rows(
     return rows
 
 
+def centre_of(scene: Scene, body: str) -> str:
+    """What the mass centre of a body is called: its point, of a particle its own name, else G."""
+    model = scene.bodies[body]
+    if not model.rigid or (model.center_name and model.center_name != body):
+        return model.center_name or body
+    alone = sum(b.rigid for b in scene.bodies.values()) == 1 and "G" not in scene.points
+    return "G" if alone else f"G_{body}"
+
+
 def _acting(instant: InstantSolution, stage: Stage, body: str, phrases: Phrases) -> Line:
     """What acts on a body; on a rigid one with where it acts. Couples of guides only where an equation has them."""
     system = instant.trial.system
@@ -131,11 +140,7 @@ def _at(instant: InstantSolution, point: Any, body: str) -> str:
 
 def _centre(scene: Scene, body: str) -> str:
     """Where the mass centre of a body is, as " at G"."""
-    model = scene.bodies[body]
-    if not model.rigid or (model.center_name and model.center_name != body):
-        return f" at {plain_name(model.center_name or body)}"
-    alone = sum(b.rigid for b in scene.bodies.values()) == 1 and "G" not in scene.points
-    return " at G" if alone else f" at {plain_name(f'G_{body}')}"
+    return f" at {plain_name(centre_of(scene, body))}"
 
 
 def _inertia(
@@ -151,7 +156,7 @@ def _inertia(
         return ()
     model = instant.instant.scene.bodies[body]
     parts: list[Any] = []
-    place, at = instant.instant.scene.center_name(body), _centre(instant.instant.scene, body) if model.rigid else ""
+    place, at = centre_of(instant.instant.scene, body), _centre(instant.instant.scene, body) if model.rigid else ""
     forces: list[tuple[sp.Expr, str]] = []
     still = vanishing(stage)
     for direction, component in stage.accelerations.get(body, []) if model.mass != 0 else ():

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from typing import Any
 
 import sympy as sp
@@ -11,7 +12,7 @@ from planar_cli.equation.plain import identically_zero, longer
 from planar_cli.report.actions import force_named, perpendicular
 from planar_cli.report.assumed import assumption_notes
 from planar_cli.report.blocks import Block, Equation, Heading, Line, Math, Name, Paragraph, Text, line
-from planar_cli.report.forces import force_rows
+from planar_cli.report.forces import centre_of, force_rows
 from planar_cli.report.numeric import NumericTelling, vanishing
 from planar_cli.report.vectors import VectorTelling
 from planar_cli.report.words import Phrases
@@ -73,6 +74,10 @@ class Telling:
             blocks.append(self._step("Kinematic analysis"))
         blocks += kinematics
         if kinetic and last is not None:
+            centres = list(self._centres(last))
+            if centres and not kinematics:
+                blocks.append(self._step("Kinematic analysis"))
+            blocks += centres
             blocks.append(self._step("Kinetic analysis", self.principle.diagram))
             blocks += force_rows(self.instant, last, self.phrases, self.principle.inertia_as_force)
             blocks += self._definitions("kg")
@@ -81,6 +86,14 @@ class Telling:
             blocks.append(self._step("Solving the equations", self._count(last)))
             blocks += self._solving(last)
         return blocks
+
+    def _centres(self, stage: Stage) -> Iterator[Block]:
+        """The acceleration of each mass centre that consists of several parts."""
+        bodies = dict.fromkeys(body for block in stage.blocks for w in block.equations for body in w.bodies)
+        for body in bodies:
+            if len(stage.accelerations.get(body, ())) > 1 and self.scene.rigid(body):
+                center = self.scene.center(body)
+                yield from self.vectors.point(body, center, centre_of(self.scene, body), "acceleration")
 
     def _step(self, title: str, aside: str | Line = "") -> Heading:
         """The heading of the next step."""

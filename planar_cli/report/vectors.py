@@ -19,6 +19,7 @@ from planar_cli.problem.facts import Joining
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
 from planar_cli.report.blocks import Block, Equation, Line, Name, Paragraph, Value, line
+from planar_cli.report.forces import centre_of
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.instant import Trial
 from planar_cli.solve.instant.written import Written
@@ -80,7 +81,7 @@ class VectorTelling:
     def _words(self, j: Joining, w: Written, level: str) -> Line:
         """Why the component vanishes or agrees."""
         v, place = ("v" if level == "velocity" else "a"), j.place
-        own, side = Name(f"{v}_{place}"), self._component(w)
+        own, side = Name(f"{v}_{index_of(place)}"), self._component(w)
         if j.base == GROUND and j.path is None and j.rolling is None:
             return line(f"{place} is fixed, ", own, " = 0; ", side)
         if j.base == GROUND and j.path is not None and j.path.curvature == 0:
@@ -162,10 +163,10 @@ class VectorTelling:
             return None
         v, reference = ("v" if level == "velocity" else "a"), self._reference(edge)
         self._arms.setdefault(str(self._symbol(body, level)), f"{reference}{place.rstrip('′')}")
-        parts: list[Any] = [] if self.rests(edge, level) else [Name(f"{v}_{reference}")]
+        parts: list[Any] = [] if self.rests(edge, level) else [Name(f"{v}_{index_of(reference)}")]
         for sign, piece in self._turning(body, place, reference, level):
             parts += [f" {sign} " if parts else "-" if sign == "-" else "", *piece]
-        return (edge, (line(Name(f"{v}_{place}")), line(*parts or ["0"])), arm) if reference else None
+        return (edge, (line(Name(f"{v}_{index_of(place)}")), line(*parts or ["0"])), arm) if reference else None
 
     def _turning(self, body: str, place: str, reference: str, level: str) -> Iterator[tuple[str, Line]]:
         """ω × r, or α × r and ω² r, where they are not zero."""
@@ -189,7 +190,7 @@ class VectorTelling:
     def _reference(self, edge: Edge) -> str:
         """The point of a body from which its others are reached."""
         if edge.joining is None:
-            return self.system.scene.center_name(edge.body) or edge.body
+            return centre_of(self.system.scene, edge.body)
         return edge.joining.place
 
     @property
@@ -224,8 +225,13 @@ class VectorTelling:
         return line(name, " = [", self.phrases.math(arm.x), ", ", self.phrases.math(arm.y), "]")
 
 
+def index_of(place: str) -> str:
+    """A place as an index: the mass centre G_AB as G,AB."""
+    return place.replace("_", ",", 1) if place.startswith("G_") else place
+
+
 def _arm_name(place: str, reference: str) -> Name:
-    return Name(f"r_{place.rstrip('′')}/{reference}")
+    return Name(f"r_{index_of(place.rstrip('′'))}/{index_of(reference)}")
 
 
 def _bare(value: Value) -> Value:
