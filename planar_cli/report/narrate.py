@@ -70,6 +70,10 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
         if part.case:
             blocks.append(Heading("CASE", part.case.replace("_", " ")))
         blocks += part_blocks(part, voice, why, told)
+    if voice.audience == "lesson":
+        from planar_cli.report.lessons import with_lessons
+
+        blocks = with_lessons(blocks)
     return Document(problem.title or problem.file, tuple(blocks))
 
 
@@ -88,7 +92,7 @@ def part_blocks(part: PartSolution, voice: Voice, why: str | None, told: set[tup
         if instant is part.instants[0]:
             blocks += presumed_notes(part, phrases_of(instant, figures))
         if not instant.quiet and (part.tale is None or not part.tale.whole):
-            wanted = _needed(part, instant, audience, why)
+            wanted = _needed(part, instant, why)
             before = (steps, count) if part.motion is not None else (0, 0)
             telling = Telling(instant, phrases_of(instant, figures), audience, wanted, *before)
             blocks += telling.blocks()
@@ -162,9 +166,9 @@ def _effects(instant: InstantSolution, told: set[tuple[str, ...]]) -> Iterator[B
         told.add(key)
 
 
-def _needed(part: PartSolution, instant: InstantSolution, audience: str, why: str | None) -> frozenset[str] | None:
-    """The unknowns of an instant that are told: of a motion only those on which it rests, but in a lesson."""
-    if part.motion is None or audience == "lesson" or why is not None:
+def _needed(part: PartSolution, instant: InstantSolution, why: str | None) -> frozenset[str] | None:
+    """The unknowns of an instant that are told: of a motion only those on which it rests."""
+    if part.motion is None or why is not None:
         return _wanted(part, why)
     return part.motion.regime(instant).wanted
 
