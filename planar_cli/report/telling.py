@@ -11,7 +11,8 @@ import sympy as sp
 from planar_cli.equation.plain import identically_zero, longer
 from planar_cli.report.actions import force_named, perpendicular
 from planar_cli.report.assumed import assumption_notes
-from planar_cli.report.blocks import Block, Equation, Heading, Line, Math, Name, Paragraph, Text, line
+from planar_cli.report.blocks import Block, Equation, Heading, Line, Math, Name, Paragraph, Text, Value, line
+from planar_cli.report.clean import is_clean
 from planar_cli.report.forces import centre_of, force_rows
 from planar_cli.report.numeric import NumericTelling, vanishing
 from planar_cli.report.vectors import VectorTelling
@@ -22,6 +23,7 @@ from planar_cli.solve.instant.stages import Stage
 from planar_cli.solve.instant.used import used_blocks
 from planar_cli.solve.instant.written import Explicit, Written
 from planar_cli.solve.solution import InstantSolution
+from planar_cli.units import LENGTH
 
 LONG_FORMULA = 16
 """A named intermediate with a longer formula is given by its value alone, except in a lesson."""
@@ -278,9 +280,9 @@ class Telling:
             f"{group}, moments about ",
             Name(w.lead),
             " at (",
-            self.phrases.math(place.x),
+            self._length(place.x),
             ", ",
-            self.phrases.math(place.y),
+            self._length(place.y),
             ")",
         ]
         if through:
@@ -289,6 +291,14 @@ class Telling:
         else:
             parts += [", about which the group turns in a virtual motion:"]
         return line(*parts)
+
+    def _length(self, expr: sp.Expr) -> Math | Value:
+        """A coordinate as a formula, or with its unit where numbers of the file without a name stand in it."""
+        ledger = self.phrases.ledger
+        clean = expr == 0 or (is_clean(ledger, expr, dimension=LENGTH) and not expr.is_number)
+        if clean or self.phrases.letters or not expr.free_symbols <= set(ledger.values):
+            return self.phrases.math(expr)
+        return self.phrases.of_dimension(self.phrases.value(expr), LENGTH)
 
     # --- step 3 ------------------------------------------------------------------------------------------------------
 

@@ -16,14 +16,14 @@ from planar_cli.calculus.curves import curve_of
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.expansion import expanded
 from planar_cli.equation.ledger import Ledger
-from planar_cli.equation.plain import simplified
+from planar_cli.equation.plain import longer, simplified
 from planar_cli.errors import refuse
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND, Find, Rod
 from planar_cli.records import changing, record
 from planar_cli.solve.curves.one_freedom import driver_of, followed_curve, loops_of
-from planar_cli.solve.passages import Passage, Row, told_function
+from planar_cli.solve.passages import Passage, Row, sides_of, told_function
 from planar_cli.solve.regimes.functions import Functions, explained
 from planar_cli.solve.regimes.regime import Regime
 from planar_cli.solve.solution import Found
@@ -32,6 +32,8 @@ from planar_cli.units import parse_unit
 PATH = (("x", "y"), ("r", "theta"))
 HODOGRAPH = (("v_x", "v_y"), ("v", "phi"))
 PLAIN_NAMES = {"v_x": "vx", "v_y": "vy"}
+LONGEST = 200
+"""A line of more operations is left out of a page."""
 
 
 @record
@@ -69,7 +71,11 @@ class CurveReader:
             axes = _free_axes(axes, at.x.free_symbols | at.y.free_symbols, q.things[0])
             curve = curve_of(at.x, at.y, single.parameter, value, axes, polar, letters)
             heading = self._heading(q) + self._meaning(single)
-            passage = Passage(heading, self._rows(place, single, curve, axes))
+            every = self._rows(place, single, curve, axes)
+            short = tuple(r for r in every if not _too_long(r))
+            if len(short) < len(every):
+                heading = heading.removesuffix(":") + " (lines too long for a page are left out):"
+            passage = Passage(heading, short)
             return self._found(find, self._named(q, curve, value)), passage
         loops = loops_of(self.regime)
         driver = driver_of(self.regime, loops, single)
@@ -279,6 +285,11 @@ def _apart(single: Single | list[sp.Symbol], axes: tuple[str, str], ledger: Ledg
         return single
     other = ledger.once(f"{p.name}_0", ledger.units[p].text, p)
     return Single(other, single.functions, Vec(at.x.xreplace({p: other}), at.y.xreplace({p: other})), p)
+
+
+def _too_long(row: Row) -> bool:
+    """Would it fill most of a page?"""
+    return any(longer(side, LONGEST) for side in sides_of(row) if isinstance(side, sp.Expr))
 
 
 def _same(step: object, shown: sp.Eq) -> bool:
