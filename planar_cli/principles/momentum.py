@@ -81,7 +81,7 @@ class ImpulseMomentum(Principle):
 
 def _balances(position: Position) -> Iterator[Balance]:
     system, scene = position.system, position.system.scene
-    if system.reactions is None or any(p.kind == "drive" for p in system.pushes):
+    if system.reactions is None or any(p.kind == "drive" and not p.actions for p in system.pushes):
         return
     if any(b.varies(position.time) for b in scene.bodies.values()):
         return

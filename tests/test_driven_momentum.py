@@ -1,0 +1,51 @@
+"""Momentum of scenes in which something is driven: what drives enters a law only where its force does."""
+
+from __future__ import annotations
+
+from decimal import Decimal
+
+from answered import assert_close, solve
+
+from planar_cli.formats.terminal import Terminal
+from planar_cli.problem.structure import load_text
+from planar_cli.report.narrate import narrate
+from planar_cli.solve.run import solve_problem
+
+TURNTABLE = """
+title: Man who walks inward on a turntable
+plane: horizontal
+points: {O: [0, 0]}
+bodies: {table: {disk: O, radius: 2 m, mass: 200 kg}, man: {particle: [2 m, 0], mass: 70 kg}}
+surfaces: {way: {through: O, angle: 0 deg, body: table}}
+joints:
+  - pin: {at: O, between: [ground, table]}
+  - guide: {point: man, along: way}
+motion: [dot(r(man).mag) = -0.5 m/s]
+states: {1: [t = 0, omega(table) = 1 rad/s], 2: [r(man).mag = 0.5 m]}
+find: {omega: omega(table) @ 2}
+"""
+"""What keeps him walking acts along the radius: it has no moment about O."""
+
+TURNED = (
+    TURNTABLE.replace("dot(r(man).mag) = -0.5 m/s", "omega(table) = 1 rad/s")
+    .replace("omega(table) = 1 rad/s], 2", "v(man/table).mag = 0], 2")
+    .replace("r(man).mag = 0.5 m", "t = 1 s")
+    .replace("omega: omega(table) @ 2", "H: H(all/O) @ 2 - H(all/O) @ 1")
+)
+"""A motor keeps the table turning: it changes the angular momentum."""
+
+
+def page(text: str) -> str:
+    problem, wrong = load_text(text)
+    assert problem is not None
+    assert not wrong
+    return Terminal().render(narrate(solve_problem(problem)))
+
+
+def test_a_drive_without_a_moment_leaves_the_angular_momentum() -> None:
+    assert_close(solve(TURNTABLE)["omega"], Decimal(680) / Decimal("417.5"))
+    assert "table, man: conservation of angular momentum about O" in page(TURNTABLE)
+
+
+def test_a_motor_does_not() -> None:
+    assert "conservation of angular momentum" not in page(TURNED)
