@@ -10,13 +10,15 @@ import sympy as sp
 from planar_cli.equation.plain import longer
 from planar_cli.report.blocks import Line, line
 from planar_cli.report.clean import is_clean
-from planar_cli.report.in_numbers import in_numbers
+from planar_cli.report.in_numbers import Sides, in_numbers
 from planar_cli.report.page_units import coherent_unit
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.stages import Stage
-from planar_cli.solve.instant.written import Written
+from planar_cli.solve.instant.written import Explicit, Written
 from planar_cli.units import ACCELERATION, ENERGY, FORCE, VELOCITY, Dimension, pretty_unit
 
+NAMED, MOST = 16, 24
+"""An acceleration or an equation of forces with more operations is in numbers from the start."""
 LONGEST = 30
 """A solution with more operations is not written as a formula where its equation can have numbers instead."""
 
@@ -49,7 +51,24 @@ class NumericTelling:
             return False
         if w.law == "relation" and id(stage.algebra) in self._whole:
             return True
+        if w.law in ("force", "moment") and longer(w.left - w.right, MOST):
+            return True
         return not is_clean(self.phrases.ledger, w.left, w.right, dimension=self._dimension(w, stage))
+
+    def put_named(self, x: Explicit) -> bool:
+        """Is a line that names something in numbers?"""
+        return not self.phrases.symbolic and longer(x.expression, NAMED)
+
+    def named(self, x: Explicit, stage: Stage) -> Printed:
+        """A line that names an acceleration in the unknowns of the equations."""
+        if self.put_named(x):
+            unknowns = {x.symbol, *stage.algebra.unknowns} - self._data(stage)
+            found = in_numbers(x.symbol, x.expression, unknowns, self.phrases)
+            if found is None:
+                found = in_numbers(x.symbol, x.expression, unknowns, self.phrases, ACCELERATION)
+            if found is not None:
+                return (found.left, found.right), _unit_note(found, self.phrases)
+        return (self.phrases.math(x.symbol), self.phrases.math(x.expression)), ()
 
     def readable(self, formula: sp.Expr) -> bool:
         """May a solution stand as a formula?"""
@@ -87,11 +106,7 @@ class NumericTelling:
         found = in_numbers(left, right, unknowns, self.phrases, self._dimension(w, stage), apart)
         if found is None:
             return None
-        note: Line = ()
-        if found.dimension is not None:
-            unit = coherent_unit(found.dimension, us=self.phrases.ledger.us).text
-            note = line(f"in {pretty_unit(unit)}") if unit != "1" else ()
-        return (found.left, found.right), note
+        return (found.left, found.right), _unit_note(found, self.phrases)
 
     def _length(self, w: Written) -> sp.Expr:
         """The length of the vector along which a component was taken; the sense in which its terms are positive."""
@@ -110,3 +125,11 @@ class NumericTelling:
         if w.source in ("closure", "coordinate"):
             return VELOCITY if stage.level == "velocity" else ACCELERATION
         return None
+
+
+def _unit_note(found: Sides, phrases: Phrases) -> Line:
+    """In which unit an equation in numbers counts."""
+    if found.dimension is None:
+        return ()
+    unit = coherent_unit(found.dimension, us=phrases.ledger.us).text
+    return line(f"in {pretty_unit(unit)}") if unit != "1" else ()

@@ -71,15 +71,11 @@ class Telling:
         velocity = [s for s in self.stages if s.level == "velocity"]
         last = next((s for s in self.stages if s.level == "acceleration"), None)
         kinetic = last is not None and any(w.law != "relation" for b in last.blocks for w in b.equations)
-        kinematics = [*self._definitions("m"), *self._kinematics(velocity, last)]
+        kinematics = [*self._definitions("m"), *self._kinematics(velocity, last, kinetic)]
         if kinematics:
             blocks.append(self._step("Kinematic analysis"))
         blocks += kinematics
         if kinetic and last is not None:
-            centres = list(self._centres(last))
-            if centres and not kinematics:
-                blocks.append(self._step("Kinematic analysis"))
-            blocks += centres
             blocks.append(self._step("Kinetic analysis", self.principle.diagram))
             blocks += force_rows(self.instant, last, self.phrases, self.principle.inertia_as_force)
             blocks += self._definitions("kg")
@@ -132,9 +128,16 @@ class Telling:
             for block in stage.blocks:
                 for w in block.equations:
                     used |= set() if self.numeric.put_whole(w, stage) else w.residual.free_symbols
+                    used |= self._turned(w, stage)
             for x in stage.lines:
-                used |= x.expression.free_symbols
+                used |= set() if self.numeric.put_named(x) else x.expression.free_symbols
         return used
+
+    def _turned(self, w: Written, stage: Stage) -> set[sp.Symbol]:
+        """The moments of inertia that stand in the kinetic diagrams of an equation."""
+        accelerations = self.vectors.motion.accelerations if w.bodies else {}
+        turning = (b for b in w.bodies if accelerations[b].angular not in (0, *vanishing(stage)))
+        return {s for b in turning for s in sp.sympify(self.scene.bodies[b].inertia).free_symbols}
 
     def _chain(self, symbol: sp.Symbol, expr: sp.Expr, value: Any) -> tuple[Any, ...]:
         """symbol = formula = numbers = value."""
@@ -149,7 +152,7 @@ class Telling:
             sides.append(self.phrases.math(expr))
         return tuple(sides)
 
-    def _kinematics(self, stages: list[Stage], last: Stage | None) -> list[Block]:
+    def _kinematics(self, stages: list[Stage], last: Stage | None, kinetic: bool) -> list[Block]:
         blocks: list[Block] = []
         trial = self.instant.trial
         if trial.velocities and not any(trial.velocities[0].values.values()) and self.instant.instant.at_rest:
@@ -166,14 +169,13 @@ class Telling:
         if relations and stages:
             blocks.append(Paragraph(line("Accelerations:")))
         blocks += self._equations(relations, last)
-        blocks += [self._explicit(x, last) for x in last.lines]
-        for zero in last.zero if self.audience == "lesson" else ():
-            blocks.append(Paragraph(line(self.phrases.math(zero), " = 0.")))
-        return blocks
+        blocks += self._centres(last) if kinetic else ()
+        return [*blocks, *(self._explicit(x, last) for x in last.lines)]
 
     def _explicit(self, x: Explicit, stage: Stage) -> Block:
-        sides = (self.phrases.math(x.symbol), self.phrases.math(x.expression))
-        return Equation(sides, self.number(stage, x.number), line(x.words + ":"))
+        sides, note = self.numeric.named(x, stage)
+        lead = () if note else line(x.words + ":")
+        return Equation(sides, self.number(stage, x.number), lead, note)
 
     # --- equations ---------------------------------------------------------------------------------------------------
 
@@ -352,7 +354,7 @@ class Telling:
         return found
 
     def _line(self, x: SolvedLine, stage: Stage) -> list[Block]:
-        lead = line(" and ".join(f"({self.number(stage, n)})" for n in x.equations) + ":")
+        lead = line(", ".join(f"({self.number(stage, n)})" for n in x.equations) + ":")
         if x.letters:
             return [Equation((self.phrases.math(x.symbol), self.phrases.math(x.formula)), None, lead)]
         shown = self.phrases.shown(x.symbol, x.value)
