@@ -30,6 +30,7 @@ from planar_cli.solve.between.reached import asked_about
 from planar_cli.solve.between.stated_motion import StatedMotion
 from planar_cli.solve.diagnosis.failures import explain_failure, singular_position
 from planar_cli.solve.diagnosis.false_inequalities import false_inequality
+from planar_cli.solve.diagnosis.held_in_blows import what_to_write
 from planar_cli.solve.diagnosis.placed import driven_with
 from planar_cli.solve.diagnosis.words import in_unit, listed, unit_of
 from planar_cli.solve.following.follower import Follower
@@ -230,7 +231,7 @@ def _contradiction(course: StatedMotion, demand: Demand, number: Decimal) -> NoS
     others = others or ["what is stated of the states before it"]
     apart = _apart(course, demand, number)
     text = f"state {demand.state}: `{demand.text}` contradicts {_quoted(others)}{apart and f': {apart}'}"
-    return _wrong(demand.mark, "PL624", text, "leave one of them out, or declare what they hold under `unknowns`")
+    return _wrong(demand.mark, "PL624", text, what_to_write(course.problem, demand.state))
 
 
 def _quoted(texts: list[str]) -> str:
@@ -270,12 +271,11 @@ def clash(course: MotionEquations, equations: Iterable[Equation]) -> NoSolution 
     texts = list(dict.fromkeys(e.words for e in found))
     if len(texts) == 1 and _tells_the_drawing(found[-1], equations):
         text = f"state {found[-1].stop}: `{texts[0]}` does not hold in the drawn position"
-        return _wrong(
-            found[-1].mark, "PL609", text, "draw the points at the first state, or write one with a coordinate"
-        )
+        hint = "draw the points at the first state, or write one with a coordinate"
+        return _wrong(found[-1].mark, "PL609", text, hint)
     rest = f"contradicts {_quoted(texts[:-1])}" if len(texts) > 1 else "contradicts what else is known"
     text = f"state {found[-1].stop}: `{texts[-1]}` {rest}"
-    return _wrong(found[-1].mark, "PL624", text, "leave one of them out, or declare what they hold under `unknowns`")
+    return _wrong(found[-1].mark, "PL624", text, what_to_write(course.problem, found[-1].stop))
 
 
 def _tells_the_drawing(stated: Equation, equations: Iterable[Equation]) -> bool:
