@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from decimal import Decimal
+
 import pytest
 from answered import assert_close, solve
 
@@ -125,8 +127,25 @@ find: {v: v(P).mag @ 2}
 """
 
 
-def test_a_free_particle_is_drawn_on_its_surface() -> None:
-    _, wrong = load_text(ON_TRACK)
+@pytest.mark.parametrize(
+    ("surface", "start", "height"),
+    [
+        ("y: x^2/(2 m)", "x(P) = 1 m", "0.5"),
+        ("y: x^2/(2 m)", "1 m = r(P).x", "0.5"),
+        ("through: [0, 0], angle: 45 deg", "y(P) = 3 m", "3"),
+        ("center: [0, 2 m], radius: 2 m", "x(P) = 2 m, y(P) = 2 m", "2"),
+    ],
+)
+def test_the_start_puts_a_free_particle_on_its_surface(surface: str, start: str, height: str) -> None:
+    """It slides down to x = 0: v = √(2 g h)."""
+    found = solve(ON_TRACK.replace("y: x^2/(2 m)", surface).replace("x(P) = 1 m", start))
+    assert_close(found["v"], (2 * Decimal("9.81") * Decimal(height)).sqrt())
+
+
+def test_a_free_particle_whose_place_is_open() -> None:
+    """Of a circle two places have the same x."""
+    circle = "center: [0, 2 m], radius: 2 m"
+    _, wrong = load_text(ON_TRACK.replace("y: x^2/(2 m)", circle))
     (why,) = wrong
     assert (why.code, why.mark.line) == ("PL521", 7)
     assert why.message == "P is free, and lies on track: where it lies at first is open"

@@ -217,7 +217,11 @@ def members_act(scope: Scope) -> Iterator[Diagnostic]:
 
 
 def places_on_surfaces(scope: Scope) -> Iterator[Diagnostic]:
-    """What lies on a surface is drawn there: relations may then move it along, but do not put it on."""
+    """What lies on a surface is drawn there, or put there by the relations of the start."""
+    problem = scope.problem
+    if problem.instant is None and not problem.states and not problem.find:
+        # Its cases tell the start.
+        return
     free = {b.name for b in scope.problem.bodies if isinstance(b.shape, Particle) and b.shape.place is None}
     surfaces = {s.name for s in scope.problem.surfaces}
     for joint in scope.problem.joints if free and surfaces else ():

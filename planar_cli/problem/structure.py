@@ -18,6 +18,7 @@ from planar_cli.problem.fields import Fields
 from planar_cli.problem.grounds import Floor, with_floor
 from planar_cli.problem.in_time import in_time
 from planar_cli.problem.nodes import Mapping, Node, Scalar, read_file, read_text
+from planar_cli.problem.placed_particles import with_placed_particles
 from planar_cli.problem.points_at_rest import RestingPoints
 from planar_cli.problem.read_bodies import read_bodies
 from planar_cli.problem.read_cases import OWN, merged
@@ -179,7 +180,7 @@ def _read(file: str, whole: Fields) -> Problem:
         method=sections.one_of(whole, "method", modules("principles")),
         us=sections.is_us(given),
     )
-    return with_assumed(problem)
+    return with_placed_particles(with_assumed(problem))
 
 
 def _scene(whole: Fields, numbers: frozenset[str]) -> Scene:
