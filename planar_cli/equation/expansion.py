@@ -26,7 +26,13 @@ _ONE: Powers = frozenset()
 
 def expanded(expr: sp.Expr) -> sp.Expr:
     """All products, and powers with whole exponents, multiplied out."""
-    return _out(expr) if _plain(expr) else sp.expand(expr)
+    return _out(expr) if _plain(expr) else _by_sympy(expr)
+
+
+@lru_cache(maxsize=_KEPT)
+def _by_sympy(expr: sp.Expr) -> sp.Expr:
+    """What is not plain: the same equations are looked at for one unknown after the other."""
+    return sp.expand(expr)
 
 
 def wide(expr: sp.Expr) -> bool:

@@ -86,7 +86,8 @@ class Regime:
 
     def rates(self, t: float, y: Sequence[float]) -> list[float]:
         """y': the rates of the coordinates, then the accelerations."""
-        part = self.reduced(t, y)
+        # Where nothing is watched they are asked for at few states, for which code of its own takes too long.
+        part = None if self.guards else self.reduced(t, y)
         return self._whole_rates(t, y) if part is None else part.whole_rates(t, part.part(y))
 
     def _whole_rates(self, t: float, y: Sequence[float]) -> list[float]:

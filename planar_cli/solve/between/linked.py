@@ -9,7 +9,7 @@ from collections.abc import Iterator, Sequence
 
 import sympy as sp
 
-from planar_cli.equation.expansion import expanded
+from planar_cli.equation.expansion import expanded, wide
 from planar_cli.equation.form import Nonlinear, linear_form
 from planar_cli.equation.plain import letters, longer, tidy
 from planar_cli.records import record
@@ -17,7 +17,10 @@ from planar_cli.solve.regimes.equations import Equation
 
 KERNEL = 2
 """So many equations in as many unknowns may be left when all else is expressed."""
-LONG = 120
+LONG, ENDLESS = 120, 480
+"""Nothing is expressed by an equation of more operations than the first; one of more than the second, or of very many
+terms, is not multiplied out either.
+"""
 Block = tuple[tuple[Equation, ...], tuple[sp.Symbol, ...]]
 
 
@@ -55,7 +58,8 @@ def linked_blocks(
 def _put(p: Reduced, x: sp.Symbol, formula: sp.Expr, by: Reduced) -> Reduced:
     if x not in letters(p.residual):
         return p
-    return Reduced(tidy(expanded(p.residual.xreplace({x: formula}))), p.members | by.members)
+    put = p.residual.xreplace({x: formula})
+    return Reduced(put if longer(put, ENDLESS) or wide(put) else tidy(expanded(put)), p.members | by.members)
 
 
 def _next(

@@ -35,6 +35,10 @@ get through a singular position.
 """
 SEARCHED_STEPS, SOUGHT_STEPS = 6000, 3000
 """So many steps are taken to find a state that no time tells, and for one of many numbers of a constant."""
+PATIENT = 20_000
+"""After so many steps it is asked whether the next tolerance needs a quarter of them at most: then rounding made them
+short.
+"""
 FEW = 30.0
 """So few characteristic times should not take all steps."""
 BEYOND = 0.01
@@ -191,11 +195,17 @@ def _traced(scene: Prepared, values: Mapping[str, float], until: float | None = 
     found: list[Traced] = []
     timed = all(fixed_time(s.relations) is not None for s in scene.problem.states[1:])
     most = SOUGHT_STEPS if sought else MOST_STEPS if timed else SEARCHED_STEPS
-    for tolerance in TOLERANCES[1:] if sought else TOLERANCES:
-        settings = Settings(until, tolerance, values=values, estimate=False, most_steps=most, momenta=not sought)
-        found.append(Traced(followed(scene, settings)))
-        if not found[-1].refused and not found[-1].crawls:
-            return found[-1]
+    tries = [(tolerance, most) for tolerance in (TOLERANCES[1:] if sought else TOLERANCES)]
+    if most > PATIENT:
+        tries[:0] = [(TOLERANCES[0], PATIENT), (TOLERANCES[1], PATIENT // 4)]
+    for tolerance, steps in tries:
+        settings = Settings(until, tolerance, values=values, estimate=False, most_steps=steps, momenta=not sought)
+        one = Traced(followed(scene, settings))
+        if one.run.trajectory.outcome.kind == "long" and steps < most:
+            continue
+        found.append(one)
+        if not one.refused and not one.crawls:
+            return one
     return next((f for f in found if not f.refused), found[0])
 
 

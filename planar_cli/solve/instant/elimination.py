@@ -17,7 +17,7 @@ from planar_cli.equation.common_factors import together
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.expansion import expanded
 from planar_cli.equation.form import Form, Nonlinear, linear_form
-from planar_cli.equation.plain import longer, tidy
+from planar_cli.equation.plain import letters, longer, tidy
 from planar_cli.records import record
 from planar_cli.solve.instant.algebra import Line
 
@@ -77,7 +77,8 @@ def _even(pool: list[Pending], candidates: Iterable[sp.Symbol]) -> Step | None:
     """A letter that is positive, such as a time since the start, and enters by its square alone."""
     for x in candidates:
         square = sp.Dummy("x2", positive=True)
-        flat = [expanded(p.residual).subs(x**4, square**2).subs(x**2, square) for p in pool]
+        whole = [expanded(p.residual) for p in pool]
+        flat = [e.subs(x**4, square**2).subs(x**2, square) if x in letters(e) else e for e in whole]
         if any(x in f.free_symbols for f in flat):
             continue
         for i, f in enumerate(flat):
@@ -179,6 +180,8 @@ def subtracted(
 
 def _square(residual: sp.Expr, x: sp.Symbol, left: Sequence[sp.Symbol]) -> sp.Expr | None:
     """The factor of x² in a quadratic equation, when it holds no other unknown."""
+    if x not in letters(residual):
+        return None
     whole = expanded(residual)
     if not whole.is_polynomial(x) or sp.degree(whole, x) != 2:
         return None
