@@ -53,7 +53,8 @@ def motion_trace(
     `instants`: the general positions of its regimes that are told.
     """
     course = found.course
-    whole = found.oscillations or any(a.passing is not None or a.passage is not None for a in answers)
+    whole = any(a.passage is not None for a in answers)
+    routes = [route, *(a.passing for a in answers if a.passing is not None)]
     tracer = _Tracer(course, found.value, lettered_starts(course, found.value))
     return MotionTrace(
         problem=course.problem,
@@ -74,7 +75,7 @@ def motion_trace(
         passing={a.found.name: tracer.route(a.passing) for a in answers if a.passing is not None},
         spans=found.spans,
         oscillations=tuple(_oscillation(o, found.value) for o in found.oscillations),
-        regimes=tuple(_regime(course, i, None if whole else wanted_of(course, route, i)) for i in instants),
+        regimes=tuple(_regime(course, i, None if whole else wanted_of(course, routes, i)) for i in instants),
         checks=found.checks,
         presumed=presumed,
         taken=taken_of(found),

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
+
 import sympy as sp
 
 from planar_cli.solve.between.balances import StateBalance
@@ -9,38 +11,60 @@ from planar_cli.solve.between.derivation import Route
 from planar_cli.solve.between.stated_motion import StatedMotion
 from planar_cli.solve.instant.stages import acceleration_unknowns
 from planar_cli.solve.regimes.regime import Regime
-from planar_cli.solve.regimes.regime_sequence import RegimeSequence
 from planar_cli.solve.solution import InstantSolution
 
 
-def wanted_of(course: StatedMotion, route: Route, instant: InstantSolution) -> frozenset[str] | None:
-    """Names of unknowns of a general position on which a route rests; None: all of them."""
-    regimes = [r for r in course.distinct_regimes() if r.general.solution is instant]
-    if not regimes or course.modes.turnings or course.modes.equilibria:
+def wanted_of(course: StatedMotion, routes: Iterable[Route], instant: InstantSolution) -> frozenset[str] | None:
+    """Names of unknowns of a general position on which routes rest; None: all of them."""
+    regime = next((r for r in _regimes(course) if r.general.solution is instant), None)
+    if regime is None:
         return None
-    regime = regimes[0]
     system = regime.general.trial.system
-    kinetic = set(acceleration_unknowns(system)) | set(system.symbols.values())
-    used = {s for e in course.said.get(id(regime), ()) for s in sp.sympify(e).free_symbols}
-    names = {s.name for s in used & kinetic}
+    unknowns = {*acceleration_unknowns(system), *system.symbols.values(), *system.tree.velocity_unknowns()}
+    used = {s for e in course.said.get(id(regime), ()) for s in sp.sympify(e).free_symbols} & unknowns
+    names = {s.name for s in used} | _of_turnings(course, regime)
+    if regime in (course.readers[s.name].regime for s, _ in course.modes.equilibria):
+        names |= _rates(regime, regime.free)
     own = {id(law) for i, r in enumerate(course.regimes) if r is regime for law in course.laws[i].laws}
-    for step in route.steps:
-        for e in step.derivation.equations:
-            if e.law is not None and id(e.law) in own and e.law.f != 0:
-                names |= {regime.general.rate_of(u).name for u in regime.free}
-            if isinstance(e.source, StateBalance) and _acts(course, regime, e.source):
-                names |= _speeds(course, regime)
-    names |= {s.name for s in used & set(system.tree.velocity_unknowns())}
+    for e in (e for route in routes for step in route.steps for e in step.derivation.equations):
+        if e.law is not None and id(e.law) in own and e.law.f != 0:
+            names |= _rates(regime, regime.free if e.law.speed is None else (e.law.speed,))
+        if isinstance(e.source, StateBalance):
+            names |= {s.name for x in _parts(course, regime, e.source) for s in x.free_symbols & unknowns}
     return frozenset(names)
 
 
-def _acts(course: RegimeSequence, regime: Regime, source: StateBalance) -> bool:
-    """Does a law end in this regime?"""
-    states = [s.name for s in course.states]
-    return course.regimes[states.index(source.stop.name) - 1] is regime
+def _regimes(course: StatedMotion) -> Iterator[Regime]:
+    """Those of the motion, and those of equilibrium states."""
+    yield from course.distinct_regimes()
+    yield from (course.readers[s.name].regime for s, _ in course.modes.equilibria)
 
 
-def _speeds(course: StatedMotion, regime: Regime) -> set[str]:
-    """The velocities of which the amounts of balances are made."""
-    offered = course.between.offered.get(id(regime), [])
-    return {s.name for o in offered for _, e in o.balance.amounts for s in e.free_symbols}
+def _rates(regime: Regime, speeds: Iterable[sp.Symbol]) -> set[str]:
+    """The accelerations that go with free speeds."""
+    return {s.name for u in speeds for s in sp.sympify(regime.general.rate_of(u)).free_symbols}
+
+
+def _of_turnings(course: StatedMotion, regime: Regime) -> set[str]:
+    """The pushes that decide where this regime ends."""
+    symbols = regime.general.trial.system.symbols
+    ends = [expr for expr, _ in course.modes.turnings.values()]
+    tests = [w.test for w in regime.watches if any(e in (w.expr, -w.expr) for e in ends)]
+    return {symbols[name].name for test in tests for name, _ in test.pushes if name in symbols}
+
+
+def _parts(course: StatedMotion, regime: Regime, source: StateBalance) -> Iterator[sp.Expr]:
+    """What a balance takes from a regime: amounts where it ends there, and forces that do work or turn on the way."""
+    names = [s.name for s in course.states]
+    first, last = names.index(source.since.name), names.index(source.stop.name)
+    acting = [k for k in range(first, last) if course.regimes[k] is regime]
+    if not acting:
+        return
+    for offered in course.between.offered.get(id(regime), []):
+        if offered.balance.words != source.law.words or offered.balance.name != source.law.name:
+            continue
+        if offered.balance.bodies != source.law.bodies:
+            continue
+        if acting[-1] == last - 1:
+            yield from (e for _, e in offered.balance.amounts)
+        yield from (s.rate for s in offered.balance.sources if s.function is None)
