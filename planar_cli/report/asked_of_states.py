@@ -13,12 +13,22 @@ from planar_cli.equation.plain import longer, simplified
 from planar_cli.problem.outermost import is_energy
 from planar_cli.records import record
 from planar_cli.report.blocks import Block, Equation, Name, Paragraph, Value, line
+from planar_cli.report.span_integrals import SpanTelling
 from planar_cli.report.words import Phrases, told_unit
-from planar_cli.solve.between.trace import MotionTrace, Request
+from planar_cli.solve.between.trace import MotionTrace, Request, SpanIntegral
+from planar_cli.units import Unit
 
 HENCE = Paragraph(line("Hence:"))
-LONGEST = 90
-"""A longer formula is not told."""
+LONGEST, SHORT = 90, 45
+"""A longer formula is not told: of letters, and of what has numbers."""
+
+
+@record
+class Part:
+    """A component of what is asked. `axis`: "" where it is no vector."""
+
+    axis: str
+    expr: sp.Expr
 
 
 @record
@@ -31,38 +41,71 @@ class AskedTelling:
     phrases: Phrases
     numeric: Phrases
     wanted: frozenset[str] | None
+    spans: SpanTelling
 
     def blocks(self) -> Iterator[Block]:
-        """A heading, and a line for each component."""
+        """A heading, and a line for each component; a quantity over a span by its integral."""
+        asked = list(self._asked())
+        own = {s.symbol for _, _, s in asked if s is not None}
+        for span in self.found.spans:
+            if span.symbol not in own:
+                yield from self.spans.blocks(span)
+        if asked:
+            yield HENCE
+        for request, part, whole in asked:
+            yield from self._line(request, part, whole)
+
+    def _asked(self) -> Iterator[tuple[Request, Part, SpanIntegral | None]]:
+        """What has a line: every component that is more than a letter."""
         zeros = {s: f for s, f in self.found.route.formulas.items() if f == 0}
-        told = False
         for asked in self.found.requests:
             if asked.find.name in self.found.passing or (self.wanted is not None and not self.wanted):
                 continue
-            parts = [self._signed(_without(p, zeros)) for p in asked.parts]
-            if asked.unit is None or not all(self._is_formula(p) for p in parts):
+            if asked.unit is None:
                 continue
-            if not told:
-                yield HENCE
-                told = True
-            for axis, part in zip(("x", "y") if len(parts) > 1 else ("",), parts, strict=True):
-                yield self._line(asked, axis, part)
+            axes = ("x", "y") if len(asked.parts) > 1 else ("",)
+            spans = [self._span(p) for p in asked.parts]
+            parts = [self._signed(_without(p, zeros)) for p in asked.parts]
+            if all(s is not None for s in spans) or all(self._is_formula(p) for p in parts):
+                for axis, part, span in zip(axes, parts, spans, strict=True):
+                    yield asked, Part(axis, part), span
+
+    def _span(self, part: sp.Expr) -> SpanIntegral | None:
+        """The quantity over a span that an answer is."""
+        return next((s for s in self.found.spans if part in (s.symbol, s.formula)), None)
 
     def _is_formula(self, p: sp.Expr) -> bool:
-        return not (p.is_Symbol or p.is_number or longer(p, LONGEST) or p.free_symbols & self.found.varying)
+        return not (p.is_Symbol or p.is_number or self._is_long(p) or p.free_symbols & self.found.varying)
 
-    def _line(self, asked: Request, axis: str, part: sp.Expr) -> Equation:
-        sides: list[Any] = [line(Name(asked.find.name), f", {axis}" if axis else ""), self.phrases.math(part)]
-        phrases = self.numeric if self.numeric.has_numbers(part) else self.phrases
-        if phrases.symbolic or asked.unit is None:
-            return Equation(tuple(sides))
-        unit, energy = asked.unit, is_energy(asked.find.found.what)
+    def _is_long(self, p: sp.Expr) -> bool:
+        """Is it longer than a formula that somebody reads?"""
+        if self.phrases.symbolic:
+            return longer(p, LONGEST)
+        return longer(p, SHORT)
+
+    def _line(self, asked: Request, part: Part, span: SpanIntegral | None) -> Iterator[Block]:
+        name = line(Name(asked.find.name), f", {part.axis}" if part.axis else "")
+        formula = part.expr
+        told = not (formula.is_Symbol or formula.is_number or self._is_long(formula))
+        sides: list[Any] = [name, *([self.phrases.math(formula)] if told else [])]
+        phrases = self.numeric if self.numeric.has_numbers(formula) else self.phrases
+        if not phrases.symbolic and asked.unit is not None:
+            values = self._values(asked, asked.unit, formula, phrases if told else None)
+            sides += values if span is None else [*values[:-1], self.spans.named(span, values[-1])]
+        if span is None:
+            yield Equation(tuple(sides))
+        else:
+            yield from self.spans.lines(span, (), tuple(sides))
+
+    def _values(self, asked: Request, unit: Unit, part: sp.Expr, phrases: Phrases | None) -> list[Any]:
+        """The numbers put in, and the value in the units of the page and in that which is asked."""
+        energy = is_energy(asked.find.found.what)
         value = Decimal(0) if self.found.value.is_zero(part) else self.found.value(part)
         shown = Value(display(value, unit), told_unit(unit, energy), self.phrases.figures)
         own = self.phrases.page_unit(unit)
         kept = unit.text == "deg" or display(Decimal(1), unit) == display(Decimal(1), own)
         first = shown if kept else Value(display(value, own), told_unit(own, energy), self.phrases.figures)
-        return Equation((*sides, *phrases.substituted(part, first), first, *([] if kept else [shown])))
+        return [*(phrases.substituted(part, first) if phrases else []), first, *([] if kept else [shown])]
 
     def _signed(self, expr: sp.Expr) -> sp.Expr:
         """|a| and sign a by the number that a has at its state; the direction of (a cos x, a sin x) where it is x."""

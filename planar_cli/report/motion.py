@@ -23,7 +23,7 @@ from planar_cli.report.left_out import reason
 from planar_cli.report.origins import HAPPENS, head, named, told_once, turning
 from planar_cli.report.oscillation import oscillation_blocks
 from planar_cli.report.put_in import put_in
-from planar_cli.report.span_integrals import span_blocks
+from planar_cli.report.span_integrals import SpanTelling
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import (
     BalanceTrace,
@@ -98,13 +98,12 @@ class MotionTelling:
     def _body(self) -> Iterator[Block]:
         yield from self._turnings()
         yield from self._route(self.found.route)
-        yield from AskedTelling(self.found, self.phrases, self.numeric, self.wanted).blocks()
+        spans = SpanTelling(self._kinds.of, self.phrases, self.varying)
+        yield from AskedTelling(self.found, self.phrases, self.numeric, self.wanted, spans).blocks()
         for name, route in self.found.passing.items():
             if any(not leg.is_datum for leg in route.steps):
                 yield Paragraph(line(f"{name} throughout the motion:"))
                 yield from self._route(route)
-        for span in self.found.spans:
-            yield from span_blocks(span, self._kinds.of, self.phrases, self.phrases.symbolic)
         for swing in self.found.oscillations:
             yield from oscillation_blocks(swing, self.found.value, self.phrases, self.phrases.symbolic)
 

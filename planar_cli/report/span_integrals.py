@@ -1,52 +1,159 @@
-"""Quantities over spans as blocks: the integral as it is written, what it is done by, and its value."""
+"""Quantities over spans as blocks: the integral as it is written, its formula, its numbers and its value."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
+from dataclasses import replace
 from decimal import Decimal
+from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.ledger import display
+from planar_cli.equation.plain import longer
 from planar_cli.problem.dimensions import Lookup, dimension_of
 from planar_cli.problem.expression import Quantity
-from planar_cli.report.blocks import Block, Equation, Inline, Line, Paragraph, Result, Value, line
+from planar_cli.records import record
+from planar_cli.report.blocks import Block, Equation, Line, Math, Paragraph, Result, Value, line
+from planar_cli.report.clean import is_clean
+from planar_cli.report.put_in import Writer
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import Piece, SpanIntegral
-from planar_cli.units import ANGULAR_MOMENTUM, TIME, Dimension, default_unit
+from planar_cli.units import ANGULAR_MOMENTUM, TIME, Dimension, default_unit, parse_unit
 
 ANGULAR_IMPULSE = "N*m*s"
-HOW = {
-    "difference": "antiderivative",
-    "integral": "with the motion as a function of time",
-    "quadrature": "with the motion as a function of time, by quadrature",
-    "flow": "by numerical integration",
+NUMERICAL = {
+    "quadrature": line("by numerical integration"),
+    "flow": line("by numerical integration, with the motion"),
 }
+SHORT = 16
+"""A longer integrand is printed with its numbers."""
+FEW = 2
+"""So many integrals stand in one line."""
 
 
-def span_blocks(found: SpanIntegral, lookup: Lookup, phrases: Phrases, symbolic: bool) -> Iterator[Block]:
-    """How one quantity over a span came about. `lookup`: kinds of names, for the unit. `symbolic`: letters remain, so
-    that no numbers are printed.
-    """
-    q = found.quantity
-    assert isinstance(q.at, tuple)
-    about = "/".join(q.things)
-    named = f"{q.word}({about})" if about else q.word
-    yield Paragraph(line(f"{named} from state {q.at[0]} to state {q.at[1]}:"))
-    if q.word == "count":
-        yield from _events(found)
-        return
-    kind = dimension_of(q, lookup)
-    summed = kind.dimension * TIME if q.word == "mean" and kind.dimension is not None else kind.dimension
-    unit = _unit(q, summed, kind.angle)
-    for piece in [p for p in found.pieces if p.integrand != 0] or found.pieces[:1]:
-        yield from _piece(piece, phrases, symbolic, unit, q.parts[0].kind if q.parts else "")
-    if found.duration != 1:
-        sides: list[Inline | Line] = [line("mean (the sum divided by ", phrases.math(found.duration), ")")]
-        if not symbolic:
-            sides.append(Value(found.number, _unit(q, kind.dimension, kind.angle)))
-        yield Equation(tuple(sides))
-    elif len(found.pieces) > 1 and not symbolic:
-        yield Result(line("together ", Value(found.number, unit)))
+@record
+class SpanTelling:
+    """Tells quantities over spans. `lookup`: kinds of names, for units; `varying`: letters that run in an integral."""
+
+    lookup: Lookup
+    phrases: Phrases
+    varying: Collection[sp.Symbol]
+
+    def blocks(self, found: SpanIntegral) -> Iterator[Block]:
+        """How one came about that is no answer by itself."""
+        q = found.quantity
+        assert isinstance(q.at, tuple)
+        about = "/".join(q.things)
+        named = f"{q.word}({about})" if about else q.word
+        yield Paragraph(line(f"{named} from state {q.at[0]} to state {q.at[1]}:"))
+        if q.word == "count":
+            yield from _events(found)
+            return
+        axis = f", {q.parts[0].kind}" if q.parts else ""
+        blows = [p for p in found.pieces if p.how == "blow"]
+        lead: Line = ()
+        if blows and len(found.pieces) == 1:
+            lead = line(f"in the blow from {blows[0].since} to {blows[0].until}{axis}:")
+        elif axis:
+            lead = line(f"{q.parts[0].kind}:")
+        if found.duration != 1:
+            lead = line("mean (the sum divided by ", self.phrases.math(found.duration), "):")
+        yield from self.lines(found, lead, ())
+
+    def lines(self, found: SpanIntegral, lead: Line, last: tuple[Any, ...]) -> Iterator[Block]:
+        """The integral or integrals, then `last`: formula, numbers and value of an answer (none: its own value)."""
+        if found.quantity.word == "count":
+            yield from _events(found)
+            return
+        pieces = _joined([p for p in found.pieces if p.integrand != 0] or list(found.pieces[:1]))
+        shown = [self._integral(p) for p in pieces]
+        note = next((NUMERICAL[p.how] for p in pieces if p.how in NUMERICAL), ())
+        turns = tuple(t for p in pieces for t in p.turns)
+        last = last or self._last(found)
+        name, *rest = last if isinstance(last[0], tuple) else ((), *last)
+        whole = None if turns or any(p.how == "blow" for p in pieces) else self._whole(found, shown)
+        first = () if whole is None else (whole,)
+        if whole is None and not turns and len(pieces) > 1:
+            for piece, math in zip(pieces, shown, strict=True):
+                yield Equation((math, self._number(found, piece)))
+        if turns:
+            lead = line("the parts between the turning points, each counted positive:")
+            first = (shown[0],)
+            rest = rest[-1:]
+        sides = (*((name,) if name else ()), *first, *rest)
+        yield Equation(sides, None, lead, note)
+        if turns:
+            yield Result(line("it turns at ", *_times(turns)))
+
+    def _whole(self, found: SpanIntegral, shown: list[Math]) -> Math | None:
+        """The few integrals in one formula."""
+        if len(shown) > FEW:
+            return None
+        texts = {s: t for m in shown for s, t in (m.values or {}).items()}
+        expr = sp.Add(*(m.expr for m in shown), evaluate=False) if len(shown) > 1 else shown[0].expr
+        return Math(expr if found.duration == 1 else sp.Mul(1 / found.duration, expr, evaluate=False), texts)
+
+    def _integral(self, piece: Piece) -> Math:
+        """One integral over time; a long integrand with its numbers."""
+        if piece.how == "blow":
+            return self.phrases.math(piece.integrand)
+        time = sp.Symbol("t", real=True)
+        integrand = piece.over_time if piece.over_time is not None and piece.how != "flow" else piece.integrand
+        letters = Math(integrand) if self.phrases.symbolic else None
+        if letters is None and (longer(integrand, SHORT) or not is_clean(self.phrases.ledger, integrand)):
+            writer = Writer({*self.varying, time}, self.phrases)
+            written = writer.written(integrand)
+            letters = None if written is None else Math(written, writer.texts)
+        math = letters or self.phrases.math(integrand)
+        return Math(sp.Integral(math.expr, (time, *piece.limits)), math.values)
+
+    def named(self, found: SpanIntegral, value: Value) -> Value:
+        """A value with the usual name of its unit: newton metre second for an angular impulse."""
+        text = self._value(found, Decimal(0), summed=False).unit
+        return replace(value, unit=text) if text == ANGULAR_IMPULSE and not self.phrases.ledger.us else value
+
+    # --- values ------------------------------------------------------------------------------------------------------
+
+    def _last(self, found: SpanIntegral) -> tuple[Any, ...]:
+        """The formula of a quantity where it is short, and its value."""
+        formula = found.formula
+        clean = formula is not None and (self.phrases.symbolic or is_clean(self.phrases.ledger, formula))
+        shown = (self.phrases.math(formula),) if clean and not longer(formula, 2 * SHORT) else ()
+        if self.phrases.symbolic:
+            return shown
+        value = self._value(found, found.number, found.quantity.word == "mean" and found.duration == 1)
+        return (*shown, *(self.phrases.substituted(formula, value) if shown else ()), value)
+
+    def _number(self, found: SpanIntegral, piece: Piece) -> Any:
+        if self.phrases.symbolic:
+            return self.phrases.math(sp.S.Zero if piece.formula is None else piece.formula)
+        return self._value(found, piece.number, found.quantity.word == "mean")
+
+    def _value(self, found: SpanIntegral, number: Decimal, summed: bool) -> Value:
+        """A number in the units of the page. `summed`: of a mean the sum, not yet divided by the time."""
+        kind = dimension_of(found.quantity, self.lookup)
+        dimension = kind.dimension * TIME if summed and kind.dimension is not None else kind.dimension
+        text = _unit(found.quantity, dimension, kind.angle)
+        if not text or text == "1" or kind.angle:
+            return Value(number, text, self.phrases.figures)
+        own = self.phrases.page_unit(parse_unit(text))
+        shown = text if not self.phrases.ledger.us else own.text
+        return Value(display(number, own), shown, self.phrases.figures)
+
+
+def _joined(pieces: list[Piece]) -> list[Piece]:
+    """Neighbours with one integrand as one."""
+    found: list[Piece] = []
+    for p in pieces:
+        last = found[-1] if found else None
+        same = last is not None and last.integrand == p.integrand and last.until == p.since and last.how == p.how
+        if last is not None and same and p.how == "difference" and not (p.turns or last.turns):
+            limits, number = (last.limits[0], p.limits[1]), last.number + p.number
+            found[-1] = replace(p, since=last.since, limits=limits, number=number, formula=None)
+        else:
+            found.append(p)
+    return found
 
 
 def _unit(q: Quantity, dimension: Dimension | None, angle: bool) -> str:
@@ -60,34 +167,6 @@ def _unit(q: Quantity, dimension: Dimension | None, angle: bool) -> str:
     return default_unit(dimension, angle).text
 
 
-def _piece(piece: Piece, phrases: Phrases, symbolic: bool, unit: str, axis: str) -> Iterator[Block]:
-    """One part of a span. `axis`: of which component it is, "" of none."""
-    time = sp.Symbol("t", real=True)
-    if piece.how == "blow":
-        blow: list[Inline | Line] = [phrases.math(piece.integrand)]
-        if not symbolic:
-            blow.append(Value(piece.number, unit))
-        along = f", {axis}" if axis else ""
-        yield Equation(tuple(blow), None, line(f"in the blow from {piece.since} to {piece.until}{along}:"))
-        return
-    integrand = piece.over_time if piece.how in ("integral", "quadrature") else piece.integrand
-    shown = sp.Integral(integrand, (time, *piece.limits))
-    sides: list[Inline | Line] = [phrases.math(shown)]
-    if piece.formula is not None and not piece.turns:
-        sides.append(phrases.math(piece.formula))
-    if not symbolic:
-        sides.append(Value(piece.number, unit))
-    lead: Line = line(f"{axis}:") if axis else ()
-    if piece.turns:
-        lead = line("the parts between the turning points, each counted positive:")
-    note = line(HOW[piece.how])
-    if piece.how == "difference" and piece.antiderivative is not None:
-        note = line(HOW[piece.how], " ", phrases.math(piece.antiderivative))
-    yield Equation(tuple(sides), None, lead, note)
-    if piece.turns:
-        yield Result(line("it turns at ", *_times(piece.turns)))
-
-
 def _events(found: SpanIntegral) -> Iterator[Block]:
     if found.events:
         yield Result(line(f"it happens {len(found.events)} times: at ", *_times(found.events)))
@@ -95,8 +174,8 @@ def _events(found: SpanIntegral) -> Iterator[Block]:
         yield Result(line("it does not happen"))
 
 
-def _times(times: tuple[Decimal, ...]) -> list[str | Inline]:
-    shown: list[str | Inline] = []
+def _times(times: tuple[Decimal, ...]) -> list[Any]:
+    shown: list[Any] = []
     for n, t in enumerate(times):
         shown += [", "] if n else []
         shown.append(Value(t, "s"))
