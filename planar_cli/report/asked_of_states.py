@@ -86,7 +86,8 @@ class AskedTelling:
     def _line(self, asked: Request, part: Part, span: SpanIntegral | None) -> Iterator[Block]:
         name = line(Name(asked.find.name), f", {part.axis}" if part.axis else "")
         formula = part.expr
-        told = not (formula.is_Symbol or formula.is_number or self._is_long(formula))
+        named = formula.is_Symbol and (span is None or formula == span.symbol)
+        told = not (named or formula.is_number or self._is_long(formula))
         sides: list[Any] = [name, *([self.phrases.math(formula)] if told else [])]
         phrases = self.numeric if self.numeric.has_numbers(formula) else self.phrases
         if not phrases.symbolic and asked.unit is not None:
