@@ -342,6 +342,7 @@ HOUSE_WORDS = (
     "it is drawn back",
     "which the file leaves open",
     "nothing that is asked or acts names it",
+    "throughout the motion: ",
 )
 
 
@@ -431,7 +432,10 @@ def unused(page: Page) -> Iterator[str]:
     needed = {t for r in page.of("check", "check on", "answer", "answer on", "discussion") for t in symbols(r.text)}
     numbers: set[tuple[int, int]] = set()
     kept = []
+    integrated: set[int] = set()
     for r in reversed(rows):
+        if "∫" in r.text or r.text.startswith("The law") or "equation of motion" in r.text:
+            integrated.add(r.part)
         if r.kind == "text":
             if "together" in r.text:
                 numbers |= {(r.part, int(n)) for n in re.findall(r"\((\d+)\)", r.text)}
@@ -444,7 +448,7 @@ def unused(page: Page) -> Iterator[str]:
         same = any(a.value is None and a.text in r.sides for a in told)
         near = bool(letters & needed) or any(base(x) in needed for x in letters)
         used = result or same or (single and near) or (r.number is not None and (r.part, r.number) in numbers)
-        if not single and r.number is None:
+        if (not single and r.number is None) or (r.part in integrated and re.match("[avωα]|.\u0307|.\u0308", r.left)):
             used = True
         if used:
             kept.append(r)

@@ -89,7 +89,7 @@ def test_an_assumption_holds_up_to_its_end() -> None:
 
 
 def test_what_a_joint_keeps() -> None:
-    assert kept("B: distance from the edge") == "the joint B keeps the distance from the line"
+    assert kept("B: distance from the edge") == "the distance from the line at B stays the same"
     assert kept("hook: place on ground and rod") == "hook is the same point of the ground and of rod"
     assert kept("tip: stays on profile") == "tip stays on profile"
     assert kept("odd title") == "odd title"

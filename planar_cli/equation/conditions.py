@@ -250,7 +250,7 @@ def coordinate_conditions(quantities: Quantities, coordinates: set[sp.Symbol], l
         residual = Vec(getattr(difference.x, pick), getattr(difference.y, pick))
         found.append(
             Condition(
-                "coordinate", f"the place of {point.name} follows its formula", residual, place=point.name, body=owner
+                "coordinate", f"the position of {point.name}, differentiated", residual, place=point.name, body=owner
             )
         )
     return found + _particle_conditions(quantities, coordinates, level)
@@ -267,6 +267,6 @@ def _particle_conditions(quantities: Quantities, coordinates: set[sp.Symbol], le
         difference = quantities.place(body.name) - Vec(scene.evaluator.jet(place.x), scene.evaluator.jet(place.y))
         pick = "rate" if level == VELOCITY else "second"
         residual = Vec(getattr(difference.x, pick), getattr(difference.y, pick))
-        words = f"the place of {body.name} follows its formula"
+        words = f"the position of {body.name}, differentiated"
         found.append(Condition("coordinate", words, residual, place=body.name, body=body.name))
     return found

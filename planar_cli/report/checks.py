@@ -11,6 +11,7 @@ import sympy as sp
 from planar_cli.equation.exact import ZERO
 from planar_cli.equation.system import System
 from planar_cli.problem.facts import Test
+from planar_cli.report.another_equation import another_equation
 from planar_cli.report.blocks import Check, Line, Math, Name, Relation, Value, line
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.instant import Trial
@@ -25,12 +26,14 @@ TINY = Decimal("1e-30")
 INDEPENDENT = "checked by an independent multibody solution"
 
 
-def check_blocks(instant: InstantSolution, phrases: Phrases) -> list[Check]:
-    """The checks of one instant that a person can follow, each a phrase."""
+def check_blocks(instant: InstantSolution, phrases: Phrases, single: bool) -> list[Check]:
+    """The checks of one instant that a person can follow, each a phrase. `single`: it is no part of a motion."""
     if not instant.checks.get("lines"):
         return []
-    told = [line(text) for text in instant.checks.get("told", ())]
-    return [Check(phrase) for phrase in (*_presses(instant, phrases), *told)]
+    told = [*_presses(instant, phrases), *(line(text) for text in instant.checks.get("told", ()))]
+    if single and not told and (other := another_equation(instant, phrases)):
+        told.append(other)
+    return [Check(phrase) for phrase in told]
 
 
 def road_blocks(part: PartSolution) -> list[Check]:

@@ -16,14 +16,15 @@ from planar_cli.problem.check_dimensions import Kinds
 from planar_cli.problem.scope import Scope
 from planar_cli.report.asked_of_states import HENCE, AskedTelling
 from planar_cli.report.between import BetweenTelling
-from planar_cli.report.blocks import Block, Equation, Heading, Line, Math, Paragraph, Value, line
+from planar_cli.report.blocks import Block, Equation, Heading, Line, Math, Name, Paragraph, Value, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.integrals import over_coordinates, plain_integral
 from planar_cli.report.left_out import reason
-from planar_cli.report.origins import HAPPENS, head, named, told_once, turning
+from planar_cli.report.origins import HAPPENS, head, told_once, turning
 from planar_cli.report.oscillation import oscillation_blocks
 from planar_cli.report.put_in import put_in
 from planar_cli.report.span_integrals import SpanTelling
+from planar_cli.report.spoken import spoken
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import (
     BalanceTrace,
@@ -102,7 +103,7 @@ class MotionTelling:
         yield from AskedTelling(self.found, self.phrases, self.numeric, self.wanted, spans).blocks()
         for name, route in self.found.passing.items():
             if any(not leg.is_datum for leg in route.steps):
-                yield Paragraph(line(f"{name} throughout the motion:"))
+                yield Paragraph(line(Name(name), " throughout the motion:"))
                 yield from self._route(route)
         for swing in self.found.oscillations:
             yield from oscillation_blocks(swing, self.found.value, self.phrases, self.phrases.symbolic)
@@ -117,7 +118,7 @@ class MotionTelling:
             if words in HAPPENS:
                 said = line(f"{words[:1].upper()}{words[1:]} at ", *when, ": ")
             else:
-                said = line("Up to ", *when, " ", *named(words, self.found.ledger.symbols), "; there ")
+                said = line("Up to ", *when, " ", *spoken(words, self.found.ledger.symbols), "; there ")
             yield Paragraph(line(*said, Math(expr), " = 0."))
 
     # --- the route ---------------------------------------------------------------------------------------------------

@@ -2,35 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 
-from planar_cli.equation.ledger import display
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.unused import unused
 from planar_cli.records import record
+from planar_cli.report.answer_letters import answer_block
 from planar_cli.report.asked import AskedTelling
-from planar_cli.report.blocks import (
-    Answer,
-    Block,
-    Document,
-    Equation,
-    Heading,
-    Inline,
-    Math,
-    Note,
-    Paragraph,
-    Text,
-    Value,
-    line,
-)
+from planar_cli.report.blocks import Block, Document, Heading, Note, Paragraph, line
 from planar_cli.report.checks import check_blocks, program_blocks, road_blocks
 from planar_cli.report.discussion import discussion_lines
 from planar_cli.report.effects import effect_notes
-from planar_cli.report.names import plain_name
 from planar_cli.report.passages import tale_blocks
 from planar_cli.report.presumed import presumed_notes
+from planar_cli.report.repeats import told_once
 from planar_cli.report.telling import Telling
-from planar_cli.report.words import Phrases, answer_line, direction_words
+from planar_cli.report.words import Phrases
 from planar_cli.solve.solution import Found, InstantSolution
 from planar_cli.solve.solved_problem import PartSolution, Solution
 
@@ -69,7 +56,8 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
             continue
         if part.case:
             blocks.append(Heading("CASE", part.case.replace("_", " ")))
-        blocks += part_blocks(part, voice, why, told)
+        own = part_blocks(part, voice, why, told)
+        blocks += own if voice.audience == "lesson" else told_once(own, blocks)
     if voice.audience == "lesson":
         from planar_cli.report.lessons import with_lessons
 
@@ -114,41 +102,15 @@ def part_blocks(part: PartSolution, voice: Voice, why: str | None, told: set[tup
         blocks += tale_blocks(part.tale, phrases)
     for found in part.found:
         if why is None or found.name == why:
-            said = line(*_letter(found, part, phrases, blocks), answer_line(found, phrases))
-            blocks.append(Answer(found.name, said, ":" if found.word or found.curve is not None else "="))
+            blocks.append(answer_block(found, part, phrases, blocks))
     heard = [instant for instant in part.instants if not instant.quiet]
-    checks = [b for instant in heard for b in check_blocks(instant, phrases_of(instant, figures))]
+    checks = [b for instant in heard for b in check_blocks(instant, phrases_of(instant, figures), part.motion is None)]
     blocks += [b for i, b in enumerate(checks) if b not in checks[:i]]
     blocks += [*road_blocks(part), *(program_blocks(part) if voice.verbose else ())]
     tested = any(mode.tests for instant in part.instants for mode in instant.trial.system.modes.values())
     if not tested and part.motion is None and part.tale is None:
         blocks += [Note("Discussion", remark) for remark in discussion_lines(part.found, phrases)]
     return blocks
-
-
-def _letter(found: Found, part: PartSolution, phrases: Phrases, told: Iterable[Block]) -> Iterator[Inline]:
-    """The letter of the solution that an answer of another name is, and its sign where the answer tells a direction."""
-    asked = found.asked
-    if part.motion is not None:
-        asked = next((r.parts for r in part.motion.requests if r.find is found.find), ())
-    if len(asked) != 1 or found.kind != "number" or found.word or asked[0] in (found.expressions or ()):
-        return
-    symbol = next((s for s in (asked[0], -asked[0]) if s.is_Symbol), None)
-    solved = {b.sides[0].expr for b in told if isinstance(b, Equation) and isinstance(b.sides[0], Math)}
-    if symbol is None or symbol not in solved:
-        return
-    own = part.motion.general.get(symbol, symbol) if part.motion is not None else symbol
-    if plain_name(found.name) in (plain_name(symbol.name), plain_name(own.name)):
-        return
-    yield Math(asked[0])
-    yield Text(" = ")
-    if (
-        found.values is not None
-        and direction_words(found, number := display(found.values[0], found.unit))
-        and number < 0
-    ):
-        yield Value(number, found.unit.text, phrases.figures)
-        yield Text(", that is ")
 
 
 def _at(found: Found) -> str:

@@ -5,17 +5,18 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterable, Iterator
 
-from planar_cli.report.blocks import Block, Equation, Line, Name, Paragraph, Result, line
+from planar_cli.report.blocks import Block, Equation, Line, Paragraph, Result, line
 from planar_cli.report.names import plain_name
+from planar_cli.report.spoken import spoken
 from planar_cli.solve.between.trace import Relation
 
 HAPPENS = ("it stops sliding", "it turns round", "it comes to the other side")
 """What happens at an instant; all other words say what holds up to it."""
 KEPT = {
-    "distance from the edge": "the joint {} keeps the distance from the line",
-    "distance of the centres": "the joint {} keeps the distance of the centres",
-    "angle": "the joint {} keeps the angle",
-    "length": "{} keeps its length",
+    "distance from the edge": "the distance from the line at {} stays the same",
+    "distance of the centres": "the distance of the centres at {} stays the same",
+    "angle": "the angle at {} stays the same",
+    "length": "the length of {} is constant",
     "arcs on both rims": "{} runs over equal arcs of both rims",
     "arc rolled on the line": "at {} the arc rolled equals the way along the line",
     "arcs rolled on each other": "at {} equal arcs roll on each other",
@@ -31,16 +32,10 @@ def head(e: Relation, names: Collection[str]) -> Line:
         return line(f"{reach}, {words}:" if e.since else f"{words}:")
     if e.is_datum:
         words = turning(e.words) if e.kind == "turn" else e.words
-        return named(f"At {e.stop}: {words}:" if e.stop else f"{words}:", names)
+        return spoken(f"At {e.stop}: {words}:" if e.stop else f"{words}:", names)
     place = f"From {e.since} to {e.stop}, " if e.since else f"At {e.stop}, " if e.stop else ""
     words = kept(e.words) if e.kind == "loop" else e.words
-    return named(f"{place}{words}:", names)
-
-
-def named(words: str, names: Collection[str]) -> Line:
-    """Words in which the names of symbols are set as mathematics."""
-    pieces = re.split(r"(\b[A-Za-z]\w*\b)", words)
-    return line(*(Name(p) if p in names and len(p) > 1 else p for p in pieces if p))
+    return spoken(f"{place}{words}:", names)
 
 
 def kept(title: str) -> str:
@@ -51,7 +46,7 @@ def kept(title: str) -> str:
     if what.startswith("place on "):
         first, _, second = what.removeprefix("place on ").partition(" and ")
         first, second = ("the ground" if body == "ground" else body for body in (first, second))
-        return f"{name} is the same point of {first} and of {second}"
+        return f"{name} belongs to {first} and to {second}"
     return f"{name} {what}" if what.startswith("stays on ") else title
 
 

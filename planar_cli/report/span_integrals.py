@@ -14,9 +14,10 @@ from planar_cli.equation.plain import longer
 from planar_cli.problem.dimensions import Lookup, dimension_of
 from planar_cli.problem.expression import Quantity
 from planar_cli.records import record
-from planar_cli.report.blocks import Block, Equation, Line, Math, Paragraph, Result, Value, line
+from planar_cli.report.blocks import Block, Equation, Line, Math, Paragraph, Result, Text, Value, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.put_in import Writer
+from planar_cli.report.spoken import spoken
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import Piece, SpanIntegral
 from planar_cli.units import ANGULAR_MOMENTUM, TIME, Dimension, default_unit, parse_unit
@@ -46,7 +47,10 @@ class SpanTelling:
         assert isinstance(q.at, tuple)
         about = "/".join(q.things)
         named = f"{q.word}({about})" if about else q.word
-        yield Paragraph(line(f"{named} from state {q.at[0]} to state {q.at[1]}:"))
+        said = spoken(named, ())
+        if said and isinstance(said[0], Text):
+            said = (Text(said[0].text[:1].upper() + said[0].text[1:]), *said[1:])
+        yield Paragraph(line(*said, f" from state {q.at[0]} to state {q.at[1]}:"))
         if q.word == "count":
             yield from _events(found)
             return

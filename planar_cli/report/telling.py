@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from typing import Any
 
@@ -14,7 +13,9 @@ from planar_cli.report.assumed import assumption_notes
 from planar_cli.report.blocks import Block, Equation, Heading, Line, Math, Name, Paragraph, Text, Value, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.forces import centre_of, force_rows
+from planar_cli.report.names import GREEK
 from planar_cli.report.numeric import NumericTelling, vanishing
+from planar_cli.report.spoken import spoken
 from planar_cli.report.vectors import VectorTelling
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.algebra import Line as SolvedLine
@@ -245,11 +246,8 @@ class Telling:
 
     def _named(self, words: str) -> Line:
         """Words in which the names of symbols are set as mathematics."""
-        parts: list[Any] = []
-        for piece in re.split(r"(\b[A-Za-z]+(?:_\w+)+\b)", words):
-            known = piece in self.scene.ledger.symbols or piece in self.system.symbols
-            parts.append(Name(piece) if known else piece)
-        return line(*(p for p in parts if p != ""))
+        names = {n for n in (*self.scene.ledger.symbols, *self.system.symbols) if "_" in n or n in GREEK}
+        return spoken(words, names)
 
     def _relation_words(self, w: Written) -> str:
         if w.source == "given":

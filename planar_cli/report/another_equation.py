@@ -1,0 +1,123 @@
+"""A check that a person can make: an equation that the solution did not use, with the numbers of the answers in it.
+
+ladder:  ↺ ΣM_G = 89.5 - 40.8 - 22.7 = 26.0 N·m = I α
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from decimal import Decimal
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.equation.exact import Unvalued
+from planar_cli.equation.ledger import display
+from planar_cli.equation.plain import longer
+from planar_cli.problem.geometry import Vec
+from planar_cli.records import record
+from planar_cli.report.blocks import Inline, Line, Name, Text, Value, line
+from planar_cli.report.words import Phrases
+from planar_cli.solve.instant.written import Written
+from planar_cli.solve.solution import InstantSolution
+from planar_cli.units import ENERGY, FORCE, Dimension, default_unit
+
+LEAST, MOST = 2, 6
+"""Terms of a sum that is worth a check, and that still fits a line."""
+LONGEST = 24
+"""Operations in what it amounts to."""
+SMALL = Decimal("1e-12")
+"""In parts of the largest term: what is smaller is the rounding of zero."""
+
+
+@record
+class _Sum:
+    """One sum over what acts on a body."""
+
+    lead: Line
+    terms: tuple[Decimal, ...]
+    """Forces [N], or moments [N m]."""
+    dimension: Dimension
+    inertia: sp.Expr
+    """What they amount to."""
+
+
+def another_equation(instant: InstantSolution, phrases: Phrases) -> Line:
+    """The check of one body; empty where no equation is left, or its numbers are not on the page."""
+    if phrases.symbolic or not instant.trial.outcomes or instant.trial.system.reactions is None:
+        return ()
+    written = [w for s in instant.stages if s.level == "acceleration" for b in s.blocks for w in b.equations]
+    for body in instant.instant.scene.bodies:
+        used = [w for w in written if body in w.bodies and w.law in ("force", "moment")]
+        if not used or instant.instant.scene.bodies[body].mass == 0:
+            continue
+        for found in _left(instant, body, used, phrases):
+            largest = max((abs(t) for t in found.terms), default=Decimal(0))
+            terms = [t for t in found.terms if abs(t) > largest * SMALL]
+            if LEAST <= len(terms) <= MOST and not longer(found.inertia, LONGEST):
+                return _told(body, found, terms, phrases)
+    return ()
+
+
+def _left(instant: InstantSolution, body: str, used: list[Written], phrases: Phrases) -> Iterator[_Sum]:
+    """The sums of one body about its mass centre, along x and along y that stand in no equation of the solution."""
+    scene, motion = instant.instant.scene, instant.trial.system.motion
+    model = scene.bodies[body]
+    try:
+        acting = list(_acting(instant, body, phrases))
+        still = instant.trial.system.balanced(body)
+        if model.rigid and not any(w.law == "moment" and w.lead == model.center_name for w in used):
+            turned = [_number(point - model.center, force, phrases) + couple for point, force, couple in acting]
+            alpha = sp.S.Zero if still or motion is None else model.inertia * motion.accelerations[body].angular
+            name = model.center_name if model.center_name and model.center_name != body else "G"
+            yield _Sum(line("↺ ", Name(f"ΣM_{name}")), tuple(turned), ENERGY, alpha)
+        for axis, arrow in (("x", "→"), ("y", "↑")):
+            if any(w.law == "force" and w.lead == axis and w.bodies == (body,) for w in used):
+                continue
+            parts = tuple(getattr(force, axis) for _, force, _ in acting if force is not None)
+            a = None if still or motion is None else motion.acceleration(model.center, body)
+            inertia = sp.S.Zero if a is None else model.mass * getattr(a, axis)
+            yield _Sum(line(f"{arrow} ", Name(f"ΣF_{axis}")), parts, FORCE, inertia)
+    except Unvalued:
+        return
+
+
+def _acting(instant: InstantSolution, body: str, phrases: Phrases) -> Iterator[tuple[Vec, Any, Decimal]]:
+    """What acts on a body: where, the force in numbers (None: a couple alone), and the couple."""
+    system, value = instant.trial.system, phrases.value
+    assert system.reactions is not None
+    for w in system.wrenches:
+        if w.body == body:
+            force = None if w.force is None else Vec(value(w.force.x), value(w.force.y))
+            yield w.point, force, value(sp.sympify(w.couple))
+    for push, expr in system.reactions.pushes:
+        for a in push.actions:
+            if a.body == body:
+                size = value(expr)
+                force = None if a.force is None else Vec(value(a.force.x) * size, value(a.force.y) * size)
+                yield a.point, force, value(sp.sympify(a.couple)) * size
+
+
+def _number(arm: Vec, force: Any, phrases: Phrases) -> Decimal:
+    """The moment of a force."""
+    if force is None:
+        return Decimal(0)
+    x, y = (phrases.value(sp.sympify(e)) for e in (arm.x, arm.y))
+    moment: Decimal = x * force.y - y * force.x
+    return moment
+
+
+def _told(body: str, found: _Sum, terms: list[Decimal], phrases: Phrases) -> Line:
+    """A sum with its terms, what it comes to, and what that is."""
+    unit = phrases.page_unit(default_unit(found.dimension))
+    parts: list[str | Inline] = []
+    for i, term in enumerate(terms):
+        shown = display(abs(term), unit)
+        parts += [("-" if term < 0 else "") if i == 0 else (" - " if term < 0 else " + ")]
+        parts.append(Value(shown, "1", phrases.figures))
+    total = sum(terms, Decimal(0))
+    zero = abs(total) <= max(abs(t) for t in terms) * SMALL
+    parts += [" = ", Value(Decimal(0) if zero else display(total, unit), unit.text, phrases.figures)]
+    if found.inertia != 0 and not zero:
+        parts += [" = ", phrases.math(found.inertia)]
+    return line(f"{body}: ", *found.lead, " = ", *(p for p in parts if p != "" and p != Text("")))

@@ -1,0 +1,66 @@
+"""The letter of the solution that an answer is, where its author gave it another name or counts it the other way."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.equation.ledger import display
+from planar_cli.report.blocks import Answer, Block, Equation, Inline, Math, Text, Value, line
+from planar_cli.report.names import plain_name
+from planar_cli.report.words import Phrases, answer_line, direction_words, told_unit
+from planar_cli.solve.solution import Found
+from planar_cli.solve.solved_problem import PartSolution
+
+
+def answer_block(found: Found, part: PartSolution, phrases: Phrases, told: Iterable[Block]) -> Answer:
+    """The answer to a find. `told`: the blocks before it, whose letters it may name."""
+    said = answer_line(found, phrases)
+    relation = ":" if found.word or found.curve is not None else "="
+    asked = _asked(found, part)
+    symbol, size = _symbol(asked)
+    if symbol is None or symbol not in _solved(told) or asked in (found.expressions or ()):
+        return Answer(found.name, said, relation)
+    own = part.motion.general.get(symbol, symbol) if part.motion is not None else symbol
+    same = plain_name(found.name) in (plain_name(symbol.name), plain_name(own.name))
+    if same and asked == symbol:
+        return Answer(found.name, said, relation)
+    letter = line("|", Math(symbol), "|") if size else line(Math(asked))
+    # A name that is its own opposite, or its own size, is no equation.
+    return Answer(found.name, line(letter, " = ", *_signed(found, phrases), said), ":" if same else relation)
+
+
+def _asked(found: Found, part: PartSolution) -> Any:
+    """What is asked, in the letters of the solution, without those that are zero; None: it is no number."""
+    asked = found.asked
+    if part.motion is not None:
+        asked = next((r.parts for r in part.motion.requests if r.find is found.find), ())
+        zeros = {s: f for s, f in part.motion.route.formulas.items() if f == 0}
+        asked = tuple(a.xreplace(zeros) for a in asked)
+    return asked[0] if len(asked) == 1 and found.kind == "number" and not found.word else None
+
+
+def _symbol(asked: Any) -> tuple[sp.Symbol | None, bool]:
+    """The letter that is asked up to its sign, and whether its size alone is."""
+    if asked is None:
+        return None, False
+    size = isinstance(asked, sp.Abs)
+    inner = asked.args[0] if size else asked
+    return next((s for s in (inner, -inner) if s.is_Symbol), None), size
+
+
+def _solved(told: Iterable[Block]) -> set[Any]:
+    """The letters that have a line."""
+    return {b.sides[0].expr for b in told if isinstance(b, Equation) and isinstance(b.sides[0], Math)}
+
+
+def _signed(found: Found, phrases: Phrases) -> list[Inline]:
+    """A negative number before its size and direction."""
+    if found.values is None:
+        return []
+    number = display(found.values[0], found.unit)
+    if number >= 0 or not direction_words(found, number):
+        return []
+    return [Value(number, told_unit(found.unit, found.energy), phrases.figures), Text(", that is ")]
