@@ -68,7 +68,7 @@ def test_a_blow_names_its_bodies_and_components() -> None:
     assert "From 1 to 2, :" not in found
     assert "DA, angular momentum about A, zero before, and no impulse changes it:" in found
     assert "DA, momentum across the line of J_N,hit:" in found
-    assert found.count("impulse(hit/DB) from state 1 to state 2:") == 1
+    assert found.count("The impulse of hit on DB from state 1 to state 2:") == 1
     assert "in the blow from 1 to 2, x:" in found
     assert "in the blow from 1 to 2, y:" in found
     assert "v_Bx,1 = -w = -1 m/s" in found
@@ -90,6 +90,6 @@ def test_an_assumption_holds_up_to_its_end() -> None:
 
 def test_what_a_joint_keeps() -> None:
     assert kept("B: distance from the edge") == "the distance from the line at B stays the same"
-    assert kept("hook: place on ground and rod") == "hook is the same point of the ground and of rod"
+    assert kept("hook: place on ground and rod") == "hook belongs to the ground and to rod"
     assert kept("tip: stays on profile") == "tip stays on profile"
     assert kept("odd title") == "odd title"

@@ -48,7 +48,7 @@ def _quantity(word: str, thing: str, part: str | None, state: str | None) -> Lin
     if (word, thing) == ("work", "all"):
         return line("the work of all forces", behind)
     if word in WORDS and part is None:
-        return line(WORDS[word].format(thing), behind)
+        return line(WORDS[word].format(thing.replace("/", " on ")), behind)
     if word not in LETTERS:
         return None
     first, _, second = thing.partition("/")
