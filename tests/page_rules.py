@@ -44,6 +44,11 @@ class Row:
         """The first side of an equation."""
         return self.sides[0] if self.sides else ""
 
+    @property
+    def numeric(self) -> bool:
+        """Is it an equation in numbers, with the unit in which it counts behind it?"""
+        return re.search(r" {3}in \S+$", self.text) is not None
+
 
 @dataclass(frozen=True, slots=True)
 class Page:
@@ -288,7 +293,12 @@ def _grade(r: Row, answer: Told) -> str:
 
 def unknowns_bare(page: Page) -> Iterator[str]:
     """Rule 2: an unknown solved by a number alone."""
+    numeric = {(r.part, r.number) for r in page.of("equation") if r.numeric and r.number}
+    numeric |= {(r.part, int(n)) for r in page.of("equation") if r.numeric for n in re.findall(r"\((\d+)\)", r.lead)}
     for r in page.of("equation"):
+        cited = {(r.part, int(n)) for n in re.findall(r"\((\d+)\)", r.lead)}
+        if cited and cited & numeric:
+            continue
         solved = re.fullmatch(r"\(\d+\).*:|(?:\S+: )?by numerical integration:|.* of \S+:", r.lead)
         single = len(r.sides) == 2
         integrated = single and re.search("by (numerical integration|quadrature)", r.sides[1])
@@ -356,8 +366,10 @@ def phrases(page: Page, forbidden: tuple[str, ...]) -> Iterator[str]:
 
 def decimals(page: Page) -> Iterator[str]:
     """Rule 4: a formula of letters with a decimal in it."""
-    for r in page.of("equation"):
+    for r in (r for r in page.of("equation") if not r.numeric):
         for side in r.sides:
+            if re.fullmatch(r"\[[^\]]*\](?: \S+)?", side):
+                continue
             if value_of(side) is None and re.search(r"\d\.\d", side) and symbols(_without_units(side)):
                 yield f"{r.left} = … {side}"
 
@@ -373,7 +385,7 @@ def formulas(page: Page) -> int:
 
 def swallowed(page: Page) -> Iterator[str]:
     """Rule 4: a sum of letters with a number among its terms, which has lost its unit."""
-    for r in page.of("equation"):
+    for r in (r for r in page.of("equation") if not r.numeric):
         for side in r.sides:
             terms = re.split(r" [+-] ", _flat(side))
             if len(terms) > 1 and symbols(side) and any(re.fullmatch(r"-?\d+(?:\.\d+)?", t) for t in terms):
