@@ -62,21 +62,21 @@ def test_words_that_no_page_says(words: str) -> None:
 
 
 @pytest.mark.parametrize(("rule", "most"), [
-    pytest.param(unknowns_bare, 190, id="2: bare numbers"),
-    pytest.param(lambda page: phrases(page, KINEMATIC_WORDS), 400, id="3: words of kinematics"),
-    pytest.param(decimals, 500, id="4: decimals among letters"),
-    pytest.param(swallowed, 100, id="4: units swallowed"),
-    pytest.param(diagrams, 230, id="5: force lists"),
+    pytest.param(unknowns_bare, 200, id="2: bare numbers"),
+    pytest.param(lambda page: phrases(page, KINEMATIC_WORDS), 90, id="3: words of kinematics"),
+    pytest.param(decimals, 560, id="4: decimals among letters"),
+    pytest.param(swallowed, 120, id="4: units swallowed"),
+    pytest.param(diagrams, 25, id="5: force lists"),
     pytest.param(axes, 2, id="5: arrows of sums of forces"),
-    pytest.param(unused, 1350, id="6: unused equations"),
-    pytest.param(repeated, 900, id="7: lines of an earlier case"),
-    pytest.param(renamed, 95, id="8: names and signs"),
+    pytest.param(unused, 500, id="6: unused equations"),
+    pytest.param(repeated, 360, id="7: lines of an earlier case"),
+    pytest.param(renamed, 70, id="8: names and signs"),
 ])  # fmt: skip
 def test_rules_that_are_not_yet_kept(rule: Callable[[Page], Iterable[str]], most: int) -> None:
     assert len(listed(rule)) <= most
 
 
-@pytest.mark.parametrize(("several", "middle"), [(False, 36), (True, 60)])
+@pytest.mark.parametrize(("several", "middle"), [(False, 38), (True, 60)])
 def test_lengths(several: bool, middle: int) -> None:
     """Rule 6: lines of a page, of one instant and of several states."""
     assert median(page.length for page in ALL if page.several is several) <= middle
@@ -93,5 +93,5 @@ def test_every_page_is_checked() -> None:
 
 
 FULL_ANSWERS = 0.65
-LONG, LONG_PAGES = 120, 30
+LONG, LONG_PAGES = 120, 26
 SILENT = 2
