@@ -9,7 +9,7 @@ import mpmath
 import pytest
 import sympy as sp
 from answered import first as number
-from answered import solved
+from answered import assert_close, solve, solved
 
 from planar_cli.errors import FileProblem, NoSolution
 from planar_cli.problem.structure import load_text
@@ -284,3 +284,25 @@ def test_what_is_largest_nowhere_is_told(tmp_path: Path) -> None:
     )
     with pytest.raises(NoSolution, match="`period\\(hang\\) is largest` nowhere"):
         solved(tmp_path, PIVOT.format(told="period(hang) is largest"))
+
+
+def test_a_ratio_of_periods() -> None:
+    """A period and a frequency are numbers like others: T f = 1, and T in parts of a second."""
+    found = solve(
+        """
+title: Block on a spring
+plane: vertical
+given: {m: 2 kg, k: 72 N/m}
+coordinates: {x: m}
+points: {W: [-1 m, 0], P: [x, 0]}
+surfaces: {floor: {through: [0, 0], angle: 0 deg}}
+bodies: {block: {particle: P, mass: m}}
+joints: [{contact: {between: [block, floor], mu: 0}}]
+loads: [{spring: {between: [W, P], stiffness: k, relaxed_at: [x = 0]}}]
+states: {rest: [equilibrium]}
+find: {half: period(rest)/2, one: period(rest)*frequency(rest), ratio: period(rest)/(3 s) + 1}
+"""
+    )
+    assert_close(found["half"], math.pi / 6)
+    assert_close(found["one"], 1)
+    assert_close(found["ratio"], math.pi / 9 + 1)

@@ -17,7 +17,7 @@ from planar_cli.equation.jets import Jet, constant
 from planar_cli.equation.motion import Motion, Tree
 from planar_cli.equation.plain import simplified
 from planar_cli.equation.polar import dotted, vector_equations
-from planar_cli.equation.quantities import Quantities
+from planar_cli.equation.quantities import LATER, Quantities
 from planar_cli.equation.scene import Scene
 from planar_cli.errors import NOWHERE, Mark
 from planar_cli.problem.expression import (
@@ -191,7 +191,7 @@ def _rooted(item: VectorStatement, read: Callable[[Side], Any], scene: Scene) ->
 
 def vector_or_jet(side: Side, quantities: Quantities, evaluator: Evaluator) -> Any:
     """A side as a Jet, or as a Vec of jets where it is a vector quantity, their sum, difference or multiple."""
-    if isinstance(side, Quantity) and side.at is None:
+    if isinstance(side, Quantity) and side.at is None and side.word not in LATER:
         return quantities.any(side)
     if isinstance(side, Negate):
         found = vector_or_jet(side.operand, quantities, evaluator)
