@@ -8,8 +8,8 @@ from pathlib import Path
 import mpmath
 import pytest
 import sympy as sp
-from answered import first as number
 from answered import assert_close, solve, solved
+from answered import first as number
 
 from planar_cli.errors import FileProblem, NoSolution
 from planar_cli.problem.structure import load_text
@@ -306,3 +306,33 @@ find: {half: period(rest)/2, one: period(rest)*frequency(rest), ratio: period(re
     assert_close(found["half"], math.pi / 6)
     assert_close(found["one"], 1)
     assert_close(found["ratio"], math.pi / 9 + 1)
+
+
+@pytest.mark.parametrize("last", [False, True], ids=["equilibrium first", "equilibrium last"])
+def test_an_equilibrium_beside_a_motion(last: bool) -> None:
+    """A disk rolls by R θ = s_1 - s: the place of the first state enters the equilibrium where that is listed later."""
+    text = """
+title: Rolling disk on a spring with a damper
+plane: vertical
+given: {m: 10 kg, R: 0.2 m, k: 600 N/m, c: 40 N*s/m}
+coordinates: {s: m}
+points: {C: [s, 0], G: [s, R], W: [-1 m, R]}
+surfaces: {floor: {through: C, angle: 0 deg}}
+bodies: {disk: {disk: G, radius: R, mass: m}}
+joints: [{rolling: {between: [disk, floor], at: C}}]
+loads:
+  - spring: {between: [W, G], stiffness: k, natural_length: 1 m}
+  - damper: {between: [W, G], coefficient: c}
+states:
+  FIRST
+  1: [at rest, s = 0.1 m, t = 0]
+  2: [t = 1 s]
+  LAST
+find: {T: period(level), s: x(G) @ 2}
+"""
+    level = "level: [equilibrium]"
+    found = solve(text.replace("FIRST", "" if last else level).replace("LAST", level if last else ""))
+    decay = 4 / mpmath.mpf(3)
+    swing = mpmath.sqrt(40 - decay**2)
+    assert_close(found["T"], str(2 * mpmath.pi / swing), 10)
+    assert_close(found["s"], str(mpmath.exp(-decay) * (mpmath.cos(swing) + decay / swing * mpmath.sin(swing)) / 10), 10)

@@ -13,6 +13,7 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.exact import PI, Valuation
+from planar_cli.equation.plain import derivative, simplified
 from planar_cli.errors import Diagnostic, NoSolution
 from planar_cli.problem.expression import Equilibrium, Statement
 from planar_cli.problem.scene import State
@@ -45,8 +46,10 @@ def is_equilibrium(state: State) -> bool:
     return any(isinstance(r, Equilibrium) for r in state.relations)
 
 
-def solve_equilibria(course: RegimeSequence, raw: Raw) -> Equilibria:
-    """Solve all equilibrium states. NoSolution: there is none, or several places fit."""
+def solve_equilibria(course: RegimeSequence, raw: Raw, start: Mapping[str, Iterable[Demand]]) -> Equilibria:
+    """Solve all equilibrium states. `start`: what the first state says, by its name. NoSolution: there is none, or
+    several places fit.
+    """
     states = tuple(state for state, _ in course.modes.equilibria)
     demands: dict[str, tuple[Demand, ...]] = {}
     equations: list[Equation] = []
@@ -60,6 +63,8 @@ def solve_equilibria(course: RegimeSequence, raw: Raw) -> Equilibria:
             drawn += drawn_equations(reader.regime, stop)
     if not states:
         return Equilibria((), {}, (), Branch({}, {}, (), ()))
+    if not drawn:
+        equations = _from_start(course, equations, start.get(course.first.name, ()))
     equations += _stationary(course, states, demands, [*equations, *drawn])
     whole = _branches(course, states, demands, [*equations, *drawn])
     mark, names = states[0].mark, ", ".join(s.name for s in states)
@@ -82,6 +87,31 @@ def solve_equilibria(course: RegimeSequence, raw: Raw) -> Equilibria:
         hint = "say which is meant: give the coordinate, or an inequality"
         raise NoSolution([Diagnostic(mark, "PL630", f"{names}: several positions of equilibrium: {places}", hint)])
     return Equilibria(states, demands, (*equations, *drawn), whole[0])
+
+
+def _from_start(course: RegimeSequence, equations: list[Equation], said: Iterable[Demand]) -> list[Equation]:
+    """The equations with the places of the first state put in, from which what rolls counts its way. NoSolution: that
+    state does not tell them one by one.
+    """
+    first = course.first
+    own = {*first.letters.values()} - {
+        v for s, _ in course.modes.equilibria for v in course.stops[s.name].letters.values()
+    }
+    needed = {s for e in equations for s in e.residual.free_symbols & own}
+    regime = course.readers[first.name].regime
+    told: dict[sp.Symbol, sp.Expr] = {}
+    for e in (*stated_equations(said), *drawn_equations(regime, first)) if needed else ():
+        inside = e.residual.free_symbols & own
+        symbol = next(iter(inside)) if len(inside) == 1 else None
+        slope = derivative(e.residual, symbol) if symbol in needed else sp.S.Zero
+        if symbol is not None and slope != 0 and not slope.has(symbol):
+            told.setdefault(symbol, simplified(symbol - e.residual / slope))
+    if needed - told.keys():
+        states = ", ".join(s.name for s, _ in course.modes.equilibria)
+        text = f"{states}: where the equilibrium lies depends on the place in state {first.name}, which is not told"
+        hint = f"write the equilibrium before state {first.name}, or the place itself there"
+        raise NoSolution([Diagnostic(first.mark, "PL630", text, hint)])
+    return [replace(e, residual=e.residual.xreplace(told)) for e in equations]
 
 
 def _stationary(

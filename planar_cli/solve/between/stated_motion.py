@@ -97,8 +97,8 @@ def stated_motion(motion: RegimeSequence) -> StatedMotion:
     motion.told.update(periods(motion, swings))
     if spanned:
         tell_spans(motion, spanned, blows, raw)
-    equilibria = solve_equilibria(motion, beside)
     demands = {s.name: readers[s.name].demands(stops[s.name], raw[s.name]) for s in states}
+    equilibria = solve_equilibria(motion, beside, demands)
     laws = tuple(laws_of(r) if r.runs else Laws((), (), ()) for r in motion.regimes)
     return StatedMotion(
         **motion.parts(),
