@@ -41,6 +41,13 @@ class Found:
 
 BY_ENERGY = "the balance of energy gives the same equation of motion"
 """How a check by energy is told; how well it agrees follows."""
+CAVEATS = (
+    "released at rest in an unstable equilibrium",
+    "it begins at rest in equilibrium",
+    "the last state is one of equilibrium",
+    "no motion leads to state",
+)
+"""How the checks of a motion begin that say on what its answers rest."""
 
 
 @changing
