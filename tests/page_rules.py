@@ -17,7 +17,7 @@ from conftest import ROOT
 
 PAGES = tuple(sorted((ROOT / "tests" / "golden").glob("*.solution.txt")))
 WIDTH = 110
-LABELS = ("Effects", "Not used", "Assume", "Fails", "Instead", "Answer", "Check", "Discussion")
+LABELS = tuple("Given|Find|Principle|Effects|Not used|Assume|Fails|Instead|Answer|Check|Discussion".split("|"))
 FUNCTIONS = frozenset("sin cos tan cot sec csc arcsin arccos arctan atan2 ln exp sign abs e π √ ∫".split())
 NUMBER = r"-?\d+(?:\.\d+)?(?:×10[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)?"
 SYMBOL = re.compile(r"[^\W\d_][\u0300-\u036f]?[\w\u0300-\u036f]*(?:[,/][A-Za-z]\w*)*′?")

@@ -89,8 +89,8 @@ def spool() -> doc.Document:
 TERMINAL = """\
 Spool pulled along a rough floor
 
-Effects   weight · normal force and friction at C (rolling, no slip) · rotational inertia of the spool
-          not in this scene: drag, springs, Coriolis, impact
+Effects     weight · normal force and friction at C (rolling, no slip) · rotational inertia of the spool
+            not in this scene: drag, springs, Coriolis, impact
 
 STEP 1  Kinematic analysis
   The spool rolls without slipping on the floor at C:
@@ -106,10 +106,10 @@ STEP 3  Solving the equations                           3 equations, 3 unknowns:
   (1) in (2):   α = -P (R + r) / (m (R² + k_G²)) = -100 (0.45 + 0.3) / (50 (0.45² + 0.2²)) = -6.186 rad/s²
   (1) in (3):   F = m R |α| - P = 39.18 N
 
-Answer   α = 6.186 rad/s² clockwise
-         F = 39.18 N to the right (as assumed)
+Answer      α = 6.186 rad/s² clockwise
+            F = 39.18 N to the right (as assumed)
 
-Check    residuals 0 in 4 equations · multibody solution agrees to 15 digits · N = 490.5 N > 0
+Check       residuals 0 in 4 equations · multibody solution agrees to 15 digits · N = 490.5 N > 0
 Discussion   The friction changes sign at k_G = √(R r) = 0.3674 m.
 """
 
@@ -124,13 +124,13 @@ STEP 3  Solving the equations
   (1) in (3):   F = m R |α| - P
                   = 39.18 N
 
-Answer   α = 6.186 rad/s² clockwise
-         F = 39.18 N to the right (as
-         assumed)
+Answer      α = 6.186 rad/s² clockwise
+            F = 39.18 N to the right (as
+            assumed)
 
-Check    residuals 0 in 4 equations ·
-         multibody solution agrees to 15
-         digits · N = 490.5 N > 0
+Check       residuals 0 in 4 equations ·
+            multibody solution agrees to
+            15 digits · N = 490.5 N > 0
 Discussion   The friction changes sign
              at k_G = √(R r) = 0.3674 m.
 """
@@ -259,7 +259,7 @@ def test_the_other_blocks_in_a_terminal() -> None:
         "Rows\nSecond title\n\n"
         "  • first\n  • second, with ω_AB²\n    ⇒ a_C ≈ 2.5 m/s²\n  Rod AB:  W ↓ at G\n\n"
         "  method   equations\n  ──────   ─────────\n  work     1\n  |x|      12\n\n"
-        "Answer   taut: yes\n\n"
+        "Answer      taut: yes\n\n"
         "    x ≥ 1 N or more\n    y\n"
     )
 

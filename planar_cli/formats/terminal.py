@@ -37,7 +37,7 @@ _BODY = 2
 _NUMBER = 4
 _NOTE_COLUMN = 56
 _GAP = 3
-_LABEL = 6
+_LABEL = 9
 _KINETIC = "   =   "
 # Left sides are aligned at their relation signs unless that tears a short one too far from its lead.
 _LARGEST_SPREAD = 12

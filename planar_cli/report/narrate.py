@@ -13,6 +13,7 @@ from planar_cli.report.blocks import Block, Document, Heading, Note, Paragraph, 
 from planar_cli.report.checks import check_blocks, program_blocks, road_blocks
 from planar_cli.report.discussion import discussion_lines
 from planar_cli.report.effects import effect_notes
+from planar_cli.report.opening import opening_notes
 from planar_cli.report.passages import tale_blocks
 from planar_cli.report.presumed import presumed_notes
 from planar_cli.report.repeats import told_once
@@ -44,8 +45,7 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
     """
     blocks: list[Block] = []
     problem = solution.problem
-    if voice.audience == "lesson" and problem.text:
-        blocks.append(Paragraph(line(problem.text)))
+    texts = [Paragraph(line(problem.text))] if voice.audience == "lesson" and problem.text else []
     if why is not None and not any(f.name == why for part in solution.parts for f in part.found):
         raise KeyError(why)
     told: set[tuple[str, ...]] = set()
@@ -62,7 +62,9 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
         from planar_cli.report.lessons import with_lessons
 
         blocks = with_lessons(blocks)
-    return Document(problem.title or problem.file, tuple(blocks))
+    first = next((phrases_of(i, voice.figures) for part in solution.parts for i in part.instants), None)
+    opening = () if why is not None else opening_notes(problem, blocks, first, voice.figures)
+    return Document(problem.title or problem.file, (*texts, *opening, *blocks))
 
 
 def part_blocks(part: PartSolution, voice: Voice, why: str | None, told: set[tuple[str, ...]]) -> list[Block]:

@@ -1,0 +1,132 @@
+"""What stands at the head of a page: what is given, what is asked, and which principle leads there, with the reason."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from decimal import Decimal
+
+import sympy as sp
+
+from planar_cli.problem.expression import Number
+from planar_cli.problem.scene import Problem, Symbol
+from planar_cli.records import record
+from planar_cli.report.blocks import Block, Equation, Heading, Line, Math, Name, Note, Paragraph, Text, Value, line
+from planar_cli.report.words import Phrases
+
+MOST_GIVEN = 12
+"""More data are in the file, and not on the page."""
+AS_WRITTEN = 6
+"""A number of the file with at most so many figures is not rounded."""
+
+
+def opening_notes(problem: Problem, blocks: Sequence[Block], phrases: Phrases | None, figures: int) -> Iterator[Note]:
+    """Given, find and principle. `blocks`: the page, which tells the principles that it uses; `phrases`: with the
+    numbers of the first instant, where there is one.
+    """
+    data = [d for s in problem.given if (d := _datum(s, phrases, figures))]
+    letters = [line(Name(s.name)) for s in problem.symbols]
+    if data or letters:
+        shown = [*data, *letters]
+        more = [line("…")] if len(shown) > MOST_GIVEN else []
+        yield Note("Given", _listed([*shown[:MOST_GIVEN], *more]))
+    names = dict.fromkeys(f.name for f in problem.find)
+    if names:
+        yield Note("Find", _listed([line(Name(n)) for n in names]))
+    principles = [p.words for p in PRINCIPLES if p.applies(_seen(blocks))]
+    if principles:
+        yield Note("Principle", line(" ".join(principles)))
+
+
+def _datum(symbol: Symbol, phrases: Phrases | None, figures: int) -> Line:
+    """A number of the file with its unit as its author wrote it; of a formula its value."""
+    if isinstance(symbol.value, Number):
+        number = symbol.value
+        value = Decimal(number.value.numerator) / Decimal(number.value.denominator) * number.sense
+        return line(Name(symbol.name), " = ", Value(value, number.unit or "1", max(figures, AS_WRITTEN)))
+    own = phrases.ledger.symbols.get(symbol.name) if phrases is not None else None
+    if phrases is None or own is None or not phrases.ledger.values.get(own, own).is_number:
+        return ()
+    return line(Name(symbol.name), " = ", phrases.shown(own))
+
+
+def _listed(parts: Sequence[Line]) -> Line:
+    """With commas between."""
+    return line(*(p for i, part in enumerate(parts) for p in ((", ",) if i else ()) + tuple(part)))
+
+
+@record
+class _Seen:
+    """What a page has: the names before its equations, its sentences, its headings, whether it integrates."""
+
+    leads: frozenset[str]
+    names: frozenset[str]
+    words: str
+    headings: frozenset[str]
+    integrates: bool
+
+    def led(self, start: str) -> bool:
+        """Does an equation begin with such a name?"""
+        return any(n.startswith(start) for n in self.leads)
+
+
+def _seen(blocks: Sequence[Block]) -> _Seen:
+    leads: set[str] = set()
+    names: set[str] = set()
+    words: list[str] = []
+    integrates = False
+    for block in blocks:
+        if isinstance(block, Equation):
+            leads |= {p.name for p in block.lead if isinstance(p, Name)}
+            for side in block.sides:
+                parts = side if isinstance(side, tuple) else (side,)
+                names |= {p.name for p in parts if isinstance(p, Name)}
+                integrates |= any(isinstance(p, Math) and p.expr.has(sp.Integral) for p in parts)
+        elif isinstance(block, Paragraph):
+            words += [p.text for p in block.line if isinstance(p, Text)]
+    headings = frozenset(b.text for b in blocks if isinstance(b, Heading))
+    return _Seen(frozenset(leads), frozenset(names), " ".join(words), headings, integrates)
+
+
+@record
+class _Principle:
+    """One principle in a sentence with its reason. `applies`: is it used?"""
+
+    applies: Callable[[_Seen], bool]
+    words: str
+
+
+def _newton(page: _Seen) -> bool:
+    return "Kinetic analysis" in page.headings and (page.led("ΣF") or page.led("ΣM"))
+
+
+PRINCIPLES = (
+    _Principle(
+        lambda p: "v_rel" in p.names,
+        "Motion relative to a turning body: what it carries along, the relative motion, and the Coriolis acceleration.",
+    ),
+    _Principle(
+        lambda p: "Kinematic analysis" in p.headings and not _newton(p) and not p.led("T_") and "v_rel" not in p.names,
+        "Kinematics: the joints relate the velocities and the accelerations.",
+    ),
+    _Principle(
+        _newton,
+        "Newton's second law: the forces at this instant and the accelerations that they give.",
+    ),
+    _Principle(
+        lambda p: "momentum before" in p.words,
+        "Impulse and momentum across the blow, in which nothing changes its place.",
+    ),
+    _Principle(
+        lambda p: p.led("T_"),
+        "Work and kinetic energy, as speeds and places are related and the time between is not asked.",
+    ),
+    _Principle(
+        lambda p: "conservation of" in p.words,
+        "Conservation of momentum, as nothing from outside acts along that line or about that point.",
+    ),
+    _Principle(
+        lambda p: p.integrates or "The law" in p.words,
+        "The equation of motion, integrated, as times or places at times are asked.",
+    ),
+)
+"""In the order in which they are told."""
