@@ -52,12 +52,29 @@ class AskedTelling:
                 continue
             answer = replace(raw, asked=tuple(e if longer(e, LONGEST) else simplified(e) for e in raw.asked))
             if len(answer.asked) == 1 and answer.asked[0].is_Symbol:
+                yield from self._closed(answer)
                 continue
             what = raw.find.found.what
             if isinstance(what, Quantity) and self._has_vectors(answer, what):
                 yield from self._moving(answer, what)
             else:
                 yield from self._formula(answer)
+
+    def _closed(self, answer: Found) -> Iterator[Block]:
+        """Of letters, the formula of an unknown in the letters of the file, where its last line has others."""
+        symbol = answer.asked[0]
+        formulas: dict[sp.Symbol, sp.Expr] = {}
+        for stage in self.instant.stages:
+            formulas |= stage.algebra.formulas
+        closed = (answer.expressions or (symbol,))[0]
+        if answer.values is None and not longer(closed, LONGEST) and formulas.get(symbol, closed) != closed:
+            yield Equation((Math(symbol), self.phrases.math(closed)))
+
+    def coriolis(self, point: str, frame: str) -> Iterator[Block]:
+        """The relative velocity and the Coriolis acceleration, with their numbers, before they are needed."""
+        if not self.phrases.symbolic:
+            self._named |= {"v_rel", "a_cor"}
+            yield from self._seen(point, frame, "coriolis")
 
     def _has_vectors(self, answer: Found, q: Quantity) -> bool:
         """Is it a velocity or an acceleration, more than an unknown, all of whose components are known?"""
@@ -95,6 +112,9 @@ class AskedTelling:
             if not self.phrases.symbolic and values and not longer(expr, LONGEST):
                 sides += self.phrases.substituted(expr, values[0])
             sides += values
+            if not values and answer.expressions and answer.expressions[i] not in (expr, answer.asked[i]):
+                closed = answer.expressions[i]
+                sides += [] if longer(closed, LONGEST) else [self.phrases.math(closed)]
             if len(sides) > 1:
                 yield Equation(tuple(sides))
 
@@ -233,12 +253,13 @@ class AskedTelling:
         for i, cosine in enumerate(axis):
             texts[sp.Symbol(f"{NUMBER}cos{i}", real=True)] = significant(cosine, self.phrases.figures)
         cosines = [s for s in texts if s not in names]
-        sides: list[Any] = [line(Name(answer.name))]
+        told = {"x": "along x", "y": "along y"}.get(q.parts[-1].kind, self.phrases.arrow(*map(_rational, axis)))
+        sides: list[Any] = [*own] or [line(Name(name), f" {told}")]
         if all(abs(c) not in (0, 1) for c in axis):
             parts = [sp.Mul(c, n, evaluate=False) for c, n in zip(cosines, names, strict=True)]
             sides.append(Math(sp.Add(*parts, evaluate=False), texts))
-        told = {"x": "along x", "y": "along y"}.get(q.parts[-1].kind, self.phrases.arrow(*map(_rational, axis)))
-        yield Equation((*sides, *values), None, note=line("the component of ", Name(name), f" {told}"))
+        note = line("the component of ", Name(name), f" {told}") if own else ()
+        yield Equation((*sides, *values), None, note=note)
 
     def _axis(self, q: Quantity) -> list[Decimal]:
         """The unit vector along which a component is taken."""

@@ -16,7 +16,7 @@ from planar_cli.report.blocks import Check, Line, Math, Name, Relation, Value, l
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.instant import Trial
 from planar_cli.solve.instant.worked import unknowns_of
-from planar_cli.solve.solution import BY_ENERGY, CAVEATS, Found, InstantSolution
+from planar_cli.solve.solution import CAVEATS, Found, InstantSolution
 from planar_cli.solve.solved_problem import PartSolution
 
 MOST_PRESSES = 4
@@ -41,9 +41,7 @@ def road_blocks(part: PartSolution) -> list[Check]:
     if part.followed is not None:
         errors = any(a.error is not None and a.values for a in part.followed.answers)
         return [Check(line("a second run with finer steps gives the same"))] if errors else []
-    by_energy = part.motion is not None and any(text.startswith(BY_ENERGY) for text in part.motion.checks)
     found = [Check(line(t)) for t in part.motion.checks if t.startswith(CAVEATS)] if part.motion is not None else []
-    found += [Check(line(BY_ENERGY))] if by_energy else []
     apart = [f.name for f in part.found if unconfirmed(f, part)]
     if not apart:
         return [*found, Check(line(INDEPENDENT))]

@@ -84,7 +84,11 @@ def _acting(instant: InstantSolution, stage: Stage, body: str, phrases: Phrases)
                     [_amount(-w.couple if back else w.couple, ENERGY * lasting, phrases), Text(" ↻" if back else " ↺")]
                 )
     assert system.reactions is not None
+    gone = dict.fromkeys(vanishing(stage), sp.S.Zero)
     for push, expr in system.reactions.pushes:
+        idle = not expr.free_symbols & used and phrases.value.known(expr) == 0
+        if push.kind == "friction" and (idle or sp.sympify(expr).xreplace(gone) == 0):
+            continue
         for a in (a for a in push.actions if a.body == body and (a.force is not None or expr.free_symbols & used)):
             named = _at(instant, a.point, body) if push.kind == "tension" else f" at {push.place}"
             parts.append(_push(push, expr, a, phrases, named if rigid else ""))

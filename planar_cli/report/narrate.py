@@ -8,7 +8,6 @@ from planar_cli.problem.expression import Quantity
 from planar_cli.problem.unused import unused
 from planar_cli.records import record
 from planar_cli.report.answer_letters import answer_block
-from planar_cli.report.asked import AskedTelling
 from planar_cli.report.blocks import Block, Document, Heading, Note, Paragraph, line
 from planar_cli.report.checks import check_blocks, program_blocks, road_blocks
 from planar_cli.report.discussion import discussion_lines
@@ -88,7 +87,7 @@ def part_blocks(part: PartSolution, voice: Voice, why: str | None, told: set[tup
             blocks += telling.blocks()
             if part.motion is None:
                 mine = [f for f in part.found if (why is None or f.name == why) and _at(f) in ("", instant.state)]
-                blocks += AskedTelling(instant, telling.phrases, telling.vectors).blocks(mine)
+                blocks += telling.asked.blocks(mine)
             steps, count = telling.steps, telling.count
     phrases = phrases_in(part, figures)
     blocks += _read_off(part, figures)

@@ -7,13 +7,15 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.equation.plain import identically_zero, longer
+from planar_cli.equation.plain import longer
 from planar_cli.report.actions import force_named, perpendicular
+from planar_cli.report.asked import AskedTelling
 from planar_cli.report.assumed import assumption_notes
 from planar_cli.report.blocks import Block, Equation, Heading, Line, Math, Name, Paragraph, Text, Value, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.forces import centre_of, force_rows
 from planar_cli.report.names import GREEK
+from planar_cli.report.not_taken import other_roots
 from planar_cli.report.numeric import NumericTelling, vanishing
 from planar_cli.report.spoken import spoken
 from planar_cli.report.vectors import VectorTelling
@@ -55,7 +57,10 @@ class Telling:
         self._numbers: dict[tuple[int, int], int] = {}
         self._premised: set[str] = set()
         self._merged: set[int] = set()
+        self._valued: set[sp.Symbol] = set()
+        self._together: dict[sp.Symbol, tuple[int, ...]] = {}
         self.vectors = VectorTelling(instant.trial, phrases, {z for s in self.stages for z in vanishing(s)})
+        self.asked = AskedTelling(instant, phrases, self.vectors)
         self.numeric = NumericTelling(phrases, self.stages)
 
     def number(self, stage: Stage, own: int) -> int:
@@ -214,6 +219,8 @@ class Telling:
     def _relation(self, w: Written, stage: Stage, number: int) -> list[Block]:
         """A relation of kinematics: why it holds, and its component; with the value where it is its own solution."""
         words = self.vectors.before(w, stage.level) or [Paragraph(self._named(self._relation_words(w)))]
+        if stage.level != "velocity" and (frame := self.vectors.frame_of(w)) is not None:
+            words = [*self.asked.coriolis(*frame), *words]
         line_of = next((x for b in stage.blocks for x in b.lines if x.equations == (w.number,)), None)
         if line_of is not None and not self.numeric.put_whole(w, stage) and self._solves_itself(w, line_of, stage):
             self._merged.add(w.number)
@@ -328,6 +335,8 @@ class Telling:
         if any(not self.numeric.readable(x.formula) for x in lines) or self._in_numbers(block, stage):
             blocks = self._put_in(block, stage)
             lines = tuple(x for x in lines if not x.letters)
+            if len(block.unknowns) > 1:
+                self._together[lines[0].symbol] = tuple(w.number for w in block.equations)
         elif len(block.unknowns) > 1:
             numbers = ", ".join(f"({self.number(stage, w.number)})" for w in block.equations)
             parts: list[Any] = [f"{numbers} together"]
@@ -352,7 +361,10 @@ class Telling:
         return found
 
     def _line(self, x: SolvedLine, stage: Stage) -> list[Block]:
-        lead = line(", ".join(f"({self.number(stage, n)})" for n in x.equations) + ":")
+        numbers = x.equations
+        if x.symbol in self._together:
+            numbers = tuple(dict.fromkeys((*x.equations, *self._together[x.symbol])))
+        lead = line(", ".join(f"({self.number(stage, n)})" for n in sorted(numbers)) + ":")
         if x.letters:
             return [Equation((self.phrases.math(x.symbol), self.phrases.math(x.formula)), None, lead)]
         shown = self.phrases.shown(x.symbol, x.value)
@@ -360,36 +372,16 @@ class Telling:
             w.number in x.equations and self.numeric.put_whole(w, stage) for b in stage.blocks for w in b.equations
         )
         sides = (self.phrases.math(x.symbol), shown) if put else self._chain(x.symbol, x.formula, shown)
-        found: list[Block] = [Equation(sides, None, lead)]
-        return [*found, *self._other_roots(x)]
+        return [
+            *self._values_of(sides, x, stage),
+            Equation(sides, None, lead),
+            *other_roots(self.instant, x, self.phrases),
+        ]
 
-    def _other_roots(self, x: SolvedLine) -> list[Block]:
-        """The roots that were not taken, with the reason."""
-        sought = self.instant.sought
-        choice = next((c for c in sought.branch.choices if c.symbol == x.symbol), None) if sought is not None else None
-        if choice is None or len(choice.roots) < 2:
-            return []
-        left = [r for i, r in enumerate(choice.roots) if i != choice.taken]
-        if self.phrases.symbolic:
-            return self._other_formulas(x, left, choice)
-        parts: list[Any] = ["other roots: "]
-        for i, root in enumerate(left):
-            parts += [", " if i else "", self.phrases.shown(x.symbol, root.value)]
-        return [Paragraph(line(*parts, f" ({self._root_reason(choice)})"))]
-
-    def _other_formulas(self, x: SolvedLine, left: list[Any], choice: Any) -> list[Block]:
-        """Of letters only the speed of a motion the other way is said."""
-        if x.symbol not in self.system.tree.velocity_unknowns() or len(left) != 1 or left[0].expression is None:
-            return []
-        if not identically_zero(left[0].expression + x.formula):
-            return []
-        other = self.phrases.math(left[0].expression)
-        positive = "; the positive one is taken" if choice.roots[choice.taken].value > 0 else ""
-        told = line("The other root, ", other, f", is the same motion the opposite way{positive}.")
-        return [Paragraph(told)]
-
-    def _root_reason(self, choice: Any) -> str:
-        reasons = {
-            s.objection for s in self.instant.left_out if any(c.symbol == choice.symbol for c in s.branch.choices)
-        }
-        return "; ".join(sorted(r for r in reasons if r)) or "it holds as well; the smaller one is taken"
+    def _values_of(self, sides: tuple[Any, ...], x: SolvedLine, stage: Stage) -> Iterator[Block]:
+        """The values of named accelerations that are put into a formula, those that were not told before."""
+        if self.phrases.symbolic or len(sides) < 3:
+            return
+        for symbol in sorted(x.formula.free_symbols & set(stage.algebra.explicit) - self._valued, key=lambda s: s.name):
+            self._valued.add(symbol)
+            yield Equation(self._chain(symbol, stage.algebra.explicit[symbol], self.phrases.shown(symbol)))

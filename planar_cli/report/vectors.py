@@ -68,6 +68,13 @@ class VectorTelling:
             return line(f"The coordinates of {w.place} differentiated{times}")
         return line(*told, f" differentiated{times}")
 
+    def frame_of(self, w: Written) -> tuple[str, str] | None:
+        """The point and the turning body along which it slides, of a relation that holds a Coriolis acceleration."""
+        j = self._closure(w)
+        if j is None or j.path is None or j.base == GROUND or j.place not in self.system.scene.points:
+            return None
+        return (j.place, j.base) if self._symbol(j.base, "velocity") != 0 else None
+
     def _closure(self, w: Written) -> Joining | None:
         if w.source != "closure":
             return None
@@ -226,8 +233,8 @@ class VectorTelling:
 
 
 def index_of(place: str) -> str:
-    """A place as an index: the mass centre G_AB as G,AB."""
-    return place.replace("_", ",", 1) if place.startswith("G_") else place
+    """A place as an index: the mass centre G_AB as G,AB, the point O_B as O,B; a stroke would be a relative motion."""
+    return place.replace("_", ",")
 
 
 def _arm_name(place: str, reference: str) -> Name:

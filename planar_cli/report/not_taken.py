@@ -1,0 +1,43 @@
+"""Roots of an equation of one instant that were not taken, each with the reason."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from planar_cli.equation.plain import identically_zero
+from planar_cli.report.blocks import Block, Paragraph, line
+from planar_cli.report.words import Phrases
+from planar_cli.solve.instant.algebra import Line as SolvedLine
+from planar_cli.solve.solution import InstantSolution
+
+
+def other_roots(instant: InstantSolution, x: SolvedLine, phrases: Phrases) -> list[Block]:
+    """The roots that were not taken, with the reason."""
+    sought = instant.sought
+    choice = next((c for c in sought.branch.choices if c.symbol == x.symbol), None) if sought is not None else None
+    if choice is None or len(choice.roots) < 2:
+        return []
+    left = [r for i, r in enumerate(choice.roots) if i != choice.taken]
+    if phrases.symbolic:
+        return _formulas(instant, x, left, choice, phrases)
+    parts: list[Any] = ["other roots: "]
+    for i, root in enumerate(left):
+        parts += [", " if i else "", phrases.shown(x.symbol, root.value)]
+    return [Paragraph(line(*parts, f" ({_reason(instant, choice)})"))]
+
+
+def _formulas(instant: InstantSolution, x: SolvedLine, left: list[Any], choice: Any, phrases: Phrases) -> list[Block]:
+    """Of letters only the speed of a motion the other way is said."""
+    if x.symbol not in instant.trial.system.tree.velocity_unknowns() or len(left) != 1 or left[0].expression is None:
+        return []
+    if not identically_zero(left[0].expression + x.formula):
+        return []
+    other = phrases.math(left[0].expression)
+    positive = "; the positive one is taken" if choice.roots[choice.taken].value > 0 else ""
+    told = line("The other root, ", other, f", is the same motion the opposite way{positive}.")
+    return [Paragraph(told)]
+
+
+def _reason(instant: InstantSolution, choice: Any) -> str:
+    reasons = {s.objection for s in instant.left_out if any(c.symbol == choice.symbol for c in s.branch.choices)}
+    return "; ".join(sorted(r for r in reasons if r)) or "it holds as well; the smaller one is taken"
