@@ -3,15 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
+from decimal import Decimal
+from itertools import pairwise
 
 import pytest
+import sympy as sp
 from conftest import ROOT
 from printed import Page, equations
 from worked import worked
 
-from planar_cli.report.blocks import Block, Equation, Math, Paragraph, Text, Value
+from planar_cli.equation.ledger import display
+from planar_cli.report.blocks import Block, Equation, Heading, Math, Paragraph, Text, Value
 from planar_cli.report.motion import MotionTelling, motion_phrases
+from planar_cli.report.narrate import narrate
 from planar_cli.solve.between.trace import MotionTrace
+from planar_cli.units import Unit, parse_unit
 
 FILES = (
     "textbook/ex-4-10",
@@ -27,7 +34,7 @@ FILES = (
     "momentum/winch-with-counterweight",
     "motion/ball-up-with-drag",
 )
-FIGURES, ROUNDED = 6, 1e-3
+FIGURES, ROUNDED, TINY = 6, 1e-3, 1e-12
 
 
 def motions(name: str) -> list[MotionTrace]:
@@ -98,3 +105,36 @@ def _put_in(before: list[Equation]) -> bool:
 def _only_unknown(e: Equation) -> bool:
     symbols = {x for s in e.sides if isinstance(s, Math) for x in s.expr.free_symbols}
     return len(symbols) == 1
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_no_step_is_told_twice(name: str) -> None:
+    solution, _ = worked(ROOT / "problems" / f"{name}.yaml")
+    blocks = narrate(solution).blocks
+    starts = [i for i, b in enumerate(blocks) if isinstance(b, Heading) and b.label.startswith("STEP")]
+    kinetic = [
+        tuple(b for b in blocks[i + 1 : j] if isinstance(b, Equation | Paragraph))
+        for i, j in pairwise([*starts, len(blocks)])
+        if blocks[i].text != "Motion over time"
+    ]
+    said = [
+        repr([replace(b, number=None, lead=()) if isinstance(b, Equation) else b for b in s])
+        for s in kinetic
+        if any(isinstance(b, Equation) for b in s)
+    ]
+    assert len(said) == len(set(said))
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_every_answer_with_a_number_has_a_line(name: str) -> None:
+    solution, _ = worked(ROOT / "problems" / f"{name}.yaml")
+    lines = list(equations(narrate(solution).blocks))
+    shown = {_size(s.number, parse_unit(s.unit or "1")) for e in lines for s in e.sides if isinstance(s, Value)}
+    for found in (f for part in solution.parts for f in part.found if f.kind == "number" and f.values is not None):
+        assert _size(display(found.values[0], found.unit), found.unit) in shown | {"0"}, found.name
+
+
+def _size(number: Decimal, unit: Unit) -> str:
+    """The size of a number in SI units, as it is printed to some digits."""
+    size = abs(float(number)) * float(unit.factor) * float(sp.pi) ** unit.pi_power
+    return f"{size:.8g}" if size > TINY else "0"

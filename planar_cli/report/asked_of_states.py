@@ -12,6 +12,7 @@ from planar_cli.equation.ledger import display
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.problem.outermost import is_energy
 from planar_cli.records import record
+from planar_cli.report.at_state import told_at_states
 from planar_cli.report.blocks import Block, Equation, Name, Paragraph, Value, line
 from planar_cli.report.span_integrals import SpanTelling
 from planar_cli.report.words import Phrases, told_unit
@@ -58,8 +59,9 @@ class AskedTelling:
     def _asked(self) -> Iterator[tuple[Request, Part, SpanIntegral | None]]:
         """What has a line: every component that is more than a letter."""
         zeros = {s: f for s, f in self.found.route.formulas.items() if f == 0}
+        later = told_at_states(self.found)
         for asked in self.found.requests:
-            if asked.find.name in self.found.passing or (self.wanted is not None and not self.wanted):
+            if asked.find.name in {*self.found.passing, *later} or (self.wanted is not None and not self.wanted):
                 continue
             if asked.unit is None:
                 continue

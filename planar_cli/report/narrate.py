@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.unused import unused
@@ -17,9 +18,13 @@ from planar_cli.report.passages import tale_blocks
 from planar_cli.report.presumed import presumed_notes
 from planar_cli.report.repeats import told_once
 from planar_cli.report.telling import Telling
+from planar_cli.report.told_before import ToldBefore
 from planar_cli.report.words import Phrases
 from planar_cli.solve.solution import Found, InstantSolution
 from planar_cli.solve.solved_problem import PartSolution, Solution
+
+if TYPE_CHECKING:
+    from planar_cli.solve.between.trace import MotionTrace
 
 
 @record
@@ -69,33 +74,27 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
 def part_blocks(part: PartSolution, voice: Voice, why: str | None, told: set[tuple[str, ...]]) -> list[Block]:
     """One part: its instants, its answers, its checks. `told`: effects that were listed before."""
     blocks: list[Block] = []
-    figures, audience = voice.figures, voice.audience
+    figures = voice.figures
     steps = count = 0
+    before = ToldBefore()
     for instant in part.instants:
         if instant.state:
             blocks.append(Heading("STATE", instant.state))
-        if part.motion is not None and len(part.instants) > 1:
-            blocks.append(Heading("MOTION", _stretches(part, instant)))
         if voice.effects:
             blocks += _effects(instant, told)
         if instant is part.instants[0]:
             blocks += presumed_notes(part, phrases_of(instant, figures))
         if not instant.quiet and (part.tale is None or not part.tale.whole):
-            wanted = _needed(part, instant, why)
-            before = (steps, count) if part.motion is not None else (0, 0)
-            telling = Telling(instant, phrases_of(instant, figures), audience, wanted, *before)
-            blocks += telling.blocks()
-            if part.motion is None:
-                mine = [f for f in part.found if (why is None or f.name == why) and _at(f) in ("", instant.state)]
-                blocks += telling.asked.blocks(mine)
-            steps, count = telling.steps, telling.count
+            numbers = (steps, count) if part.motion is not None else (0, 0)
+            told_here, steps, count = _instant_blocks(part, instant, voice, why, before, numbers)
+            blocks += told_here
     phrases = phrases_in(part, figures)
     blocks += _read_off(part, figures)
     if part.motion is not None:
-        from planar_cli.report.motion import MotionTelling, motion_phrases
+        from planar_cli.report.motion import motion_phrases
 
         phrases = motion_phrases(part.motion, figures)
-        blocks += MotionTelling(part.motion, phrases, count + 1, _letters(part, why)).blocks(steps + 1)
+        blocks += _motion_blocks(part, part.motion, voice, why, steps, count)
     if part.tale is not None:
         if part.tale.passages:
             whole = part.tale.whole
@@ -112,6 +111,45 @@ def part_blocks(part: PartSolution, voice: Voice, why: str | None, told: set[tup
     if not tested and part.motion is None and part.tale is None:
         blocks += [Note("Discussion", remark) for remark in discussion_lines(part.found, phrases)]
     return blocks
+
+
+def _instant_blocks(
+    part: PartSolution,
+    instant: InstantSolution,
+    voice: Voice,
+    why: str | None,
+    before: ToldBefore,
+    numbers: tuple[int, int],
+) -> tuple[list[Block], int, int]:
+    """One instant, or one general position of a motion, without what an earlier one has told; how many steps and
+    numbered equations there are then. `numbers`: how many of them stand before it.
+    """
+    telling = Telling(
+        instant, phrases_of(instant, voice.figures), voice.audience, _needed(part, instant, why), *numbers
+    )
+    blocks = telling.blocks()
+    if part.motion is None:
+        mine = [f for f in part.found if (why is None or f.name == why) and _at(f) in ("", instant.state)]
+        return [*blocks, *telling.asked.blocks(mine)], telling.steps, telling.count
+    stretches = _stretches(part, instant)
+    blocks = before.reduced(blocks, stretches, numbers[0])
+    steps = numbers[0] + sum(isinstance(b, Heading) for b in blocks)
+    if len(part.instants) > 1 and blocks:
+        blocks.insert(0, Heading("MOTION", stretches))
+    return blocks, steps, telling.count if steps > numbers[0] else numbers[1]
+
+
+def _motion_blocks(
+    part: PartSolution, motion: MotionTrace, voice: Voice, why: str | None, steps: int, count: int
+) -> Iterator[Block]:
+    """The way from state to state, then what is asked of forces at single states."""
+    from planar_cli.report.at_state import state_blocks
+    from planar_cli.report.motion import MotionTelling, motion_phrases
+
+    telling = MotionTelling(motion, motion_phrases(motion, voice.figures), count + 1, _letters(part, why))
+    yield from telling.blocks(steps + 1)
+    if why is None:
+        yield from state_blocks(motion, voice.figures, voice.audience, steps + 1, telling.next - 1)
 
 
 def _at(found: Found) -> str:
@@ -133,7 +171,10 @@ def _needed(part: PartSolution, instant: InstantSolution, why: str | None) -> fr
     """The unknowns of an instant that are told: of a motion only those on which it rests."""
     if part.motion is None or why is not None:
         return _wanted(part, why)
-    return part.motion.regime(instant).wanted
+    from planar_cli.report.at_state import is_told_at_states
+
+    regime = part.motion.regime(instant)
+    return regime.resting if is_told_at_states(part.motion, regime) else regime.wanted
 
 
 def _wanted(part: PartSolution, why: str | None) -> frozenset[str] | None:

@@ -15,7 +15,7 @@ from planar_cli.solve.between.balances import StateBalance
 from planar_cli.solve.between.derivation import DerivedStep, Route
 from planar_cli.solve.between.energies import energy_parts
 from planar_cli.solve.between.independence import lettered_starts, settled
-from planar_cli.solve.between.needed import wanted_of
+from planar_cli.solve.between.needed import asked_at, wanted_of
 from planar_cli.solve.between.oscillation import Oscillation, roots_of, stability
 from planar_cli.solve.between.solved_motion import SolvedMotion
 from planar_cli.solve.between.stated_motion import StatedMotion
@@ -38,7 +38,6 @@ from planar_cli.solve.impulsive.impact import Blow
 from planar_cli.solve.instant.stages import Stage
 from planar_cli.solve.instant.written import Written
 from planar_cli.solve.regimes.equations import DATA, Equation
-from planar_cli.solve.regimes.regime_sequence import RegimeSequence
 from planar_cli.solve.solution import InstantSolution
 
 
@@ -75,7 +74,7 @@ def motion_trace(
         passing={a.found.name: tracer.route(a.passing) for a in answers if a.passing is not None},
         spans=found.spans,
         oscillations=tuple(_oscillation(o, found.value) for o in found.oscillations),
-        regimes=tuple(_regime(course, i, None if whole else wanted_of(course, routes, i)) for i in instants),
+        regimes=tuple(_regime(found, i, () if whole else routes) for i in instants),
         checks=found.checks,
         presumed=presumed,
         taken=taken_of(found),
@@ -107,7 +106,11 @@ def _oscillation(found: Oscillation, value: Valuation) -> OscillationTrace:
     )
 
 
-def _regime(course: RegimeSequence, instant: InstantSolution, wanted: frozenset[str] | None) -> RegimeTrace:
+def _regime(motion: SolvedMotion, instant: InstantSolution, routes: Sequence[Route]) -> RegimeTrace:
+    """One regime. `routes`: what rests on it; none: all of it is told."""
+    course = motion.course
+    asked = asked_at(course, motion.finds, instant)
+    wanted, resting = wanted_of(course, routes, instant, asked) if routes else (None, None)
     # A state that is never reached is none of these: what goes towards it goes on without end.
     names = [*(s.name for s in course.states), ""]
     spans = zip(pairwise(names), course.regimes, strict=False)
@@ -119,7 +122,7 @@ def _regime(course: RegimeSequence, instant: InstantSolution, wanted: frozenset[
         for state, stretch in course.modes.equilibria
         if course.workshop.regime(stretch).general.solution is instant
     ]
-    return RegimeTrace(instant, tuple(acts), wanted)
+    return RegimeTrace(instant, tuple(acts), wanted, resting, asked)
 
 
 class _Tracer:

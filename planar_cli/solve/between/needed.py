@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 
 import sympy as sp
 
+from planar_cli.solve.between.asked_finds import AskedFind
 from planar_cli.solve.between.balances import StateBalance
 from planar_cli.solve.between.derivation import Route
 from planar_cli.solve.between.stated_motion import StatedMotion
@@ -13,16 +14,23 @@ from planar_cli.solve.instant.stages import acceleration_unknowns
 from planar_cli.solve.regimes.regime import Regime
 from planar_cli.solve.solution import InstantSolution
 
+Asked = Mapping[str, Mapping[str, tuple[sp.Expr, ...]]]
+"""By state, by the name of a find: its components in the unknowns of the general position."""
 
-def wanted_of(course: StatedMotion, routes: Iterable[Route], instant: InstantSolution) -> frozenset[str] | None:
-    """Names of unknowns of a general position on which routes rest; None: all of them."""
-    regime = next((r for r in _regimes(course) if r.general.solution is instant), None)
+
+def wanted_of(
+    course: StatedMotion, routes: Iterable[Route], instant: InstantSolution, asked: Asked
+) -> tuple[frozenset[str] | None, frozenset[str] | None]:
+    """Names of unknowns of a general position on which routes and finds rest, and those on which anything but finds
+    at states does; None: all of them.
+    """
+    regime = _regime(course, instant)
     if regime is None:
-        return None
-    system = regime.general.trial.system
-    unknowns = {*acceleration_unknowns(system), *system.symbols.values(), *system.tree.velocity_unknowns()}
-    used = {s for e in course.said.get(id(regime), ()) for s in sp.sympify(e).free_symbols} & unknowns
-    names = {s.name for s in used} | _of_turnings(course, regime)
+        return None, None
+    said = [sp.sympify(e) for e in course.said.get(id(regime), ())]
+    finds = {e for of_state in asked.values() for parts in of_state.values() for e in parts}
+    known = unknowns_of(regime)
+    names = _of_turnings(course, regime)
     if regime in (course.readers[s.name].regime for s, _ in course.modes.equilibria):
         names |= _rates(regime, regime.free)
     own = {id(law) for i, r in enumerate(course.regimes) if r is regime for law in course.laws[i].laws}
@@ -30,8 +38,41 @@ def wanted_of(course: StatedMotion, routes: Iterable[Route], instant: InstantSol
         if e.law is not None and id(e.law) in own and e.law.f != 0:
             names |= _rates(regime, regime.free if e.law.speed is None else (e.law.speed,))
         if isinstance(e.source, StateBalance):
-            names |= {s.name for x in _parts(course, regime, e.source) for s in x.free_symbols & unknowns}
-    return frozenset(names)
+            names |= {s.name for x in _parts(course, regime, e.source) for s in x.free_symbols & known}
+    others = {s.name for e in said if e not in finds for s in e.free_symbols & known}
+    every = {s.name for e in said for s in e.free_symbols & known}
+    return frozenset(names | every), frozenset(names | others)
+
+
+def asked_at(course: StatedMotion, finds: Iterable[AskedFind], instant: InstantSolution) -> Asked:
+    """The finds that ask at one state for forces or accelerations of this general position."""
+    regime = _regime(course, instant)
+    found: dict[str, dict[str, tuple[sp.Expr, ...]]] = {}
+    for a in finds:
+        pending = {s: a.reader.pending[s] for p in a.raw for s in p.free_symbols if s in a.reader.pending}
+        states = {state for _, state, _ in pending.values()}
+        if regime is None or len(states) != 1 or any(other.regime is not regime for other, _, _ in pending.values()):
+            continue
+        parts = tuple(p.xreplace({s: value for s, (_, _, value) in pending.items()}) for p in a.raw)
+        if any(p.free_symbols & forces_of(regime) for p in parts):
+            found.setdefault(states.pop(), {})[a.find.name] = parts
+    return found
+
+
+def forces_of(regime: Regime) -> set[sp.Symbol]:
+    """Accelerations and reactions."""
+    system = regime.general.trial.system
+    return {*acceleration_unknowns(system), *system.symbols.values()}
+
+
+def unknowns_of(regime: Regime) -> set[sp.Symbol]:
+    """These and velocities."""
+    return forces_of(regime) | set(regime.general.trial.system.tree.velocity_unknowns())
+
+
+def _regime(course: StatedMotion, instant: InstantSolution) -> Regime | None:
+    """The regime of a general position."""
+    return next((r for r in _regimes(course) if r.general.solution is instant), None)
 
 
 def _regimes(course: StatedMotion) -> Iterator[Regime]:

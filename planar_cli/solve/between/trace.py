@@ -317,7 +317,11 @@ class RegimeTrace:
     stretches: tuple[tuple[str, str], ...]
     """From which state to which it acts; to "" beyond the last, and to itself of a state that no motion leads to."""
     wanted: frozenset[str] | None
-    """Names of the unknowns of its general position on which the motion rests; None: all of them."""
+    """Names of the unknowns of its general position on which the motion and its finds rest; None: all of them."""
+    resting: frozenset[str] | None
+    """The same without finds at single states."""
+    asked: Mapping[str, Mapping[str, tuple[sp.Expr, ...]]]
+    """By state, by name: the components of such finds."""
 
 
 @record
@@ -389,9 +393,7 @@ class MotionTrace:
 
     def is_read_off(self, find: Find | None) -> bool:
         """Does the number of a find rest on one that following the motion alone has given?"""
-        if self.integrated:
-            return False
         rests = {s for r in self.requests if r.find is find for e in r.parts for s in e.free_symbols}
         for step in reversed(self.route.steps):
             rests |= step.needs if rests & set(step.unknowns) else frozenset()
-        return bool(rests & self.guessed)
+        return not self.integrated and bool(rests & self.guessed)

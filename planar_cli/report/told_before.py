@@ -1,0 +1,135 @@
+"""What an earlier part of a motion has told is told once: the later part refers to it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import field, replace
+from itertools import pairwise
+
+from planar_cli.records import changing, record
+from planar_cli.report.blocks import Block, Equation, Forces, Heading, Paragraph, Text, line
+
+NUMBERED = re.compile(r"\((\d+)\)")
+STEP = "STEP"
+NAMES = {"Kinematic analysis": "kinematics", "Kinetic analysis": "equations", "Solving the equations": "solution"}
+
+
+@record
+class Section:
+    """One step: its heading and what stands under it."""
+
+    heading: Heading
+    blocks: tuple[Block, ...]
+
+    @property
+    def title(self) -> str:
+        return self.heading.text
+
+    @property
+    def forces(self) -> tuple[Block, ...]:
+        """The diagrams of its bodies."""
+        return tuple(b for b in self.blocks if isinstance(b, Forces))
+
+    @property
+    def equations(self) -> Section:
+        """The same without them."""
+        return Section(self.heading, tuple(b for b in self.blocks if not isinstance(b, Forces)))
+
+    def key(self) -> tuple[str, ...]:
+        """What it says, whatever the numbers of its equations."""
+        own = {n: i for i, n in enumerate(self.numbers())}
+        return (self.title, *(_said(b, own) for b in self.blocks))
+
+    def numbers(self) -> list[int]:
+        """Of its equations."""
+        return [b.number for b in self.blocks if isinstance(b, Equation) and b.number is not None]
+
+    def refers(self) -> set[int]:
+        """The numbers of equations that it names."""
+        return {int(n) for b in self.blocks for text in _texts(b) for n in NUMBERED.findall(text)}
+
+
+@changing
+class ToldBefore:
+    """Remembers what the parts of one motion have told."""
+
+    told: list[tuple[str, tuple[Section, ...]]] = field(default_factory=list)
+
+    def reduced(self, blocks: Sequence[Block], where: str, steps: int) -> list[Block]:
+        """Blocks without the steps that an earlier place has told, which is named instead. `where`: what this place is
+        called later (from 1 to 2); `steps`: how many steps stand before it.
+        """
+        first = next((i for i, b in enumerate(blocks) if _begins(b)), len(blocks))
+        sections = tuple(_sections(blocks[first:]))
+        found = [*blocks[:first], *_numbered(self._kept(sections), steps)]
+        if sections:
+            self.told.append((where, sections))
+        return found
+
+    def _kept(self, sections: tuple[Section, ...]) -> Iterator[Section | Paragraph]:
+        """The sections that say something new; at last a sentence with where the others stand."""
+        dropped: dict[str, list[str]] = {}
+        whole = next((where for where, old in self.told if [s.key() for s in old] == [s.key() for s in sections]), None)
+        if sections and whole is not None:
+            yield Paragraph(line(f"As {whole}."))
+            return
+        for section in sections:
+            needed = set(section.numbers()) & set().union(
+                *(s.refers() for s in self._new(sections) if s is not section)
+            )
+            where = self._before(section)
+            if where is None and section.forces and self._before(section.equations) and not needed:
+                where = self._before(section.equations)
+                yield replace(section, blocks=section.forces)
+            elif where is None or needed:
+                yield section
+                continue
+            dropped.setdefault(where or "", []).append(NAMES.get(section.title, section.title))
+        for where, names in dropped.items():
+            said = f"{', '.join(names[:-1])} and {names[-1]}" if len(names) > 1 else names[0]
+            yield Paragraph(line(f"{said[:1].upper()}{said[1:]}: as {where}."))
+
+    def _new(self, sections: Iterable[Section]) -> list[Section]:
+        return [s for s in sections if self._before(s) is None]
+
+    def _before(self, section: Section) -> str | None:
+        """Where the same was told."""
+        key = section.key()
+        return next((where for where, old in self.told for s in old if key in (s.key(), s.equations.key())), None)
+
+
+def _numbered(kept: Iterable[Section | Paragraph], steps: int) -> Iterator[Block]:
+    """Steps numbered anew, as some are left out."""
+    for item in kept:
+        if isinstance(item, Paragraph):
+            yield item
+            continue
+        steps += 1
+        yield replace(item.heading, label=f"{STEP} {steps}")
+        yield from item.blocks
+
+
+def _sections(blocks: Sequence[Block]) -> Iterator[Section]:
+    starts = [i for i, b in enumerate(blocks) if _begins(b)]
+    for start, stop in pairwise([*starts, len(blocks)]):
+        heading = blocks[start]
+        assert isinstance(heading, Heading)
+        yield Section(heading, tuple(blocks[start + 1 : stop]))
+
+
+def _begins(block: Block) -> bool:
+    return isinstance(block, Heading) and block.label.startswith(STEP)
+
+
+def _said(block: Block, own: dict[int, int]) -> str:
+    """A block as text, the numbers of equations counted from the first of its section; others as they are."""
+    if isinstance(block, Equation):
+        block = replace(block, number=None if block.number is None else own[block.number])
+    return NUMBERED.sub(lambda m: f"({own.get(int(m[1]), '-')})", repr(block))
+
+
+def _texts(block: Block) -> Iterator[str]:
+    """The words of a block in which equations are named."""
+    lines = (block.lead, block.note) if isinstance(block, Equation) else (getattr(block, "line", ()),)
+    yield from (piece.text for parts in lines for piece in parts if isinstance(piece, Text))
