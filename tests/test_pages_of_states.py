@@ -111,18 +111,18 @@ def _only_unknown(e: Equation) -> bool:
 def test_no_step_is_told_twice(name: str) -> None:
     solution, _ = worked(ROOT / "problems" / f"{name}.yaml")
     blocks = narrate(solution).blocks
-    starts = [i for i, b in enumerate(blocks) if isinstance(b, Heading) and b.label.startswith("STEP")]
-    kinetic = [
-        tuple(b for b in blocks[i + 1 : j] if isinstance(b, Equation | Paragraph))
-        for i, j in pairwise([*starts, len(blocks)])
-        if blocks[i].text != "Motion over time"
-    ]
-    said = [
-        repr([replace(b, number=None, lead=()) if isinstance(b, Equation) else b for b in s])
-        for s in kinetic
-        if any(isinstance(b, Equation) for b in s)
-    ]
-    assert len(said) == len(set(said))
+    starts = [i for i, b in enumerate(blocks) if _is_step(b) or (isinstance(b, Heading) and b.label == "CASE")]
+    said: set[str] = set()
+    for i, j in pairwise([*starts, len(blocks)]):
+        heading = blocks[i]
+        assert isinstance(heading, Heading)
+        own = [b for b in blocks[i + 1 : j] if isinstance(b, Equation | Paragraph)]
+        if heading.label == "CASE":
+            said = set()
+        elif any(isinstance(b, Equation) for b in own):
+            text = repr([replace(b, number=None, lead=()) if isinstance(b, Equation) else b for b in own])
+            assert text not in said
+            said.add(text)
 
 
 @pytest.mark.parametrize("name", FILES)
@@ -132,6 +132,10 @@ def test_every_answer_with_a_number_has_a_line(name: str) -> None:
     shown = {_size(s.number, parse_unit(s.unit or "1")) for e in lines for s in e.sides if isinstance(s, Value)}
     for found in (f for part in solution.parts for f in part.found if f.kind == "number" and f.values is not None):
         assert _size(display(found.values[0], found.unit), found.unit) in shown | {"0"}, found.name
+
+
+def _is_step(block: Block) -> bool:
+    return isinstance(block, Heading) and block.label.startswith("STEP")
 
 
 def _size(number: Decimal, unit: Unit) -> str:

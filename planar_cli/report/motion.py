@@ -198,7 +198,8 @@ class MotionTelling:
             if number in self.between.counted or e.residual.free_symbols <= set(leg.unknowns):
                 continue
             left, right = self._sides_of(e, route)
-            found = put_in(left, right, leg.unknowns, self.numeric)
+            energy = isinstance(e.source, BalanceTrace) and bool(e.source.law.letter)
+            found = put_in(left, right, leg.unknowns, self.numeric, energy)
             if found is not None and found.length <= MOST_SHOWN:
                 lead = line(f"({number}) in numbers:")
                 yield Equation((found.left, found.right), None, lead, found.note)

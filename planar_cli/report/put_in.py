@@ -45,7 +45,7 @@ class PutIn:
     @property
     def note(self) -> Line:
         """The unit of both sides, behind the equation."""
-        return line(f"({self.unit})") if self.unit else ()
+        return line(f"in {self.unit}") if self.unit else ()
 
 
 def put_in(
