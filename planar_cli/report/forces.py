@@ -14,6 +14,7 @@ from planar_cli.equation.scene import Scene
 from planar_cli.loads.base import Load
 from planar_cli.problem.acting import kind_of
 from planar_cli.problem.facts import Push, Wrench
+from planar_cli.problem.scene import GROUND
 from planar_cli.report.blocks import Forces, Line, Math, Name, Text, Value, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.in_numbers import amount_in_numbers
@@ -89,7 +90,9 @@ def _acting(instant: InstantSolution, stage: Stage, body: str, phrases: Phrases)
         idle = not expr.free_symbols & used and phrases.value.known(expr) == 0
         if push.kind == "friction" and (idle or sp.sympify(expr).xreplace(gone) == 0):
             continue
-        for a in (a for a in push.actions if a.body == body and (a.force is not None or expr.free_symbols & used)):
+        guide = any(j.kind == "guide" and j.name == push.joint for j in instant.instant.scene.problem.joints)
+        idle = guide and not expr.free_symbols & used
+        for a in (a for a in push.actions if a.body == body and (a.force is not None or not idle)):
             named = _at(instant, a.point, body) if push.kind == "tension" else f" at {push.place}"
             parts.append(_push(push, expr, a, phrases, named if rigid else ""))
     joined: list[Any] = []
@@ -174,9 +177,12 @@ def _inertia(
             else sp.Mul(model.mass, component, evaluate=False)
         )
         forces.append((force, phrases.arrow(v.x, v.y)))
-    if any(longer(force, LONGEST) for force, _ in forces):
+    along = _straight(instant, body, phrases) if len(forces) > 1 else ""
+    if along and not reversed_sense:
+        parts += [phrases.math(model.mass), Text(" "), Name(f"a_{place.replace('_', ',')}"), Text(f" {along}{at}")]
+    elif any(longer(force, LONGEST) for force, _ in forces) or (not forces and _moves(instant, stage, body, phrases)):
         sign = "-" if reversed_sense else ""
-        parts += [Text(sign), phrases.math(model.mass), Text(" "), Name(f"a_{place}"), Text(at)]
+        parts += [Text(sign), phrases.math(model.mass), Text(" "), Name(f"a_{place.replace('_', ',')}"), Text(at)]
     else:
         for force, arrow in forces:
             told = _clean(force, stage, phrases, kinds[0])
@@ -190,6 +196,29 @@ def _inertia(
             Text(" ↻" if reversed_sense else " ↺"),
         ]
     return tuple(parts)
+
+
+def _straight(instant: InstantSolution, body: str, phrases: Phrases) -> str:
+    """The arrow of the straight line along which a body that is a particle moves; empty: it has none."""
+    system = instant.trial.system
+    joinings = (
+        j for mode in system.modes.values() for j in mode.facts.joinings if j.mover == body and j.base == GROUND
+    )
+    path = next((j.path for j in joinings if j.path is not None and j.path.curvature == 0), None)
+    if path is None or instant.instant.scene.rigid(body):
+        return ""
+    return phrases.arrow(path.tangent.x, path.tangent.y)
+
+
+def _moves(instant: InstantSolution, stage: Stage, body: str, phrases: Phrases) -> bool:
+    """Has the mass centre an acceleration that no equation of the plan has, as about a fixed axis?"""
+    system = instant.trial.system
+    model = instant.instant.scene.bodies[body]
+    if model.mass == 0 or body in stage.accelerations or system.motion is None:
+        return False
+    a = system.motion.acceleration(model.center, body)
+    gone = dict.fromkeys(vanishing(stage), sp.S.Zero)
+    return any(sp.sympify(p).xreplace(gone) != 0 and phrases.value.known(p) != 0 for p in (a.x, a.y))
 
 
 def _clean(amount: sp.Expr, stage: Stage, phrases: Phrases, dimension: Dimension) -> Line:

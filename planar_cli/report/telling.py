@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import sympy as sp
@@ -95,7 +95,7 @@ class Telling:
         """The acceleration of each mass centre that consists of several parts."""
         bodies = dict.fromkeys(body for block in stage.blocks for w in block.equations for body in w.bodies)
         for body in bodies:
-            if len(stage.accelerations.get(body, ())) > 1 and self.scene.rigid(body):
+            if len(stage.accelerations.get(body, ())) != 1 and self.scene.rigid(body):
                 center = self.scene.center(body)
                 yield from self.vectors.point(body, center, centre_of(self.scene, body), "acceleration")
 
@@ -336,7 +336,7 @@ class Telling:
             blocks = self._put_in(block, stage)
             lines = tuple(x for x in lines if not x.letters)
             if len(block.unknowns) > 1:
-                self._together[lines[0].symbol] = tuple(w.number for w in block.equations)
+                self._name_together(block, lines, stage)
         elif len(block.unknowns) > 1:
             numbers = ", ".join(f"({self.number(stage, w.number)})" for w in block.equations)
             parts: list[Any] = [f"{numbers} together"]
@@ -346,6 +346,14 @@ class Telling:
                     parts += [", " if i else "", Math(s)]
             blocks.append(Paragraph(line(*parts, ":")))
         return [*blocks, *(b for x in lines if not self._merged >= set(x.equations) for b in self._line(x, stage))]
+
+    def _name_together(self, block: SolvedBlock, lines: tuple[SolvedLine, ...], stage: Stage) -> None:
+        """The first result of several equations bears the numbers of all; so does one that its own does not hold."""
+        numbers = tuple(w.number for w in block.equations)
+        held = {w.number: w.residual.xreplace(stage.algebra.explicit).free_symbols for w in block.equations}
+        for i, x in enumerate(lines):
+            if i == 0 or not any(x.symbol in held.get(n, ()) for n in x.equations):
+                self._together[x.symbol] = numbers
 
     def _in_numbers(self, block: SolvedBlock, stage: Stage) -> bool:
         return any(self.numeric.put_whole(w, stage) for w in block.equations)
@@ -364,7 +372,7 @@ class Telling:
         numbers = x.equations
         if x.symbol in self._together:
             numbers = tuple(dict.fromkeys((*x.equations, *self._together[x.symbol])))
-        lead = line(", ".join(f"({self.number(stage, n)})" for n in sorted(numbers)) + ":")
+        lead = line(_numbered([self.number(stage, n) for n in numbers]) + ":")
         if x.letters:
             return [Equation((self.phrases.math(x.symbol), self.phrases.math(x.formula)), None, lead)]
         shown = self.phrases.shown(x.symbol, x.value)
@@ -385,3 +393,11 @@ class Telling:
         for symbol in sorted(x.formula.free_symbols & set(stage.algebra.explicit) - self._valued, key=lambda s: s.name):
             self._valued.add(symbol)
             yield Equation(self._chain(symbol, stage.algebra.explicit[symbol], self.phrases.shown(symbol)))
+
+
+def _numbered(numbers: Sequence[int]) -> str:
+    """(1), (3); of three or more in a row (2) to (5)."""
+    numbers = sorted(numbers)
+    if len(numbers) > 2 and numbers[-1] - numbers[0] == len(numbers) - 1:
+        return f"({numbers[0]}) to ({numbers[-1]})"
+    return ", ".join(f"({n})" for n in numbers)

@@ -48,11 +48,32 @@ class VectorTelling:
         if joining is None or self.system.motion is None or joining.drift is not None:
             return None
         if any(push.kind == "tension" for push in self.system.modes[joining.joint].facts.pushes):
-            return None
+            return [*self._reach(joining, level), Paragraph(line(*self._taut(joining, level), ":"))]
+        return [*self._reach(joining, level), Paragraph(line(*self._words(joining, w, level), ":"))]
+
+    def _reach(self, joining: Joining, level: str) -> list[Block]:
+        """The vector equations of the point of a joint, on both of its bodies."""
+        tied = any(push.kind == "tension" for push in self.system.modes[joining.joint].facts.pushes)
         blocks = [*self.point(joining.mover, joining.point, joining.place, level)]
-        if joining.base != GROUND:
+        if joining.base != GROUND and not tied:
             blocks += self.point(joining.base, joining.point, self._beside(joining), level)
-        return [*blocks, Paragraph(line(*self._words(joining, w, level), ":"))]
+        return blocks
+
+    def _taut(self, j: Joining, level: str) -> Line:
+        """What a link or a taut cord between two points says."""
+        kind = next((x.kind for x in self.system.scene.problem.joints if x.name == j.joint), "rope")
+        named = f"The {j.joint}" if kind in j.joint else f"The {kind} {j.joint}"
+        v = "v" if level == "velocity" else "a"
+        own = Name(f"{v}_{index_of(j.place)}")
+        if j.base == GROUND and level == "velocity":
+            return line(f"{named} keeps its length, so that along it ", own, " has no component")
+        if j.base == GROUND:
+            return line(f"{named} keeps its length; along it ", own, f" is the normal acceleration of {j.place}")
+        if level == "velocity":
+            return line(f"{named} keeps its length, so that along it the velocities of both ends agree")
+        return line(
+            f"{named} keeps its length; along it the accelerations of its ends differ by v²/l of their relative motion"
+        )
 
     def _differentiated(self, w: Written, level: str) -> Line:
         """A point whose place the file gives by a formula: its components are differentiated."""
