@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from typing import Any
 
 import sympy as sp
@@ -15,8 +15,8 @@ from planar_cli.report.blocks import Block, Equation, Heading, Line, Math, Name,
 from planar_cli.report.clean import is_clean
 from planar_cli.report.forces import centre_of, force_rows
 from planar_cli.report.names import GREEK
-from planar_cli.report.not_taken import other_roots
 from planar_cli.report.numeric import NumericTelling, vanishing
+from planar_cli.report.results import numbered, other_roots
 from planar_cli.report.spoken import spoken
 from planar_cli.report.vectors import VectorTelling
 from planar_cli.report.words import Phrases
@@ -372,7 +372,7 @@ class Telling:
         numbers = x.equations
         if x.symbol in self._together:
             numbers = tuple(dict.fromkeys((*x.equations, *self._together[x.symbol])))
-        lead = line(_numbered([self.number(stage, n) for n in numbers]) + ":")
+        lead = line(numbered([self.number(stage, n) for n in numbers]) + ":")
         if x.letters:
             return [Equation((self.phrases.math(x.symbol), self.phrases.math(x.formula)), None, lead)]
         shown = self.phrases.shown(x.symbol, x.value)
@@ -393,11 +393,3 @@ class Telling:
         for symbol in sorted(x.formula.free_symbols & set(stage.algebra.explicit) - self._valued, key=lambda s: s.name):
             self._valued.add(symbol)
             yield Equation(self._chain(symbol, stage.algebra.explicit[symbol], self.phrases.shown(symbol)))
-
-
-def _numbered(numbers: Sequence[int]) -> str:
-    """(1), (3); of three or more in a row (2) to (5)."""
-    numbers = sorted(numbers)
-    if len(numbers) > 2 and numbers[-1] - numbers[0] == len(numbers) - 1:
-        return f"({numbers[0]}) to ({numbers[-1]})"
-    return ", ".join(f"({n})" for n in numbers)

@@ -1,7 +1,8 @@
-"""Roots of an equation of one instant that were not taken, each with the reason."""
+"""How results of one instant are led in: the numbers of their equations, and the roots that were not taken."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 from planar_cli.equation.plain import identically_zero
@@ -41,3 +42,11 @@ def _formulas(instant: InstantSolution, x: SolvedLine, left: list[Any], choice: 
 def _reason(instant: InstantSolution, choice: Any) -> str:
     reasons = {s.objection for s in instant.left_out if any(c.symbol == choice.symbol for c in s.branch.choices)}
     return "; ".join(sorted(r for r in reasons if r)) or "it holds as well; the smaller one is taken"
+
+
+def numbered(numbers: Sequence[int]) -> str:
+    """Equations by their numbers: (1), (3); of three or more in a row (2) to (5)."""
+    numbers = sorted(numbers)
+    if len(numbers) > 2 and numbers[-1] - numbers[0] == len(numbers) - 1:
+        return f"({numbers[0]}) to ({numbers[-1]})"
+    return ", ".join(f"({n})" for n in numbers)
