@@ -19,6 +19,7 @@ from planar_cli.report.between import BetweenTelling
 from planar_cli.report.blocks import Block, Equation, Heading, Line, Math, Name, Paragraph, Value, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.integrals import over_coordinates, plain_integral
+from planar_cli.report.integrated import integration_blocks
 from planar_cli.report.left_out import reason
 from planar_cli.report.origins import HAPPENS, head, told_once, turning
 from planar_cli.report.oscillation import oscillation_blocks
@@ -126,7 +127,13 @@ class MotionTelling:
     def _route(self, route: RouteTrace) -> Iterator[Block]:
         legs = self._needed(route)
         given = [leg for leg in legs if leg.is_datum]
+        followed = [leg for leg in given if leg.relations[0].kind == "followed"]
         for leg in given:
+            if leg not in followed:
+                yield from self._datum(leg)
+        if followed:
+            yield from integration_blocks(self.found, self.numeric, [r for leg in followed for r in leg.results])
+        for leg in followed:
             yield from self._datum(leg)
         for leg in legs:
             if not leg.is_datum:

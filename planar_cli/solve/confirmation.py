@@ -23,7 +23,7 @@ from planar_cli.simulate.answers import NOT_FOLLOWED, Answered
 from planar_cli.simulate.measures import Moment, names_of_states
 from planar_cli.simulate.run import BEGINNING, Run, Settings, Simulation, answered, simulate
 from planar_cli.simulate.timetable import Timetable
-from planar_cli.solve.between.trace import MotionTrace, Taken
+from planar_cli.solve.between.trace import MotionTrace
 from planar_cli.solve.diagnosis.left_open import demand_told
 from planar_cli.solve.followable import closed, end_of, is_endless, most_steps, not_followed
 from planar_cli.solve.instances import Instance, instances
@@ -31,6 +31,7 @@ from planar_cli.solve.instant.verify import Disagreement
 from planar_cli.solve.solution import Found
 from planar_cli.solve.solved_problem import Confirmation, PartSolution
 from planar_cli.solve.stated_inequalities import demand_inequalities
+from planar_cli.solve.taken import Taken
 from planar_cli.units import Unit
 
 CERTAIN = 1e-6

@@ -10,9 +10,9 @@ from planar_cli.problem.scene import Problem, State
 from planar_cli.problem.unused import used_names
 from planar_cli.problem.walk import walk
 from planar_cli.simulate.answers import NOT_FOLLOWED
-from planar_cli.solve.between.trace import Taken
 from planar_cli.solve.following.dated import dated, is_told_by_a_span
 from planar_cli.solve.following.traced import BEYOND, SEARCHED_STEPS
+from planar_cli.solve.taken import Taken
 
 
 def not_followed(problem: Problem, taken: Taken) -> str:

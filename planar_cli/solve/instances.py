@@ -15,8 +15,9 @@ from planar_cli.equation.exact import Valuation
 from planar_cli.problem.expression import Name
 from planar_cli.problem.scene import Problem
 from planar_cli.records import record
-from planar_cli.solve.between.trace import MotionTrace, Taken
+from planar_cli.solve.between.trace import MotionTrace
 from planar_cli.solve.solution import Found
+from planar_cli.solve.taken import Taken
 from planar_cli.units import parse_unit
 
 MORE = 12

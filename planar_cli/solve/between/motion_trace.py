@@ -15,7 +15,7 @@ from planar_cli.solve.between.balances import StateBalance
 from planar_cli.solve.between.derivation import DerivedStep, Route
 from planar_cli.solve.between.energies import energy_parts
 from planar_cli.solve.between.independence import lettered_starts, settled
-from planar_cli.solve.between.needed import asked_at, wanted_of
+from planar_cli.solve.between.needed import asked_at, laws_of_motion, wanted_of
 from planar_cli.solve.between.oscillation import Oscillation, roots_of, stability
 from planar_cli.solve.between.solved_motion import SolvedMotion
 from planar_cli.solve.between.stated_motion import StatedMotion
@@ -122,7 +122,7 @@ def _regime(motion: SolvedMotion, instant: InstantSolution, routes: Sequence[Rou
         for state, stretch in course.modes.equilibria
         if course.workshop.regime(stretch).general.solution is instant
     ]
-    return RegimeTrace(instant, tuple(acts), wanted, resting, asked)
+    return RegimeTrace(instant, tuple(acts), wanted, resting, asked, laws_of_motion(course, instant))
 
 
 class _Tracer:

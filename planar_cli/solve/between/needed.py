@@ -35,6 +35,8 @@ def wanted_of(
         names |= _rates(regime, regime.free)
     own = {id(law) for i, r in enumerate(course.regimes) if r is regime for law in course.laws[i].laws}
     for e in (e for route in routes for step in route.steps for e in step.derivation.equations):
+        if e.kind == "followed" and _is_passed(course, regime, e.stop):
+            names |= _rates(regime, regime.free)
         if e.law is not None and id(e.law) in own and e.law.f != 0:
             names |= _rates(regime, regime.free if e.law.speed is None else (e.law.speed,))
         if isinstance(e.source, StateBalance):
@@ -59,6 +61,13 @@ def asked_at(course: StatedMotion, finds: Iterable[AskedFind], instant: InstantS
     return found
 
 
+def laws_of_motion(course: StatedMotion, instant: InstantSolution) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
+    """The rate of every free speed in a general position."""
+    regime = _regime(course, instant)
+    rates = () if regime is None else regime.accelerations.items()
+    return tuple((u, f) for u, f in ((regime.general.rate_of(u), f) for u, f in rates) if u.is_Symbol) if regime else ()
+
+
 def forces_of(regime: Regime) -> set[sp.Symbol]:
     """Accelerations and reactions."""
     system = regime.general.trial.system
@@ -79,6 +88,12 @@ def _regimes(course: StatedMotion) -> Iterator[Regime]:
     """Those of the motion, and those of equilibrium states."""
     yield from course.distinct_regimes()
     yield from (course.readers[s.name].regime for s, _ in course.modes.equilibria)
+
+
+def _is_passed(course: StatedMotion, regime: Regime, stop: str) -> bool:
+    """Does a regime act on the way to a state?"""
+    names = [s.name for s in course.states]
+    return stop in names and any(r is regime for r in course.regimes[: names.index(stop)])
 
 
 def _rates(regime: Regime, speeds: Iterable[sp.Symbol]) -> set[str]:

@@ -7,8 +7,8 @@ from collections.abc import Iterator
 import sympy as sp
 
 from planar_cli.solve.between.solved_motion import SolvedMotion
-from planar_cli.solve.between.trace import Taken
 from planar_cli.solve.impulsive.impact import arriving
+from planar_cli.solve.taken import Taken
 
 
 def taken_of(found: SolvedMotion) -> Taken:

@@ -21,6 +21,7 @@ from planar_cli.problem.scene import Find, Problem
 from planar_cli.records import record
 from planar_cli.solve.instant.roots import Root
 from planar_cli.solve.solution import InstantSolution
+from planar_cli.solve.taken import Taken
 from planar_cli.units import Unit
 
 # --- relations between states ----------------------------------------------------------------------------------------
@@ -322,20 +323,8 @@ class RegimeTrace:
     """The same without finds at single states."""
     asked: Mapping[str, Mapping[str, tuple[sp.Expr, ...]]]
     """By state, by name: the components of such finds."""
-
-
-@record
-class Taken:
-    """What a solved motion tells whoever follows it anew in numbers, beside what its file says."""
-
-    letters: Mapping[str, float]
-    """Constants that were sought, and letters of the file as they were drawn, by name [SI]."""
-    opened: Mapping[str, float]
-    """What joints leave open and a blow tells: restitutions, by the name of the constant."""
-    times: Mapping[str, float]
-    """When states are reached [s]."""
-    speeds: Mapping[str, tuple[float, float, float]]
-    """Of bodies in the first state: of the mass centre along x and y [m/s], and of turning [rad/s]."""
+    laws: tuple[tuple[sp.Symbol, sp.Expr], ...]
+    """Its equations of motion: the rate of every free speed, a formula of the general position."""
 
 
 @record

@@ -1,0 +1,61 @@
+"""A motion that no formula gives: its equation of motion, the start and the method by which it is integrated."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.equation.plain import longer
+from planar_cli.report.blocks import Block, Equation, Line, Math, Paragraph, line
+from planar_cli.report.put_in import put_in
+from planar_cli.report.words import Phrases
+from planar_cli.solve.between.trace import MotionTrace, RegimeTrace, Result
+
+MOST = 70
+"""A law with more operations is not written out: the equations before it give it, state by state."""
+
+
+def integration_blocks(found: MotionTrace, phrases: Phrases, results: Iterable[Result]) -> Iterator[Block]:
+    """What is integrated to find letters of states. `results`: these letters."""
+    stops = {at for r in results if (at := found.ledger.roles[r.unknown].at) is not None}
+    regimes = [r for r in found.regimes if _is_passed(found, r, stops)]
+    laws = {rate: law for r in regimes for rate, law in r.laws}
+    shown = [e for rate, law in laws.items() if (e := _law(found, phrases, rate, law)) is not None]
+    start = _start(found, phrases, [*laws.values()], [*laws])
+    whole = len(shown) == len(laws)
+    what = ("the equation of motion" if len(laws) == 1 else "the equations of motion") + ("" if whole else " above")
+    words = f"No formula gives what follows; {what} {'is' if len(laws) == 1 else 'are'} integrated numerically"
+    begun = (f" from state {found.states[0]} on, where ", *start) if start else ()
+    yield Paragraph(line(f"{words} (by a Runge–Kutta method)", *begun, ":"))
+    yield from shown if whole else ()
+
+
+def _is_passed(found: MotionTrace, regime: RegimeTrace, stops: set[str]) -> bool:
+    """Does a regime act before one of these states?"""
+    last = max((found.states.index(s) for s in stops if s in found.states), default=0)
+    begun = [since for since, stop in regime.stretches if since != stop and since in found.states]
+    return any(found.states.index(since) < last for since in begun)
+
+
+def _law(found: MotionTrace, phrases: Phrases, rate: sp.Symbol, law: sp.Expr) -> Equation | None:
+    """A law in letters where it is short, else with its numbers."""
+    if longer(law, MOST) or not longer(law, MOST // 4):
+        return None if longer(law, MOST) else Equation((phrases.math(rate), phrases.math(law)))
+    numbers = put_in(rate, law, {rate, *found.varying}, phrases)
+    if numbers is None:
+        return Equation((phrases.math(rate), phrases.math(law)))
+    return Equation((Math(rate), numbers.right), None, (), numbers.note)
+
+
+def _start(found: MotionTrace, phrases: Phrases, laws: Iterable[sp.Expr], rates: Iterable[sp.Symbol]) -> Line:
+    """The places and speeds from which it starts."""
+    first = found.states[0]
+    roles = found.ledger.roles
+    moving = {s for law in laws for s in law.free_symbols} & found.varying
+    parts: list[Any] = []
+    for own, general in found.general.items():
+        if roles[own].at == first and general in moving and general.name != "t" and found.value.known(own) is not None:
+            parts += [", " if parts else "", phrases.math(own), " = ", phrases.shown(own)]
+    return tuple(line(*parts))
