@@ -42,8 +42,7 @@ TOUCHING = 3e-6
 """What comes and goes within this part of the time is one touch: the root of some roundings."""
 FAINT = 1e-9
 """Speeds below this part of their scale may be the rounding of rest."""
-DIFFERENT = "PL720"
-AT_REST = (0.0, 0.0, 0.0)
+DIFFERENT, AT_REST = "PL720", (0.0, 0.0, 0.0)
 READ_OFF = "rests on a number that only the motion that was followed gives"
 NOT_ABLE = {
     "PL702": "the equations of motion do not tell how it goes on",
