@@ -126,10 +126,15 @@ class TreeBuilder:
             self.titles[symbol] = title
         return self._made[name, title]
 
-    def _pair(self, index: str, speed: str, rate: str, *, turns: bool = False) -> tuple[sp.Symbol, sp.Symbol]:
-        """A velocity unknown and the acceleration unknown that goes with it. `speed`, `rate`: what they are."""
+    def _pair(
+        self, index: str, speed: str, rate: str, *, turns: bool = False, bent: bool = False
+    ) -> tuple[sp.Symbol, sp.Symbol]:
+        """A velocity unknown and the acceleration unknown that goes with it. `speed`, `rate`: what they are; `bent`: on
+        a curved path the rate of the speed is the tangential acceleration only.
+        """
         stems, per = (("omega", "alpha"), "rad") if turns else (("v", "a"), "m")
         names = [f"{stem}_{index}" if index else stem for stem in stems]
+        names[1] += "_t" if bent else ""
         return (
             self._symbol(names[0], f"{per}/s", speed, Kind.SPEED),
             self._symbol(names[1], f"{per}/s^2", rate, Kind.ACCELERATION),
@@ -162,7 +167,8 @@ class TreeBuilder:
             name = joining.place if joining.base == GROUND else f"{joining.place}_{joining.base}"
             seen = "" if joining.base == GROUND else f" seen from {joining.base}"
             path = f"of {joining.place} along its path{seen}"
-            slide, slide_rate = self._pair(name, f"speed {path}", f"acceleration {path}")
+            bent = joining.path.curvature != 0
+            slide, slide_rate = self._pair(name, f"speed {path}", f"acceleration {path}", bent=bent)
         return Edge(body, parent, joining, backward, spin, rate, slide, slide_rate, particle=not self.rigid(body))
 
 

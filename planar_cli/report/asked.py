@@ -26,7 +26,7 @@ from planar_cli.report.ordering import NUMBER
 from planar_cli.report.vectors import VectorTelling, index_of
 from planar_cli.report.words import Phrases, told_unit
 from planar_cli.solve.solution import Found, InstantSolution
-from planar_cli.units import ACCELERATION, VELOCITY, Dimension, pretty_unit
+from planar_cli.units import ACCELERATION, LENGTH, PURE, VELOCITY, Dimension, pretty_unit
 
 LONGEST = 40
 """A formula of more operations is told by its numbers alone, and where these are longer too by its value."""
@@ -170,10 +170,38 @@ class AskedTelling:
             yield from self._body_point(point, self.scene.center(point), centre_of(self.scene, point), level)
             return
         place = self.scene.point(point)
+        yield from self._on_path(self.scene.owner(point), point, level)
         for body in self.scene.owners.get(point, ()) or (self.scene.owner(point),):
             if body in self.scene.bodies and self.vectors.formula(body, place, point, level) is not None:
                 yield from self._body_point(body, place, point, level)
                 return
+
+    def _on_path(self, body: str, place: str, level: str) -> Iterator[Block]:
+        """Of a particle on a curved path: v = v e_t, a = a_t e_t + v²/ρ e_n."""
+        edge = self.vectors.edges.get(body)
+        path = edge.joining.path if edge is not None and edge.joining is not None else None
+        if edge is None or path is None or path.curvature == 0 or edge.parent != "ground" or edge.slide is None:
+            return
+        motion, at = self.vectors.motion, self.scene.center(body)
+        bend = self.phrases.value.known(path.curvature)
+        if level == "velocity" or bend is None or edge.slide_rate is None:
+            return
+        normal = path.tangent.turned() if bend > 0 else -path.tangent.turned()
+        speed = self.phrases.math(edge.slide**2)
+        parts = line(self.phrases.math(edge.slide_rate), " ", Name("e_t"), " + ", speed, "/ρ ", Name("e_n"))
+        note = line(
+            Name("e_t"), " = ", *self._vector(path.tangent, PURE), ", ", Name("e_n"), " = ", *self._vector(normal, PURE)
+        )
+        radius = abs(1 / path.curvature) if self.phrases.symbolic else 1 / path.curvature * (1 if bend > 0 else -1)
+        shown = self.phrases.math(radius)
+        value = () if self.phrases.symbolic else (self.phrases.of_dimension(self.phrases.value(radius), LENGTH),)
+        clean = self.phrases.symbolic or is_clean(self.phrases.ledger, radius)
+        yield Equation(
+            (line("ρ"), *((shown,) if clean and not longer(radius, LONGEST) else ()), *value), None, note=note
+        )
+        yield from self._once(
+            f"{level} {place}", (line(Name(f"a_{place}")), parts), motion.acceleration(at, body), level
+        )
 
     def _body_point(self, body: str, at: Vec, place: str, level: str) -> Iterator[Block]:
         """The equation of a point of a body with its value, after those of the points on which it rests."""

@@ -37,7 +37,9 @@ class AfterTree(TreeBuilder):
     known: Mapping[str, sp.Symbol]
     mark: str
 
-    def _pair(self, index: str, speed: str, rate: str, *, turns: bool = False) -> tuple[sp.Symbol, sp.Symbol]:
+    def _pair(
+        self, index: str, speed: str, rate: str, *, turns: bool = False, bent: bool = False
+    ) -> tuple[sp.Symbol, sp.Symbol]:
         stem, unit = ("omega", "rad/s") if turns else ("v", "m/s")
         name = f"{stem}_{index}" if index else stem
         before = self._symbol(f"rest_{name}", unit, speed, Kind.SPEED)
