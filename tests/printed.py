@@ -55,7 +55,7 @@ class Page:
         numbers: dict[sp.Symbol, float] = {}
         for s in side.expr.free_symbols:
             text = (side.values or {}).get(s)
-            number = self._known(s) if text is None else _read(text)
+            number = self._known(s) if text is None else read_number(text)
             if number is None:
                 return None
             numbers[s] = number
@@ -95,7 +95,7 @@ def _terms(expr: sp.Expr, numbers: dict[sp.Symbol, float]) -> list[float]:
     ]
 
 
-def _read(text: str) -> float:
+def read_number(text: str) -> float:
     """A number as it is printed: 1.5×10⁻⁴, 30°."""
     degrees = text.endswith("°")
     mantissa, _, power = text.rstrip("°").partition("×10")

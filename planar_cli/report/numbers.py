@@ -38,6 +38,11 @@ def significant(number: Decimal, figures: int = 4) -> str:
     return f"{sign}{magnitude.scaleb(-exponent):f}×10{superscript(str(exponent))}"
 
 
+def as_printed(number: Decimal, figures: int) -> Decimal:
+    """The number that a reader of `significant` reads."""
+    return number.normalize(Context(prec=figures, rounding=ROUND_HALF_EVEN))
+
+
 def quantity(number: Decimal, unit: str = "", figures: int = 4) -> str:
     """A number with its unit: `490.5 N`, `-6.186 rad/s²`, `33.69°`."""
     text = significant(number, figures)
@@ -71,7 +76,7 @@ def vector_words(x: Decimal, y: Decimal, figures: int = 3) -> str:
 def _rounded(number: Decimal, figures: int) -> Decimal:
     """Rounded to the figures; without closing zeros and plain integers where the number is exact within them."""
     nearly = number.normalize(Context(prec=max(_EXACT_DIGITS, figures), rounding=ROUND_HALF_EVEN))
-    shown = number.normalize(Context(prec=figures, rounding=ROUND_HALF_EVEN))
+    shown = as_printed(number, figures)
     if nearly == shown:
         return shown
     # Closing zeros that are significant are shown: 6.180, not 6.18.

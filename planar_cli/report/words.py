@@ -18,7 +18,8 @@ from planar_cli.problem.expression import Quantity
 from planar_cli.records import record
 from planar_cli.report.blocks import Line, Math, Text, Value
 from planar_cli.report.clean import is_clean
-from planar_cli.report.numbers import quantity, rotation_words, significant, vector_words
+from planar_cli.report.enough_figures import enough_figures
+from planar_cli.report.numbers import as_printed, quantity, rotation_words, significant, vector_words
 from planar_cli.report.page_units import coherent_unit
 from planar_cli.report.pieces import met
 from planar_cli.solve.solution import Found
@@ -41,13 +42,7 @@ def rounded(expr: sp.Expr, figures: int) -> sp.Expr:
 
 
 def _short(number: sp.Expr, figures: int) -> sp.Expr:
-    value = Decimal(int(number.p)) / Decimal(int(number.q))
-    return sp.Rational(
-        significant(value, figures).translate(str.maketrans("−", "-")).replace("×10", "e").translate(_PLAIN)
-    )
-
-
-_PLAIN = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
+    return sp.Rational(str(as_printed(Decimal(int(number.p)) / Decimal(int(number.q)), figures)))
 
 
 @record
@@ -75,25 +70,33 @@ class Phrases:
         return expr if self.symbolic else met(expr, self.value)
 
     def numbers(self, expr: sp.Expr) -> Math | None:
-        """The expression with numbers put in for its names; None where letters have none or nothing is to be put in."""
+        """The expression with numbers put in for its names; None where letters have none,
+        nothing is to be put in, or so few figures as a page has would give another result.
+        """
         if not self.has_numbers(expr):
             return None
         expr = self.met(expr)
         if self.ledger.us and not is_clean(self.ledger, expr):
             return None
-        texts = {}
         degrees = [s for s in expr.free_symbols if self._in_degrees(s)]
         apart = {} if is_angle(expr, degrees) else {s: sp.Symbol(f"{s.name} rad", **s.assumptions0) for s in degrees}
+        counted: dict[sp.Symbol, Decimal] = {}
         for symbol in expr.free_symbols:
             value = self.value.known(symbol)
             if value is None:
                 return None
-            texts[symbol] = significant(self._in_page_units(symbol, value), self.figures)
+            counted[symbol] = self._in_page_units(symbol, value)
+        if not counted:
+            return None
+        figures = enough_figures(expr, rounded, counted, set(degrees) - set(apart), self.figures)
+        if figures is None:
+            return None
+        texts = {s: significant(x, figures) for s, x in counted.items()}
+        for symbol in degrees:
             if symbol in apart:
                 texts[apart[symbol]] = texts[symbol]
-            if symbol in degrees:
-                texts[symbol] = significant(display(value, self.ledger.units[symbol]), self.figures) + "°"
-        return Math(rounded(_in_radians(expr, apart), self.figures), texts) if texts else None
+            texts[symbol] = significant(display(counted[symbol], self.ledger.units[symbol]), figures) + "°"
+        return Math(rounded(_in_radians(expr, apart), figures), texts)
 
     def has_numbers(self, expr: sp.Expr) -> bool:
         """Have all symbols of an expression numbers of their own?"""
