@@ -14,6 +14,7 @@ from planar_cli.report.assumed import assumption_notes
 from planar_cli.report.blocks import Block, Equation, Heading, Line, Math, Name, Paragraph, Text, Value, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.forces import centre_of, force_rows
+from planar_cli.report.geometry import constructed, places
 from planar_cli.report.names import GREEK
 from planar_cli.report.numeric import NumericTelling, vanishing
 from planar_cli.report.results import numbered, other_roots
@@ -57,6 +58,7 @@ class Telling:
         self._numbers: dict[tuple[int, int], int] = {}
         self._premised: set[str] = set()
         self._merged: set[int] = set()
+        self._constructed = {} if phrases.symbolic else constructed(self.scene, self.stages)
         self._valued: set[sp.Symbol] = set()
         self._together: dict[sp.Symbol, tuple[int, ...]] = {}
         self.vectors = VectorTelling(instant.trial, phrases, {z for s in self.stages for z in vanishing(s)})
@@ -77,7 +79,11 @@ class Telling:
         velocity = [s for s in self.stages if s.level == "velocity"]
         last = next((s for s in self.stages if s.level == "acceleration"), None)
         kinetic = last is not None and any(w.law != "relation" for b in last.blocks for w in b.equations)
-        kinematics = [*self._definitions("m"), *self._kinematics(velocity, last, kinetic)]
+        kinematics = [
+            *places(self.scene, self._constructed, self.phrases),
+            *self._definitions("m"),
+            *self._kinematics(velocity, last, kinetic),
+        ]
         if kinematics:
             blocks.append(self._step("Kinematic analysis"))
         blocks += kinematics
@@ -123,6 +129,8 @@ class Telling:
             ):
                 value = self.phrases.shown(symbol)
                 hidden = longer(expr, LONG_FORMULA) and self.audience == "exam" and not self.phrases.symbolic
+                if hidden and any(symbol in symbols for symbols in self._constructed.values()):
+                    continue
                 sides = (self.phrases.math(symbol), value) if hidden else self._chain(symbol, expr, value)
                 blocks.append(Equation(sides, None, line(ledger.titles[symbol] + ":")))
         return blocks

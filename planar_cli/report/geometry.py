@@ -1,0 +1,61 @@
+"""Where points are that the file constructs from distances and lines: in words, with the coordinates that they give."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.equation.scene import Scene
+from planar_cli.problem.scene import TwoFacts
+from planar_cli.report.blocks import Block, Equation, Line, Text, Value, line
+from planar_cli.report.words import Phrases
+from planar_cli.solve.instant.stages import Stage
+from planar_cli.units import LENGTH, pretty_unit
+
+
+def constructed(scene: Scene, stages: Collection[Stage]) -> dict[str, set[sp.Symbol]]:
+    """The points that are constructed from distances and lines and used, each with its coordinates as symbols."""
+    used = {s for x in stages for b in x.blocks for w in b.equations for s in w.residual.free_symbols}
+    found = {}
+    for point in scene.problem.points:
+        if isinstance(point.place, TwoFacts) and (point.place.distances or point.place.line is not None):
+            inside = {s for p in _pair(scene, point.name) for s in sp.sympify(p).free_symbols}
+            symbols = inside & set(scene.ledger.definitions)
+            if symbols & used:
+                found[point.name] = symbols
+    return found
+
+
+def places(scene: Scene, names: Collection[str], phrases: Phrases) -> Iterator[Block]:
+    """C is 0.5 m from B and 0.4 m from D: C = [0.5474, 0.3965] m."""
+    for point in scene.problem.points:
+        if point.name not in names or not isinstance(point.place, TwoFacts):
+            continue
+        values = [phrases.of_dimension(phrases.certain(p), LENGTH) for p in _pair(scene, point.name)]
+        bare = [Value(v.number, "1", v.figures) for v in values]
+        where = line("[", bare[0], ", ", bare[1], "] ", Text(pretty_unit(values[0].unit)))
+        facts = _facts(scene, point.place, phrases)
+        joined = line(*(p for i, f in enumerate(facts) for p in ((" and ",) if i else ()) + f))
+        side = f", {_SIDES.get(point.place.side, point.place.side)}" if point.place.side else ""
+        yield Equation((line(point.name), where), None, line(f"{point.name} is ", *joined, f"{side}:"))
+
+
+_SIDES = {"left": "on the left", "right": "on the right", "above": "the upper one", "below": "the lower one"}
+
+
+def _pair(scene: Scene, name: str) -> tuple[Any, Any]:
+    return scene.points[name].x, scene.points[name].y
+
+
+def _facts(scene: Scene, place: TwoFacts, phrases: Phrases) -> list[Line]:
+    """Each of the two facts in words."""
+    found: list[Line] = [line(phrases.math(scene.value(d)), f" from {origin}") for origin, d in place.distances]
+    if place.line is not None:
+        through, angle = place.line
+        found.append(line(f"on the line through {through} at ", phrases.math(scene.value(angle))))
+    for axis, side in (("x", place.x), ("y", place.y)):
+        if side is not None:
+            found.append(line(f"at {axis} = ", phrases.math(scene.value(side))))
+    return found
