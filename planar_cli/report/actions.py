@@ -2,10 +2,17 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import sympy as sp
 
 from planar_cli.equation.system import System
-from planar_cli.report.blocks import Line, Math, line
+from planar_cli.report.blocks import Line, Math, Name, Value, line
+from planar_cli.report.clean import is_clean
+from planar_cli.report.words import Phrases
+from planar_cli.solve.instant.stages import Stage
+from planar_cli.solve.instant.written import Written
+from planar_cli.units import LENGTH
 
 
 def force_named(system: System, symbol: sp.Symbol) -> Line:
@@ -21,3 +28,35 @@ def perpendicular(system: System, words: str) -> Line:
     """`across N_A` as a direction in words; other words as they are."""
     symbol = system.symbols.get(words.removeprefix("across ")) if words.startswith("across ") else None
     return line(words) if symbol is None else line("perpendicular to ", *force_named(system, symbol))
+
+
+def moment_words(system: System, phrases: Phrases, w: Written, stage: Stage) -> Line:
+    """About which point moments are taken, and why about this one."""
+    group, centre = ", ".join(w.bodies), stage.centres.get(w.lead)
+    if centre is None:
+        return line(f"{group}, moments about ", Name(w.lead), ":")
+    place, through = centre
+    parts: list[Any] = [
+        f"{group}, moments about ",
+        Name(w.lead),
+        " at (",
+        _length(phrases, place.x),
+        ", ",
+        _length(phrases, place.y),
+        ")",
+    ]
+    if through:
+        one, other = (force_named(system, s) for s in through[:2])
+        parts += [", where ", *one, " and ", *other, " meet, so that neither enters:"]
+    else:
+        parts += [", about which the group turns in a virtual motion:"]
+    return line(*parts)
+
+
+def _length(phrases: Phrases, expr: sp.Expr) -> Math | Value:
+    """A coordinate as a formula, or with its unit where numbers of the file without a name stand in it."""
+    ledger = phrases.ledger
+    clean = expr == 0 or (is_clean(ledger, expr, dimension=LENGTH) and not expr.is_number)
+    if clean or phrases.letters or not expr.free_symbols <= set(ledger.values):
+        return phrases.math(expr)
+    return phrases.of_dimension(phrases.value(expr), LENGTH)

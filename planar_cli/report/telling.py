@@ -8,11 +8,10 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.plain import longer
-from planar_cli.report.actions import force_named, perpendicular
+from planar_cli.report.actions import moment_words, perpendicular
 from planar_cli.report.asked import AskedTelling
 from planar_cli.report.assumed import assumption_notes
-from planar_cli.report.blocks import Block, Equation, Heading, Line, Math, Name, Paragraph, Text, Value, line
-from planar_cli.report.clean import is_clean
+from planar_cli.report.blocks import Block, Equation, Heading, Line, Math, Name, Paragraph, Text, line
 from planar_cli.report.forces import centre_of, force_rows
 from planar_cli.report.geometry import constructed, places
 from planar_cli.report.names import GREEK
@@ -27,7 +26,6 @@ from planar_cli.solve.instant.stages import Stage
 from planar_cli.solve.instant.used import used_blocks
 from planar_cli.solve.instant.written import Explicit, Written
 from planar_cli.solve.solution import InstantSolution
-from planar_cli.units import LENGTH
 
 LONG_FORMULA = 16
 """A named intermediate with a longer formula is given by its value alone, except in a lesson."""
@@ -210,7 +208,7 @@ class Telling:
         group = ", ".join(w.bodies)
         if w.law == "moment":
             return [
-                Paragraph(self._moment_words(w, group, stage)),
+                Paragraph(moment_words(self.system, self.phrases, w, stage)),
                 Equation(sides, number, line("↺ ", Name(f"ΣM_{w.lead}"), ":"), note),
             ]
         lead = line(f"{self.phrases.along(w.along)} ", Name(f"ΣF_{w.lead}") if w.lead else Text("ΣF"), ":")
@@ -285,35 +283,6 @@ class Telling:
         """A joint by what it is: `The rope cord`."""
         kind = next((j.kind for j in self.scene.problem.joints if j.name == name), "")
         return name if not kind else f"The {name}" if kind in name else f"The {kind} {name}"
-
-    def _moment_words(self, w: Written, group: str, stage: Stage) -> Line:
-        centre = stage.centres.get(w.lead)
-        if centre is None:
-            return line(f"{group}, moments about ", Name(w.lead), ":")
-        place, through = centre
-        parts: list[Any] = [
-            f"{group}, moments about ",
-            Name(w.lead),
-            " at (",
-            self._length(place.x),
-            ", ",
-            self._length(place.y),
-            ")",
-        ]
-        if through:
-            one, other = (force_named(self.system, s) for s in through[:2])
-            parts += [", where ", *one, " and ", *other, " meet, so that neither enters:"]
-        else:
-            parts += [", about which the group turns in a virtual motion:"]
-        return line(*parts)
-
-    def _length(self, expr: sp.Expr) -> Math | Value:
-        """A coordinate as a formula, or with its unit where numbers of the file without a name stand in it."""
-        ledger = self.phrases.ledger
-        clean = expr == 0 or (is_clean(ledger, expr, dimension=LENGTH) and not expr.is_number)
-        if clean or self.phrases.letters or not expr.free_symbols <= set(ledger.values):
-            return self.phrases.math(expr)
-        return self.phrases.of_dimension(self.phrases.value(expr), LENGTH)
 
     # --- step 3 ------------------------------------------------------------------------------------------------------
 
