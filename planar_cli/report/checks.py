@@ -12,12 +12,13 @@ from planar_cli.equation.exact import ZERO
 from planar_cli.equation.system import System
 from planar_cli.problem.facts import Test
 from planar_cli.report.another_equation import another_equation
-from planar_cli.report.blocks import Check, Line, Math, Name, Relation, Value, line
+from planar_cli.report.blocks import Check, Line, Math, Name, Relation, line
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.instant import Trial
 from planar_cli.solve.instant.worked import unknowns_of
 from planar_cli.solve.solution import CAVEATS, Found, InstantSolution
 from planar_cli.solve.solved_problem import PartSolution
+from planar_cli.units import FORCE, parse_unit
 
 MOST_PRESSES = 4
 TINY = Decimal("1e-30")
@@ -97,9 +98,8 @@ def _presses(instant: InstantSolution, phrases: Phrases) -> list[Line]:
             if column is None or not outcome.solved.unique(column):
                 continue
             if push.kind == "normal" and values[symbol] > 0:
-                found.append(
-                    line(Relation(Math(symbol), "=", Value(values[symbol], push.unit, phrases.figures)), " > 0")
-                )
+                dimension = parse_unit(push.unit).dimension
+                found.append(line(Relation(Math(symbol), "=", phrases.of_dimension(values[symbol], dimension)), " > 0"))
     return [*found[:MOST_PRESSES], *_friction(instant, phrases)]
 
 
@@ -143,9 +143,9 @@ def friction_against_limit(trial: Trial, test: Test, phrases: Phrases) -> Line:
         "|",
         Math(trial.system.symbols[name]),
         "| = ",
-        Value(size, "N", phrases.figures),
+        phrases.of_dimension(size, FORCE),
         f" {relation} ",
         phrases.math(formula),
         " = ",
-        Value(shown, "N", phrases.figures),
+        phrases.of_dimension(shown, FORCE),
     )
