@@ -13,15 +13,19 @@ from planar_cli.equation.plain import longer, simplified
 from planar_cli.problem.outermost import is_energy
 from planar_cli.records import record
 from planar_cli.report.at_state import told_at_states
-from planar_cli.report.blocks import Block, Equation, Name, Paragraph, Value, line
+from planar_cli.report.blocks import Block, Equation, Math, Name, Paragraph, Value, line
+from planar_cli.report.clean import is_clean
+from planar_cli.report.put_in import partly
 from planar_cli.report.span_integrals import SpanTelling
 from planar_cli.report.words import Phrases, told_unit
 from planar_cli.solve.between.trace import MotionTrace, Request, SpanIntegral
 from planar_cli.units import Unit
 
 HENCE = Paragraph(line("Hence:"))
-LONGEST, SHORT = 90, 45
-"""A longer formula is not told: of letters, and of what has numbers."""
+LONGEST, SHORT, FEW = 90, 45, 24
+"""A longer formula is not told: of letters, and of what has numbers; and one whose numbers are put in, if few letters
+are left then.
+"""
 
 
 @record
@@ -88,17 +92,28 @@ class AskedTelling:
     def _line(self, asked: Request, part: Part, span: SpanIntegral | None) -> Iterator[Block]:
         name = line(Name(asked.find.name), f", {part.axis}" if part.axis else "")
         formula = part.expr
-        named = formula.is_Symbol and (span is None or formula == span.symbol)
-        told = not (named or formula.is_number or self._is_long(formula))
-        sides: list[Any] = [name, *([self.phrases.math(formula)] if told else [])]
         phrases = self.numeric if self.numeric.has_numbers(formula) else self.phrases
+        shown, whole = self._shown(formula, span)
+        sides: list[Any] = [name, *([] if shown is None else [shown])]
         if not phrases.symbolic and asked.unit is not None:
-            values = self._values(asked, asked.unit, formula, phrases if told else None)
+            values = self._values(asked, asked.unit, formula, phrases if whole else None)
             sides += values if span is None else [*values[:-1], self.spans.named(span, values[-1])]
         if span is None:
             yield Equation(tuple(sides))
         else:
             yield from self.spans.lines(span, (), tuple(sides))
+
+    def _shown(self, formula: sp.Expr, span: SpanIntegral | None) -> tuple[Math | None, bool]:
+        """The formula as it is printed, and whether that is all of it in letters; where it is long or hides units, the
+        letters of states with numbers for all else.
+        """
+        if formula.is_number or (formula.is_Symbol and (span is None or formula == span.symbol)):
+            return None, False
+        if not self.phrases.symbolic and (longer(formula, FEW) or not is_clean(self.phrases.ledger, formula)):
+            part = partly(formula, formula.free_symbols & set(self.found.general), self.phrases)
+            if part is not None or not formula.free_symbols & set(self.found.general):
+                return part, False
+        return (None, False) if self._is_long(formula) else (self.phrases.math(formula), True)
 
     def _values(self, asked: Request, unit: Unit, part: sp.Expr, phrases: Phrases | None) -> list[Any]:
         """The numbers put in, and the value in the units of the page and in that which is asked."""

@@ -18,6 +18,7 @@ from planar_cli.report.forces import force_rows
 from planar_cli.report.put_in import put_in
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import BalanceTrace, Impact, ImpactEquation
+from planar_cli.units import ANGULAR_MOMENTUM, ENERGY, IMPULSE, Dimension
 
 LONGEST, MOST_NAMED = 60, 8
 SHORT = 36
@@ -66,7 +67,7 @@ class BetweenTelling:
         lead = line(law.lead, Name(law.name), ":") if law.name else line(law.lead)
         before, after = self._put(b.before), self._put(b.after)
         if not law.letter:
-            yield self._equation(before + self._put(b.gain), after, number, lead)
+            yield self._equation(before + self._put(b.gain), after, number, lead, dimension_of_balance(b))
             return
         first, last = f"{law.letter}_{b.since}", f"{law.letter}_{b.stop}"
         yield Equation((line(Name(first)), self.phrases.math(before)))
@@ -92,12 +93,16 @@ class BetweenTelling:
         yield from EnergyTelling(b, self.unknowns, self.numeric, self.plain, self.stretches).lines()
         first, last = f"{b.law.letter}_{b.since}", f"{b.law.letter}_{b.stop}"
         lead = line(Name(first), " + ", Name(b.law.bring), " = ", Name(last), ":")
-        yield self._equation(self._put(b.before) + self._put(b.gain), self._put(b.after), number, lead, energy=True)
+        yield self._equation(
+            self._put(b.before) + self._put(b.gain), self._put(b.after), number, lead, dimension_of_balance(b)
+        )
 
-    def _equation(self, left: sp.Expr, right: sp.Expr, number: int, lead: Line, energy: bool = False) -> Equation:
+    def _equation(
+        self, left: sp.Expr, right: sp.Expr, number: int, lead: Line, dimension: Dimension | None = None
+    ) -> Equation:
         """An equation in letters where that is short and hides no unit; else with its numbers put in."""
         short = not longer(left - right, SHORT) and is_clean(self.phrases.ledger, left, right)
-        found = None if short else put_in(left, right, self.unknowns, self.numeric, energy)
+        found = None if short else put_in(left, right, self.unknowns, self.numeric, dimension)
         if found is None:
             return Equation((self.phrases.math(left), self.phrases.math(right)), number, lead)
         self.counted.add(number)
@@ -169,6 +174,11 @@ class BetweenTelling:
         if through:
             parts += [", where ", self.phrases.math(through[0]), " and ", self.phrases.math(through[1]), " meet"]
         return line(*parts)
+
+
+def dimension_of_balance(b: BalanceTrace) -> Dimension:
+    """What a balance counts: energy, or linear or angular momentum."""
+    return ENERGY if b.law.letter else ANGULAR_MOMENTUM if b.law.about else IMPULSE
 
 
 def _idle(reactions: tuple[sp.Symbol, ...]) -> list[Any]:

@@ -19,10 +19,11 @@ from planar_cli.report.clean import is_clean
 from planar_cli.report.in_numbers import SMALL
 from planar_cli.report.notation import plain
 from planar_cli.report.numbers import quantity, significant
+from planar_cli.report.page_units import coherent_unit
 from planar_cli.report.put_in import Writer
 from planar_cli.report.words import Phrases, told_unit
 from planar_cli.solve.between.trace import BalanceTrace
-from planar_cli.units import ENERGY, Unit, parse_unit
+from planar_cli.units import ENERGY, Unit, parse_unit, pretty_unit
 
 SHORT = 16
 """With more operations a formula of an energy is told by what it is made of."""
@@ -51,14 +52,14 @@ class EnergyTelling:
         """T at the beginning and at the end, and what every source brings."""
         b = self.balance
         first, last = f"{b.law.letter}_{b.since}", f"{b.law.letter}_{b.stop}"
-        yield Equation((line(Name(first)), *self._chain(self._put(b.before))))
+        yield self._line(line(Name(first)), *self._chain(self._put(b.before)))
         amounts = [(body, put) for body, e in b.amounts if not self._vanishes(put := self._put(e))]
         for body, put in amounts:
             yield from self._amount(body, put, line(Name(last), f" of {body}" if len(amounts) > 1 else ""))
         if not amounts:
             yield Equation((line(Name(last)), self.phrases.math(sp.S.Zero)))
         elif len(amounts) > 1:
-            yield Equation((line(Name(last)), *self._summed(self._put(b.after))))
+            yield self._line(line(Name(last)), *self._summed(self._put(b.after)))
         springs = sum(s.power == 2 for s in b.parts.storages) if b.parts is not None else 0
         for words, e in b.brought:
             if not self._vanishes(put := self._put(e)):
@@ -81,7 +82,7 @@ class EnergyTelling:
         made = next((m for m in self.balance.parts.moving if m.body == body), None) if self.balance.parts else None
         speeds = [] if made is None else list(self._speeds(made))
         if made is None or not speeds or (len(speeds) == 1 and self._short(put) and not self._by_others(speeds[0][2])):
-            yield Equation((lead, *self._chain(put)))
+            yield self._line(lead, *self._chain(put))
             return
         told: list[Any] = []
         for kind, own, expr in speeds:
@@ -93,7 +94,7 @@ class EnergyTelling:
         masses = {"v": made.mass, "omega": made.inertia}
         terms = (masses[kind] * own**2 / 2 for kind, own, _ in speeds)
         formula = sp.Add(*(simplified(t) if not longer(t, SHORT) else t for t in terms), evaluate=False)
-        yield Equation((lead, *self._fitting(self.phrases.math(formula), put)))
+        yield self._line(lead, *self._fitting(self.phrases.math(formula), put))
 
     def _by_others(self, expr: sp.Expr) -> bool:
         """Is a speed more than the size of the one that is sought or known?"""
@@ -156,9 +157,9 @@ class EnergyTelling:
         storages = self.balance.parts.storages if self.balance.parts is not None else ()
         made = next((s for s in storages if s.words == words), None)
         if made is None or (made.power == 2 and self._short(put)):
-            yield Equation((lead, *self._chain(put)))
+            yield self._line(lead, *self._chain(put))
         elif made.power == 1:
-            yield Equation((lead, *self._height(made, put)))
+            yield self._line(lead, *self._height(made, put))
         else:
             yield from self._spring(made, put, lead, several)
 
@@ -185,7 +186,13 @@ class EnergyTelling:
         one, two = ends
         inside = sp.Add(one**2, -(two**2), evaluate=False)
         told = sp.Mul(sp.Rational(1, 2), made.factor, inside, evaluate=False)
-        yield Equation((lead, self.phrases.math(told), *self._numbers(put, self._with(told, ends))))
+        yield self._line(lead, self.phrases.math(told), *self._numbers(put, self._with(told, ends)))
+
+    def _line(self, *sides: Any) -> Equation:
+        """One energy, with its unit where numbers stand beside unknowns."""
+        mixed = isinstance(sides[-1], Math) and sides[-1].values
+        unit = coherent_unit(ENERGY, us=self.phrases.ledger.us)
+        return Equation(sides, None, (), line(f"in {pretty_unit(told_unit(unit, True))}") if mixed else ())
 
     # --- pieces ------------------------------------------------------------------------------------------------------
 

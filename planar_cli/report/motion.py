@@ -15,15 +15,16 @@ from planar_cli.equation.plain import longer, simplified
 from planar_cli.problem.check_dimensions import Kinds
 from planar_cli.problem.scope import Scope
 from planar_cli.report.asked_of_states import HENCE, AskedTelling
-from planar_cli.report.between import BetweenTelling
+from planar_cli.report.between import BetweenTelling, dimension_of_balance
 from planar_cli.report.blocks import Block, Equation, Heading, Line, Math, Name, Paragraph, Value, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.integrals import over_coordinates, plain_integral
 from planar_cli.report.integrated import integration_blocks
+from planar_cli.report.laws import integral_note, law_blocks, running
 from planar_cli.report.left_out import reason
 from planar_cli.report.origins import HAPPENS, head, told_once, turning
 from planar_cli.report.oscillation import oscillation_blocks
-from planar_cli.report.put_in import put_in
+from planar_cli.report.put_in import partly, put_in
 from planar_cli.report.span_integrals import SpanTelling
 from planar_cli.report.spoken import spoken
 from planar_cli.report.words import Phrases
@@ -152,18 +153,18 @@ class MotionTelling:
 
     def _datum(self, leg: RouteStep) -> Iterator[Block]:
         e = leg.relations[0]
-        words = self._known(e)
-        place = f"{e.stop}: " if e.stop else ""
+        lead = ": ".join(x for x in (e.stop, self._known(e)) if x) + ":"
         for r in leg.results:
-            yield Equation(self._chain(r), None, line(f"{place}{words}:"))
+            yield Equation(self._chain(r), None, line(lead))
 
     @staticmethod
     def _known(e: Relation) -> str:
         """Where a datum comes from."""
         if e.kind == "turn":
             return turning(e.words)
-        other = {"drawn": "in the given position", "start": e.words, "followed": "by numerical integration"}
-        return other.get(e.kind, "given")
+        if e.kind == "followed":
+            return "found by trial" if "trial" in e.words else ""
+        return {"drawn": "in the given position", "start": e.words}.get(e.kind, "given")
 
     def _leg(self, leg: RouteStep, route: RouteTrace) -> Iterator[Block]:
         equations = leg.relations
@@ -191,7 +192,9 @@ class MotionTelling:
         yield from self._in_numbers(leg, numbers, route)
         lead = line(", ".join(f"({n})" for n in numbers) + (" together:" if len(numbers) > 1 else ":"))
         for i, r in enumerate(leg.results):
-            yield Equation(self._chain(r), None, lead if i == 0 else ())
+            known = self._formula(r) is None and set(numbers) <= self.between.counted
+            sides = (self.phrases.math(r.unknown), self._shown(r)) if known else self._chain(r)
+            yield Equation(sides, None, lead if i == 0 else ())
             if i == 0:
                 yield from self._others(r)
 
@@ -205,8 +208,8 @@ class MotionTelling:
             if number in self.between.counted or e.residual.free_symbols <= set(leg.unknowns):
                 continue
             left, right = self._sides_of(e, route)
-            energy = isinstance(e.source, BalanceTrace) and bool(e.source.law.letter)
-            found = put_in(left, right, leg.unknowns, self.numeric, energy)
+            balanced = dimension_of_balance(e.source) if isinstance(e.source, BalanceTrace) else None
+            found = put_in(left, right, leg.unknowns, self.numeric, balanced)
             if found is not None and found.length <= MOST_SHOWN:
                 lead = line(f"({number}) in numbers:")
                 yield Equation((found.left, found.right), None, lead, found.note)
@@ -214,7 +217,9 @@ class MotionTelling:
     def _is_told(self, r: Result) -> bool:
         """Does a formula stand before its value, or nothing at all?"""
         formula = self._formula(r)
-        return formula is not None and (not formula.is_number or formula == 0)
+        if formula is None:
+            return self._partly(r) is not None
+        return not formula.is_number or formula == 0
 
     @staticmethod
     def _sides_of(e: Relation, route: RouteTrace) -> tuple[sp.Expr, sp.Expr]:
@@ -255,11 +260,7 @@ class MotionTelling:
         if law is None or law.coordinate.symbol in self._told_laws or law.f == 0:
             return
         self._told_laws.add(law.coordinate.symbol)
-        q = law.coordinate.symbol
-        v = law.speed if law.speed is not None and law.factor == 1 else sp.Symbol(f"{q.name}_dot", real=True)
-        rate = sp.Symbol(f"{q.name}_{'ddot' if law.order == 2 else 'dot'}", real=True)
-        yield Paragraph(line(f"The law of {law.coordinate.words}:" if law.coordinate.words != q.name else "The law:"))
-        yield Equation((self.phrases.math(rate), self.phrases.math(law.f.xreplace({law.v: v}))))
+        yield from law_blocks(law, self.phrases, self.varying)
 
     def _head(self, e: Relation) -> Line:
         return head(e, self.found.ledger.symbols)
@@ -282,7 +283,8 @@ class MotionTelling:
         if e.law is not None and e.law.f == 0 and e.kind == "v(t)":
             return
         sides = tuple(plain_integral(side, e, route, self.general) for side in (span.left, span.right))
-        yield Equation(tuple(self.phrases.math(s) for s in sides))
+        shown = tuple(running(s, self.varying, self.phrases) for s in sides)
+        yield Equation(shown, None, (), integral_note(e.law, e.kind, shown, self.phrases))
 
     def _sides(self, e: Relation, route: RouteTrace) -> tuple[Any, ...]:
         """A relation as left = right, its own letter on the left."""
@@ -315,6 +317,9 @@ class MotionTelling:
         if formula is not None and formula.free_symbols & self.varying:
             return self.phrases.math(r.unknown), self.phrases.math(formula)
         formula = self._formula(r)
+        part = self._partly(r) if formula is None else None
+        if part is not None:
+            return self.phrases.math(r.unknown), part, self._shown(r)
         phrases = self.numeric if r.unknown in self.found.route.settled else self.phrases
         if formula is not None and (not formula.is_number or phrases.symbolic):
             sides.append(self.phrases.math(formula))
@@ -339,6 +344,12 @@ class MotionTelling:
             return formula
         clean = is_clean(self.found.ledger, r.unknown, formula)
         return None if longer(formula, SHORT if clean else PLAIN) else formula
+
+    def _partly(self, r: Result) -> Math | None:
+        """The formula in letters of states, with numbers for all else."""
+        if r.formula is None or self.phrases.symbolic or r.value.is_infinite() or r.formula.has(sp.Integral):
+            return None
+        return partly(r.formula, r.formula.free_symbols & set(self.general), self.phrases)
 
     def _shown(self, r: Result) -> Any:
         if r.value.is_infinite():

@@ -9,7 +9,7 @@ from planar_cli.problem.expression import Quantity
 from planar_cli.problem.unused import unused
 from planar_cli.records import record
 from planar_cli.report.answer_letters import answer_block
-from planar_cli.report.blocks import Block, Document, Heading, Note, Paragraph, line
+from planar_cli.report.blocks import Block, Document, Equation, Heading, Note, Paragraph, line
 from planar_cli.report.checks import check_blocks, program_blocks, road_blocks
 from planar_cli.report.discussion import discussion_lines
 from planar_cli.report.effects import effect_notes
@@ -136,7 +136,8 @@ def _instant_blocks(
     steps = numbers[0] + sum(isinstance(b, Heading) for b in blocks)
     if len(part.instants) > 1 and blocks:
         blocks.insert(0, Heading("MOTION", stretches))
-    return blocks, steps, telling.count if steps > numbers[0] else numbers[1]
+    printed = [b.number for b in blocks if isinstance(b, Equation) and b.number is not None]
+    return blocks, steps, max(printed, default=numbers[1])
 
 
 def _motion_blocks(

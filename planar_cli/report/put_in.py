@@ -25,9 +25,11 @@ from planar_cli.report.in_numbers import SMALL
 from planar_cli.report.numbers import significant
 from planar_cli.report.ordering import NUMBER
 from planar_cli.report.page_units import coherent_unit
-from planar_cli.report.words import Phrases, told_unit
-from planar_cli.units import ENERGY, PURE, pretty_unit
+from planar_cli.report.words import Phrases
+from planar_cli.units import ENERGY, PURE, Dimension, pretty_unit
 
+PART = 16
+"""A formula of more operations is not told with some of its letters."""
 OPENED = 150
 """A longer formula is not multiplied out to see whether it gets shorter so."""
 
@@ -49,10 +51,14 @@ class PutIn:
 
 
 def put_in(
-    left: sp.Expr, right: sp.Expr, unknowns: Collection[sp.Symbol], phrases: Phrases, energy: bool = False
+    left: sp.Expr,
+    right: sp.Expr,
+    unknowns: Collection[sp.Symbol],
+    phrases: Phrases,
+    dimension: Dimension | None = None,
 ) -> PutIn | None:
     """An equation with numbers for all but its unknowns; None: something known has no number, or no unit can be told.
-    `energy`: its sides are energies.
+    `dimension`: of its sides, where it is known; a number among them may hide a unit.
     """
     if phrases.ledger.us and not _alike(phrases.ledger, left, right):
         return None
@@ -61,7 +67,27 @@ def put_in(
     if sides[0] is None or sides[1] is None:
         return None
     shown = (Math(sides[0], writer.texts), Math(sides[1], writer.texts))
-    return PutIn(*shown, _unit(phrases, energy, left, right), sum(operations(s) for s in sides if s is not None))
+    return PutIn(*shown, _unit(phrases, dimension, left, right), sum(operations(s) for s in sides if s is not None))
+
+
+def partly(expr: sp.Expr, letters: Collection[sp.Symbol], phrases: Phrases) -> Math | None:
+    """A formula in which some letters stay and all else is a number, where that makes a short one; None: it does not.
+    Of integrals what stands under them.
+    """
+    writer = Writer(letters, phrases)
+    written: dict[sp.Expr, sp.Expr] = {}
+    for integral in expr.atoms(sp.Integral):
+        inside = Writer({*letters, *integral.variables}, phrases, writer.texts).written(integral.function)
+        if inside is None:
+            return None
+        written[integral] = sp.Integral(inside, *integral.limits)
+    if written:
+        return Math(expr.xreplace(written), writer.texts)
+    if phrases.ledger.us and not _alike(phrases.ledger, expr):
+        return None
+    found = writer.written(expr)
+    short = found is not None and not longer(found, PART) and bool(found.free_symbols & set(letters))
+    return Math(found, writer.texts) if short else None
 
 
 def _alike(ledger: Ledger, *sides: sp.Expr) -> bool:
@@ -72,24 +98,26 @@ def _alike(ledger: Ledger, *sides: sp.Expr) -> bool:
         return False
 
 
-def _unit(phrases: Phrases, energy: bool, *sides: sp.Expr) -> str:
+def _unit(phrases: Phrases, dimension: Dimension | None, *sides: sp.Expr) -> str:
     """The unit of a page in which the sides of an equation are."""
     ledger = phrases.ledger
-    if energy:
-        return pretty_unit(told_unit(coherent_unit(ENERGY, us=ledger.us), True))
-    sides = tuple(e for e in sides if e != 0)
-    if not sides or not _alike(ledger, *sides):
-        return ""
-    dimension = dimension_of(sides[0], ledger)
-    return "" if dimension == PURE else pretty_unit(coherent_unit(dimension, us=ledger.us).text)
+    if dimension is None:
+        sides = tuple(e for e in sides if e != 0)
+        if not sides or not _alike(ledger, *sides):
+            return ""
+        dimension = dimension_of(sides[0], ledger)
+    text = coherent_unit(dimension, us=ledger.us).text
+    return "" if dimension == PURE else pretty_unit("J" if dimension == ENERGY and not ledger.us else text)
 
 
 class Writer:
     """Writes numbers into formulas. `texts`: of the symbols that stand for numbers in what it has written."""
 
-    def __init__(self, unknowns: Collection[sp.Symbol], phrases: Phrases) -> None:
+    def __init__(
+        self, unknowns: Collection[sp.Symbol], phrases: Phrases, texts: dict[sp.Symbol, str] | None = None
+    ) -> None:
         self.unknowns, self.phrases = frozenset(unknowns), phrases
-        self.texts: dict[sp.Symbol, str] = {}
+        self.texts: dict[sp.Symbol, str] = {} if texts is None else texts
 
     def written(self, expr: sp.Expr) -> sp.Expr | None:
         """The formula with numbers for all that is known, in the shorter of two forms; None: that is not possible."""

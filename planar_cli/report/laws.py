@@ -1,0 +1,50 @@
+"""Laws of coordinates and their integrals: in letters, or with numbers where letters are many or would hide units."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator
+
+import sympy as sp
+
+from planar_cli.equation.plain import longer
+from planar_cli.report.blocks import Block, Equation, Line, Math, Paragraph, line
+from planar_cli.report.clean import is_clean
+from planar_cli.report.put_in import partly
+from planar_cli.report.words import Phrases
+from planar_cli.solve.between.trace import Law
+
+FEW = 12
+"""A law of more operations is told with its numbers."""
+PER_TIME = {"v(t)": "{}/s", "q(t)": "{}", "t(q)": "s", "v(q)": "{}²/s²"}
+"""The unit of an integral, by its kind; {} is that of the coordinate."""
+
+
+def law_blocks(law: Law, phrases: Phrases, varying: Collection[sp.Symbol]) -> Iterator[Block]:
+    """q̇ or q̈ as a formula."""
+    q = law.coordinate.symbol
+    v = law.speed if law.speed is not None and law.factor == 1 else sp.Symbol(f"{q.name}_dot", real=True)
+    rate = sp.Symbol(f"{q.name}_{'ddot' if law.order == 2 else 'dot'}", real=True)
+    yield Paragraph(line(f"The law of {law.coordinate.words}:" if law.coordinate.words != q.name else "The law:"))
+    shown = running(law.f.xreplace({law.v: v}), {*varying, v}, phrases)
+    unit = f"{_unit(law, phrases)}/s{'²' if law.order == 2 else ''}"
+    yield Equation((phrases.math(rate), shown), None, (), line(f"in {unit}") if shown.values else ())
+
+
+def running(expr: sp.Expr, letters: Collection[sp.Symbol], phrases: Phrases) -> Math:
+    """A law or its integral. `letters`: those that run."""
+    inside = [i.function for i in expr.atoms(sp.Integral)] or [expr]
+    short = all(not longer(e, FEW) and is_clean(phrases.ledger, e) for e in inside)
+    numbers = None if phrases.symbolic or short else partly(expr, letters, phrases)
+    return phrases.math(expr) if numbers is None else numbers
+
+
+def integral_note(law: Law | None, kind: str, sides: Collection[Math], phrases: Phrases) -> Line:
+    """The unit of an integral that is told with numbers."""
+    if law is None or kind not in PER_TIME or not any(s.values for s in sides):
+        return ()
+    return line(f"in {PER_TIME[kind].format(_unit(law, phrases))}")
+
+
+def _unit(law: Law, phrases: Phrases) -> str:
+    """The unit of a coordinate on the page."""
+    return "rad" if law.coordinate.unit == "rad" else "ft" if phrases.ledger.us else "m"
