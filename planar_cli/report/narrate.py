@@ -9,10 +9,11 @@ from planar_cli.problem.expression import Quantity
 from planar_cli.problem.unused import unused
 from planar_cli.records import record
 from planar_cli.report.answer_letters import answer_block
-from planar_cli.report.blocks import Block, Document, Equation, Heading, Note, Paragraph, line
+from planar_cli.report.blocks import Block, Document, Equation, Heading, Inline, Line, Math, Name, Note, Paragraph, line
 from planar_cli.report.checks import check_blocks, program_blocks, road_blocks
 from planar_cli.report.discussion import discussion_lines
 from planar_cli.report.effects import effect_notes
+from planar_cli.report.names import plain_name
 from planar_cli.report.opening import opening_notes
 from planar_cli.report.passages import tale_blocks
 from planar_cli.report.presumed import presumed_notes
@@ -68,7 +69,23 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
         blocks = with_lessons(blocks)
     first = next((phrases_of(i, voice.figures) for part in solution.parts for i in part.instants), None)
     opening = () if why is not None else opening_notes(problem, blocks, first, voice.figures)
-    return Document(problem.title or problem.file, (*texts, *opening, *blocks))
+    return Document(problem.title or problem.file, (*texts, *opening, *(b for b in blocks if not _says_nothing(b))))
+
+
+def _says_nothing(block: Block) -> bool:
+    """Is it an equation of a letter with itself?"""
+    if not isinstance(block, Equation) or len(block.sides) != 2:
+        return False
+    one, other = (_letter_of(side) for side in block.sides)
+    return one != "" and one == other
+
+
+def _letter_of(side: Inline | Line) -> str:
+    """The one letter that a side is."""
+    piece = side[0] if isinstance(side, tuple) and len(side) == 1 else side
+    if isinstance(piece, Name):
+        return plain_name(piece.name)
+    return plain_name(piece.expr.name) if isinstance(piece, Math) and piece.expr.is_Symbol else ""
 
 
 def part_blocks(part: PartSolution, voice: Voice, why: str | None, told: set[tuple[str, ...]]) -> list[Block]:

@@ -121,6 +121,10 @@ PRINCIPLES = (
         "Work and kinetic energy, as speeds and places are related and the time between is not asked.",
     ),
     _Principle(
+        lambda p: "impulse and momentum" in p.words,
+        "Impulse and momentum, as the forces are known over a time or that time is asked.",
+    ),
+    _Principle(
         lambda p: "conservation of" in p.words,
         "Conservation of momentum, as nothing from outside acts along that line or about that point.",
     ),
