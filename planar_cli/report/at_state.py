@@ -98,7 +98,8 @@ def _solved(stage: Stage, value: Valuation) -> Valuation:
     lines = {x.symbol: x.formula for b in stage.blocks for x in b.lines if not x.letters}
     left = {**stage.algebra.explicit, **lines, **dict.fromkeys(stage.zero, sp.S.Zero)}
     while ready := [s for s, e in left.items() if all(value.known(x) is not None for x in e.free_symbols)]:
-        value = value.extended({s: value(left[s]) for s in ready})
+        zeros = {s for s in ready if value.is_zero(left[s])}
+        value = value.extended({s: Decimal(0) if s in zeros else value(left[s]) for s in ready})
         left = {s: e for s, e in left.items() if s not in ready}
     return value
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import field
 from typing import Any
 
@@ -93,16 +93,24 @@ class BetweenTelling:
         yield from EnergyTelling(b, self.unknowns, self.numeric, self.plain, self.stretches).lines()
         first, last = f"{b.law.letter}_{b.since}", f"{b.law.letter}_{b.stop}"
         lead = line(Name(first), " + ", Name(b.law.bring), " = ", Name(last), ":")
-        yield self._equation(
-            self._put(b.before) + self._put(b.gain), self._put(b.after), number, lead, dimension_of_balance(b)
-        )
+        whole = self._put(b.before) + self._put(b.gain)
+        parts = [put for e in (b.before, *(e for _, e in b.brought)) if (put := self._put(e)) != 0]
+        yield self._equation(whole, self._put(b.after), number, lead, dimension_of_balance(b), parts)
 
     def _equation(
-        self, left: sp.Expr, right: sp.Expr, number: int, lead: Line, dimension: Dimension | None = None
+        self,
+        left: sp.Expr,
+        right: sp.Expr,
+        number: int,
+        lead: Line,
+        dimension: Dimension | None = None,
+        parts: Sequence[sp.Expr] = (),
     ) -> Equation:
-        """An equation in letters where that is short and hides no unit; else with its numbers put in."""
+        """An equation in letters where that is short and hides no unit; else with its numbers put in. `parts`: of its
+        left side, which were told one by one.
+        """
         short = not longer(left - right, SHORT) and is_clean(self.phrases.ledger, left, right)
-        found = None if short else put_in(left, right, self.unknowns, self.numeric, dimension)
+        found = None if short else put_in(parts or left, right, self.unknowns, self.numeric, dimension)
         if found is None:
             return Equation((self.phrases.math(left), self.phrases.math(right)), number, lead)
         self.counted.add(number)

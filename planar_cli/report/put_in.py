@@ -6,7 +6,7 @@ Where an equation is a sum of products of its unknowns, `in_numbers` collects it
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Iterable, Sequence
 from decimal import Decimal
 
 import sympy as sp
@@ -51,23 +51,32 @@ class PutIn:
 
 
 def put_in(
-    left: sp.Expr,
+    left: sp.Expr | Sequence[sp.Expr],
     right: sp.Expr,
     unknowns: Collection[sp.Symbol],
     phrases: Phrases,
     dimension: Dimension | None = None,
 ) -> PutIn | None:
     """An equation with numbers for all but its unknowns; None: something known has no number, or no unit can be told.
-    `dimension`: of its sides, where it is known; a number among them may hide a unit.
+    `left`: in parts that are told before and are numbers by now, each of which has its number. `dimension`: of its
+    sides, where it is known; a number among them may hide a unit.
     """
+    parts = [left] if isinstance(left, sp.Expr) else list(left)
+    left = sp.Add(*parts)
+    if left.free_symbols & set(unknowns) or not parts:
+        parts = [left]
+    elif phrases.has_numbers(left):
+        parts = [e for e in parts if not phrases.value.is_zero(e)] or [sp.S.Zero]
     if phrases.ledger.us and not _alike(phrases.ledger, left, right):
         return None
     writer = Writer(unknowns, phrases)
-    sides = [writer.written(e) for e in (left, right)]
-    if sides[0] is None or sides[1] is None:
+    found = [writer.written(e) for e in parts]
+    after = writer.written(right)
+    if after is None or any(e is None for e in found):
         return None
-    shown = (Math(sides[0], writer.texts), Math(sides[1], writer.texts))
-    return PutIn(*shown, _unit(phrases, dimension, left, right), sum(operations(s) for s in sides if s is not None))
+    before = sp.Add(*found, evaluate=False) if len(found) > 1 else found[0]
+    shown = (Math(before, writer.texts), Math(after, writer.texts))
+    return PutIn(*shown, _unit(phrases, dimension, left, right), operations(before) + operations(after))
 
 
 def partly(expr: sp.Expr, letters: Collection[sp.Symbol], phrases: Phrases) -> Math | None:
