@@ -13,8 +13,9 @@ from conftest import ROOT
 from printed import Page, equations
 from worked import worked
 
+from planar_cli.equation.counting import operations
 from planar_cli.equation.ledger import display
-from planar_cli.report.blocks import Block, Equation, Heading, Math, Paragraph, Text, Value
+from planar_cli.report.blocks import Block, Equation, Heading, Math, Paragraph, Text, Value, line
 from planar_cli.report.motion import MotionTelling, motion_phrases
 from planar_cli.report.narrate import narrate
 from planar_cli.solve.between.trace import MotionTrace
@@ -132,6 +133,27 @@ def test_every_answer_with_a_number_has_a_line(name: str) -> None:
     shown = {_size(s.number, parse_unit(s.unit or "1")) for e in lines for s in e.sides if isinstance(s, Value)}
     for found in (f for part in solution.parts for f in part.found if f.kind == "number" and f.values is not None):
         assert _size(display(found.values[0], found.unit), found.unit) in shown | {"0"}, found.name
+
+
+def test_numerical_integration_says_of_what_and_from_where() -> None:
+    (light, *_) = motions("oscillations/bar-with-spring-and-damper")
+    blocks = told(light)
+    first = next(i for i, b in enumerate(blocks) if isinstance(b, Equation) and b.lead == line("2:"))
+    said = blocks[first - 1]
+    assert isinstance(said, Paragraph)
+    words = "".join(p.text for p in said.line if isinstance(p, Text))
+    assert "integrated numerically (by a Runge–Kutta method) from state 1 on" in words
+    assert [p.number for p in said.line if isinstance(p, Value)] == [12, 0]
+
+
+def test_forces_at_a_state_are_solved_with_its_numbers() -> None:
+    solution, _ = worked(ROOT / "problems/energy/slider-crank-with-a-spring.yaml")
+    blocks = narrate(solution).blocks
+    start = next(i for i, b in enumerate(blocks) if isinstance(b, Heading) and b.label == "STATE")
+    there = [b for b in blocks[start:] if isinstance(b, Equation)]
+    assert sum(bool(b.note) for b in there) > 3
+    # What stood in general letters before took four pages.
+    assert all(operations(s.expr) < 40 for b in there for s in b.sides if isinstance(s, Math))
 
 
 def _is_step(block: Block) -> bool:

@@ -12,6 +12,7 @@ from planar_cli.report.blocks import Block, Equation, Line, Math, Paragraph, lin
 from planar_cli.report.put_in import put_in
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import MotionTrace, RegimeTrace, Result
+from planar_cli.solve.instant.used import used_blocks
 
 MOST = 70
 """A law with more operations is not written out: the equations before it give it, state by state."""
@@ -21,15 +22,29 @@ def integration_blocks(found: MotionTrace, phrases: Phrases, results: Iterable[R
     """What is integrated to find letters of states. `results`: these letters."""
     stops = {at for r in results if (at := found.ledger.roles[r.unknown].at) is not None}
     regimes = [r for r in found.regimes if _is_passed(found, r, stops)]
-    laws = {rate: law for r in regimes for rate, law in r.laws}
+    laws = {rate: law for r in regimes for rate, law in r.laws if law != 0}
+    if not laws:
+        yield Paragraph(line("No formula gives this: with this number alone the motion passes all states."))
+        return
     shown = [e for rate, law in laws.items() if (e := _law(found, phrases, rate, law)) is not None]
     start = _start(found, phrases, [*laws.values()], [*laws])
     whole = len(shown) == len(laws)
-    what = ("the equation of motion" if len(laws) == 1 else "the equations of motion") + ("" if whole else " above")
-    words = f"No formula gives what follows; {what} {'is' if len(laws) == 1 else 'are'} integrated numerically"
+    what = "the equation of motion is" if len(laws) == 1 else "the equations of motion are"
+    if not whole:
+        what = "the equations above, solved for the accelerations at every step, are"
+    words = f"No formula gives what follows; {what} integrated numerically"
     begun = (f" from state {found.states[0]} on, where ", *start) if start else ()
     yield Paragraph(line(f"{words} (by a Runge–Kutta method)", *begun, ":"))
     yield from shown if whole else ()
+
+
+def is_solved_in_steps(found: MotionTrace, regime: RegimeTrace) -> bool:
+    """Are the equations of a regime told without their solution, as it is long and only numbers follow from it?"""
+    followed = any(e.kind == "followed" for step in found.route.steps for e in step.relations)
+    if found.symbolic or not followed or found.oscillations:
+        return False
+    stages = used_blocks(regime.solution.stages, regime.wanted)
+    return any(longer(x.formula, MOST) for s in stages for b in s.blocks for x in b.lines)
 
 
 def _is_passed(found: MotionTrace, regime: RegimeTrace, stops: set[str]) -> bool:

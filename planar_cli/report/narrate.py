@@ -41,6 +41,8 @@ class Voice:
 
 
 STUDENT = Voice()
+SOLVING = "Solving the equations"
+"""The heading of the last step of an instant."""
 
 
 def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) -> Document:
@@ -141,6 +143,8 @@ def _instant_blocks(
     """One instant, or one general position of a motion, without what an earlier one has told; how many steps and
     numbered equations there are then. `numbers`: how many of them stand before it.
     """
+    from planar_cli.report.integrated import is_solved_in_steps
+
     telling = Telling(
         instant, phrases_of(instant, voice.figures), voice.audience, _needed(part, instant, why), *numbers
     )
@@ -149,12 +153,20 @@ def _instant_blocks(
         mine = [f for f in part.found if (why is None or f.name == why) and _at(f) in ("", instant.state)]
         return [*blocks, *telling.asked.blocks(mine)], telling.steps, telling.count
     stretches = _stretches(part, instant)
+    if is_solved_in_steps(part.motion, part.motion.regime(instant)):
+        blocks = _without_solution(blocks)
     blocks = before.reduced(blocks, stretches, numbers[0])
     steps = numbers[0] + sum(isinstance(b, Heading) for b in blocks)
     if len(part.instants) > 1 and blocks:
         blocks.insert(0, Heading("MOTION", stretches))
     printed = [b.number for b in blocks if isinstance(b, Equation) and b.number is not None]
     return blocks, steps, max(printed, default=numbers[1])
+
+
+def _without_solution(blocks: list[Block]) -> list[Block]:
+    """What stands before the step that solves the equations."""
+    stop = next((i for i, b in enumerate(blocks) if isinstance(b, Heading) and b.text == SOLVING), len(blocks))
+    return blocks[:stop]
 
 
 def _motion_blocks(
