@@ -1,8 +1,8 @@
 """How a name of a file reads in mathematics: `omega_AB` as ω_AB, `v_D_AB` as v_D/AB; plain text and LaTeX.
 
-A name is a stem and pieces behind underscores; behind two underscores stands the state that it belongs to. Two pieces
-in capitals mean "relative to"; a component or an instant clings to the piece before it; other pieces are set off with a
-comma.
+A name is a stem and pieces behind underscores; behind two underscores stands the state that it belongs to. Of a
+position, velocity or acceleration two pieces in capitals mean "relative to"; a component or an instant clings to the
+piece before it; other pieces are set off with a comma. A name that is a phrase stays as its author wrote it.
 """
 
 from __future__ import annotations
@@ -47,6 +47,9 @@ GREEK = {
 }
 _WORD = re.compile(r"[a-z]{3,}")
 _LATEX_OF = {letter: "\\" + word for word, letter in GREEK.items()}
+_RELATIVE = frozenset({"r", "v", "a", "omega", "alpha"})
+"""What can be relative to something; J_N_C is an impulse of N at C."""
+_PREPOSITIONS = frozenset("from at to of in on by per with after before until".split())
 _COMPONENTS = frozenset({"x", "y", "t", "n", "r", "theta"})
 _DOTS = {"dot": ("\N{COMBINING DOT ABOVE}", r"\dot"), "ddot": ("\N{COMBINING DIAERESIS}", r"\ddot")}
 _SPECIAL = {
@@ -114,14 +117,9 @@ def stem(name: str) -> str:
 def _parts(name: str) -> _Parts:
     name, _, state = printable(name).partition("__")
     first, *pieces = name.split("_")
-    if (
-        not state
-        and len(pieces) > 1
-        and first not in GREEK
-        and _WORD.fullmatch(first)
-        and not {"prime", *_DOTS} & set(pieces)
-    ):
-        # A sentence such as `rain_speed_seen` stands as its author wrote it.
+    words = len(pieces) > 1 and first not in GREEK and _WORD.fullmatch(first) and not {"prime", *_DOTS} & set(pieces)
+    if not state and (words or _PREPOSITIONS & set(pieces[:-1])):
+        # A phrase such as `rain_speed_seen` or `r_A2_from_A` stands as its author wrote it.
         return _Parts("", name, "", "", False)
     prefix = ""
     if first.startswith("Σ") and len(first) > 1:
@@ -131,24 +129,26 @@ def _parts(name: str) -> _Parts:
     dot = next((p for p in pieces if p in _DOTS), "")
     prime = "prime" in pieces
     kept = [p for p in pieces if p and p != "prime" and p not in _DOTS]
-    subscript = ",".join(p for p in (_subscript(kept), _greek(state)) if p)
+    subscript = ",".join(p for p in (_subscript(kept, first in _RELATIVE), _greek(state)) if p)
     return _Parts(prefix, _greek(first), subscript, dot, prime)
 
 
-def _subscript(pieces: list[str]) -> str:
-    """The pieces behind the underscores as one subscript."""
-    text = ""
-    for before, piece in zip(["", *pieces], pieces, strict=False):
-        if text:
-            text += _joint(before, piece)
-        text += _greek(piece)
+def _subscript(pieces: list[str], may_be_relative: bool) -> str:
+    """The pieces behind the underscores as one subscript; `may_be_relative`: two of them may be joined by a stroke."""
+    places = [p for p in pieces if p not in _COMPONENTS and not p.isdigit()]
+    relative = may_be_relative and len(places) == 2 and places == pieces[:2] and all(p[0].isupper() for p in places)
+    text = "/".join(map(_greek, pieces[:2])) if relative else ""
+    rest = pieces[2:] if relative else pieces
+    before = text
+    for piece in rest:
+        text += ("" if not text or _clings(before, piece) else ",") + _greek(piece)
+        before = piece
     return text
 
 
-def _joint(before: str, piece: str) -> str:
-    if (piece in _COMPONENTS or piece.isdigit()) and len(before) <= 2 and not before.isdigit():
-        return ""
-    return "/" if before[:1].isupper() and piece[:1].isupper() else ","
+def _clings(before: str, piece: str) -> bool:
+    """Does a component or an instant stand directly behind the piece before it?"""
+    return (piece in _COMPONENTS or piece.isdigit()) and len(before) <= 2 and not before.isdigit()
 
 
 def _greek(word: str) -> str:
