@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
+from planar_cli.equation.common_factors import factor_terms
 from planar_cli.equation.displacement import Displacement
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.ledger import Ledger
@@ -71,7 +72,17 @@ class Decided:
             self._valuations = self.ledger.valuations(self._agrees) or self.ledger.valuations(self._assumed)
             if not self._valuations:
                 raise self._nowhere()
+            self.ledger.above_zero = tuple(self._above_zero())
         return self._valuations
+
+    def _above_zero(self) -> Iterator[sp.Expr]:
+        """The sums that `assume` says to be positive."""
+        for relation in self.problem.assume:
+            if isinstance(relation, Relation) and relation.operator in ("<", ">"):
+                sides = self.value(relation.left), self.value(relation.right)
+                difference = factor_terms(sides[0] - sides[1])
+                if difference.is_Add:
+                    yield difference if relation.operator == ">" else -difference
 
     def _nowhere(self) -> FileProblem:
         """No numbers were found: which of the assumptions does not go with those before it, else the lengths do not."""

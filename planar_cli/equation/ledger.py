@@ -68,7 +68,8 @@ class Ledger:
     a letter is drawn, where the usual range would not do; `beside`: near which formula of other letters, from where to
     where in parts of its size (of a radian, for an angle). `project`: moves drawn coordinates to where loops close.
     `named`: symbols that stand for an expression, by name and expression. `roles`: what every symbol is. `reserved`:
-    the names of the file, which no symbol of ours gets. `scales`: ordinary sizes of the scene.
+    the names of the file, which no symbol of ours gets. `scales`: ordinary sizes of the scene. `above_zero`: sums that
+    the file assumes to be positive.
     """
 
     symbols: dict[str, sp.Symbol] = field(default_factory=dict)
@@ -87,6 +88,7 @@ class Ledger:
     roles: dict[sp.Symbol, Role] = field(default_factory=dict)
     reserved: frozenset[str] = frozenset()
     scales: Scales = field(default_factory=Scales)
+    above_zero: tuple[sp.Expr, ...] = ()
 
     def known(self, name: str, value: sp.Expr, unit: str) -> sp.Symbol:
         """A name with a value; positive when its number is."""

@@ -273,7 +273,7 @@ class _Split:
         if not letters or self.above or self.below or not q.is_Rational or q.q == 1 or inside == 1:
             return
         moved = q * q * inside
-        if moved.p < inside:
+        if moved.p < inside or len(f"{moved.p}{moved.q}") < len(f"{abs(q.p)}{q.q}{inside}"):
             self.coefficient = sympy.sign(q)
             self.root_above = [moved, *letters]
 

@@ -368,7 +368,7 @@ class MotionTelling:
         symbolic = self.phrases.symbolic and r.unknown not in self.found.route.settled
         for i, root in enumerate(left[:MOST_ROOTS]):
             shown = self.phrases.shown(r.unknown, root.value)
-            sign = Math(root.expression) if symbolic and root.expression is not None else shown
+            sign = self.phrases.math(root.expression) if symbolic and root.expression is not None else shown
             parts += [", " if i else "", sign]
         yield Paragraph(line(*parts, ": ", *reason(self.found, r, [x.value for x in left])))
 

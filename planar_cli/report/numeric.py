@@ -83,6 +83,8 @@ class NumericTelling:
             if found is not None:
                 self._put.add((id(stage.algebra), w.number))
                 return found
+        if w.law == "relation":
+            sides = self.phrases.writer.sides(*sides)
         return tuple(self.phrases.math(s) for s in sides), ()
 
     def put_in(self, w: Written, stage: Stage, unknowns: Collection[sp.Symbol]) -> Printed | None:

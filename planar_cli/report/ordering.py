@@ -11,7 +11,7 @@ from typing import Any
 
 from sympy import Function
 
-from planar_cli.report.names import stem
+from planar_cli.report.names import GREEK, stem
 
 _GROUPS = (
     ("mu", "e", "eta", "zeta"),
@@ -65,4 +65,6 @@ def _rank(name: str) -> float:
     first = stem(name)
     if first == "k" and name[2:3].isupper():
         return _RANKS["R"]  # k_G is a radius of gyration, k and k_1 are stiffnesses
+    if first in GREEK and "dot" in name:
+        return _RANKS["omega"]  # (R - r) φ̇, as r ω
     return _RANKS.get(first, _OTHER_LETTERS)

@@ -19,6 +19,7 @@ from planar_cli.records import record
 from planar_cli.report.blocks import Line, Math, Text, Value
 from planar_cli.report.clean import is_clean
 from planar_cli.report.enough_figures import enough_figures
+from planar_cli.report.neat import Neat
 from planar_cli.report.numbers import as_printed, quantity, rotation_words, significant, vector_words
 from planar_cli.report.page_units import coherent_unit
 from planar_cli.report.pieces import met
@@ -63,7 +64,16 @@ class Phrases:
 
     def math(self, expr: Any) -> Math:
         """An expression in its names."""
-        return Math(rounded(self.met(sp.sympify(expr)), self.figures))
+        return Math(rounded(self.neat(self.met(sp.sympify(expr))), self.figures))
+
+    def neat(self, expr: sp.Expr) -> sp.Expr:
+        """An expression as a person would write it."""
+        return self.writer(expr)
+
+    @property
+    def writer(self) -> Neat:
+        """Writes formulas as a person would."""
+        return Neat(self.ledger, self.value)
 
     def met(self, expr: sp.Expr) -> sp.Expr:
         """Of a formula in pieces those that the motion meets; with letters all of them."""
@@ -75,7 +85,7 @@ class Phrases:
         """
         if not self.has_numbers(expr):
             return None
-        expr = self.met(expr)
+        expr = self.neat(self.met(expr))
         if self.ledger.us and not is_clean(self.ledger, expr):
             return None
         degrees = [s for s in expr.free_symbols if self._in_degrees(s)]
@@ -218,7 +228,7 @@ def answer_line(found: Found, phrases: Phrases) -> Line:
             return (Text(f"more than {PRINTABLE} operations as one formula; the lines give it step by step"),)
         parts: list[Any] = []
         for i, expr in enumerate(found.expressions or ()):
-            parts += [Text("[" if i == 0 and found.kind == "vector" else ", " if i else ""), Math(expr)]
+            parts += [Text("[" if i == 0 and found.kind == "vector" else ", " if i else ""), Math(phrases.neat(expr))]
         line = (*parts, Text("]")) if found.kind == "vector" else tuple(p for p in parts if p != Text(""))
         return (*_in_asked_unit(line, found, phrases), *_unit_of_formula(found, phrases))
     numbers = [display(v, found.unit) for v in found.values]
