@@ -14,7 +14,7 @@ from planar_cli.report.clean import is_clean
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.roots import linear_or_square_roots
 from planar_cli.solve.solution import Found
-from planar_cli.units import LENGTH
+from planar_cli.units import LENGTH, RATE, VELOCITY
 
 MOST = 2
 LONGEST = 60
@@ -76,7 +76,7 @@ def _remark(answer: Found, symbol: sp.Symbol, root: sp.Expr, turning: sp.Expr, p
         return None
     if root.is_Symbol or root.is_number or longer(root, SHORT) or not is_clean(phrases.ledger, root, symbol):
         return None
-    opening, end = line("With "), line(", ", Name(answer.name), " would be zero; beyond it, it has the other sign.")
+    opening, end = line("With "), line(", ", Name(answer.name), " would be zero", _beyond(answer), ".")
     if phrases.symbolic:
         return line(opening, Relation(Math(symbol), "=", Math(root)), end)
     if _distance(symbol, root, phrases) > FAR:
@@ -85,3 +85,8 @@ def _remark(answer: Found, symbol: sp.Symbol, root: sp.Expr, turning: sp.Expr, p
     return line(
         opening, Relation(Math(symbol), "=", Math(root)), " = ", Value(unit.number, unit.unit, unit.figures), end
     )
+
+
+def _beyond(answer: Found) -> str:
+    """What there is beyond a zero. A speed that comes to zero may stay there: friction turns with it."""
+    return "" if answer.unit.dimension in (VELOCITY, RATE) else "; beyond it, it has the other sign"

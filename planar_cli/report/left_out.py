@@ -1,9 +1,10 @@
-"""Roots of a motion that were not taken, each with the condition that rules it out: a time that is not after the state
-before, a motion in the other sense, a place on the other side of the start.
+"""Roots of a motion that were not taken, with what rules them out: a time that is not after the state before, a motion
+in the other sense, a place on the other side of the start. Where nothing of mechanics does, nothing is said.
 """
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from decimal import Decimal
 
 import sympy as sp
@@ -19,25 +20,41 @@ SENSES = {
 }
 
 
-def reason(found: MotionTrace, r: Result, others: list[Decimal]) -> Line:
-    """Why the other roots of a letter are left out."""
+def reason(found: MotionTrace, r: Result, others: list[Decimal], told: Collection[sp.Symbol]) -> Line:
+    """Why the other roots of a letter are left out; nothing where only their size tells them apart. `told`: letters
+    that the page gives.
+    """
     general = found.general[r.unknown]
     kind, stop = found.ledger.roles[general].kind, found.ledger.roles[r.unknown].at or ""
+    earlier = _before(found, r.unknown, stop)
     if kind is Kind.TIME:
-        return _later(found, r, stop, others)
+        return _later(found, r, others, earlier, told)
     if kind is Kind.SPEED and all(v * r.value < 0 for v in others):
         return _sense(general.name, r.value > 0)
-    if kind is Kind.COORDINATE:
-        return _side(found, r, stop, others)
-    return line(_by_sign(r.value, others))
+    if kind is Kind.COORDINATE and earlier is not None:
+        return _on_the_way(found, r, others, earlier, told)
+    return _by_sign(r.value, others)
 
 
-def _later(found: MotionTrace, r: Result, stop: str, others: list[Decimal]) -> Line:
+def _later(
+    found: MotionTrace, r: Result, others: list[Decimal], earlier: sp.Symbol | None, told: Collection[sp.Symbol]
+) -> Line:
     """Of times the first one after the state before."""
-    earlier = _before(found, r.unknown, stop)
     bound = sp.S.Zero if earlier is None or found.value.is_zero(earlier) else earlier
-    after = line(Math(r.unknown), " > ", Math(bound))
-    return after if all(v < r.value for v in others) else line("the smallest root with ", *after, " is meant")
+    after = (
+        line(Math(r.unknown), " > ", Math(bound)) if bound == 0 or bound in told else _after(found, r.unknown, bound)
+    )
+    if all(v < r.value for v in others):
+        return after
+    return line("it is the first time after ", "the start" if bound == 0 else f"state {_state(found, bound)}")
+
+
+def _after(found: MotionTrace, unknown: sp.Symbol, earlier: sp.Symbol) -> Line:
+    return line("state ", _state(found, unknown), " comes after state ", _state(found, earlier))
+
+
+def _state(found: MotionTrace, symbol: sp.Symbol) -> str:
+    return found.ledger.roles[symbol].at or ""
 
 
 def _before(found: MotionTrace, unknown: sp.Symbol, stop: str) -> sp.Symbol | None:
@@ -61,31 +78,36 @@ def _sense(name: str, positive: bool) -> Line:
     return line(f"it moves in the {'positive' if positive else 'negative'} sense there")
 
 
-def _side(found: MotionTrace, r: Result, stop: str, others: list[Decimal]) -> Line:
-    """A place is on the side to which the motion goes from the state before."""
-    earlier = _before(found, r.unknown, stop)
-    start = found.value.known(earlier) if earlier is not None else None
-    if earlier is None or start is None or start == r.value:
-        return line(_by_sign(r.value, others))
+def _on_the_way(
+    found: MotionTrace, r: Result, others: list[Decimal], earlier: sp.Symbol, told: Collection[sp.Symbol]
+) -> Line:
+    """A place is on the side to which the motion goes from the state before, and the first that it reaches there."""
+    start = found.value(earlier)
+    if _close(start, r.value):
+        return _by_sign(r.value, others)
     grows = r.value > start
-    if all((v - start) * (r.value - start) <= 0 or _close(v, start) for v in others):
-        return line(Math(r.unknown), " > " if grows else " < ", Math(earlier))
-    if all(abs(v - start) > abs(r.value - start) for v in others):
-        return line(Math(r.unknown), " is reached first")
-    return line(_by_sign(r.value, others))
+    beyond = [v for v in others if not _close(v, start) and (v > start) is grows]
+    if any(abs(v - start) < abs(r.value - start) for v in beyond):
+        return _by_sign(r.value, others)
+    first = line(Math(r.unknown), " is reached first")
+    if len(beyond) == len(others):
+        return first
+    if earlier in told:
+        ahead = line(Math(r.unknown), " > " if grows else " < ", Math(earlier))
+    elif all(_close(v, start) for v in others):
+        return line("that is the place in state ", _state(found, earlier))
+    else:
+        ahead = line(Math(found.general[r.unknown]), " grows" if grows else " decreases", " from state ")
+        ahead = line(ahead, _state(found, earlier), " to state ", _state(found, r.unknown))
+    return line(ahead, ", and ", first) if beyond else ahead
 
 
 def _close(a: Decimal, b: Decimal) -> bool:
     return abs(a - b) <= (abs(a) + abs(b)) * Decimal("1e-9")
 
 
-def _by_sign(value: Decimal, others: list[Decimal]) -> str:
-    """Which root is taken, by its sign or size."""
-    several = len(others) > 1
+def _by_sign(value: Decimal, others: list[Decimal]) -> Line:
+    """Which root is taken, where its sign tells it."""
     if all(v * value < 0 for v in others):
-        return f"the {'positive' if value > 0 else 'negative'} root is taken"
-    if all(v < value for v in others):
-        return f"the {'largest' if several else 'larger'} root is taken"
-    if all(v > value for v in others):
-        return f"the {'smallest' if several else 'smaller'} root is taken"
-    return "these lie on other branches"
+        return line(f"the {'positive' if value > 0 else 'negative'} root is meant")
+    return ()

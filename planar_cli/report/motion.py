@@ -29,6 +29,7 @@ from planar_cli.report.span_integrals import SpanTelling
 from planar_cli.report.spoken import spoken
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import (
+    IN_THE_END,
     BalanceTrace,
     ImpactEquation,
     MotionTrace,
@@ -153,18 +154,22 @@ class MotionTelling:
 
     def _datum(self, leg: RouteStep) -> Iterator[Block]:
         e = leg.relations[0]
-        lead = ": ".join(x for x in (e.stop, self._known(e)) if x) + ":"
+        if e.words == IN_THE_END:
+            yield Paragraph(line(f"{e.stop}: {e.words}:"))
+            yield Equation(tuple(self.phrases.math(side) for side in self._sides_of(e, self.found.route)))
         for r in leg.results:
+            lead = ": ".join(x for x in (e.stop, self._known(e, r)) if x) + ":"
             yield Equation(self._chain(r), None, line(lead))
 
     @staticmethod
-    def _known(e: Relation) -> str:
-        """Where a datum comes from."""
+    def _known(e: Relation, r: Result) -> str:
+        """Where a datum comes from; nothing where it is worked out of what is given."""
         if e.kind == "turn":
             return turning(e.words)
         if e.kind == "followed":
             return "found by trial" if "trial" in e.words else ""
-        return {"drawn": "in the given position", "start": e.words}.get(e.kind, "given")
+        plainly = r.formula is None or r.formula.is_number or (r.formula / r.formula.as_coeff_Mul()[0]).is_Symbol
+        return {"drawn": "in the given position", "start": e.words}.get(e.kind, "given" if plainly else "")
 
     def _leg(self, leg: RouteStep, route: RouteTrace) -> Iterator[Block]:
         equations = leg.relations
@@ -370,7 +375,9 @@ class MotionTelling:
             shown = self.phrases.shown(r.unknown, root.value)
             sign = self.phrases.math(root.expression) if symbolic and root.expression is not None else shown
             parts += [", " if i else "", sign]
-        yield Paragraph(line(*parts, ": ", *reason(self.found, r, [x.value for x in left])))
+        told = {x for leg in self._needed(self.found.route) for x in leg.unknowns}
+        if why := reason(self.found, r, [x.value for x in left], told):
+            yield Paragraph(line(*parts, ": ", why))
 
     def _letter(self, e: Relation) -> sp.Symbol | None:
         """The letter that a relation between states gives, by its kind."""

@@ -11,6 +11,7 @@ from planar_cli.equation.plain import longer
 from planar_cli.report.actions import moment_words, perpendicular
 from planar_cli.report.asked import AskedTelling
 from planar_cli.report.assumed import assumption_notes
+from planar_cli.report.at_rest import speeds_matter
 from planar_cli.report.blocks import Block, Equation, Heading, Line, Math, Name, Paragraph, Text, line
 from planar_cli.report.forces import centre_of, force_rows
 from planar_cli.report.geometry import constructed, places
@@ -167,7 +168,8 @@ class Telling:
     def _kinematics(self, stages: list[Stage], last: Stage | None, kinetic: bool) -> list[Block]:
         blocks: list[Block] = []
         trial = self.instant.trial
-        if trial.velocities and not any(trial.velocities[0].values.values()) and self.instant.instant.at_rest:
+        rests = self.instant.instant.at_rest and not any(v for t in trial.velocities[:1] for v in t.values.values())
+        if rests and trial.velocities and speeds_matter(self.system, vanishing(last) if last is not None else ()):
             blocks.append(Paragraph(line("At rest: all velocities are zero.")))
         for stage in stages:
             written = [w for b in stage.blocks for w in b.equations]

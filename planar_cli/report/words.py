@@ -144,7 +144,9 @@ class Phrases:
 
     def page_unit(self, unit: Unit) -> Unit:
         """The unit of the lines of the page: SI, or feet, slugs, seconds and pounds in a file in US units."""
-        return coherent_unit(unit.dimension, unit.angle, self.ledger.us)
+        own = coherent_unit(unit.dimension, unit.angle, self.ledger.us)
+        # As the file writes it: a mass that flows is counted in kg/s, not in N·s/m.
+        return unit if unit.factor == own.factor and not unit.angle and not unit.pi_power else own
 
     def of_dimension(self, value: Decimal, dimension: Dimension, angle: bool = False) -> Value:
         """A value in SI units in the unit of the page."""

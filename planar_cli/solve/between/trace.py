@@ -27,6 +27,10 @@ from planar_cli.units import Unit
 # --- relations between states ----------------------------------------------------------------------------------------
 
 
+IN_THE_END = "in the end the speed no longer changes"
+"""The words of a relation at t = infinity that says that an acceleration is zero there."""
+
+
 @record
 class Law:
     """How one coordinate moves: q̇ = f (order 1) or q̈ = f (order 2)."""

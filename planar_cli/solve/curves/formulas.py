@@ -80,17 +80,17 @@ def solve_formulas(problem: Problem, case: str, units: Mapping[str, str], earlie
     solution = regime.general.solution
     assert solution is not None
     if reader.compared:
-        _checked(solution, "velocities and accelerations along the joints agree")
+        solution.checks.setdefault("lines", []).append("velocities and accelerations along the joints agree")
     for words in balanced([regime]):
         _checked(solution, words, BY_ENERGY)
     whole = not reader.kinetic and not reader.by_joints
     return PartSolution(case, (solution,), found, None, Tale(reader.passages(), whole))
 
 
-def _checked(solution: InstantSolution, words: str, told: str = "") -> None:
-    """A check that a person can make too. `told`: how the page tells it, where that is shorter."""
+def _checked(solution: InstantSolution, words: str, told: str) -> None:
+    """A check that a person can make too. `told`: how the page tells it."""
     solution.checks.setdefault("lines", []).append(words)
-    solution.checks.setdefault("told", []).append(told or words)
+    solution.checks.setdefault("told", []).append(told)
 
 
 def _values(find: Find, quantities: Quantities) -> tuple[sp.Expr, ...]:

@@ -21,7 +21,7 @@ from planar_cli.equation.plain import identically_zero, letters, longer, replace
 from planar_cli.errors import NOWHERE, Mark
 from planar_cli.problem.expression import Name
 from planar_cli.records import record
-from planar_cli.solve.between.trace import Law
+from planar_cli.solve.between.trace import IN_THE_END, Law
 from planar_cli.solve.regimes.constraints import fixed_by, start_of
 from planar_cli.solve.regimes.mode_sequence import fixed_time
 from planar_cli.solve.regimes.regime import Regime
@@ -358,7 +358,7 @@ def ending_equations(laws: Laws, stop: Stop, regime: Regime) -> Iterator[Equatio
         if slope == 0:
             continue
         residual = law.f.xreplace({law.v: _speed(law, stop)})
-        yield Equation(residual, "given", "in the end the speed no longer changes", stop.name)
+        yield Equation(residual, "given", IN_THE_END, stop.name)
 
 
 def stated_equations(demands: Iterable[Demand], kind: str = "given") -> Iterator[Equation]:

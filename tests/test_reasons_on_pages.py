@@ -1,0 +1,72 @@
+"""What a page gives as reasons: roots that mechanics rules out, rest that matters, data that the file gives."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+from conftest import ROOT
+from worked import worked
+
+from planar_cli.formats.terminal import Terminal
+from planar_cli.report.narrate import narrate
+
+FILES = (
+    "textbook/ex-1-03",
+    "textbook/ex-1-06",
+    "textbook/ex-1-07",
+    "textbook/ex-1-11",
+    "textbook/ex-4-11",
+    "textbook/ex-4-13",
+    "motion/parachutist",
+    "motion/throw-up-a-slope",
+    "impact/bullet-in-a-hanging-block",
+    "impact/wheel-over-a-kerb",
+    "momentum/lawn-sprinkler",
+    "momentum/pipe-bend",
+    "friction/truck-that-brakes-with-a-crate",
+)
+NO_MECHANICS = ("other branches", "smaller root", "larger root", "smallest root", "largest root", "along the joints")
+TIME = re.compile(r"\bt_\w+ > (t_\w+)")
+
+
+def _page(name: str) -> str:
+    return Terminal(width=110).render(narrate(worked(ROOT / "problems" / f"{name}.yaml")[0]))
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_reasons_are_of_mechanics(name: str) -> None:
+    """A time that bounds another is found on the page; what is worked out is not called given."""
+    page = _page(name)
+    assert not [words for words in NO_MECHANICS if words in page]
+    for earlier in TIME.findall(page):
+        assert re.search(rf"\b{earlier} += ", page)
+    assert not re.findall(r"given: +\S+ = [^=\n]*(?:√|\w+/[A-Za-z])[^=\n]*=", page)
+
+
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [
+        ("textbook/ex-4-04", True),
+        ("systems/bob-on-a-cart", True),
+        ("particles/block-on-wedge", False),
+        ("momentum/pipe-bend", False),
+        ("friction/truck-that-brakes-with-a-crate", False),
+    ],
+)
+def test_rest_is_said_where_speeds_would_matter(name: str, said: bool) -> None:
+    """A rod that turns would have ω² terms; what can only move along a line has none, nor what stays where it is."""
+    assert ("At rest: all velocities are zero" in _page(name)) is said
+
+
+def test_in_the_end_a_speed_no_longer_changes() -> None:
+    """The condition at t = infinity stands before the speed that follows from it."""
+    page = _page("motion/parachutist")
+    assert re.search(r"the speed no longer changes:\n +c v_Py,end²/m = g\n +end: +v_Py,end = -√\(m g/c\)", page)
+
+
+def test_a_rate_of_flow_keeps_its_unit_and_a_speed_gets_no_sign() -> None:
+    """Friction that stops a sprinkler does not turn it backward."""
+    page = _page("momentum/lawn-sprinkler")
+    assert "= 0.1155 kg/s, w_end would be zero." in page
+    assert "other sign" not in page
