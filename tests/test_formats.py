@@ -273,6 +273,29 @@ def test_the_other_blocks_in_markdown() -> None:
     assert "x \\ge 1~\\mathrm{N}\\text{ or more}" in text
 
 
+def test_a_value_continues_under_its_sign() -> None:
+    """Also where the sign stands in the right half of the page, as long as everything fits there."""
+    a, b, c = symbols("alpha_1 beta_1 gamma_1", positive=True)
+    equation = doc.Equation(
+        (doc.line("length of the spring, s"), doc.Math(a + b - c), doc.Math(a - b + c), value("0.1172", "m"))
+    )
+    rows = Terminal(50).render(doc.Document("", (equation,))).splitlines()[-3:]
+    assert rows[-1].endswith("= 0.1172 m")
+    assert len({row.index("= ") for row in rows}) == 1
+    assert rows[0].index("= ") > 25
+
+
+def test_a_formula_breaks_between_factors_before_it_breaks_in_brackets() -> None:
+    a, b, c = symbols("alpha_1 beta_1 gamma_1", positive=True)
+    long = doc.Math(Mul(a + b * c, a + 2 * b, 3 * a + c, evaluate=False) / (b + c))
+    rows = Terminal(40).render(doc.Document("", (doc.Equation((doc.line("x"), long)),))).splitlines()
+    assert all(row.count("(") == row.count(")") for row in rows)
+    nested = doc.Math(sqrt(Add(a * b, b * c, 2 * a * c, 3 * a**2, 5 * c**2)))
+    rows = Terminal(30).render(doc.Document("", (doc.Equation((doc.line("x"), nested)),))).splitlines()
+    assert len(rows) > 1
+    assert not any(row.rstrip().endswith(("+", "-", "/", "·")) for row in rows)
+
+
 def test_a_wide_table_is_stacked() -> None:
     assert "  method: work\n  equations: 1\n" in Terminal(19).render(ROWS)
 

@@ -1,6 +1,7 @@
 """Rows of styled text and how lines are wrapped into them; shared by formats of fixed-width text.
 
-A line may break at a space of its words; inside a formula only if it has to, before an operator if possible.
+A line may break at a space of its words; inside a formula only if it has to: before an operator, else between two
+factors, and inside brackets last.
 """
 
 from __future__ import annotations
@@ -16,8 +17,9 @@ from planar_cli.report.numbers import quantity
 
 # Spaces inside formulas while lines are being filled. `printable` lets neither through from a file.
 FIRM = "\N{NO-BREAK SPACE}"
-BEFORE_OPERATOR = "\ue000"
-_INNER_SPACES = str.maketrans({FIRM: " ", BEFORE_OPERATOR: " "})
+BEFORE_OPERATOR, BETWEEN_FACTORS, IN_BRACKETS = "\ue000", "\ue001", "\ue002"
+"""Outside brackets before + - = /, and between two factors; inside brackets before an operator."""
+_INNER_SPACES = str.maketrans(dict.fromkeys((FIRM, BEFORE_OPERATOR, BETWEEN_FACTORS, IN_BRACKETS), " "))
 
 
 @record
@@ -74,13 +76,20 @@ def _spans(part: Inline) -> list[Span]:
 
 
 def _firm(formula: str) -> str:
-    """The spaces of a formula made firm; those before + - = / outside brackets give way first."""
+    """The spaces of a formula made firm, each with what tells how soon it gives way."""
     depth, text = 0, ""
     for place, character in enumerate(formula):
-        depth += (character == "(") - (character == ")")
-        breaks = character == " " and not depth and re.match(r"[-+=/] ", formula[place + 1 : place + 3])
-        text += BEFORE_OPERATOR if breaks else FIRM if character == " " else character
+        depth += (character in "([") - (character in ")]")
+        text += _space(formula, place, depth) if character == " " else character
     return text
+
+
+def _space(formula: str, place: int, depth: int) -> str:
+    """A space of a formula, by what stands around it."""
+    if re.match(r"[-+=/·] ", formula[place + 1 : place + 3]):
+        return IN_BRACKETS if depth else BEFORE_OPERATOR
+    behind_a_sign = re.search(r"(^|[-+=/·,≤≥<>→]|sin[²³]?|cos[²³]?|tan[²³]?)$", formula[:place])
+    return FIRM if depth or behind_a_sign else BETWEEN_FACTORS
 
 
 def settled(row: Iterable[Span]) -> Row:
@@ -136,8 +145,8 @@ def _chunks(content: Iterable[Span], space: str) -> list[_Chunk]:
 
 
 def _fitting(chunks: list[_Chunk], room: int) -> list[_Chunk]:
-    """Chunks that are wider than the room, cut before operators, else at firm spaces, else anywhere."""
-    for space in (BEFORE_OPERATOR, FIRM):
+    """Chunks that are wider than the room, cut where they give way first, at last anywhere."""
+    for space in (BEFORE_OPERATOR, BETWEEN_FACTORS, IN_BRACKETS, FIRM):
         chunks = [part for c in chunks for part in (_cut(c, space) if row_cells(c.spans) > room else [c])]
     return [part for c in chunks for part in _sliced(c, room)]
 

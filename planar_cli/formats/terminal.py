@@ -116,7 +116,8 @@ class Terminal(Format[Row]):
         left, *others = [side_spans(s) for s in equation.sides]
         head += indent(columns.left - row_cells(left)) if others else []
         sign = row_cells(head) + row_cells(left) + 1
-        hang = sign if others and sign <= self.width // 2 else min(columns.start + _BODY, self.width // 2)
+        below = others and (sign <= self.width // 2 or all(row_cells(s) + 2 <= self.width - sign for s in others))
+        hang = sign if below else min(columns.start + _BODY, self.width // 2)
         if row_cells(head) > self.width // 2:
             rows = [settled(head)]
             head = indent(hang)
