@@ -109,7 +109,7 @@ class BetweenTelling:
         """An equation in letters where that is short and hides no unit; else with its numbers put in. `parts`: of its
         left side, which were told one by one.
         """
-        short = not longer(left - right, SHORT) and is_clean(self.phrases.ledger, left, right)
+        short = not longer(left - right, SHORT) and is_clean(self.phrases.ledger, left, right, dimension=dimension)
         found = None if short else put_in(parts or left, right, self.unknowns, self.numeric, dimension)
         if found is None:
             return Equation((self.phrases.math(left), self.phrases.math(right)), number, lead)

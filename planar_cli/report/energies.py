@@ -19,11 +19,23 @@ from planar_cli.report.clean import is_clean
 from planar_cli.report.in_numbers import SMALL
 from planar_cli.report.notation import plain
 from planar_cli.report.numbers import quantity, significant
+from planar_cli.report.ordering import NUMBER
 from planar_cli.report.page_units import coherent_unit
-from planar_cli.report.put_in import Writer
+from planar_cli.report.put_in import Writer, partly
 from planar_cli.report.words import Phrases, told_unit
 from planar_cli.solve.between.trace import BalanceTrace
-from planar_cli.units import ENERGY, Unit, parse_unit, pretty_unit
+from planar_cli.units import (
+    ENERGY,
+    INERTIA,
+    LENGTH,
+    MASS,
+    RATE,
+    VELOCITY,
+    Dimension,
+    Unit,
+    parse_unit,
+    pretty_unit,
+)
 
 SHORT = 16
 """With more operations a formula of an energy is told by what it is made of."""
@@ -32,7 +44,7 @@ FEW = 8
 WIDE = 88
 """So many characters of a chain fit into a line."""
 STATE = "__"
-UNITS = {"v": "m/s", "omega": "rad/s"}
+UNITS = {"v": ("m/s", VELOCITY), "omega": ("rad/s", RATE)}
 
 
 @record
@@ -88,13 +100,18 @@ class EnergyTelling:
         for kind, own, expr in speeds:
             if own != expr:
                 told += [",  ", Math(own)] if told else [Math(own)]
-                told += [x for side in self._speed(expr, UNITS[kind]) for x in (" = ", side)]
+                told += [x for side in self._speed(expr, kind) for x in (" = ", side)]
         if told:
             yield Equation((line(told[0]), line(*told[2:])))
-        masses = {"v": made.mass, "omega": made.inertia}
+        masses, texts = {"v": made.mass, "omega": made.inertia}, {}
+        for kind, dimension in (("v", MASS), ("omega", INERTIA)):
+            if not is_clean(self.phrases.ledger, masses[kind], dimension=dimension):
+                number = sp.Symbol(f"{NUMBER}{kind}", positive=True)
+                texts[number] = significant(self.phrases.value(masses[kind]), self.phrases.figures)
+                masses[kind] = number
         terms = (masses[kind] * own**2 / 2 for kind, own, _ in speeds)
         formula = sp.Add(*(simplified(t) if not longer(t, SHORT) else t for t in terms), evaluate=False)
-        yield self._line(lead, *self._fitting(self.phrases.math(formula), put))
+        yield self._line(lead, *self._fitting(Math(formula, texts) if texts else self.phrases.math(formula), put))
 
     def _by_others(self, expr: sp.Expr) -> bool:
         """Is a speed more than the size of the one that is sought or known?"""
@@ -125,7 +142,7 @@ class EnergyTelling:
             return sp.Symbol(f"{own.name[0]}_G_{body}{STATE}{self.balance.stop}", real=True), expr
         return own, expr if known * size >= 0 else -expr
 
-    def _speed(self, expr: sp.Expr, unit: str) -> tuple[Any, ...]:
+    def _speed(self, expr: sp.Expr, kind: str) -> tuple[Any, ...]:
         """A speed in letters where they are few, else in numbers; the root of c u² is √c u, with the sign that makes
         it positive.
         """
@@ -134,7 +151,8 @@ class EnergyTelling:
             u = moving[0]
             factor = (expr / u).xreplace({u: sp.Integer(1 if self.phrases.value(u) >= 0 else -1)})
             expr = factor * u if longer(factor, SHORT) else simplified(factor) * u
-        few = not longer(expr, FEW) and self._short(expr) and not expr.has(sp.Abs)
+        unit, dimension = UNITS[kind]
+        few = not longer(expr, FEW) and self._short(expr, dimension) and not expr.has(sp.Abs)
         letters = (self.phrases.math(expr),) if few else ()
         if few and moving:
             return letters
@@ -196,8 +214,8 @@ class EnergyTelling:
 
     # --- pieces ------------------------------------------------------------------------------------------------------
 
-    def _short(self, put: sp.Expr) -> bool:
-        return not longer(put, SHORT) and is_clean(self.phrases.ledger, put)
+    def _short(self, put: sp.Expr, dimension: Dimension = ENERGY) -> bool:
+        return not longer(put, SHORT) and is_clean(self.phrases.ledger, put, dimension=dimension)
 
     def _fitting(self, formula: Math, put: sp.Expr, numbers: tuple[Any, ...] = ()) -> tuple[Any, ...]:
         """A formula of what an energy is made of, then as much of its letters and numbers as one line holds.
@@ -228,8 +246,12 @@ class EnergyTelling:
             shown = self._summed(put)
             formula = self.phrases.math(put)
             return (formula, *(s for s in shown if s != formula)) if self._short(put) else shown
-        formulas = (self.phrases.math(put),) if not put.is_number and not longer(put, 2 * SHORT) else ()
         value = self._joule(put)
+        if not put.is_number and not is_clean(self.phrases.ledger, put, dimension=ENERGY):
+            part = partly(put, [s for s in put.free_symbols if STATE in s.name], self.phrases)
+            if part is not None:
+                return part, value
+        formulas = (self.phrases.math(put),) if not put.is_number and not longer(put, 2 * SHORT) else ()
         return (*formulas, *(self.phrases.substituted(put, value) if formulas else ()), value)
 
     def _summed(self, expr: sp.Expr, unit: str = "J") -> tuple[Any, ...]:
@@ -248,7 +270,7 @@ class EnergyTelling:
         if expr.free_symbols & set(self.unknowns):
             return self._summed(expr)
         value = self._value(expr, parse_unit("m"))
-        clean = expr.free_symbols and not longer(expr, SHORT) and is_clean(self.phrases.ledger, expr)
+        clean = expr.free_symbols and self._short(expr, LENGTH)
         return (self.phrases.math(expr), *self.phrases.substituted(expr, value), value) if clean else (value,)
 
     def _value(self, expr: sp.Expr, unit: Unit) -> Value:

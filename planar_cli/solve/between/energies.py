@@ -12,26 +12,33 @@ import sympy as sp
 from planar_cli.equation.exact import Valuation
 from planar_cli.principles.base import EnergyParts, Moving, Storage, Stored
 from planar_cli.solve.between.balances import StateBalance
-from planar_cli.solve.regimes.regime_sequence import RegimeSequence
+from planar_cli.solve.between.stated_motion import StatedMotion
+from planar_cli.solve.regimes.regime import Regime
 
 
-def energy_parts(course: RegimeSequence, b: StateBalance, value: Valuation) -> EnergyParts | None:
+def energy_parts(course: StatedMotion, b: StateBalance, value: Valuation) -> EnergyParts | None:
     """The parts of a balance of energies; None: of another amount. `value`: numbers of everything."""
     if not b.law.moving:
         return None
     names = [s.name for s in course.states]
-    regime = course.regimes[names.index(b.stop.name) - 1]
-
-    def closed(expr: sp.Expr) -> sp.Expr:
-        return regime.closed(sp.sympify(expr))
-
-    moving = tuple(_at(m, lambda e: b.stop.at(closed(e))) for m in b.law.moving)
-    stored = {s.words: s.stored for s in b.law.sources if s.stored is not None}
+    acting = course.regimes[names.index(b.since.name) : names.index(b.stop.name)]
+    moving = tuple(_at(m, lambda e: b.stop.at(acting[-1].closed(e))) for m in b.law.moving)
     found = []
     for words, brought in b.brought:
-        if words in stored:
-            found += _storage(words, brought, stored[words], closed, b, value)
+        # What ends on the way is no source of the last regime.
+        for regime in reversed(acting):
+            stored = _stored(course, regime, b, words)
+            if stored is not None:
+                found += _storage(words, brought, stored, regime, b, value)
+                break
     return EnergyParts(moving, tuple(found))
+
+
+def _stored(course: StatedMotion, regime: Regime, b: StateBalance, words: str) -> Stored | None:
+    """What the potential of a source is made of, in one regime of a balance."""
+    offered = (o.balance for o in course.between.offered.get(id(regime), []))
+    sources = (s for balance in offered if balance.words == b.law.words for s in balance.sources)
+    return next((s.stored for s in sources if s.words == words and s.stored is not None), None)
 
 
 def _at(m: Moving, place: Callable[[sp.Expr], sp.Expr]) -> Moving:
@@ -39,13 +46,13 @@ def _at(m: Moving, place: Callable[[sp.Expr], sp.Expr]) -> Moving:
 
 
 def _storage(
-    words: str, brought: sp.Expr, s: Stored, closed: Callable[[sp.Expr], sp.Expr], b: StateBalance, value: Valuation
+    words: str, brought: sp.Expr, s: Stored, regime: Regime, b: StateBalance, value: Valuation
 ) -> list[Storage]:
-    """Where it gives what was brought: a spring that was free at the beginning counts from its end alone."""
-    measure, factor = closed(s.measure), closed(s.factor)
-    last = b.stop.at(measure)
-    for first in (b.since.at(measure), sp.S.Zero):
-        found = Storage(words, factor, first, last, s.power, s.letter)
+    """Where it gives what was brought; a spring that is free at one end has no stretch there."""
+    measure, factor = regime.closed(s.measure), regime.closed(s.factor)
+    first, last = b.since.at(measure), b.stop.at(measure)
+    for ends in ((first, last), (sp.S.Zero, last), (first, sp.S.Zero)) if s.power == 2 else ((first, last),):
+        found = Storage(words, factor, *ends, s.power, s.letter)
         letters = found.brought.free_symbols - brought.free_symbols
         if all(value.known(x) is not None for x in letters) and value.is_zero(brought - found.brought):
             return [found]
