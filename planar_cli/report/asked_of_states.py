@@ -15,6 +15,7 @@ from planar_cli.records import record
 from planar_cli.report.at_state import told_at_states
 from planar_cli.report.blocks import Block, Equation, Math, Name, Paragraph, Value, line
 from planar_cli.report.clean import is_clean
+from planar_cli.report.compared import compared_sides
 from planar_cli.report.put_in import partly
 from planar_cli.report.span_integrals import SpanTelling
 from planar_cli.report.words import Phrases, told_unit
@@ -55,8 +56,10 @@ class AskedTelling:
         for span in self.found.spans:
             if span.symbol not in own:
                 yield from self.spans.blocks(span)
-        if asked:
+        compared = list(compared_sides(self.found, self.numeric)) if self.wanted is None or self.wanted else []
+        if asked or compared:
             yield HENCE
+        yield from compared
         for request, part, whole in asked:
             yield from self._line(request, part, whole)
 

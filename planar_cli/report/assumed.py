@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from planar_cli.report.blocks import Block, Line, Math, Note, line
-from planar_cli.report.checks import friction_against_limit, friction_in
+from planar_cli.report.checks import against_limit, bounded_in
 from planar_cli.report.words import Phrases
 from planar_cli.solve.solution import InstantSolution
 
@@ -40,11 +40,13 @@ def _objection(trial: Any, phrases: Phrases) -> Line:
 
 
 def _by_how_much(trial: Any, test: Any, phrases: Phrases) -> Line:
-    """What the failed test compares: friction with its limit, or the push that should press."""
+    """What the failed test compares: friction, or the couple of a normal force, with its limit; or the push that should
+    press.
+    """
     if phrases.symbolic or not test.pushes:
         return ()
-    if len(test.pushes) == 2 and friction_in(trial.system, test) is not None:
-        compared = friction_against_limit(trial, test, phrases)
+    if len(test.pushes) == 2 and bounded_in(trial.system, test) is not None:
+        compared = against_limit(trial, test, phrases)
         return line(" (", compared, ")") if compared else ()
     name = test.pushes[0][0]
     value = trial.outcomes[0].push(name)

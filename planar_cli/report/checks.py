@@ -18,7 +18,7 @@ from planar_cli.solve.instant.instant import Trial
 from planar_cli.solve.instant.worked import unknowns_of
 from planar_cli.solve.solution import CAVEATS, Found, InstantSolution
 from planar_cli.solve.solved_problem import PartSolution
-from planar_cli.units import FORCE, parse_unit
+from planar_cli.units import parse_unit
 
 MOST_PRESSES = 4
 TINY = Decimal("1e-30")
@@ -104,30 +104,42 @@ def _presses(instant: InstantSolution, phrases: Phrases) -> list[Line]:
 
 
 def _friction(instant: InstantSolution, phrases: Phrases) -> list[Line]:
-    """|F| against its limit where a contact sticks: the decision of the exercise."""
-    outcome, found = instant.trial.outcomes[0], []
+    """Friction against its limit where a contact sticks, and where on its face the normal force acts: the decisions of
+    the exercise.
+    """
+    outcome = instant.trial.outcomes[0]
+    found: list[Line] = []
     for mode in instant.trial.system.modes.values():
-        limits = [t for t in mode.tests if not t.strict and friction_in(instant.trial.system, t) is not None]
-        if mode.name == "stick" and limits:
-            compared = friction_against_limit(instant.trial, limits[0], phrases)
-            if compared and outcome.value is not None:
-                found.append(compared)
-    return found
+        by_name: dict[str, Test] = {}
+        for test in mode.tests:
+            name = bounded_in(instant.trial.system, test)
+            if name is not None and not test.strict and (name not in by_name or _bounds(instant.trial, test, name)):
+                by_name[name] = test
+        if outcome.value is not None:
+            found += [against_limit(instant.trial, test, phrases) for test in by_name.values()]
+    return [compared for compared in found if compared]
 
 
-def friction_in(system: System, test: Test) -> str | None:
-    """The name of the friction that a test is about; None: it is about something else."""
-    frictions = {p.name for p in system.pushes if p.kind == "friction"}
-    return next((n for n, _ in test.pushes if n in frictions), None)
+def _bounds(trial: Trial, test: Test, name: str) -> bool:
+    """Does a test bound a push in the sense that it has?"""
+    return bool(dict(test.pushes)[name] * (trial.outcomes[0].push(name) or ZERO) < 0)
 
 
-def friction_against_limit(trial: Trial, test: Test, phrases: Phrases) -> Line:
-    """|F| = 29 N ≤ μ_s N = 76 N, with the sign that the numbers have; nothing where they are not unique."""
+def bounded_in(system: System, test: Test) -> str | None:
+    """The name of the friction, or of the couple of a normal force on a face, that a test bounds; None: it is about
+    something else.
+    """
+    bounded = {p.name for p in system.pushes if p.kind in ("friction", "couple")}
+    return next((n for n, factor in test.pushes if n in bounded and abs(factor) == 1), None)
+
+
+def against_limit(trial: Trial, test: Test, phrases: Phrases) -> Line:
+    """|F| = 29 N ≤ μ_s N = 76 N, or |M| > N b/2 with their values; nothing where they are not unique."""
     outcome = trial.outcomes[0]
     values = {name: outcome.push(name) for name, _ in test.pushes}
     if any(v is None for v in values.values()):
         return ()
-    name = friction_in(trial.system, test)
+    name = bounded_in(trial.system, test)
     if name is None:
         return ()
     size = abs(values[name] or ZERO)
@@ -138,14 +150,14 @@ def friction_against_limit(trial: Trial, test: Test, phrases: Phrases) -> Line:
             limit += outcome.value(factor) * (values[other] or ZERO)
             formula += factor * trial.system.symbols[other]
     relation = "≤" if size <= limit * (1 + TINY) else ">"
-    shown = abs(limit)
+    dimension = parse_unit(next(p.unit for p in trial.system.pushes if p.name == name)).dimension
     return line(
         "|",
         Math(trial.system.symbols[name]),
         "| = ",
-        phrases.of_dimension(size, FORCE),
+        phrases.of_dimension(size, dimension),
         f" {relation} ",
         phrases.math(formula),
         " = ",
-        phrases.of_dimension(shown, FORCE),
+        phrases.of_dimension(abs(limit), dimension),
     )
