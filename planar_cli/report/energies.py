@@ -123,12 +123,19 @@ class EnergyTelling:
         square = self._put(made.vx) ** 2 + self._put(made.vy) ** 2
         v = sp.sqrt(square if longer(square, SHORT * 4) else simplified(square))
         for kind, mass, name, expr in (
-            ("v", made.mass, f"v_{made.center}", v),
+            ("v", made.mass, f"v_{self._centre(made)}", v),
             ("omega", made.inertia, f"omega_{made.body}", self._put(made.omega)),
         ):
             if mass != 0 and not self._vanishes(expr):
                 own = expr if expr.is_Symbol else sp.Symbol(f"{name}{STATE}{stop}", real=True)
                 yield kind, *self._named(own, expr, made.body)
+
+    def _centre(self, made: Moving) -> str:
+        """The mass centre as an index: its point, of a particle its name, else G with the body's name."""
+        if made.center != made.body or made.inertia == 0:
+            return made.center
+        moving = self.balance.parts.moving if self.balance.parts is not None else ()
+        return "G" if sum(m.inertia != 0 for m in moving) == 1 else f"G,{made.body}"
 
     def _named(self, own: sp.Symbol, expr: sp.Expr, body: str) -> tuple[sp.Symbol, sp.Expr]:
         """A speed with the sign of the letter that the motion has for it; where that letter is something else, another
