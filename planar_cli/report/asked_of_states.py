@@ -96,7 +96,7 @@ class AskedTelling:
         name = line(Name(asked.find.name), f", {part.axis}" if part.axis else "")
         formula = part.expr
         phrases = self.numeric if self.numeric.has_numbers(formula) else self.phrases
-        shown, whole = self._shown(formula, span)
+        shown, whole = self._shown(formula, span, asked.unit)
         sides: list[Any] = [name, *([] if shown is None else [shown])]
         if not phrases.symbolic and asked.unit is not None:
             values = self._values(asked, asked.unit, formula, phrases if whole else None)
@@ -106,17 +106,21 @@ class AskedTelling:
         else:
             yield from self.spans.lines(span, (), tuple(sides))
 
-    def _shown(self, formula: sp.Expr, span: SpanIntegral | None) -> tuple[Math | None, bool]:
+    def _shown(self, formula: sp.Expr, span: SpanIntegral | None, unit: Unit | None) -> tuple[Math | None, bool]:
         """The formula as it is printed, and whether that is all of it in letters; where it is long or hides units, the
         letters of states with numbers for all else.
         """
         if formula.is_number or (formula.is_Symbol and (span is None or formula == span.symbol)):
             return None, False
-        if not self.phrases.symbolic and (longer(formula, FEW) or not is_clean(self.phrases.ledger, formula)):
+        if not self.phrases.symbolic and (longer(formula, FEW) or not self._is_clean(formula, unit)):
             part = partly(formula, formula.free_symbols & set(self.found.general), self.phrases)
             if part is not None or not formula.free_symbols & set(self.found.general):
                 return part, False
         return (None, False) if self._is_long(formula) else (self.phrases.math(formula), True)
+
+    def _is_clean(self, formula: sp.Expr, unit: Unit | None) -> bool:
+        """Do its letters make the unit that is asked for?"""
+        return is_clean(self.phrases.ledger, formula, dimension=None if unit is None else unit.dimension)
 
     def _values(self, asked: Request, unit: Unit, part: sp.Expr, phrases: Phrases | None) -> list[Any]:
         """The numbers put in, and the value in the units of the page and in that which is asked."""

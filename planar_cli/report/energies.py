@@ -26,10 +26,12 @@ from planar_cli.report.words import Phrases, told_unit
 from planar_cli.solve.between.trace import BalanceTrace
 from planar_cli.units import (
     ENERGY,
+    FORCE,
     INERTIA,
     LENGTH,
     MASS,
     RATE,
+    STIFFNESS,
     VELOCITY,
     Dimension,
     Unit,
@@ -194,8 +196,17 @@ class EnergyTelling:
         if self._short(put) and all(e.is_Symbol or e == 0 for e in ends):
             return self._chain(put)
         own = [sp.Symbol(f"{made.letter}{STATE}{n}", real=True) for n in (self.balance.since, self.balance.stop)]
-        told = sp.Mul(made.factor, sp.Add(own[0], -own[1], evaluate=False), evaluate=False)
-        return self._fitting(self.phrases.math(told), put, self._with(told, dict(zip(own, ends, strict=True))))
+        factor, texts = self._factor(made, FORCE)
+        told = sp.Mul(factor, sp.Add(own[0], -own[1], evaluate=False), evaluate=False)
+        numbers = self._with(told, dict(zip(own, ends, strict=True)), texts)
+        return self._fitting(Math(told, texts) if texts else self.phrases.math(told), put, numbers)
+
+    def _factor(self, made: Storage, dimension: Dimension) -> tuple[sp.Expr, dict[sp.Symbol, str]]:
+        """m g or k; a number, where letters alone do not make it."""
+        if is_clean(self.phrases.ledger, made.factor, dimension=dimension):
+            return made.factor, {}
+        number = sp.Symbol(f"{NUMBER}factor", positive=True)
+        return number, {number: significant(self.phrases.value(made.factor), self.phrases.figures)}
 
     def _spring(self, made: Storage, put: sp.Expr, lead: Line, several: bool) -> Iterator[Block]:
         """k (s_1² - s_2²)/2, the stretches in lines of their own, each once."""
@@ -210,8 +221,10 @@ class EnergyTelling:
                 yield Equation((line(f"stretch of the {made.words}, ", Math(own)), *self._length(ends[own])))
         one, two = ends
         inside = sp.Add(one**2, -(two**2), evaluate=False)
-        told = sp.Mul(sp.Rational(1, 2), made.factor, inside, evaluate=False)
-        yield self._line(lead, self.phrases.math(told), *self._numbers(put, self._with(told, ends)))
+        factor, texts = self._factor(made, STIFFNESS)
+        told = sp.Mul(sp.Rational(1, 2), factor, inside, evaluate=False)
+        formula = Math(told, texts) if texts else self.phrases.math(told)
+        yield self._line(lead, formula, *self._numbers(put, self._with(told, ends, texts)))
 
     def _line(self, *sides: Any) -> Equation:
         """One energy, with its unit where numbers stand beside unknowns."""
@@ -286,13 +299,15 @@ class EnergyTelling:
         zero = self.phrases.value.is_zero(expr)
         return Value(display(self.phrases.value(sp.S.Zero if zero else expr), own), text, self.phrases.figures)
 
-    def _with(self, told: sp.Expr, ends: Mapping[sp.Symbol, sp.Expr]) -> tuple[Any, ...]:
-        """A formula with heights or stretches as numbers."""
-        rest = sp.Add(*(told.free_symbols - set(ends)))
-        known = self.phrases.numbers(rest)
-        if known is None or known.values is None:
+    def _with(
+        self, told: sp.Expr, ends: Mapping[sp.Symbol, sp.Expr], numbers: Mapping[sp.Symbol, str]
+    ) -> tuple[Any, ...]:
+        """A formula with heights or stretches as numbers. `numbers`: what is one already."""
+        rest = sp.Add(*(told.free_symbols - set(ends) - set(numbers)))
+        known = self.phrases.numbers(rest) if rest != 0 else None
+        if rest != 0 and (known is None or known.values is None):
             return ()
-        texts = dict(known.values)
+        texts = {**(known.values or {} if known is not None else {}), **numbers}
         for own, expr in ends.items():
             texts[own] = significant(self._value(expr, parse_unit("m")).number, self.phrases.figures)
         return (Math(told, texts),)

@@ -197,7 +197,8 @@ class MotionTelling:
         yield from self._in_numbers(leg, numbers, route)
         lead = line(", ".join(f"({n})" for n in numbers) + (" together:" if len(numbers) > 1 else ":"))
         for i, r in enumerate(leg.results):
-            known = self._formula(r) is None and set(numbers) <= self.between.counted
+            formula = self._formula(r)
+            known = (formula is None or longer(formula, PLAIN)) and set(numbers) <= self.between.counted
             sides = (self.phrases.math(r.unknown), self._shown(r)) if known else self._chain(r)
             yield Equation(sides, None, lead if i == 0 else ())
             if i == 0:
