@@ -16,6 +16,7 @@ from planar_cli.report.at_state import told_at_states
 from planar_cli.report.blocks import Block, Equation, Math, Name, Paragraph, Value, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.compared import compared_sides
+from planar_cli.report.friction_at_states import friction_at_states
 from planar_cli.report.put_in import partly
 from planar_cli.report.span_integrals import SpanTelling
 from planar_cli.report.words import Phrases, told_unit
@@ -56,7 +57,8 @@ class AskedTelling:
         for span in self.found.spans:
             if span.symbol not in own:
                 yield from self.spans.blocks(span)
-        compared = list(compared_sides(self.found, self.numeric)) if self.wanted is None or self.wanted else []
+        told = (compared_sides, friction_at_states) if self.wanted is None or self.wanted else ()
+        compared = [block for decisions in told for block in decisions(self.found, self.numeric)]
         if asked or compared:
             yield HENCE
         yield from compared
