@@ -13,6 +13,7 @@ from worked import worked
 
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.ledger import Ledger
+from planar_cli.formats.terminal import Terminal
 from planar_cli.report.narrate import narrate
 from planar_cli.report.neat import Neat
 from planar_cli.report.notation import plain
@@ -51,6 +52,8 @@ DRAWS, CERTAIN = 4, 1e-9
         (sp.sqrt((4 * g * sp.cos(phi) - 4 * g) / (3 * r - 3 * R)), "√(4 g (1 - cos φ) / (3 (R - r)))"),
         (sp.sqrt(3 * g * L) * sp.Abs(sp.sqrt(sp.sin(theta))), "√(3 g L sin θ)"),
         (m * g * (1 - sp.cos(phi)), "m g (1 - cos φ)"),
+        (m * (R**2 / 2 - 16 * R**2 / (9 * sp.pi**2)), "(1/2 - 16/(9 π²)) m R²"),
+        (m * k * (r - (r - R) * sp.cos(phi)), "m k (r + (R - r) cos φ)"),
     ],
 )
 def test_neat(expr: Any, text: str) -> None:
@@ -81,6 +84,14 @@ def test_common_factors_of_a_relation() -> None:
     assert neat.sides(L * omega + L * alpha, sp.S.Zero) == (omega + alpha, 0)
     assert neat.sides(L * omega, r * theta_dot) == (L * omega, r * theta_dot)
     assert neat.sides((R - r) * omega, (R - r) * phi_dot) == (omega, phi_dot)
+
+
+def test_a_relation_that_solves_itself_stands_once() -> None:
+    """R ω = R θ̇ is ω = θ̇; the line of another equation of the same number stays."""
+    path = next(p for p in PROBLEMS if p.stem == "half-disk-rocking")
+    text = Terminal().render(narrate(worked(path)[0]))
+    assert text.count(" ω = θ\u0307\n") == 1
+    assert text.count("   α = -4 m R (g + R ω²)") == 2
 
 
 @pytest.mark.parametrize("path", SAMPLE, ids=lambda p: p.stem)

@@ -55,10 +55,13 @@ class Neat:
         return not factor.is_number and bool(factor.is_positive or (factor.is_Add and self.sign(factor) > 0))
 
     def _promising(self, expr: sp.Expr) -> bool:
-        """Is there a root, a size, a fraction or a difference of known sign at all?"""
+        """Is there a root, a size, a fraction, a difference of known sign or a sum with a common factor at all?"""
         if any(d.free_symbols <= expr.free_symbols for d in self.ledger.above_zero):
             return True
-        return any(isinstance(p, sp.Abs) or (p.is_Pow and _holds_sum(p.base)) for p in sp.preorder_traversal(expr))
+        return any(
+            isinstance(p, sp.Abs) or (p.is_Pow and _holds_sum(p.base)) or (p.is_Mul and any(map(_shares, p.args)))
+            for p in sp.preorder_traversal(expr)
+        )
 
     def term(self, term: sp.Expr) -> sp.Expr:
         """One term; it stays as it is where nothing gets shorter and no difference is turned."""
@@ -141,7 +144,7 @@ class _Letters:
     def _letter(self, total: sp.Expr) -> sp.Expr:
         """A sum as its common factor times a letter, or as a square of one."""
         total = self.neat.collected(sp.Add(*(self.neat.term(t) for t in total.args)))
-        common = factor_terms(total) if total.is_Add else total
+        common = _factored_out(total) if total.is_Add else total
         if not common.is_Add:
             return sp.Mul(*(self._letter(a) if a.is_Add else self.written(a) for a in sp.Mul.make_args(common)))
         root = _square_root(common)
@@ -187,11 +190,31 @@ def _holds_sum(expr: sp.Expr) -> bool:
     return any(f.is_Add or (f.is_Pow and f.base.is_Add) for f in sp.Mul.make_args(expr))
 
 
+def _factored_out(total: sp.Expr) -> sp.Expr:
+    """A sum with what its terms have in common before it; fractions that are shorter in the terms stay there: m R² (1/2 - 16/(9 π²))."""
+    found = factor_terms(total)
+    number, rest = found.as_coeff_Mul()
+    if found.is_Add or number.is_Integer or not number.is_Rational:
+        return found
+    sums = [f for f in sp.Mul.make_args(rest) if f.is_Add]
+    if len(sums) != 1 or any(sp.gcd(t.as_coeff_Mul()[0], number.q) == 1 for t in sums[0].args):
+        return found
+    inside = sp.Add(*(t / number.q for t in sums[0].args))
+    others = [f for f in sp.Mul.make_args(rest) if not f.is_Add]
+    return sp.Mul(number.p, *others, inside, evaluate=False) if others or number.p != 1 else inside
+
+
+def _shares(total: sp.Expr) -> bool:
+    """Have all terms of a sum a letter as factor?"""
+    letters = ({f.base if f.is_Pow else f for f in sp.Mul.make_args(t)} for t in total.args)
+    return total.is_Add and any(f.is_Symbol for f in set.intersection(*letters))
+
+
 def _sums(term: sp.Expr) -> Iterator[sp.Expr]:
-    """The sums that stand as factors, under roots or between bars."""
+    """The sums that stand as factors, under roots or between bars, and those inside them."""
     if term.is_Add:
         yield term
-    elif term.is_Mul or term.is_Pow or isinstance(term, sp.Abs):
+    if term.is_Add or term.is_Mul or term.is_Pow or isinstance(term, sp.Abs):
         for a in term.args:
             yield from _sums(a)
 

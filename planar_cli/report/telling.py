@@ -56,7 +56,7 @@ class Telling:
         self.principle = instant.instant.principle
         self._numbers: dict[tuple[int, int], int] = {}
         self._premised: set[str] = set()
-        self._merged: set[int] = set()
+        self._merged: set[tuple[int, int]] = set()
         self._constructed = {} if phrases.symbolic else constructed(self.scene, self.stages)
         self._valued: set[sp.Symbol] = set()
         self._together: dict[sp.Symbol, tuple[int, ...]] = {}
@@ -231,7 +231,7 @@ class Telling:
             words = [*self.asked.coriolis(*frame), *words]
         line_of = next((x for b in stage.blocks for x in b.lines if x.equations == (w.number,)), None)
         if line_of is not None and not self.numeric.put_whole(w, stage) and self._solves_itself(w, line_of, stage):
-            self._merged.add(w.number)
+            self._merged.add((id(stage.algebra), w.number))
             chain = self._chain(line_of.symbol, line_of.formula, self.phrases.shown(line_of.symbol, line_of.value))
             return [*words, Equation(chain, number)]
         turned = all(e.could_extract_minus_sign() for e in (w.left, w.right))
@@ -240,7 +240,9 @@ class Telling:
 
     def _solves_itself(self, w: Written, found: SolvedLine, stage: Stage) -> bool:
         """Does a relation already stand as unknown = formula, all of which is known by then?"""
-        if w.left != found.symbol or w.right != found.formula or found.letters:
+        solved = (found.symbol, self.phrases.neat(found.formula))
+        either = (self.phrases.writer.sides(s * w.left, s * w.right) for s in (1, -1))
+        if found.letters or solved not in either:
             return False
         return not (found.formula.free_symbols & stage.algebra.unknowns) and self.numeric.readable(found.formula)
 
@@ -324,7 +326,8 @@ class Telling:
                 for i, s in enumerate(block.letters):
                     parts += [", " if i else "", Math(s)]
             blocks.append(Paragraph(line(*parts, ":")))
-        return [*blocks, *(b for x in lines if not self._merged >= set(x.equations) for b in self._line(x, stage))]
+        merged = {n for algebra, n in self._merged if algebra == id(stage.algebra)}
+        return [*blocks, *(b for x in lines if not merged >= set(x.equations) for b in self._line(x, stage))]
 
     def _name_together(self, block: SolvedBlock, lines: tuple[SolvedLine, ...], stage: Stage) -> None:
         """The first result of several equations bears the numbers of all; so does one that its own does not hold."""
