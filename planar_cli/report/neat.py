@@ -191,7 +191,9 @@ def _holds_sum(expr: sp.Expr) -> bool:
 
 
 def _factored_out(total: sp.Expr) -> sp.Expr:
-    """A sum with what its terms have in common before it; fractions that are shorter in the terms stay there: m R² (1/2 - 16/(9 π²))."""
+    """A sum with what its terms have in common before it. Fractions that are shorter in the terms stay there, as in
+    R² (1/2 - 16/(9 π²)).
+    """
     found = factor_terms(total)
     number, rest = found.as_coeff_Mul()
     if found.is_Add or number.is_Integer or not number.is_Rational:
