@@ -17,14 +17,15 @@ from planar_cli.equation.exact import Valuation
 from planar_cli.equation.plain import simplified
 from planar_cli.records import record
 
-_EQUATION = "λ² + c λ + ω² = 0"
+EQUATION = "λ² + c λ + ω² = 0"
+"""The characteristic equation in general letters."""
 _WORDS = {
-    "undamped": f"no damping: two imaginary roots of {_EQUATION}, c = 0",
-    "unstable": f"negative stiffness: two real roots of opposite sign of {_EQUATION}, ω² < 0",
-    "drag": f"no stiffness: the roots 0 and -c of {_EQUATION}, ω² = 0",
-    "under-damped": f"under-damped: two complex roots of {_EQUATION}",
-    "critical": f"critically damped: a double root of {_EQUATION}",
-    "over-damped": f"over-damped: two real roots of {_EQUATION}",
+    "undamped": f"no damping: two imaginary roots of {EQUATION}, c = 0",
+    "unstable": f"negative stiffness: two real roots of opposite sign of {EQUATION}, ω² < 0",
+    "drag": f"no stiffness: the roots 0 and -c of {EQUATION}, ω² = 0",
+    "under-damped": f"under-damped: two complex roots of {EQUATION}",
+    "critical": f"critically damped: a double root of {EQUATION}",
+    "over-damped": f"over-damped: two real roots of {EQUATION}",
     "free": "v = dq/dt and a = dv/dt",
 }
 

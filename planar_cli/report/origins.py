@@ -6,6 +6,7 @@ import re
 from collections.abc import Collection, Iterable, Iterator
 
 from planar_cli.report.blocks import Block, Equation, Line, Paragraph, Result, line
+from planar_cli.report.characteristic import with_coefficients
 from planar_cli.report.names import plain_name
 from planar_cli.report.spoken import spoken
 from planar_cli.solve.between.trace import Relation
@@ -29,7 +30,7 @@ def head(e: Relation, names: Collection[str]) -> Line:
     if e.span is not None:
         reach = f"From {e.since} to {e.stop}" if e.stop else f"From {e.since} on"
         words = calculus(e)
-        return line(f"{reach}, {words}:" if e.since else f"{words}:")
+        return line(f"{reach}, " if e.since else "", with_coefficients(words, e.law), ":")
     if e.is_datum:
         words = turning(e.words) if e.kind == "turn" else e.words
         return spoken(f"At {e.stop}: {words}:" if e.stop else f"{words}:", names)

@@ -1,0 +1,34 @@
+"""The characteristic equation of a linear law of motion, with the stiffness and damping of this law in it."""
+
+from __future__ import annotations
+
+import re
+
+import sympy as sp
+
+from planar_cli.calculus.linear_laws import EQUATION
+from planar_cli.report.blocks import Line, Math, line
+from planar_cli.solve.between.trace import Law
+
+ROOT = sp.Symbol("lambda")
+_WHAT_IS_ZERO = re.compile(r", (?:c|ω²) [=<] 0")
+
+
+def with_coefficients(words: str, law: Law | None) -> Line:
+    """Words that name the general equation with that of the law: λ² + c λ/m + k/m = 0."""
+    before, found, after = words.partition(EQUATION)
+    if not found or law is None or law.order != 2:
+        return line(words)
+    q = law.coordinate.symbol
+    damping, stiffness = -sp.diff(law.f, law.v), -sp.diff(law.f, q)
+    if (damping + stiffness).free_symbols & {q, law.v}:
+        return line(words)
+    before = before.replace("the roots 0 and -c of", "0 and another root of")
+    terms = [*(ROOT * t for t in sp.Add.make_args(damping)), *sp.Add.make_args(stiffness)]
+    return line(before, Math(ROOT**2), *map(_with_sign, terms), " = 0", _WHAT_IS_ZERO.sub("", after))
+
+
+def _with_sign(term: sp.Expr) -> Line:
+    if term == 0:
+        return ()
+    return line(" - ", Math(-term)) if term.could_extract_minus_sign() else line(" + ", Math(term))

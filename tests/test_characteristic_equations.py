@@ -1,0 +1,29 @@
+"""The characteristic equation on a page is that of the law of motion above it, in the letters of the file."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+from conftest import ROOT
+from worked import worked
+
+from planar_cli.formats.terminal import Terminal
+from planar_cli.report.narrate import narrate
+
+
+@pytest.mark.parametrize(
+    ("name", "words"),
+    [
+        ("textbook/ex-1-07", "no damping: two imaginary roots of λ² + k/m = 0:"),
+        ("momentum/gun-on-rails", "under-damped: two complex roots of λ² + c λ/M + k/M = 0, x of G:"),
+        ("oscillations/damped-block-three-ways", "critically damped: a double root of λ² + 2 λ √(k/m) + k/m = 0:"),
+        ("oscillations/damped-block-three-ways", "over-damped: two real roots of λ² + c λ/m + k/m = 0:"),
+        ("oscillations/disk-rolling-in-a-trough", ""),
+    ],
+)
+def test_the_equation_has_the_coefficients_of_the_law(name: str, words: str) -> None:
+    text = Terminal(width=110).render(narrate(worked(ROOT / "problems" / f"{name}.yaml")[0]))
+    page = re.sub(r"\s+", " ", text)
+    assert words in page
+    assert "λ² + c λ + ω²" not in page
