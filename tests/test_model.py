@@ -34,6 +34,10 @@ ALL_BUT_SINGULAR = {"cables-almost-in-line"}
 """Files whose drawing is so nearly singular that a random motion is not certain to fulfil the constraints."""
 
 
+NOT_AT_ONCE = {"plank-on-two-turning-rollers"}
+"""Files whose first assumption contradicts the drives: nothing sticks to two rollers that turn against each other."""
+
+
 def moving(model: Model, regime: Regime, seed: str) -> tuple[float, list[float]]:
     """A state in which everything moves that can."""
     draw = random.Random(seed)
@@ -50,7 +54,7 @@ def moving(model: Model, regime: Regime, seed: str) -> tuple[float, list[float]]
 @pytest.mark.parametrize("path", FILES, ids=lambda p: p.stem)
 def test_power_is_the_rate_of_energy_and_constraints_keep(path: Path) -> None:
     model = model_of(path)
-    if model is None:
+    if model is None or path.stem in NOT_AT_ONCE:
         return
     regime = model.regime()
     t, y = moving(model, regime, path.stem)

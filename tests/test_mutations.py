@@ -42,7 +42,6 @@ FAULTS = {
     "friction/plate-sliding-on-table.yaml:16:29": ("without v(G).y", "PL604"),
     "friction/coin-on-a-table-that-gathers-speed.yaml:11:21": ("between ->", "PL310, PL311"),
     "friction/falling-pole.yaml:10:36": ("-40 deg", "PL601"),
-    "momentum/lawn-sprinkler.yaml:9:36": ("-0.25 m", "PL604"),
     "momentum/sand-on-a-conveyor-belt.yaml:9:24": ("-1.2 m", "PL593"),
     "systems/double-pulley.yaml:19:27": ("S on A", "PL458"),
     "motion/car-three-phases.yaml:17:3": ("brake ->", "PL405"),

@@ -13,7 +13,7 @@ from answered import Answers, assert_close, solve
 
 from planar_cli.errors import FileProblem, NoSolution
 from planar_cli.problem.structure import load_text
-from planar_cli.report.narrate import narrate
+from planar_cli.report.narrate import Voice, narrate
 from planar_cli.solve.run import solve_problem
 
 BEND = """
@@ -105,11 +105,11 @@ def vector(found: Answers, name: str) -> list[float]:
 
 
 def checks(text: str) -> str:
-    """Everything that is printed of a file, as plain words."""
+    """Everything that is printed of a file, with what was compared, as plain words."""
     problem, wrong = load_text(text)
     assert problem is not None
     assert not wrong
-    return repr(narrate(solve_problem(problem)))
+    return repr(narrate(solve_problem(problem), Voice(effects=True, verbose=True)))
 
 
 # --- pipes -----------------------------------------------------------------------------------------------------------
