@@ -30,6 +30,7 @@ LETTERS = (
     "disk-rolling-in-a-trough",
     "two-hinged-bars-that-collapse",
     "load-on-four-strands",
+    "body-slider-crank-over-time",
     "throw-up-a-slope",
 )
 SAMPLE = [p for p in PROBLEMS if p.stem in LETTERS]
@@ -52,6 +53,7 @@ DRAWS, CERTAIN = 4, 1e-9
         (sp.sqrt((4 * g * sp.cos(phi) - 4 * g) / (3 * r - 3 * R)), "√(4 g (1 - cos φ) / (3 (R - r)))"),
         (sp.sqrt(3 * g * L) * sp.Abs(sp.sqrt(sp.sin(theta))), "√(3 g L sin θ)"),
         (m * g * (1 - sp.cos(phi)), "m g (1 - cos φ)"),
+        (m * (R**2 * sp.sin(phi) ** 2 + R**2 * sp.cos(phi) ** 2 - L**2), "m (R² - L²)"),
         (m * (R**2 / 2 - 16 * R**2 / (9 * sp.pi**2)), "(1/2 - 16/(9 π²)) m R²"),
         (m * k * (r - (r - R) * sp.cos(phi)), "m k (r + (R - r) cos φ)"),
     ],

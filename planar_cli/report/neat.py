@@ -19,7 +19,7 @@ from planar_cli.equation.ledger import Kind, Ledger
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.report.notation import plain
 
-LONGEST = 60
+LONGEST = 90
 """A product of more operations stays as it is."""
 TURNED = 3
 """So many characters may be spent for the positive one of two differences."""
@@ -59,7 +59,9 @@ class Neat:
         if any(d.free_symbols <= expr.free_symbols for d in self.ledger.above_zero):
             return True
         return any(
-            isinstance(p, sp.Abs) or (p.is_Pow and _holds_sum(p.base)) or (p.is_Mul and any(map(_shares, p.args)))
+            isinstance(p, sp.Abs)
+            or (p.is_Pow and (_holds_sum(p.base) or isinstance(p.base, sp.sin)))
+            or (p.is_Mul and any(map(_shares, p.args)))
             for p in sp.preorder_traversal(expr)
         )
 
@@ -111,7 +113,8 @@ class Neat:
         return fixed or (given is not None and given.is_number)
 
     def collected(self, total: sp.Expr) -> sp.Expr:
-        """R x - r x as (R - r) x, for the differences of letters that are known to be positive."""
+        """R x - r x as (R - r) x, for the differences of letters that are known to be positive; sin² + cos² as 1."""
+        total = _with_one(total) if total.is_Add else total
         for known in self.ledger.above_zero if total.is_Add else ():
             positive, negative = sorted(known.args, key=lambda a: bool(a.could_extract_minus_sign()))
             if len(known.args) == 2 and positive.is_Symbol and (-negative).is_Symbol:
@@ -253,6 +256,18 @@ def _at_most(rest: sp.Expr, bound: sp.Expr) -> bool:
     """Is it a sine or cosine times a number, never larger than a bound?"""
     number, function = rest.as_coeff_Mul()
     return isinstance(function, sp.sin | sp.cos) and bool(abs(number) <= bound)
+
+
+def _with_one(total: sp.Expr) -> sp.Expr:
+    """x sin² θ + x cos² θ as x."""
+    terms = list(total.args)
+    for term in total.args:
+        for f in sp.Mul.make_args(term):
+            if f.is_Pow and f.exp == 2 and isinstance(f.base, sp.sin) and term in terms:
+                partner = term / f * sp.cos(*f.base.args) ** 2
+                if partner in terms:
+                    terms = [t for t in terms if t not in (term, partner)] + [term / f]
+    return sp.Add(*terms) if len(terms) < len(total.args) else total
 
 
 def _with_difference(total: sp.Expr, larger: sp.Expr, smaller: sp.Expr, difference: sp.Expr) -> sp.Expr:
