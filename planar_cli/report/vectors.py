@@ -246,7 +246,7 @@ class VectorTelling:
         """The arm in numbers, or in letters where they are short."""
         name = _arm_name(place, reference)
         if not self.phrases.symbolic and all(self.phrases.has_numbers(p) for p in (arm.x, arm.y)):
-            values = [self.phrases.of_dimension(self.phrases.value(p), LENGTH) for p in (arm.x, arm.y)]
+            values = [self.phrases.of_dimension(self.phrases.certain(p), LENGTH) for p in (arm.x, arm.y)]
             return line(name, " = [", _bare(values[0]), ", ", _bare(values[1]), f"] {values[0].unit}")
         if longer(arm.x, LONGEST) or longer(arm.y, LONGEST):
             return ()
