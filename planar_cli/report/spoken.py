@@ -16,6 +16,7 @@ WORDS = {
     "tension": "the tension in {}",
     "friction": "the friction at {}",
     "normal": "the normal force at {}",
+    "N": "the normal force at {}",
     "reaction": "the reaction at {}",
     "path_length": "the way of {}",
     "momentum": "the momentum of {}",
