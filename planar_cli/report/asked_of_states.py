@@ -101,7 +101,7 @@ class AskedTelling:
         shown, whole = self._shown(formula, span, asked.unit)
         sides: list[Any] = [name, *([] if shown is None else [shown])]
         if not phrases.symbolic and asked.unit is not None:
-            values = self._values(asked, asked.unit, formula, phrases if whole else None)
+            values = self._values(asked, asked.unit, formula, phrases if whole or not longer(formula, FEW) else None)
             sides += values if span is None else [*values[:-1], self.spans.named(span, values[-1])]
         if span is None:
             yield Equation(tuple(sides))

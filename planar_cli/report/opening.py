@@ -102,35 +102,35 @@ def _newton(page: _Seen) -> bool:
 PRINCIPLES = (
     _Principle(
         lambda p: "v_rel" in p.names,
-        "Motion relative to a turning body: what it carries along, the relative motion, and the Coriolis acceleration.",
+        "Motion relative to a turning body, with the Coriolis acceleration.",
     ),
     _Principle(
         lambda p: "Kinematic analysis" in p.headings and not _newton(p) and not p.led("T_") and "v_rel" not in p.names,
-        "Kinematics: the joints relate the velocities and the accelerations.",
+        "Kinematics: the joints relate velocities and accelerations.",
     ),
     _Principle(
         _newton,
-        "Newton's second law: the forces at this instant and the accelerations that they give.",
+        "Newton's second law for each body.",
     ),
     _Principle(
         lambda p: "momentum before" in p.words,
-        "Impulse and momentum across the blow, in which nothing changes its place.",
+        "Impulse and momentum across the blow.",
     ),
     _Principle(
         lambda p: p.led("T_"),
-        "Work and kinetic energy, as speeds and places are related and the time between is not asked.",
+        "Work and kinetic energy, as no time is asked between.",
     ),
     _Principle(
         lambda p: "impulse and momentum" in p.words,
-        "Impulse and momentum, as the forces are known over a time or that time is asked.",
+        "Impulse and momentum over a time.",
     ),
     _Principle(
         lambda p: "conservation of" in p.words,
-        "Conservation of momentum, as nothing from outside acts along that line or about that point.",
+        "Conservation of momentum, as nothing acts from outside along that line or about that point.",
     ),
     _Principle(
         lambda p: p.integrates or "The law" in p.words,
-        "The equation of motion, integrated, as times or places at times are asked.",
+        "The equation of motion, integrated, as times are asked.",
     ),
 )
 """In the order in which they are told."""
