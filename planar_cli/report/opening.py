@@ -63,6 +63,8 @@ class _Seen:
     words: str
     headings: frozenset[str]
     integrates: bool
+    inertial: bool
+    """Are inertial forces drawn among the forces?"""
 
     def led(self, start: str) -> bool:
         """Does an equation begin with such a name?"""
@@ -84,7 +86,8 @@ def _seen(blocks: Sequence[Block]) -> _Seen:
         elif isinstance(block, Paragraph):
             words += [p.text for p in block.line if isinstance(p, Text)]
     headings = frozenset(b.text for b in blocks if isinstance(b, Heading))
-    return _Seen(frozenset(leads), frozenset(names), " ".join(words), headings, integrates)
+    inertial = any(isinstance(b, Heading) and "inertial" in str(b.aside) for b in blocks)
+    return _Seen(frozenset(leads), frozenset(names), " ".join(words), headings, integrates, inertial)
 
 
 @record
@@ -100,37 +103,18 @@ def _newton(page: _Seen) -> bool:
 
 
 PRINCIPLES = (
-    _Principle(
-        lambda p: "v_rel" in p.names,
-        "Motion relative to a turning body, with the Coriolis acceleration.",
-    ),
+    _Principle(lambda p: "a_cor" in p.names, "Motion relative to a turning body, with the Coriolis acceleration."),
+    _Principle(lambda p: "v_rel" in p.names and "a_cor" not in p.names, "Motion relative to a moving body."),
     _Principle(
         lambda p: "Kinematic analysis" in p.headings and not _newton(p) and not p.led("T_") and "v_rel" not in p.names,
-        "Kinematics: the joints relate velocities and accelerations.",
+        "Kinematics: places, velocities and accelerations.",
     ),
-    _Principle(
-        _newton,
-        "Newton's second law for each body.",
-    ),
-    _Principle(
-        lambda p: "momentum before" in p.words,
-        "Impulse and momentum across the blow.",
-    ),
-    _Principle(
-        lambda p: p.led("T_"),
-        "Work and kinetic energy, as no time is asked between.",
-    ),
-    _Principle(
-        lambda p: "impulse and momentum" in p.words,
-        "Impulse and momentum over a time.",
-    ),
-    _Principle(
-        lambda p: "conservation of" in p.words,
-        "Conservation of momentum, as nothing acts from outside along that line or about that point.",
-    ),
-    _Principle(
-        lambda p: p.integrates or "The law" in p.words,
-        "The equation of motion, integrated, as times are asked.",
-    ),
+    _Principle(lambda p: _newton(p) and not p.inertial, "Newton's second law for each body."),
+    _Principle(lambda p: p.inertial, "d'Alembert's principle: with the inertial forces each body is in equilibrium."),
+    _Principle(lambda p: "momentum before" in p.words, "Impulse and momentum across the blow."),
+    _Principle(lambda p: p.led("T_"), "Work and kinetic energy between the states."),
+    _Principle(lambda p: "impulse and momentum" in p.words, "Impulse and momentum over a time."),
+    _Principle(lambda p: "conservation of" in p.words, "Conservation of momentum, without an impulse from outside."),
+    _Principle(lambda p: p.integrates or "The law" in p.words, "The motion over time, integrated."),
 )
 """In the order in which they are told."""
