@@ -42,7 +42,14 @@ def integral_note(law: Law | None, kind: str, sides: Collection[Math], phrases: 
     """The unit of an integral that is told with numbers."""
     if law is None or kind not in PER_TIME or not any(s.values for s in sides):
         return ()
-    return line(f"in {PER_TIME[kind].format(_unit(law, phrases))}")
+    unit = "s" if _separated([s.expr for s in sides]) else PER_TIME[kind].format(_unit(law, phrases))
+    return line(f"in {unit}")
+
+
+def _separated(sides: Collection[sp.Expr]) -> bool:
+    """Does the time alone stand on one side, and a law on the other?"""
+    whole = [s for s in sides if isinstance(s, sp.Integral) and s.function == 1]
+    return len(whole) == 1 and len(sides) == 2 and whole[0].variables[0].name == "t"
 
 
 def _unit(law: Law, phrases: Phrases) -> str:

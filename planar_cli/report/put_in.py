@@ -20,7 +20,7 @@ from planar_cli.equation.plain import longer
 from planar_cli.errors import NoValue
 from planar_cli.records import record
 from planar_cli.report.blocks import Line, Math, line
-from planar_cli.report.clean import Mixed, dimension_of
+from planar_cli.report.clean import Mixed, dimension_of, is_clean
 from planar_cli.report.in_numbers import SMALL
 from planar_cli.report.numbers import significant
 from planar_cli.report.ordering import NUMBER
@@ -112,7 +112,7 @@ def _unit(phrases: Phrases, dimension: Dimension | None, *sides: sp.Expr) -> str
     ledger = phrases.ledger
     if dimension is None:
         sides = tuple(e for e in sides if e != 0)
-        if not sides or not _alike(ledger, *sides):
+        if not sides or not is_clean(ledger, *sides):
             return ""
         dimension = dimension_of(sides[0], ledger)
     text = coherent_unit(dimension, us=ledger.us).text
