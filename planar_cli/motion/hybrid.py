@@ -65,8 +65,9 @@ class HybridModel(Model):
         """The contacts that impacts make, where no joint is one already, by the impact's name."""
         every = [e for found in self.encounters.values() for e in found]
         self.over = [e for e in every if e.over]
-        self.lasting = [e for e in every if e.plastic and not e.forced]
         """Those that are behind."""
+        self.lasting = [e for e in every if e.plastic and not e.forced]
+        """Those that leave their partners in contact, whenever they meet."""
         for encounter in (e for found in self.encounters.values() for e in found):
             self.joints.append(encounter)
             self.modes[encounter.name] = encounter.modes(scene)

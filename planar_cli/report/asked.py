@@ -13,20 +13,19 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.factoring import factored
-from planar_cli.equation.ledger import display
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.geometry import Vec
-from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Text, Value, line
+from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Value, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.forces import centre_of
 from planar_cli.report.names import plain_name
 from planar_cli.report.numbers import significant
 from planar_cli.report.ordering import NUMBER
 from planar_cli.report.vectors import VectorTelling, index_of
-from planar_cli.report.words import Phrases, told_unit
+from planar_cli.report.words import Phrases
 from planar_cli.solve.solution import Found, InstantSolution
-from planar_cli.units import ACCELERATION, LENGTH, PURE, VELOCITY, Dimension, pretty_unit
+from planar_cli.units import ACCELERATION, LENGTH, PURE, VELOCITY, Dimension
 
 LONGEST = 40
 """A formula of more operations is told by its numbers alone, and where these are longer too by its value."""
@@ -100,13 +99,21 @@ class AskedTelling:
             vector = self._parts(what)
             if vector is not None:
                 size = self._size(vector, answer.unit.dimension)
-                yield Equation((line(Name(answer.name)), size, *self._values(answer, answer.values[0])))
+                yield Equation(
+                    (
+                        line(Name(answer.name)),
+                        size,
+                        *self.phrases.in_units(answer.values[0], answer.unit, answer.energy),
+                    )
+                )
                 return
         axes = ("x", "y") if len(answer.asked) == 2 else ("",)
         for i, (axis, expr) in enumerate(zip(axes, answer.asked, strict=True)):
             name = line(Name(answer.name), f", {axis}" if axis else self._sense(answer))
             sides: list[Any] = [name]
-            values = [] if answer.values is None else self._values(answer, answer.values[i])
+            values = (
+                [] if answer.values is None else self.phrases.in_units(answer.values[i], answer.unit, answer.energy)
+            )
             if self._readable(expr) and not expr.is_number:
                 sides.append(self.phrases.math(expr))
             if not self.phrases.symbolic and values and not longer(expr, LONGEST):
@@ -136,11 +143,11 @@ class AskedTelling:
             return " as asked" if same else ""
         return f" in the sense {self.phrases.arrow(*map(_rational, self._axis(what)))}"
 
-    def _values(self, answer: Found, number: Decimal) -> list[Value]:
-        """A value in the unit of the page, which the numbers before it have, and in that of the answer."""
-        own = self.phrases.page_unit(answer.unit)
-        units = [answer.unit] if answer.unit.text == "deg" or own.factor == answer.unit.factor else [own, answer.unit]
-        return [Value(display(number, u), told_unit(u, answer.energy), self.phrases.figures) for u in units]
+    def _values(self, answer: Found, component: int) -> list[Value]:
+        """The value of a component in the unit of the page and in that of the answer; nothing while letters remain."""
+        if answer.values is None:
+            return []
+        return self.phrases.in_units(answer.values[component], answer.unit, answer.energy)
 
     # --- velocities and accelerations --------------------------------------------------------------------------------
 
@@ -264,7 +271,7 @@ class AskedTelling:
             if answer.values is None:
                 yield from self._formula(answer)
             return
-        values, vector = self._values(answer, answer.values[0]), self._parts(q)
+        values, vector = self._values(answer, 0), self._parts(q)
         if vector is None or len(q.parts) > 1 or q.parts[-1].kind not in (*AXES, "mag"):
             told = {"angle": "its direction", "t": "along the path", "n": "across the path"}.get(q.parts[-1].kind, "")
             yield Equation((line(Name(answer.name)), *values), None, note=line(told) if told else ())
@@ -316,9 +323,7 @@ class AskedTelling:
             if longer(vector.x, LONGEST) or longer(vector.y, LONGEST):
                 return ()
             return line("[", self.phrases.math(factored(vector.x)), ", ", self.phrases.math(factored(vector.y)), "]")
-        values = [self.phrases.of_dimension(self.phrases.certain(p), dimension) for p in (vector.x, vector.y)]
-        bare = [Value(v.number, "1", v.figures) for v in values]
-        return line("[", bare[0], ", ", bare[1], "] ", Text(pretty_unit(values[0].unit)))
+        return self.phrases.vector(self.phrases.certain(vector.x), self.phrases.certain(vector.y), dimension)
 
 
 def _rational(number: Decimal) -> sp.Rational:

@@ -8,18 +8,17 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.equation.ledger import display
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.problem.outermost import is_energy
 from planar_cli.records import record
 from planar_cli.report.at_state import told_at_states
-from planar_cli.report.blocks import Block, Equation, Math, Name, Paragraph, Value, line
+from planar_cli.report.blocks import Block, Equation, Math, Name, Paragraph, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.compared import compared_sides
 from planar_cli.report.friction_at_states import friction_at_states
 from planar_cli.report.put_in import partly
 from planar_cli.report.span_integrals import SpanTelling
-from planar_cli.report.words import Phrases, told_unit
+from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import MotionTrace, Request, SpanIntegral
 from planar_cli.units import Unit
 
@@ -128,11 +127,8 @@ class AskedTelling:
         """The numbers put in, and the value in the units of the page and in that which is asked."""
         energy = is_energy(asked.find.found.what)
         value = Decimal(0) if self.found.value.is_zero(part) else self.found.value(part)
-        shown = Value(display(value, unit), told_unit(unit, energy), self.phrases.figures)
-        own = self.phrases.page_unit(unit)
-        kept = unit.text == "deg" or display(Decimal(1), unit) == display(Decimal(1), own)
-        first = shown if kept else Value(display(value, own), told_unit(own, energy), self.phrases.figures)
-        return [*(phrases.substituted(part, first) if phrases else []), first, *([] if kept else [shown])]
+        shown = self.phrases.in_units(value, unit, energy)
+        return [*(phrases.substituted(part, shown[0]) if phrases else []), *shown]
 
     def _signed(self, expr: sp.Expr) -> sp.Expr:
         """|a| and sign a by the number that a has at its state; the direction of (a cos x, a sin x) where it is x."""

@@ -13,12 +13,11 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.exact import Valuation
-from planar_cli.equation.ledger import display
 from planar_cli.equation.plain import longer
-from planar_cli.report.blocks import Block, Equation, Heading, Name, Value, line
+from planar_cli.report.blocks import Block, Equation, Heading, Name, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.telling import Telling
-from planar_cli.report.words import Phrases, told_unit
+from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import MotionTrace, RegimeTrace
 from planar_cli.solve.instant.algebra import SolvedBlock
 from planar_cli.solve.instant.stages import Stage
@@ -74,11 +73,11 @@ def _answers(motion: MotionTrace, asked: Mapping[str, tuple[sp.Expr, ...]], phra
         for axis, part in zip(("x", "y") if len(parts) > 1 else ("",), parts, strict=True):
             if unit is None or (part.is_Symbol and part.name == name):
                 continue
-            value = Value(display(phrases.value(part), unit), told_unit(unit, False), phrases.figures)
+            values = phrases.in_units(phrases.value(part), unit)
             short = not longer(part, LONGEST)
             sides: list[Any] = [line(Name(name), f", {axis}" if axis else "")]
-            sides += [phrases.math(part), *phrases.substituted(part, value)] if short else []
-            yield Equation((*sides, value))
+            sides += [phrases.math(part), *phrases.substituted(part, values[0])] if short else []
+            yield Equation((*sides, *values))
 
 
 def _placed(instant: InstantSolution, motion: MotionTrace, state: str) -> InstantSolution:

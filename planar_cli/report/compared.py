@@ -9,7 +9,7 @@ import sympy as sp
 
 from planar_cli.problem.expression import Relation
 from planar_cli.report.blocks import Block, Equation, Line, Name, line
-from planar_cli.report.clean import Mixed, dimension_of
+from planar_cli.report.clean import common_dimension
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import MotionTrace
 from planar_cli.units import Dimension
@@ -27,7 +27,7 @@ def compared_sides(found: MotionTrace, phrases: Phrases) -> Iterator[Block]:
         terms = sp.Add.make_args(asked.parts[0])
         left = sp.Add(*(t for t in terms if not t.could_extract_minus_sign()))
         right = left - asked.parts[0]
-        dimension = _dimension(phrases, left, right)
+        dimension = common_dimension(phrases.ledger, *(s for s in (left, right) if not s.is_number))
         if dimension is None or any(phrases.value.known(p) is None for p in (left, right)):
             continue
         holds = _holds(phrases, what.operator, left - right)
@@ -39,15 +39,6 @@ def compared_sides(found: MotionTrace, phrases: Phrases) -> Iterator[Block]:
 def _holds(phrases: Phrases, operator: str, difference: sp.Expr) -> bool:
     sign = phrases.certain(difference)
     return {"<": sign < 0, ">": sign > 0, "<=": sign <= 0, ">=": sign >= 0, "=": sign == 0}[operator]
-
-
-def _dimension(phrases: Phrases, *sides: sp.Expr) -> Dimension | None:
-    """That of the sides which are more than a number."""
-    try:
-        found = {dimension_of(s, phrases.ledger) for s in sides if not s.is_number}
-    except Mixed:
-        return None
-    return found.pop() if len(found) == 1 else None
 
 
 def _with_value(phrases: Phrases, side: sp.Expr, dimension: Dimension) -> Line:

@@ -9,10 +9,10 @@ import sympy as sp
 
 from planar_cli.equation.scene import Scene
 from planar_cli.problem.scene import TwoFacts
-from planar_cli.report.blocks import Block, Equation, Line, Text, Value, line
+from planar_cli.report.blocks import Block, Equation, Line, line
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.stages import Stage
-from planar_cli.units import LENGTH, pretty_unit
+from planar_cli.units import LENGTH
 
 
 def constructed(scene: Scene, stages: Collection[Stage]) -> dict[str, set[sp.Symbol]]:
@@ -33,9 +33,8 @@ def places(scene: Scene, names: Collection[str], phrases: Phrases) -> Iterator[B
     for point in scene.problem.points:
         if point.name not in names or not isinstance(point.place, TwoFacts):
             continue
-        values = [phrases.of_dimension(phrases.certain(p), LENGTH) for p in _pair(scene, point.name)]
-        bare = [Value(v.number, "1", v.figures) for v in values]
-        where = line("[", bare[0], ", ", bare[1], "] ", Text(pretty_unit(values[0].unit)))
+        x, y = (phrases.certain(p) for p in _pair(scene, point.name))
+        where = phrases.vector(x, y, LENGTH)
         facts = _facts(scene, point.place, phrases)
         joined = line(*(p for i, f in enumerate(facts) for p in ((" and ",) if i else ()) + f))
         side = f", {_SIDES.get(point.place.side, point.place.side)}" if point.place.side else ""

@@ -11,10 +11,10 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.ledger import Ledger
+from planar_cli.equation.ledger import display
 from planar_cli.records import record
 from planar_cli.report.blocks import Math
-from planar_cli.report.clean import Mixed, dimension_of
+from planar_cli.report.clean import common_dimension, dimension_of
 from planar_cli.report.numbers import significant
 from planar_cli.report.ordering import NUMBER
 from planar_cli.report.page_units import coherent_unit
@@ -48,7 +48,7 @@ def in_numbers(
     """
     if not all(phrases.has_numbers(s) or s in unknowns for s in (left - right).free_symbols):
         return None
-    dimension = dimension or _common(phrases.ledger, left, right)
+    dimension = dimension or common_dimension(phrases.ledger, left, right)
     writer = _Collected(frozenset(unknowns), phrases, dimension)
     before, after = writer.terms(left), writer.terms(right)
     if before is None or after is None:
@@ -83,15 +83,6 @@ def _apart(
     return {m: sense * c for m, c in whole.items()}, {sp.S.One: sense * number}
 
 
-def _common(ledger: Ledger, *sides: sp.Expr) -> Dimension | None:
-    """The dimension in which all terms of both sides agree."""
-    try:
-        found = {dimension_of(e, ledger) for e in sides if e != 0}
-    except Mixed:
-        return None
-    return found.pop() if len(found) == 1 else None
-
-
 class _Collected:
     """Sides of one equation in its unknowns."""
 
@@ -109,7 +100,7 @@ class _Collected:
 
     def _part(self, monomial: sp.Expr, coefficient: Decimal, texts: dict[sp.Symbol, str]) -> sp.Expr:
         """coefficient · monomial, the number behind a symbol that is printed as its text."""
-        size = abs(coefficient) / self._unit(monomial)
+        size = self._in_page_units(abs(coefficient), monomial)
         sign = sp.Integer(-1 if coefficient < 0 else 1)
         shown = significant(size, self.phrases.figures)
         if shown == "1" and monomial != 1:
@@ -118,13 +109,12 @@ class _Collected:
         texts[number] = shown
         return sign * number * monomial
 
-    def _unit(self, monomial: sp.Expr) -> Decimal:
-        """What one unit of the coefficient is in SI units."""
+    def _in_page_units(self, size: Decimal, monomial: sp.Expr) -> Decimal:
+        """A coefficient in the units of the page; in SI units where the dimension of the equation is not known."""
         if self.dimension is None:
-            return Decimal(1)
+            return size
         ledger = self.phrases.ledger
-        unit = coherent_unit(self.dimension / dimension_of(monomial, ledger), us=ledger.us)
-        return Decimal(unit.factor.numerator) / Decimal(unit.factor.denominator)
+        return display(size, coherent_unit(self.dimension / dimension_of(monomial, ledger), us=ledger.us))
 
     def terms(self, expr: sp.Expr) -> dict[sp.Expr, Decimal] | None:
         """Coefficients by products of unknowns."""

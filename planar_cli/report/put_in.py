@@ -15,12 +15,12 @@ from sympy.functions.elementary.trigonometric import TrigonometricFunction
 from planar_cli.equation.counting import operations
 from planar_cli.equation.exact import Unvalued
 from planar_cli.equation.expansion import expanded
-from planar_cli.equation.ledger import Ledger
+from planar_cli.equation.ledger import display
 from planar_cli.equation.plain import longer
 from planar_cli.errors import NoValue
 from planar_cli.records import record
 from planar_cli.report.blocks import Line, Math, line
-from planar_cli.report.clean import Mixed, dimension_of, is_clean
+from planar_cli.report.clean import Mixed, dimension_of, is_alike, is_clean
 from planar_cli.report.in_numbers import SMALL
 from planar_cli.report.numbers import significant
 from planar_cli.report.ordering import NUMBER
@@ -67,7 +67,7 @@ def put_in(
         parts = [left]
     elif phrases.has_numbers(left):
         parts = [e for e in parts if not phrases.value.is_zero(e)] or [sp.S.Zero]
-    if phrases.ledger.us and not _alike(phrases.ledger, left, right):
+    if phrases.ledger.us and not is_alike(phrases.ledger, left, right):
         return None
     writer = Writer(unknowns, phrases)
     found = [writer.written(e) for e in parts]
@@ -92,19 +92,11 @@ def partly(expr: sp.Expr, letters: Collection[sp.Symbol], phrases: Phrases) -> M
         written[integral] = sp.Integral(inside, *integral.limits)
     if written:
         return Math(expr.xreplace(written), writer.texts)
-    if phrases.ledger.us and not _alike(phrases.ledger, expr):
+    if phrases.ledger.us and not is_alike(phrases.ledger, expr):
         return None
     found = writer.written(expr)
     short = found is not None and not longer(found, PART) and bool(found.free_symbols & set(letters))
     return Math(found, writer.texts) if short else None
-
-
-def _alike(ledger: Ledger, *sides: sp.Expr) -> bool:
-    """Have all sides one dimension, with no unit behind a number?"""
-    try:
-        return len({dimension_of(e, ledger) for e in sides if e != 0}) < 2
-    except Mixed:
-        return False
 
 
 def _unit(phrases: Phrases, dimension: Dimension | None, *sides: sp.Expr) -> str:
@@ -187,7 +179,7 @@ class Writer:
         size = abs(value)
         if ledger.us:
             unit = coherent_unit(dimension_of(known, ledger), us=True)
-            size = size * Decimal(unit.factor.denominator) / Decimal(unit.factor.numerator)
+            size = display(size, unit)
         return self._text(significant(size, self.phrases.figures), value < 0)
 
     def _text(self, text: str, negative: bool = False) -> sp.Expr:

@@ -18,7 +18,7 @@ from planar_cli.equation.plain import longer
 from planar_cli.problem.facts import Joining
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
-from planar_cli.report.blocks import Block, Equation, Line, Name, Paragraph, Value, line
+from planar_cli.report.blocks import Block, Equation, Line, Name, Paragraph, line
 from planar_cli.report.forces import centre_of
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.instant import Trial
@@ -246,8 +246,8 @@ class VectorTelling:
         """The arm in numbers, or in letters where they are short."""
         name = _arm_name(place, reference)
         if not self.phrases.symbolic and all(self.phrases.has_numbers(p) for p in (arm.x, arm.y)):
-            values = [self.phrases.of_dimension(self.phrases.certain(p), LENGTH) for p in (arm.x, arm.y)]
-            return line(name, " = [", _bare(values[0]), ", ", _bare(values[1]), f"] {values[0].unit}")
+            shown = self.phrases.vector(self.phrases.certain(arm.x), self.phrases.certain(arm.y), LENGTH)
+            return line(name, " = ", *shown)
         if longer(arm.x, LONGEST) or longer(arm.y, LONGEST):
             return ()
         return line(name, " = [", self.phrases.math(arm.x), ", ", self.phrases.math(arm.y), "]")
@@ -260,7 +260,3 @@ def index_of(place: str) -> str:
 
 def _arm_name(place: str, reference: str) -> Name:
     return Name(f"r_{index_of(place.rstrip('′'))}/{index_of(reference)}")
-
-
-def _bare(value: Value) -> Value:
-    return Value(value.number, "1", value.figures)

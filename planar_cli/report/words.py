@@ -153,6 +153,20 @@ class Phrases:
         unit = coherent_unit(dimension, angle, self.ledger.us)
         return Value(display(value, unit), unit.text, self.figures)
 
+    def vector(self, x: Decimal, y: Decimal, dimension: Dimension) -> Line:
+        """[x, y] of SI values, with the unit of the page."""
+        one, other = (self.of_dimension(p, dimension) for p in (x, y))
+        return components(one.number, other.number, one.unit, self.figures)
+
+    def in_units(self, value: Decimal, unit: Unit, energy: bool = False) -> list[Value]:
+        """An SI value in the unit of the page, which the numbers before it have, and in the one that is asked, where it
+        is another.
+        """
+        own = self.page_unit(unit)
+        same = unit.text == "deg" or display(Decimal(1), unit) == display(Decimal(1), own)
+        units = [unit] if same else [own, unit]
+        return [Value(display(value, u), told_unit(u, energy), self.figures) for u in units]
+
     def shown(self, symbol: sp.Symbol, value: Decimal | None = None) -> Value:
         """The value of a symbol in the units of the page."""
         unit = self.ledger.units.get(symbol)
@@ -299,6 +313,11 @@ def _with_numbers(equation: Any, phrases: Phrases) -> Math | None:
     return Math(sp.Eq(*plain, evaluate=False))
 
 
+def components(x: Decimal, y: Decimal, unit: str, figures: int) -> Line:
+    """[x, y] with the unit of both."""
+    return (Text("["), Value(x, "1", figures), Text(", "), Value(y, "1", figures), Text("] "), Text(_unit_only(unit)))
+
+
 def _vector_line(numbers: list[Decimal], unit: str, figures: int, place: bool) -> Line:
     """Components, then magnitude and direction; a place has components only."""
     x, y = numbers
@@ -306,15 +325,7 @@ def _vector_line(numbers: list[Decimal], unit: str, figures: int, place: bool) -
         return (Text("at infinity"),)
     size = (x * x + y * y).sqrt()
     words = vector_words(x, y)
-    parts = (
-        Text("["),
-        Value(x, "1", figures),
-        Text(", "),
-        Value(y, "1", figures),
-        Text("] "),
-        Value(Decimal(1), unit, 1),
-    )
-    head: Line = (*parts[:-1], Text(_unit_only(unit)))
+    head = components(x, y, unit, figures)
     return (
         head
         if not words or x.is_infinite()
