@@ -33,15 +33,17 @@ class Disagreement(Undecided):
 @record
 class Checks:
     """`equations`: how many were put in; `residual`: the largest remainder relative to its terms; `agreement`: of the
-    second road.
+    second road; None where the scene has no body, so that there is nothing to compare.
     """
 
     equations: int
     residual: Decimal
-    agreement: Agreement
+    agreement: Agreement | None
 
     def report(self) -> dict[str, object]:
         """For the document and the JSON: the phrases, and the digits to which the two roads agree."""
+        if self.agreement is None:
+            return {"lines": [], "digits": None}
         noun = "equation" if self.equations == 1 else "equations"
         lines = [
             f"residuals 0 in {self.equations} {noun}",
@@ -60,7 +62,7 @@ def verify(trial: Trial, solved: dict[sp.Symbol, Decimal]) -> Checks:
         raise Disagreement(f"the solution leaves a remainder of {residual:.3g} in its own equations")
     if not agreement.holds:
         raise Disagreement("the multibody solution differs: " + "; ".join(agreement.disagreements))
-    return Checks(count, residual, agreement)
+    return Checks(count, residual, agreement if system.scene.bodies else None)
 
 
 def residuals(system: System, numbers: Valuation, outcome: Outcome) -> tuple[int, Decimal]:
