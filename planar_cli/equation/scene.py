@@ -40,7 +40,7 @@ from planar_cli.problem.scene import (
     Surface,
     TwoFacts,
 )
-from planar_cli.problem.shapes import own_points
+from planar_cli.problem.shapes import closest_first, own_points
 
 WORDY = 4
 """An expression of more operations than this gets a name of its own where it is a coordinate of a point."""
@@ -384,7 +384,7 @@ class Scene(Decided):
         for body in self.problem.bodies:
             if body.name in self.points:
                 belongs(body.name, body.name)
-        for body in self.problem.bodies:
+        for body in closest_first(self.problem.bodies):
             for point in (*own_points(body.shape), *body.points):
                 belongs(point, body.name)
         for joint in self.problem.joints:

@@ -37,7 +37,8 @@ class Guide(Joint):
         With `point` only that point is held on the track (a pin in a slot); its body may turn. With `body` the body
         slides and cannot turn against its track (a piston, a collar on a rod). `along` is the track: an angle for a
         fixed straight line, the name of a surface, or the name of the body in which the slot is cut. Both sides of
-        the track hold. Without a coefficient it is smooth.
+        the track hold. Without a coefficient it is smooth. Where bodies are pinned together at the point, the track
+        presses on the particle among them, such as a piston, else on the body that stands first in the file.
 
     YAML
         title: Slider and crank

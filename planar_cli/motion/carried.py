@@ -20,7 +20,7 @@ from planar_cli.problem.expression import Name, Number, Side
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.ordinary import scales_of
 from planar_cli.problem.scene import GROUND, Line, Problem, Surface
-from planar_cli.problem.shapes import own_points
+from planar_cli.problem.shapes import closest_first, own_points
 from planar_cli.records import record
 from planar_cli.units import LENGTH, parse_unit
 
@@ -155,7 +155,7 @@ class Carried:
         for name in (b.name for b in self.problem.bodies):
             if name in points_of(self.problem) or name in self.free:
                 belongs(name, name)
-        for body in self.problem.bodies:
+        for body in closest_first(self.problem.bodies):
             for point in (*own_points(body.shape), *body.points):
                 belongs(point, body.name)
         for member in (*self.problem.joints, *self.problem.loads):

@@ -2,9 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any
 
-from planar_cli.problem.scene import Outline, Particle, Rod, Round, Sector
+from planar_cli.problem.scene import Body, Outline, Particle, Rod, Round, Sector
+
+
+def closest_first(bodies: Iterable[Body]) -> list[Body]:
+    """Bodies in the order in which they claim a point: a particle is nothing but its point, so it comes first."""
+    return sorted(bodies, key=lambda body: not isinstance(body.shape, Particle))
 
 
 def own_points(shape: Any) -> tuple[str, ...]:

@@ -16,7 +16,8 @@ Points are given as drawn: at the instant, or at the first state (with `coordina
                                                           left, right, above, below (the other one)
 
 A point of no body is fixed, unless it is written with a coordinate. A point that is named with a body in a joint or
-load belongs to that body. Sizes of points use names, not quantities and not the time.
+load belongs to that body; a point at which several bodies are pinned together is the particle's, if one of them is a
+particle, else it is that of the first of them. Sizes of points use names, not quantities and not the time.
 
 `line` may also be written `{through: A, angle: 30 deg}`, and as `on`; `{from: A, distance: l, on: [B, 0 deg]}` is the
 point of the line at this distance.
