@@ -11,7 +11,9 @@ from answered import BRAKED, solved
 from answered import first as number
 
 from planar_cli.errors import NoSolution, Undecided
+from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.structure import load_text
+from planar_cli.report.narrate import narrate
 from planar_cli.solve.run import solve_problem
 
 SPRING = """
@@ -196,3 +198,45 @@ find: {v: v(G).mag @ 2}
     assert problem is not None
     with pytest.raises(Undecided, match="state 2 is told by a quantity over a span"):
         solve_problem(problem)
+
+
+STICKING = """
+title: Block on a spring that comes to rest on a rough floor
+plane: vertical
+given: {m: 2 kg, k: 200 N/m, mu: 0.15, x_0: 120 mm}
+points: {W: [-0.4 m, 0], P: [x_0, 0]}
+surfaces: {floor: {through: P, angle: 0 deg}}
+bodies: {block: {particle: P, mass: m}}
+joints:
+  - contact: {between: [block, floor], at: P, mu: mu}
+loads:
+  - spring: {between: [W, P], stiffness: k, natural_length: 0.4 m}
+states:
+  1: [t = 0, at rest]
+  2: [t = infinity]
+find: {way: path_length(P) @ 1->2, Q: heat(P) @ 1->2, passes: count(x(P) = 0) @ 1->2}
+"""
+
+
+def test_a_span_that_never_ends(tmp_path: Path) -> None:
+    """Each half swing is shorter by 2 μ m g/k = 29.43 mm on either side; after the fourth it stays at 2.28 mm."""
+    found = solved(tmp_path, STICKING)
+    assert number(found["way"]) == pytest.approx(0.48912)
+    assert number(found["Q"]) == pytest.approx(100 * (0.12**2 - 0.00228**2))
+    assert number(found["passes"]) == 4
+
+
+def test_a_mean_over_a_time_without_end() -> None:
+    text = STICKING[: STICKING.index("find:")] + "find: {v: mean(v(P).x) @ 1->2}\n"
+    problem, wrong = load_text(text)
+    assert [d.code for d in wrong] == ["PL434"]
+    assert problem is None
+
+
+def test_a_half_swing_to_the_left_is_a_positive_way(tmp_path: Path) -> None:
+    """The page writes the speed of each part as it is: against the x axis, it is -v."""
+    text = STICKING.replace("2: [t = infinity]", "2: [v(P).x = 0]\n  3: [v(P).x = 0]")
+    problem, _ = load_text(text[: text.index("find:")] + "find: {way: path_length(P) @ 1->3}\n")
+    assert problem is not None
+    page = Terminal().render(narrate(solve_problem(problem)))
+    assert "∫[t_1 → t_2] (-v_P) dt + ∫[t_2 → t_3] v_P dt" in page

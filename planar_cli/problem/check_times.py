@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 
 from planar_cli.errors import Diagnostic, Mark
 from planar_cli.joints.base import Joint
@@ -11,7 +11,7 @@ from planar_cli.problem.expression import Extreme, Grouped, JustAfter, Name, Qua
 from planar_cli.problem.formulas import formulas
 from planar_cli.problem.reading import listed
 from planar_cli.problem.scope import Scope, members_of
-from planar_cli.problem.walk import Tree, children, walk
+from planar_cli.problem.walk import Tree, children, is_endless, walk
 
 
 def instant_or_states(scope: Scope) -> Iterator[Diagnostic]:
@@ -104,13 +104,14 @@ def blows_have_spans(scope: Scope) -> Iterator[Diagnostic]:
 
 
 def spans_in_order(scope: Scope) -> Iterator[Diagnostic]:
-    """A span runs from a state to a later one."""
+    """A span runs from a state to a later one; a mean over it, to one that has a time."""
     spans: list[tuple[tuple[str, str], Mark]] = [
         (law.during, law.statement.mark) for law in scope.problem.motion if law.during
     ]
     spans += [(m.during, m.mark) for m in members_of(scope.problem) if m.during]
     for formula in formulas(scope.problem):
-        quantities = (node for node in walk(formula.tree) if isinstance(node, Quantity))
+        quantities = [node for node in walk(formula.tree) if isinstance(node, Quantity)]
+        yield from _endless_means(quantities, scope)
         spans += [(q.at, q.mark) for q in quantities if isinstance(q.at, tuple)]
     for law in scope.problem.motion:
         for state in law.during or ():
@@ -119,6 +120,14 @@ def spans_in_order(scope: Scope) -> Iterator[Diagnostic]:
         known = start in scope.states and end in scope.states
         if known and start == end:
             yield Diagnostic(mark, "PL434", f"the span {start}->{end} has no length", "write two different states")
+
+
+def _endless_means(quantities: Iterable[Quantity], scope: Scope) -> Iterator[Diagnostic]:
+    endless = {state.name for state in scope.problem.states if is_endless(state.relations)}
+    for q in quantities:
+        if q.word == "mean" and isinstance(q.at, tuple) and q.at[1] in endless:
+            text = f"state {q.at[1]} is never reached: a mean up to it is over a time without end"
+            yield Diagnostic(q.mark, "PL434", text, "end it at a state that has a time, such as `[t = 10 s]`")
 
 
 def lengths_taken_up(scope: Scope) -> Iterator[Diagnostic]:

@@ -139,7 +139,7 @@ _NAMES = {
         "is `just after` the first. A force that acts for some time is a `force` with `during`. In a file that asks "
         "nothing an impact may leave `during` out: it happens whenever the bodies meet."
     ),
-    "PL434": "A span runs from one state to another.",
+    "PL434": "A span runs from one state to another, and a mean over it ends at a state that is reached.",
     "PL435": "In a file with states the time of one of them is `t @ 2`.",
     "PL436": "Something is defined by itself, perhaps through others. Then its value cannot be found.",
     "PL437": "One joint has two modes at the same instant. Keep the one that is meant; another state may have others.",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from fractions import Fraction
 
 from planar_cli.problem.expression import (
@@ -10,6 +10,7 @@ from planar_cli.problem.expression import (
     Extreme,
     Function,
     Grouped,
+    Name,
     Negate,
     Number,
     PointPair,
@@ -63,3 +64,8 @@ def rational(side: Side) -> Fraction | None:
             return {"+": left + right, "-": left - right, "*": left * right}.get(operator, left / (right or 1))
         case _:
             return None
+
+
+def is_endless(relations: Iterable[Statement]) -> bool:
+    """Do the relations of a state speak of infinity, so that it is only approached?"""
+    return any(isinstance(n, Name) and n.name == "infinity" for r in relations for n in walk(r))

@@ -70,7 +70,8 @@ class SpanTelling:
         if found.quantity.word == "count":
             yield from _events(found)
             return
-        pieces = _joined([p for p in found.pieces if p.integrand != 0] or list(found.pieces[:1]))
+        pieces = [p for p in found.pieces if p.integrand != 0] or list(found.pieces[:1])
+        pieces = _counted_positive(pieces) if any(p.turns for p in pieces) else _joined(pieces)
         shown = [self._integral(p) for p in pieces]
         note = next((NUMERICAL[p.how] for p in pieces if p.how in NUMERICAL), ())
         turns = tuple(t for p in pieces for t in p.turns)
@@ -78,12 +79,12 @@ class SpanTelling:
         name, *rest = last if isinstance(last[0], tuple) else ((), *last)
         whole = None if turns or any(p.how == "blow" for p in pieces) else self._whole(found, shown)
         first = () if whole is None else (whole,)
-        if whole is None and not turns and len(pieces) > 1:
+        if whole is None and len(pieces) > 1:
             for piece, math in zip(pieces, shown, strict=True):
                 yield Equation((math, self._number(found, piece)))
         if turns:
             lead = line("the parts between the turning points, each counted positive:")
-            first = (shown[0],)
+            first = (shown[0],) if len(pieces) == 1 else ()
             rest = rest[-1:]
         sides = (*((name,) if name else ()), *first, *rest)
         yield Equation(sides, None, lead, note)
@@ -157,6 +158,19 @@ def _joined(pieces: list[Piece]) -> list[Piece]:
             found[-1] = replace(p, since=last.since, limits=limits, number=number, formula=None)
         else:
             found.append(p)
+    return found
+
+
+def _counted_positive(pieces: list[Piece]) -> list[Piece]:
+    """The size of the velocity instead of itself; neighbours with one integrand as one."""
+    found: list[Piece] = []
+    for p in pieces:
+        size, last = abs(p.integrand), found[-1] if found else None
+        if last is not None and last.integrand == size and last.until == p.since:
+            limits, turns = (last.limits[0], p.limits[1]), last.turns + p.turns
+            found[-1] = replace(last, until=p.until, limits=limits, turns=turns, over_time=None)
+        else:
+            found.append(replace(p, integrand=size, over_time=None if p.over_time is None else abs(p.over_time)))
     return found
 
 

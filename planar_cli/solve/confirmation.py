@@ -17,7 +17,7 @@ from planar_cli.errors import Diagnostic, FileProblem, Mark, NoSolution, NoValue
 from planar_cli.motion.unstable import growth_note
 from planar_cli.problem.expression import Equilibrium, JustAfter, Name, Quantity, Relation, Side
 from planar_cli.problem.scene import Problem
-from planar_cli.problem.walk import walk
+from planar_cli.problem.walk import is_endless, walk
 from planar_cli.records import record
 from planar_cli.simulate.answers import NOT_FOLLOWED, Answered
 from planar_cli.simulate.measures import Moment, names_of_states
@@ -25,7 +25,7 @@ from planar_cli.simulate.run import BEGINNING, Run, Settings, Simulation, answer
 from planar_cli.simulate.timetable import Timetable
 from planar_cli.solve.between.trace import MotionTrace
 from planar_cli.solve.diagnosis.left_open import demand_told
-from planar_cli.solve.followable import closed, end_of, is_endless, most_steps, not_followed
+from planar_cli.solve.followable import closed, end_of, most_steps, not_followed
 from planar_cli.solve.instances import Instance, instances
 from planar_cli.solve.instant.verify import Disagreement
 from planar_cli.solve.solution import Found
@@ -356,7 +356,7 @@ class _Compared:
         for relation in state.relations:
             if isinstance(relation, Equilibrium) and relation.body is None:
                 return f"state {name} is an equilibrium, which lies beside the motion"
-            if is_endless(state):
+            if is_endless(state.relations):
                 return f"state {name} is only approached"
             if isinstance(relation, JustAfter) and (before := self._never(relation.state)):
                 return before

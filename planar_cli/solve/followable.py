@@ -5,10 +5,10 @@ from __future__ import annotations
 from dataclasses import replace
 
 from planar_cli.integrators.base import MOST_STEPS
-from planar_cli.problem.expression import JustAfter, Name, Quantity
-from planar_cli.problem.scene import Problem, State
+from planar_cli.problem.expression import JustAfter, Quantity
+from planar_cli.problem.scene import Problem
 from planar_cli.problem.unused import used_names
-from planar_cli.problem.walk import walk
+from planar_cli.problem.walk import is_endless, walk
 from planar_cli.simulate.answers import NOT_FOLLOWED
 from planar_cli.solve.following.dated import dated, is_told_by_a_span
 from planar_cli.solve.following.traced import BEYOND, SEARCHED_STEPS
@@ -38,7 +38,7 @@ def closed(problem: Problem, taken: Taken) -> Problem:
 
 def end_of(problem: Problem, taken: Taken) -> float | None:
     """A little beyond the last state; None where that is not known, or no time passes, or there is no end."""
-    if any(is_endless(state) or state.name not in taken.times for state in problem.states):
+    if any(is_endless(state.relations) or state.name not in taken.times for state in problem.states):
         return None
     first, last = min(taken.times.values(), default=0.0), max(taken.times.values(), default=0.0)
     return last + BEYOND * (last - first) if last > first else None
@@ -47,8 +47,3 @@ def end_of(problem: Problem, taken: Taken) -> float | None:
 def most_steps(problem: Problem, taken: Taken) -> int:
     """How many steps are enough, as long as it is not known when the last state is."""
     return MOST_STEPS if all(s.name in taken.times for s in problem.states) else SEARCHED_STEPS
-
-
-def is_endless(state: State) -> bool:
-    """Does a state speak of infinity, so that it is only approached?"""
-    return any(isinstance(n, Name) and n.name == "infinity" for r in state.relations for n in walk(r))

@@ -24,7 +24,7 @@ from planar_cli.problem.scene import Find
 from planar_cli.records import record
 from planar_cli.solve.between.asked_finds import TRUTHS, AskedFind
 from planar_cli.solve.between.derivation import Route
-from planar_cli.solve.between.given_times import without_end
+from planar_cli.solve.between.given_times import endless_times, without_end
 from planar_cli.solve.between.motion_equations import MotionEquations
 from planar_cli.solve.between.oscillation import stability
 from planar_cli.solve.between.stated_motion import StatedMotion
@@ -85,7 +85,8 @@ class Answering:
             starts = started(self.course, asked.reader.regime, lambda s: known.get(s, s), value)
             found, passage = CurveReader(asked.reader.regime, starts).answer(find)
             return AnsweredFind(found, passage=passage)
-        parts = [p.xreplace(self._endless()) for p in asked.parts()]
+        endless = dict.fromkeys(endless_times(self.course), sp.oo)
+        parts = [p.xreplace(endless) for p in asked.parts()]
         passing = self.throughout.route(parts)
         if passing is not None:
             parts = [put_in(p, passing) for p in parts]
@@ -108,12 +109,6 @@ class Answering:
         formulas = closed if symbolic or short else None
         found = Found(find.name, kind, asked.unit, values, formulas, "", find, energy, tuple(parts))
         return AnsweredFind(found, passing)
-
-    def _endless(self) -> dict[sp.Expr, sp.Expr]:
-        """The times of states that are only approached."""
-        course = self.course
-        ends = [course.stops[s.name] for k, s in enumerate(course.states) if without_end(course, k)]
-        return {stop.t: sp.oo for stop in ends}
 
     def _demand_state(self, asked: AskedFind, closed: tuple[sp.Expr, ...]) -> None:
         """FileProblem: what is asked without a state varies, and nothing is told of it but its own name.

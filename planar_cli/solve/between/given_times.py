@@ -2,12 +2,19 @@
 
 from __future__ import annotations
 
+import sympy as sp
+
 from planar_cli.solve.between.stated_motion import StatedMotion
 
 
 def without_end(course: StatedMotion, k: int) -> bool:
     """Is state k at t = infinity?"""
     return any(d.kind == "limit" for d in course.demands[course.states[k].name])
+
+
+def endless_times(course: StatedMotion) -> list[sp.Symbol]:
+    """The times of states that are only approached."""
+    return [course.stops[s.name].t for k, s in enumerate(course.states) if without_end(course, k)]
 
 
 def asked_without_end(course: StatedMotion, k: int) -> list[int]:

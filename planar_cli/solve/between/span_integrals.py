@@ -6,7 +6,8 @@ Each is an integral over time. In order of preference it is
     an integral      of q(t), where the laws of motion are integrated, closed or by quadrature
     a flow           integrated along with the motion that was followed
 
-A path length is the sum of its parts between the instants at which the velocity vanishes. SI units.
+A path length is the sum of its parts between the instants at which the velocity vanishes. A span that never ends is a
+difference, or nothing happens in it any more. SI units.
 """
 
 from __future__ import annotations
@@ -24,12 +25,13 @@ from planar_cli.calculus.first import all_roots
 from planar_cli.calculus.polish import polish
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.plain import simplified
-from planar_cli.errors import Diagnostic, NoSolution, NoValue
+from planar_cli.errors import Diagnostic, NoSolution, NoValue, Undecided, undecided_at
 from planar_cli.problem.expression import Quantity, Relation
 from planar_cli.simulate.quadrature import Piece as Part
 from planar_cli.simulate.quadrature import integral
 from planar_cli.solve.between.exact_segments import ExactSegment, exact_segments
 from planar_cli.solve.between.followed import Followed
+from planar_cli.solve.between.given_times import endless_times
 from planar_cli.solve.between.motion_equations import MotionEquations
 from planar_cli.solve.between.span_quantities import SpanQuantity
 from planar_cli.solve.between.trace import Piece, SpanIntegral
@@ -41,17 +43,24 @@ from planar_cli.solve.regimes.timeline import Stop
 CERTAIN = Decimal("1e-9")
 """What an integral in a state's own relations may differ from the same by numbers, relative to its size."""
 SAME_TIME = Decimal("1e-20")
+ROUNDED = Decimal("1e-12")
+"""Roots that machine numbers tell are the end of a span itself where they are no further from it, relative to it."""
+FOREVER = Decimal("Infinity")
 
 
 class SpanSolver:
-    """Integrates over spans of one motion. `value`: numbers of names and letters of states; `followed`: the motion."""
+    """Integrates over spans of one motion. `value`: numbers of names and letters of states; `followed`: the motion in
+    numbers.
+    """
 
     def __init__(self, course: MotionEquations, value: Valuation, followed: Followed | None) -> None:
-        self.course, self.value, self.followed = course, value, followed
+        self.course, self.followed, self._dated = course, followed, value
+        self.value = value.extended(dict.fromkeys(endless_times(course), FOREVER))
+        """Numbers of names and letters of states; the time of a state that is only approached is infinite."""
 
     @cached_property
     def segments(self) -> tuple[ExactSegment, ...]:
-        return exact_segments(self.course, self.value, self.followed)
+        return exact_segments(self.course, self._dated, self.followed)
 
     def solve(self, symbol: sp.Symbol, asked: SpanQuantity) -> SpanIntegral:
         q = asked.quantity
@@ -125,26 +134,31 @@ class SpanSolver:
     def _piece(self, p: Stop, r: Stop, asked: SpanQuantity, segment: ExactSegment) -> Piece:
         rates = self._rates(asked, segment)
         if asked.quantity.word != "path_length":
-            return self._integral(p, r, rates[0], segment)
+            return self._integral(p, r, rates[0], segment, asked.quantity)
         speed, signed = signed_speed(rates[0], rates[1], segment.regime)
         if not signed:
-            return self._integral(p, r, speed, segment)
+            return self._integral(p, r, speed, segment, asked.quantity)
         ta, tb = self.value(p.t), self.value(r.t)
-        turns = tuple(t for t in self._zeros(speed, segment, ta, tb) if ta < t < tb)
-        whole = self._integral(p, r, speed, segment)
+        near = ROUNDED * max(abs(ta), min(abs(tb), segment.t1))
+        turns = tuple(t for t in self._zeros(speed, segment, ta, tb) if ta + near < t < tb - near)
+        whole = self._integral(p, r, speed, segment, asked.quantity)
         if not turns:
             sense = -1 if whole.number < 0 else 1
-            formula = None if whole.formula is None else sense * whole.formula
-            return Piece(
-                *_ends(p, r), speed, whole.how, abs(whole.number), formula, whole.antiderivative, whole.over_time
+            formula, g, over = (
+                None if e is None else sense * e for e in (whole.formula, whole.antiderivative, whole.over_time)
             )
+            return Piece(*_ends(p, r), sense * speed, whole.how, abs(whole.number), formula, g, over)
+        if tb == FOREVER:
+            raise self._endless(asked.quantity, p, r)
         ends = [ta, *turns, tb]
         total = sum((abs(self._number(speed, segment, s, t)[0]) for s, t in pairwise(ends)), Decimal(0))
         return Piece(*_ends(p, r), speed, whole.how, total, None, whole.antiderivative, whole.over_time, turns)
 
-    def _integral(self, p: Stop, r: Stop, rate: sp.Expr, segment: ExactSegment) -> Piece:
+    def _integral(self, p: Stop, r: Stop, rate: sp.Expr, segment: ExactSegment, q: Quantity) -> Piece:
         """∫ rate dt between two states of a segment."""
         ta, tb = self.value(p.t), self.value(r.t)
+        if tb == FOREVER:
+            return self._approached(p, r, rate, segment, q)
         number, how = self._number(rate, segment, ta, tb)
         g = _potential(rate, segment, ta, tb)
         if g is not None:
@@ -154,6 +168,20 @@ class SpanSolver:
         if over is not None:
             formula = definite(simplified(over), segment.regime.time, p.t, r.t, segment.value)
         return Piece(*_ends(p, r), rate, how, number, formula, None, over)
+
+    def _approached(self, p: Stop, r: Stop, rate: sp.Expr, segment: ExactSegment, q: Quantity) -> Piece:
+        """∫ rate dt to a state that is only approached: a difference, where it tends to a value."""
+        ta = self.value(p.t)
+        g = _potential(rate, segment, ta, ta + 1)
+        end = None if g is None or segment.regime.time in g.free_symbols else self.value.known(r.at(g))
+        if g is None or end is None:
+            raise self._endless(q, p, r)
+        return Piece(*_ends(p, r), rate, "difference", end - segment.number(g, ta), r.at(g) - p.at(g), g)
+
+    @staticmethod
+    def _endless(q: Quantity, p: Stop, r: Stop) -> Undecided:
+        text = f"{q.word}(…) from {p.name} on: as the time grows without end, no value was found that it approaches"
+        return undecided_at(q.mark, f"{text}; ask up to a time that is given")
 
     def _number(self, rate: sp.Expr, segment: ExactSegment, ta: Decimal, tb: Decimal) -> tuple[Decimal, str]:
         """∫ rate dt between two times, and how it was done."""
@@ -188,7 +216,9 @@ class SpanSolver:
             return []
         found = []
         direct = segment.over_time(expr)
-        for root in all_roots(segment.function(expr), float(ta), float(tb)):
+        # What is only approached has come there, to all digits of the motion that was followed, where that ends.
+        until = tb if tb != FOREVER else max([segment.t1, *(Decimal(repr(f.t1)) for f in segment.followed)])
+        for root in all_roots(segment.function(expr), float(ta), float(until)):
             t = Decimal(repr(root.value))
             if direct is not None and root.kind != "stays":
                 with suppress(NoValue):
@@ -208,7 +238,7 @@ class SpanSolver:
             return [t for t in times if all(abs(g(float(t))) <= 1e-9 * _size(g, segment) for g in others)]
         sense = 1 if q.argument.operator in (">", ">=") else -1
         g = segment.function(rates[0])
-        step = 1e-7 * float(tb - ta)
+        step = 1e-7 * float(min(tb, segment.t1) - ta)
         return [t for t in times if sense * g(float(t) + step) > 0 > sense * g(float(t) - step)]
 
 
