@@ -12,7 +12,9 @@ from answered import assert_close, solve, solved
 from answered import first as number
 
 from planar_cli.errors import FileProblem, NoSolution
+from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.structure import load_text
+from planar_cli.report.narrate import narrate
 from planar_cli.solve.run import solve_problem
 
 BLOCK = """
@@ -336,3 +338,45 @@ find: {T: period(level), s: x(G) @ 2}
     swing = mpmath.sqrt(40 - decay**2)
     assert_close(found["T"], str(2 * mpmath.pi / swing), 10)
     assert_close(found["s"], str(mpmath.exp(-decay) * (mpmath.cos(swing) + decay / swing * mpmath.sin(swing)) / 10), 10)
+
+
+TOY = """
+title: Half disk with a rectangle on it, on its round end
+plane: vertical
+given: {r: 100 mm, q: 50 kg/m^2, h: 70 mm}
+points: {C: [0, 0], O: [0, r], K: [0, r + h/2]}
+surfaces: {floor: {through: C, angle: 0 deg}}
+bodies:
+  toy:
+    parts:
+      - {sector: O, radius: r, span: 180 deg, angle: 270 deg, mass: q*pi*r^2/2}
+      - {plate: K, width: 2*r, height: h, angle: 0 deg, mass: 2*q*r*h}
+joints:
+  - rolling: {between: [toy, floor], at: C}
+"""
+
+
+def test_a_part_that_is_a_sector_rolls_on_its_arc() -> None:
+    found = solve(TOY + "states: {up: [equilibrium, x(toy) = 0]}\nfind: {T: period(up), holds: stable(up)}\n")
+    r, h, m1, m2 = 0.1, 0.07, 50 * math.pi * 0.01 / 2, 2 * 50 * 0.1 * 0.07
+    y1, y2 = -4 * r / (3 * math.pi), h / 2
+    y = (m1 * y1 + m2 * y2) / (m1 + m2)
+    inertia = m1 * (r * r / 2 - y1 * y1 + (y1 - y) ** 2) + m2 * ((4 * r * r + h * h) / 12 + (y2 - y) ** 2)
+    inertia += (m1 + m2) * (r + y) ** 2
+    assert number(found["T"]) == pytest.approx(2 * math.pi * math.sqrt(inertia / (-(m1 + m2) * 9.81 * y)))
+    assert found["holds"].word == "true"
+
+
+def test_a_size_that_is_sought_is_not_negative() -> None:
+    """The mass centre is in the centre of the arc for h = ± r √(2/3)."""
+    text = TOY.replace(", h: 70 mm", "") + "unknowns: {h: mm}\nstates: {up: [equilibrium, x(toy) = 0, y(toy) = r]}\n"
+    assert number(solve(text + "find: {h: h}\n")["h"]) == pytest.approx(0.1 * math.sqrt(2 / 3))
+
+
+def test_long_formulas_of_an_oscillation_are_told_by_their_numbers() -> None:
+    text = TOY + "states: {up: [equilibrium, x(toy) = 0]}\nfind: {T: period(up)}\n"
+    problem, _ = load_text(text)
+    assert problem is not None
+    page = Terminal().render(narrate(solve_problem(problem)))
+    assert "4.229 δ + δ̈ = 0" in page
+    assert "ω_0 = 2.056 rad/s" in page

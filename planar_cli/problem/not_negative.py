@@ -1,16 +1,35 @@
-"""Constants under `unknowns` that can not be negative: coefficients of friction, and limits of it."""
+"""Constants under `unknowns` that can not be negative: friction and its limits, and sizes and masses of bodies."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from planar_cli.problem.expression import Name
-from planar_cli.problem.scene import Problem
+from planar_cli.problem.scene import Body, Composite, Problem, Shape
 
 FRICTION = ("mu", "mu_s", "mu_k", "friction", "friction_torque")
 """Keys of joints that say how much friction there is at most."""
+SIZES = ("radius", "hub", "width", "height", "length")
+AMOUNTS = ("mass", "weight", "inertia", "gyration")
+"""Of a part of a body they may be negative: those of a hole are."""
+
+
+def limits_of_friction(problem: Problem) -> frozenset[str]:
+    """The names of the unknowns that say alone how much friction there is at most."""
+    return _sought(problem, (getattr(j, key, None) for j in problem.joints for key in FRICTION))
 
 
 def not_negative(problem: Problem) -> frozenset[str]:
-    """The names of the unknowns that stand there alone."""
-    sides = (getattr(j, key, None) for j in problem.joints for key in FRICTION)
+    """The names of the unknowns that stand alone for friction, for a size or for a mass."""
+    amounts = (getattr(body, key) for body in problem.bodies for key in AMOUNTS)
+    sizes = (getattr(shape, key, None) for body in problem.bodies for shape in _shapes(body) for key in SIZES)
+    return limits_of_friction(problem) | _sought(problem, (*amounts, *sizes))
+
+
+def _shapes(body: Body) -> Iterable[Shape]:
+    return [p.shape for p in body.shape.pieces] if isinstance(body.shape, Composite) else [body.shape]
+
+
+def _sought(problem: Problem, sides: Iterable[object]) -> frozenset[str]:
     named = {side.name for side in sides if isinstance(side, Name)}
     return frozenset(named & {u.name for u in problem.unknowns})

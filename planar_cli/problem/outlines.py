@@ -69,14 +69,12 @@ def outline_of(scene: Outlined, partner: str, point: Vec, mark: Mark) -> Outline
     match scene.shape(partner):
         case Composite() as shape:
             return _composite(scene, partner, shape, point)
-        case Round() as shape:
+        case Round() | Sector() as shape:
             return _round(scene, partner, shape, point, mark)
         case Plate() as shape:
             return _plate(scene, partner, shape, point, mark)
         case Rod() as shape:
             return _rod(scene, partner, shape, point)
-        case Sector() as shape:
-            return _arc(scene, partner, shape, point, mark)
     return Outline("corner", partner)
 
 
@@ -146,30 +144,35 @@ def _drift(scene: Outlined, surface: Surface, tangent: Vec) -> Vec | None:
     return None if surface.speed is None else Vec(tangent.x, tangent.y) * scene.value(surface.speed)
 
 
-def _round(scene: Outlined, body: str, shape: Round, point: Vec, mark: Mark) -> Outline:
-    center = scene.carried(body, shape.center)
+def _round(scene: Outlined, body: str, shape: Round | Sector, point: Vec, mark: Mark) -> Outline:
+    """The rim of a disk, its hub or the arc of a sector; or the centre."""
+    rim = _rim(scene, body, shape, point)
+    if rim is not None:
+        return rim
+    center = _center(shape)
+    if _same(scene, scene.carried(body, center), point):
+        return Outline("corner", body)
+    if isinstance(shape, Sector):
+        where, hint = "arc", f"its distance from {center} is the radius"
+    else:
+        where, hint = "rim", "its distance from the centre is the radius or the hub"
+    raise refuse(mark, "PL522", f"the point of contact is not on the {where} of {body}", hint)
+
+
+def _rim(scene: Outlined, body: str, shape: Round | Sector, point: Vec) -> Outline | None:
+    """The rim, the hub or the arc through a point; None: none is there."""
+    center = scene.carried(body, _center(shape))
     out = point - center
-    for side in (shape.radius, shape.hub):
+    for side in (shape.radius, shape.hub if isinstance(shape, Round) else None):
         if side is not None:
             radius = scene.value(side)
             if scene.is_zero(out.dot(out) - radius * radius):
-                return Outline("arc", body, (out / radius).turned(), 1 / radius, center, shape.center)
-    if _same(scene, center, point):
-        return Outline("corner", body)
-    hint = "its distance from the centre is the radius or the hub"
-    raise refuse(mark, "PL522", f"the point of contact is not on the rim of {body}", hint)
+                return Outline("arc", body, (out / radius).turned(), 1 / radius, center, _center(shape))
+    return None
 
 
-def _arc(scene: Outlined, body: str, shape: Sector, point: Vec, mark: Mark) -> Outline:
-    """The arc of a sector, or its apex."""
-    center, radius = scene.carried(body, shape.apex), scene.value(shape.radius)
-    out = point - center
-    if scene.is_zero(out.dot(out) - radius * radius):
-        return Outline("arc", body, (out / radius).turned(), 1 / radius, center, shape.apex)
-    if _same(scene, center, point):
-        return Outline("corner", body)
-    hint = f"its distance from {shape.apex} is the radius"
-    raise refuse(mark, "PL522", f"the point of contact is not on the arc of {body}", hint)
+def _center(shape: Round | Sector) -> str:
+    return shape.apex if isinstance(shape, Sector) else shape.center
 
 
 def _plate(scene: Outlined, body: str, shape: Plate, point: Vec, mark: Mark) -> Outline:
@@ -193,11 +196,8 @@ def _composite(scene: Outlined, body: str, shape: Composite, point: Vec) -> Outl
     """The first part on whose rim the point is; a corner when none."""
     for piece in shape.pieces:
         part = piece.shape
-        if isinstance(part, Round):
-            center, radius = scene.carried(body, part.center), scene.value(part.radius)
-            out = point - center
-            if scene.is_zero(out.dot(out) - radius * radius):
-                return Outline("arc", body, (out / radius).turned(), 1 / radius, center, part.center)
+        if isinstance(part, Round | Sector) and (rim := _rim(scene, body, part, point)) is not None:
+            return rim
         if isinstance(part, Plate):
             edges = edges_at(scene, body, part, point)
             if len(edges) == 1:

@@ -8,11 +8,15 @@ from decimal import Decimal
 import sympy as sp
 
 from planar_cli.equation.exact import Valuation
-from planar_cli.report.blocks import Block, Equation, Inline, Line, Paragraph, Result, Value, line
+from planar_cli.equation.plain import longer
+from planar_cli.report.blocks import Block, Equation, Inline, Line, Math, Paragraph, Result, Value, line
+from planar_cli.report.put_in import Writer
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import OscillationTrace, Verdict
 
 DEVIATION = sp.Symbol("delta", real=True)
+LONG = 40
+"""A formula of more operations is told by its number, if it has one."""
 RATES = tuple(sp.Symbol(f"delta_{dots}", real=True) for dots in ("dot", "ddot"))
 
 
@@ -21,7 +25,7 @@ def oscillation_blocks(found: OscillationTrace, value: Valuation, phrases: Phras
     state = found.state
     yield Paragraph(line(f"Small oscillations about the equilibrium {state}. The equation of motion:"))
     for rate, law in found.motion:
-        yield Equation((phrases.math(rate), phrases.math(law)))
+        yield Equation((phrases.math(rate), _law(law, value, phrases, symbolic)))
     if len(found.motion) == 1:
         yield from _single(found, value, phrases, symbolic)
     else:
@@ -29,12 +33,30 @@ def oscillation_blocks(found: OscillationTrace, value: Valuation, phrases: Phras
     yield Result(line(f"The equilibrium {state} is {found.verdict.kind}{_because(found.verdict)}."))
 
 
+def _law(law: sp.Expr, value: Valuation, phrases: Phrases, symbolic: bool) -> Math:
+    """The equation of motion; a long one with numbers for all but coordinates and speeds."""
+    if not symbolic and longer(law, 2 * LONG):
+        writer = Writer([s for s in law.free_symbols if value.known(s) is None], phrases)
+        written = writer.written(law)
+        if written is not None:
+            return Math(written, writer.texts)
+    return phrases.math(law)
+
+
 def _single(found: OscillationTrace, value: Valuation, phrases: Phrases, symbolic: bool) -> Iterator[Block]:
     w2, c = found.stiffness, found.damping
     speed, rate = RATES
     yield Paragraph(line("For a small deviation ", phrases.math(DEVIATION), " from there its linear part is:"))
-    terms = [e for e in (rate, c * speed, w2 * DEVIATION) if e != 0]
-    yield Equation((phrases.math(sp.Add(*terms, evaluate=False)), phrases.math(sp.S.Zero)))
+    texts: dict[sp.Symbol, str] = {}
+    terms = [rate]
+    for coefficient, factor in ((c, speed), (w2, DEVIATION)):
+        if coefficient != 0:
+            told = coefficient
+            if not symbolic and longer(coefficient, LONG):
+                told = Writer((), phrases, texts).written(coefficient) or coefficient
+            terms.append(told * factor)
+    left = phrases.math(sp.Add(*terms, evaluate=False))
+    yield Equation((Math(left.expr, {**(left.values or {}), **texts}), phrases.math(sp.S.Zero)))
     if not found.verdict.stable or found.verdict.power > 1:
         return
     square = found.square
@@ -48,7 +70,9 @@ def _single(found: OscillationTrace, value: Valuation, phrases: Phrases, symboli
 
 
 def _line(name: str, expr: sp.Expr, value: Valuation, unit: str, phrases: Phrases, symbolic: bool) -> Equation:
-    sides: list[Inline | Line] = [phrases.math(sp.Symbol(name)), phrases.math(expr)]
+    sides: list[Inline | Line] = [phrases.math(sp.Symbol(name))]
+    if symbolic or not longer(expr, LONG):
+        sides.append(phrases.math(expr))
     if not symbolic:
         sides.append(Value(value(expr), unit))
     return Equation(tuple(sides))

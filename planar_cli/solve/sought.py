@@ -9,7 +9,7 @@ from decimal import Decimal
 from planar_cli.equation.ledger import display
 from planar_cli.equation.setup import Earlier, numbers_of
 from planar_cli.errors import Diagnostic, NoSolution, PlanarError, Undecided
-from planar_cli.problem.not_negative import not_negative
+from planar_cli.problem.not_negative import limits_of_friction
 from planar_cli.problem.scene import Problem
 from planar_cli.simulate.shooting import has_no_effect, shooting
 from planar_cli.solve.followed import can_be_followed, followed_part
@@ -39,7 +39,7 @@ def root_of(problem: Problem, earlier: Mapping[str, Earlier], error: Undecided |
     if roots is None:
         raise error
     unknown = problem.unknowns[0]
-    if roots and unknown.name in not_negative(problem) and max(roots) < 0:
+    if roots and unknown.name in limits_of_friction(problem) and max(roots) < 0:
         text = f"the data make {unknown.name} negative, {max(roots):.4g}: friction would drive what slides"
         raise NoSolution([Diagnostic(unknown.mark, "PL620", text, "correct the data, or add the force that drives it")])
     if not roots:

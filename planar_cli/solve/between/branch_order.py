@@ -22,7 +22,7 @@ def candidates(course: MotionEquations) -> list[Branch]:
 
 def ranked(course: StatedMotion, branches: Iterable[Branch]) -> list[Branch]:
     """Those that leave no equation open, if there are any; of these first the largest where that is asked, the
-    earliest, and those with positive sought constants. What friction is at most can not be negative.
+    earliest, and those with positive sought constants. Friction, sizes and masses can not be negative.
     """
     # Draws of letters say nothing of signs.
     positive = frozenset() if course.problem.symbols else not_negative(course.problem)

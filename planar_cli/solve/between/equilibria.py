@@ -16,6 +16,7 @@ from planar_cli.equation.exact import PI, Valuation
 from planar_cli.equation.plain import derivative, simplified
 from planar_cli.errors import Diagnostic, NoSolution
 from planar_cli.problem.expression import Equilibrium, Statement
+from planar_cli.problem.not_negative import not_negative
 from planar_cli.problem.scene import State
 from planar_cli.records import record
 from planar_cli.solve.between.chain import Branch, Chain
@@ -194,10 +195,13 @@ def _branches(
     parameters = set(base.values)
     symbolic = any(e.residual.free_symbols & parameters for e in equations)
     wanted = [d for ds in demands.values() for d in ds if d.kind == "inequality"]
+    # Draws of letters say nothing of signs.
+    names = frozenset() if course.problem.symbols else not_negative(course.problem)
+    sizes = [s for s in course.sought() if s.name in names]
 
     def possible(values: dict[sp.Symbol, Decimal]) -> bool:
         number = base.extended(values)
-        return all(_holds(d, number) for d in wanted)
+        return all(_holds(d, number) for d in wanted) and all(values.get(s, Decimal(0)) >= 0 for s in sizes)
 
     unknowns = _unknowns(course, states).difference(fixed)
     natural = course.natural(unknowns)
