@@ -238,3 +238,33 @@ find: {v: v(P).x}
     (t,) = formula.free_symbols
     expected = sp.cos(2 * t) / 10 - 2 * (sp.Rational(1, 2) + t / 10) * sp.sin(2 * t)
     assert sp.simplify(formula - expected) == 0
+
+
+TURNED = """
+title: Disk that turns
+plane: horizontal
+points: {{O: [0, 0]}}
+bodies: {{disk: {{disk: O, radius: 0.2 m, mass: 15 kg}}}}
+joints:
+  - pin: {{at: O, between: [ground, disk]}}
+loads:
+  - torque: {{body: disk, moment: 3 N*m}}
+states:
+  1: [t = 0, at rest]
+  2: [{stated}]
+find: {{omega: omega(disk) @ 2}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("stated", "omega"),
+    [
+        ("theta(disk) @ 2 = 8 rad", math.sqrt(160)),
+        ("theta(disk) @ 2 - theta(disk) @ 1 = 8 rad", math.sqrt(160)),
+        ("(omega(disk) - 1 rad/s) @ 2 = 9 rad/s", 10),
+        ("t @ 2 = t @ 1 + 2 s", 20),
+    ],
+)
+def test_a_state_may_name_itself(stated: str, omega: float) -> None:
+    """`@ 2` in state 2 says the same as nothing."""
+    assert_close(solve(TURNED.format(stated=stated))["omega"], omega)

@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Set
 from decimal import Decimal
 from typing import TYPE_CHECKING
 
@@ -25,10 +26,18 @@ ROUNDING = Decimal("1e-30")
 
 def counted_angle(scene: Scene, v: Vec) -> sp.Expr | None:
     """The angle of a vector with its turns, between -180 and 180 deg where it is drawn; None: it is not written so."""
-    if scene.displacement is None or longer(v.x, LONGEST) or longer(v.y, LONGEST):
+    if scene.displacement is None:
         return None
     ledger = scene.ledger
     varying = {c.symbol for c in scene.displacement.coordinates} | {*ledger.coordinates, ledger.symbols["t"]}
+    found = written_angle(v, varying, lambda along: scene.sign(along) > 0)
+    return None if found is None else found + _whole_turns(scene, v, found)
+
+
+def written_angle(v: Vec, varying: Set[sp.Symbol], positive: Callable[[sp.Expr], bool]) -> sp.Expr | None:
+    """The angle of a vector by the angle with which it is written, up to whole turns; None: it is not written so."""
+    if longer(v.x, LONGEST) or longer(v.y, LONGEST):
+        return None
     angles = {a.args[0] for e in (v.x, v.y) for a in sp.sympify(e).atoms(sp.sin, sp.cos)}
     for phi in sorted(angles, key=sp.default_sort_key):
         if not phi.free_symbols & varying:
@@ -36,12 +45,9 @@ def counted_angle(scene: Scene, v: Vec) -> sp.Expr | None:
         c, s = sp.cos(phi), sp.sin(phi)
         along, across = simplified(v.x * c + v.y * s), simplified(v.y * c - v.x * s)
         if across == 0:
-            found = phi if scene.sign(along) > 0 else phi + sp.pi
-        elif not (along.free_symbols | across.free_symbols) & varying:
-            found = phi + sp.atan2(across, along)
-        else:
-            continue
-        return found + _whole_turns(scene, v, found)
+            return phi if positive(along) else phi + sp.pi
+        if not (along.free_symbols | across.free_symbols) & varying:
+            return phi + sp.atan2(across, along)
     return None
 
 

@@ -8,6 +8,7 @@ from planar_cli.problem import reading
 from planar_cli.problem.expression import Law, Number, Relation, Scaled, Side, Statement
 from planar_cli.problem.fields import Fields
 from planar_cli.problem.nodes import Mapping, Node, Scalar, Sequence
+from planar_cli.problem.said_here import said_here
 from planar_cli.problem.scene import Answer, Find, State, Symbol
 from planar_cli.problem.walk import walk
 from planar_cli.units import UnitError, parse_unit
@@ -118,7 +119,7 @@ def states(whole: Fields) -> tuple[State, ...]:
         name = reading.state(key, whole.report)
         relations = reading.statements(value, f"the state {key.text}", whole.report)
         if name:
-            read.append(State(name, relations, key.mark))
+            read.append(State(name, tuple(said_here(s, name) for s in relations), key.mark))
     return tuple(read)
 
 

@@ -249,7 +249,7 @@ class Seeker:
         if not set(self.ledger.coordinates) & set(constants):
             return ""
         with self.scene.supposing(base):
-            there = {joint.name: joint.modes(self.scene) for joint in self.instant.joints if joint.unilateral}
+            there = {joint.name: self.instant.modes_of(joint) for joint in self.instant.joints if joint.unilateral}
         for joint, drawn in self.instant.modes:
             if joint.name in there and any(
                 a.facts.pushes != b.facts.pushes for a, b in zip(drawn, there[joint.name], strict=True)

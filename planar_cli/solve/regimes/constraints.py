@@ -20,6 +20,7 @@ from planar_cli.equation.plain import derivative, simplified
 from planar_cli.equation.pose import HERE, Pose
 from planar_cli.equation.sample import anywhere
 from planar_cli.equation.scene import Scene
+from planar_cli.equation.turning import written_angle
 from planar_cli.errors import NotReached
 from planar_cli.joints.base import Joint
 from planar_cli.loads.base import Load
@@ -93,6 +94,9 @@ class GeneralPoses:
         return sp.sqrt(simplified(square))
 
     def turned(self, v: Vec) -> Any:
+        angle = written_angle(v, {*self.start, self.scene.ledger.symbols["t"]}, self.positive)
+        if angle is not None:
+            return self.change(angle)
         before = Vec(self._drawn(v.x), self._drawn(v.y))
         cross, dot = simplified(before.cross(v)), simplified(before.dot(v))
         return sp.S.Zero if cross == 0 else sp.atan2(cross, dot)

@@ -1,0 +1,83 @@
+"""Wheels that several times roll on each other, over whole turns; a cam turned to where its follower is fastest."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+import sympy as sp
+from answered import assert_close, solve
+
+PLANETS = """
+title: Two planets between a sun and a ring
+plane: horizontal
+points:
+  O: [0, 0]
+  A: [0, 140 mm]
+  B: {{from: O, distance: 140 mm, angle: {angle} deg}}
+surfaces: {{ring: {{center: O, radius: 200 mm}}}}
+bodies:
+  sun: {{disk: O, radius: 80 mm, mass: 2 kg}}
+  arm: {{points: [A, B], center: O, mass: 1 kg, inertia: 0.03 kg*m^2}}
+  a: {{disk: A, radius: 60 mm, mass: 0.9 kg}}
+  b: {{disk: B, radius: 60 mm, mass: 0.9 kg}}
+joints:
+  - pin: {{at: O, between: [ground, sun, arm]}}
+  - pin: {{at: A, between: [arm, a]}}
+  - pin: {{at: B, between: [arm, b]}}
+  - rolling: {{between: [a, sun], name: sun_a}}
+  - rolling: {{between: [b, sun], name: sun_b}}
+  - rolling: {{between: [a, ring], at: [0, 200 mm]}}
+  - rolling: {{between: [b, ring], at: {{from: O, distance: 200 mm, angle: {angle} deg}}}}
+loads:
+  - torque: {{body: arm, moment: 6 N*m}}
+states:
+  1: [t = 0, at rest]
+  2: [{after}]
+find: {{alpha: alpha(arm) @ 1, omega: omega(arm) @ 2}}
+"""
+
+CAM = """
+title: Eccentric cam with a flat-faced follower
+symbols: {{R: m, e: m, w: rad/s}}
+assume: [e < R]
+coordinates: {{theta: deg}}
+points:
+  O: [0, 0]
+  G: [e*cos(theta), e*sin(theta)]
+  P: [0, e*sin(theta) + R]
+  Q: [0, e*sin(theta) + 3*R]
+surfaces: {{face: {{through: P, angle: 0 deg, body: follower}}}}
+bodies: {{cam: {{disk: G, radius: R, points: [O]}}, follower: {{rod: [P, Q]}}}}
+joints:
+  - pin: {{at: O, between: [ground, cam]}}
+  - guide: {{body: follower, along: 90 deg}}
+  - contact: {{between: [cam, face], mu: 0, name: touch}}
+motion: [omega(cam) = w]
+instant: [{extreme}]
+find: {{most: {asked}.mag, place: theta}}
+"""
+
+
+@pytest.mark.parametrize("angle", ["210", "-90"])
+@pytest.mark.parametrize("after", ["theta(arm) = 4 rev", "theta(arm) @ 2 - theta(arm) @ 1 = 4 rev"])
+def test_a_planetary_gear_turns_several_times(angle: str, after: str) -> None:
+    arm, planet, sun = 0.03, 0.9 * (0.14**2 + 0.5 * 0.14**2), 0.5 * 2 * 0.08**2 * (0.28 / 0.08) ** 2
+    alpha = 6 / (arm + 2 * planet + sun)
+    found = solve(PLANETS.format(angle=angle, after=after))
+    assert_close(found["alpha"], alpha)
+    assert_close(found["omega"], math.sqrt(16 * math.pi * alpha), 9)
+
+
+@pytest.mark.parametrize(
+    ("extreme", "asked", "power", "place"),
+    [("v(P).y is largest", "v(P)", 1, sp.S.Zero), ("a(P).y is smallest", "a(P)", 2, sp.pi / 2)],
+)
+def test_a_flat_follower_is_fastest(extreme: str, asked: str, power: int, place: sp.Expr) -> None:
+    found = solve(CAM.format(extreme=extreme, asked=asked))
+    most, at = (found[name].expressions for name in ("most", "place"))
+    assert most is not None
+    assert at is not None
+    e, w = (next(s for s in most[0].free_symbols if s.name == name) for name in ("e", "w"))
+    assert sp.simplify(most[0] - e * w**power) == 0
+    assert at[0] == place
