@@ -102,15 +102,20 @@ def _newton(page: _Seen) -> bool:
     return "Kinetic analysis" in page.headings and (page.led("ΣF") or page.led("ΣM"))
 
 
+def _kinetic(page: _Seen) -> bool:
+    return _newton(page) or "virtual power" in page.words
+
+
 PRINCIPLES = (
     _Principle(lambda p: "a_cor" in p.names, "Motion relative to a turning body, with the Coriolis acceleration."),
     _Principle(lambda p: "v_rel" in p.names and "a_cor" not in p.names, "Motion relative to a moving body."),
     _Principle(
-        lambda p: "Kinematic analysis" in p.headings and not _newton(p) and not p.led("T_") and "v_rel" not in p.names,
+        lambda p: "Kinematic analysis" in p.headings and not _kinetic(p) and not p.led("T_") and "v_rel" not in p.names,
         "Kinematics: places, velocities and accelerations.",
     ),
     _Principle(lambda p: _newton(p) and not p.inertial, "Newton's second law for each body."),
     _Principle(lambda p: p.inertial, "d'Alembert's principle: with the inertial forces each body is in equilibrium."),
+    _Principle(lambda p: "virtual power" in p.words, "Virtual power, in which no reaction takes part."),
     _Principle(lambda p: "momentum before" in p.words, "Impulse and momentum across the blow."),
     _Principle(lambda p: p.led("T_"), "Work and kinetic energy between the states."),
     _Principle(lambda p: "impulse and momentum" in p.words, "Impulse and momentum over a time."),

@@ -13,13 +13,25 @@ from decimal import Decimal
 import sympy as sp
 
 from planar_cli.equation.exact import CERTAIN, ONE, ZERO
+from planar_cli.equation.kinetics import body_residuals
 from planar_cli.equation.system import System
+from planar_cli.principles.base import Single
 from planar_cli.problem.geometry import Vec
-from planar_cli.solve.instant.candidates import CONSTRUCTED, NAMED_SLANT, Candidate, Choice, combine, mask_of, priced
+from planar_cli.solve.instant.candidates import (
+    CONSTRUCTED,
+    FAR,
+    NAMED_SLANT,
+    Candidate,
+    Choice,
+    combine,
+    mask_of,
+    priced,
+)
 from planar_cli.solve.instant.offers import Offers
 from planar_cli.solve.multibody.linear import Row, eliminate
 
 CLOSE = Decimal("1e-25")
+POWER = "virtual power of all bodies, moved as the joints allow; no reaction takes part"
 
 
 def adjoint_candidates(offers: Offers, targets: list[int]) -> tuple[list[Candidate], int]:
@@ -40,6 +52,37 @@ def adjoint_candidates(offers: Offers, targets: list[int]) -> tuple[list[Candida
         size = max(abs(v) for v in y)
         inside |= sum_masks(mask_of(rows[i]) for i in range(3 * len(bodies), len(rows)) if abs(y[i]) > CLOSE * size)
     return found, inside
+
+
+def power_candidates(offers: Offers, targets: list[int]) -> list[Candidate]:
+    """For each target the virtual power of all bodies in a motion that every joint allows: no reaction takes part, also
+    where the reactions themselves are not unique. Numbers of one draw tell no ratio between letters.
+    """
+    system, numbers = offers.system, offers.numbers
+    if system.scene.ledger.symbolic:
+        return []
+    moving = set(system.tree.acceleration_unknowns())
+    idle = {x: sp.S.Zero for x in numbers.unknowns if x not in moving}
+    resting = dict.fromkeys(moving, sp.S.Zero)
+    found = []
+    for y in _multipliers(offers.base_rows(), len(numbers.unknowns), targets):
+        twists = {b: (y[3 * i], y[3 * i + 1], y[3 * i + 2]) for i, b in enumerate(offers.bodies)}
+        size = max((abs(p) for t in twists.values() for p in t), default=ZERO)
+        if not size:
+            continue
+        # The first body that turns has the virtual rotation 1.
+        unit = next((m for _, _, m in twists.values() if abs(m) > CLOSE * size), size)
+        terms = [
+            _rational(rate / unit) * residual.xreplace(idle)
+            for body, twist in twists.items()
+            for rate, residual in zip(twist, body_residuals(system, body), strict=True)
+        ]
+        power = sp.expand(sp.Add(*terms))
+        loads = power.xreplace(resting)
+        single = Single(loads - power, loads, POWER, "", FAR)
+        row = _cleaned(numbers.row(single.left - single.right))
+        found.append(priced((), None, None, row, FAR, single))
+    return [c for c in found if c is not None]
 
 
 def sum_masks(masks: Iterable[int]) -> int:

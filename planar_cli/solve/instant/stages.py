@@ -13,11 +13,11 @@ from planar_cli.equation.conditions import Condition
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.form import Nonlinear, linear_form, mentions
 from planar_cli.equation.system import System
-from planar_cli.errors import undecided_at
+from planar_cli.errors import Undecided, undecided_at
 from planar_cli.principles.base import Family
 from planar_cli.problem.geometry import Vec
 from planar_cli.records import changing, record
-from planar_cli.solve.instant.adjoint import adjoint_candidates, sum_masks
+from planar_cli.solve.instant.adjoint import adjoint_candidates, power_candidates, sum_masks
 from planar_cli.solve.instant.algebra import Algebra, SolvedBlock
 from planar_cli.solve.instant.candidates import Candidate
 from planar_cli.solve.instant.numbers import Numbers
@@ -110,7 +110,13 @@ class StageMaker:
         elif offers.singles:
             inside = sum_masks(candidate.mask for candidate in candidates)
             planner = Planner(candidates, 0, (inside, self._motion_bits(index)), fixed)
-        plan = planner.plan(wanted) or Plan(())
+        plan = planner.plan(wanted)
+        if plan is None and offers.families and self.constructed:
+            candidates += power_candidates(offers, wanted_columns)
+            plan = Planner(candidates, 0, (), fixed).plan(wanted)
+        if plan is None:
+            names = ", ".join(t.name for t in targets if t in index)
+            raise Undecided(f"{names}: determined, but by no equations that can be solved one after the other")
         writer = Writer(self.system, columns, self.next_number)
         numbered = [tuple(writer.write(e) for e in block.equations) for block in plan.blocks]
         for body in dict.fromkeys(b for ws in numbered for w in ws for b in w.bodies) if self.whole else ():
