@@ -9,7 +9,9 @@ from conftest import ROOT
 from worked import worked
 
 from planar_cli.formats.terminal import Terminal
+from planar_cli.problem.structure import load_text
 from planar_cli.report.narrate import narrate
+from planar_cli.solve.run import solve_problem
 
 FILES = (
     "textbook/ex-1-03",
@@ -70,3 +72,29 @@ def test_a_rate_of_flow_keeps_its_unit_and_a_speed_gets_no_sign() -> None:
     page = _page("momentum/lawn-sprinkler")
     assert "= 0.1155 kg/s, w_end would be zero." in page
     assert "other sign" not in page
+
+
+LORRY = """
+title: Crate that slides on a braking lorry
+plane: vertical
+points: {C: [0, 0], H: [3 m, 0.5 m]}
+surfaces: {bed: {through: C, angle: 0 deg, body: lorry}}
+bodies: {lorry: {points: [H]}, crate: {particle: C, mass: 250 kg}}
+joints:
+  - guide: {body: lorry, along: 0 deg}
+  - contact: {between: [crate, bed], at: C, mu: 0.35}
+motion: [a(lorry).x = -5 m/s^2]
+states:
+  1: [t = 0, v(lorry).x = 20 m/s, v(crate).x = 20 m/s]
+  2: [r(crate/H).x = 0]
+find: {v: v(crate/lorry).mag @ 2}
+"""
+
+
+def test_a_sense_is_told_of_a_known_axis() -> None:
+    """A name that ends with y says nothing of an axis."""
+    problem, _ = load_text(LORRY)
+    assert problem is not None
+    page = Terminal(width=110).render(narrate(solve_problem(problem)))
+    assert "it moves in the positive sense there" in page
+    assert "upward" not in page

@@ -30,7 +30,7 @@ def reason(found: MotionTrace, r: Result, others: list[Decimal], told: Collectio
     if kind is Kind.TIME:
         return _later(found, r, others, earlier, told)
     if kind is Kind.SPEED and all(v * r.value < 0 for v in others):
-        return _sense(general.name, r.value > 0)
+        return _sense(found, general, r.value > 0)
     if kind is Kind.COORDINATE and earlier is not None:
         return _on_the_way(found, r, others, earlier, told)
     return _by_sign(r.value, others)
@@ -67,12 +67,13 @@ def _before(found: MotionTrace, unknown: sp.Symbol, stop: str) -> sp.Symbol | No
     return next((s for s in own if found.value.known(s) is not None), None)
 
 
-def _sense(name: str, positive: bool) -> Line:
-    """In which sense something moves; by the letter of its speed where that tells the axis."""
-    stem, *pieces = name.split("_")
-    if pieces[-1:] == ["dot"]:
-        return line(Name(name.removesuffix("_dot")), " grows there" if positive else " decreases there")
-    key = "omega" if stem == "omega" else pieces[-1][-1:] if stem == "v" and pieces else ""
+def _sense(found: MotionTrace, speed: sp.Symbol, positive: bool) -> Line:
+    """In which sense something moves, where what its speed is tells the axis."""
+    if speed.name.endswith("_dot"):
+        return line(Name(speed.name.removesuffix("_dot")), " grows there" if positive else " decreases there")
+    titles = (r.solution.trial.system.titles.get(speed, "") for r in found.regimes)
+    title = next(filter(None, titles), "")
+    key = "omega" if title.startswith("angular velocity") else title.rpartition(" along ")[2]
     if key in SENSES:
         return line(SENSES[key][0 if positive else 1])
     return line(f"it moves in the {'positive' if positive else 'negative'} sense there")
