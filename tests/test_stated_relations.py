@@ -268,3 +268,27 @@ find: {{omega: omega(disk) @ 2}}
 def test_a_state_may_name_itself(stated: str, omega: float) -> None:
     """`@ 2` in state 2 says the same as nothing."""
     assert_close(solve(TURNED.format(stated=stated))["omega"], omega)
+
+
+GROOVE = """
+title: Bead that starts at rest in the groove of a turntable
+plane: horizontal
+given: {r: 0.2 m, R: 0.8 m, w: 6 rad/s}
+points: {O: [0, 0], P: [r, 0]}
+bodies: {table: {disk: O, radius: R, mass: 1 kg}, bead: {particle: P, mass: 0.5 kg}}
+joints:
+  - pin: {at: O, between: [ground, table]}
+  - guide: {point: P, along: table}
+motion: [omega(table) = w]
+states:
+  1: [t = 0, v(bead/table).mag = 0]
+  2: [r(bead).mag = R]
+find: {t: t @ 2, v: v(bead/table).mag @ 2}
+"""
+
+
+def test_a_velocity_does_not_place_a_round_body() -> None:
+    """Only a place stands for an angle that no drawing shows; the velocity along the groove vanishes at any angle."""
+    found = solve(GROOVE)
+    assert_close(found["t"], math.acosh(4) / 6)
+    assert_close(found["v"], 6 * math.sqrt(0.8**2 - 0.2**2))

@@ -154,7 +154,9 @@ def _beginning(motion: StatedMotion) -> list[Equation]:
         return []
     first = motion.first
     placed = _placed(motion)
-    placed |= _unseen(motion) & {x for d in motion.demands[first.name] for x in d.residual.free_symbols}
+    speeds = {first.letters[u] for u in motion.regimes[0].free}
+    told = (d.residual.free_symbols for d in motion.demands[first.name])
+    placed |= _unseen(motion) & {x for inside in told if not inside & speeds for x in inside}
     found = [e for e in drawn_equations(motion.regimes[0], first) if not e.residual.free_symbols & placed]
     later = [*motion.regimes, motion.beyond] if motion.beyond is not None else motion.regimes
     found += list(later_equations(later, first, motion.transfer(motion.regimes[0])))
