@@ -162,6 +162,30 @@ def test_a_rod_that_falls_on_one_end() -> None:
     assert first(found["spin"]) == pytest.approx(-arm * impulse / inertia)
 
 
+FACED = """
+title: Wagon that hits a wall with its face
+plane: vertical
+points: {G: [0, 0], W: [3 m, 0]}
+surfaces: {wall: {through: W, angle: 90 deg}}
+bodies: {wagon: {plate: G, width: 2 m, height: 1 m, mass: 5 kg}}
+joints:
+  - guide: {body: wagon, along: 0 deg, mu: 0.1}
+  - impact: {between: [wagon, wall], restitution: %s, name: hit}
+states: {1: [t = 0, v(wagon).x = 4 m/s], 2: [x(wagon) = 2 m], 3: [just after 2], 4: [%s]}
+find: {v: v(wagon).x @ 3, J: impulse(hit/wagon).x @ 2->3, x: x(wagon) @ 4}
+"""
+
+
+@pytest.mark.parametrize(("e", "last"), [(0.5, "v(wagon).x = 0"), (0, "t = 2 s")])
+def test_a_face_of_what_cannot_turn(e: float, last: str) -> None:
+    """Both its corners strike at once, with one velocity; where the impact is plastic it then stays."""
+    found = solve(FACED % (e, last))
+    v = sqrt(4**2 - 2 * 0.1 * G * 2)
+    assert first(found["v"]) == pytest.approx(-e * v)
+    assert first(found["J"]) == pytest.approx(-5 * (1 + e) * v)
+    assert first(found["x"]) == pytest.approx(2 - (e * v) ** 2 / (2 * 0.1 * G))
+
+
 STACK = """
 title: Two balls dropped one above the other
 plane: vertical
@@ -533,6 +557,37 @@ def test_what_is_driven_goes_on() -> None:
     assert_close(found["crank"], 2)
     assert pair(found["knee"]) == pytest.approx((1.5, 0))
     assert pair(found["pin"]) == pytest.approx((1.5, 0))
+
+
+LIFT = """
+title: Bolt that drops on the floor of a lift
+plane: vertical
+points: {F: [0, 0], B: [0, 2.6 m]}
+surfaces: {floor: {through: F, angle: 0 deg, body: lift}}
+bodies: {lift: {points: [F]}, bolt: {particle: B, mass: any}}
+joints:
+  - guide: {body: lift, along: 90 deg}
+  - impact: {between: [bolt, floor], restitution: 0.6, during: 2->3}
+motion: [%s]
+states:
+  1: [t = 0, %sv(bolt).x = 0, v(bolt).y = 3 m/s]
+  2: [r(bolt/F).y = 0]
+  3: [just after 2]
+find: {u: v(lift).y @ 2, v: v(bolt).y @ 3, V: v(lift).y @ 3}
+"""
+
+
+@pytest.mark.parametrize(
+    ("law", "said", "a"),
+    [("v(lift).y = 3 m/s", "", 0.0), ("a(lift).y = 1.5 m/s^2", "v(lift).y = 3 m/s, ", 1.5)],
+)
+def test_what_is_driven_without_mass_is_struck_and_goes_on(law: str, said: str, a: float) -> None:
+    """Its speed is that before the blow, whether its velocity or its acceleration is given."""
+    found = solve(LIFT % (law, said))
+    fall = sqrt(2 * 2.6 / (G + a))
+    assert first(found["u"]) == pytest.approx(3 + a * fall)
+    assert first(found["V"]) == pytest.approx(3 + a * fall)
+    assert first(found["v"]) == pytest.approx(3 + a * fall + 0.6 * (G + a) * fall)
 
 
 # --- taking hold and letting go --------------------------------------------------------------------------------------

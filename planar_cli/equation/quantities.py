@@ -387,5 +387,6 @@ def quantities_of(scene: Scene, motion: Motion, reactions: Reactions | None) -> 
     def scalar(quantity: Quantity) -> Jet:
         return found.scalar(quantity)
 
-    found = Quantities(scene, motion, reactions, Evaluator(scene.ledger, scene.evaluator.motions, scalar))
+    known = scene.evaluator
+    found = Quantities(scene, motion, reactions, Evaluator(scene.ledger, known.motions, scalar, known.at_state))
     return found

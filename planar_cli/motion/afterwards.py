@@ -30,15 +30,17 @@ def drawn_apart(
     """The impact whose partners are not at one place after it, and what is open then; None: there is none. `struck`:
     the encounters of a blow that has just been.
     """
-    every = (e for found in model.encounters.values() for e in found)
-    plastic = [e for e in every if e.plastic and (e.over or e.name in struck)]
-    gaps = _numbers(model, [e.distance for e in plastic], t, y)
-    for encounter, gap in zip(plastic, gaps, strict=True):
-        if abs(gap) > TOUCHES * model.scales.length:
-            one, other = _names(encounter)
+    plastic = {
+        impact: [e for e in found if e.plastic and (e.over or e.name in struck)]
+        for impact, found in model.encounters.items()
+    }
+    for impact, encounters in plastic.items():
+        gap = min(map(abs, _numbers(model, [e.distance for e in encounters], t, y)), default=0.0)
+        if gap > TOUCHES * model.scales.length:
+            one, other = _names(encounters[0])
             unit = default_unit(LENGTH, us=model.scene.problem.us)
-            return encounter.impact, (
-                f"after the plastic impact {one} and {other} are {abs(gap) / float(unit.factor):.3g} {unit.text} apart "
+            return impact, (
+                f"after the plastic impact {one} and {other} are {gap / float(unit.factor):.3g} {unit.text} apart "
                 "as they are drawn, and nothing holds them"
             )
     return None

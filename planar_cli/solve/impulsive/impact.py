@@ -15,6 +15,7 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.exact import Valuation
+from planar_cli.equation.jets import constant
 from planar_cli.equation.motion import Edge, Motion
 from planar_cli.equation.setup import Course as Position
 from planar_cli.equation.struck import StruckScene
@@ -24,6 +25,7 @@ from planar_cli.problem.expression import Quantity
 from planar_cli.problem.facts import FAR
 from planar_cli.problem.formulas import formulas
 from planar_cli.problem.geometry import Vec
+from planar_cli.problem.scene import GROUND
 from planar_cli.problem.walk import walk
 from planar_cli.records import record
 from planar_cli.solve.impulsive.instant import Struck, struck_instant
@@ -217,8 +219,8 @@ class Blow:
         far = self._far(here, Decimal(repr(near)))
         if not self.fits(self.choice, far):
             return Stroke({}, {}, "what is apart is not struck", far=far)
-        self._demand_meeting(here, Decimal(repr(near)), far)
         trial = self._tried(here, value)
+        self._demand_meeting(here, Decimal(repr(near)), far, trial)
         if not trial.outcomes:
             return Stroke({}, {}, trial.objection, far=far)
         outcome = trial.outcomes[0]
@@ -249,17 +251,30 @@ class Blow:
         after = {s: float(v) for s, v in told.items() if v is not None}
         return Stroke(after, {}, trial.objection, self._moves(after, self.numbers(value).extended(unknowns)))
 
-    def _demand_meeting(self, here: Valuation, near: Decimal, far: frozenset[str]) -> None:
-        """NoSolution: the corner that strikes is another than was taken, or there are two. FileProblem: the file says
-        another point or normal.
+    def _demand_meeting(self, here: Valuation, near: Decimal, far: frozenset[str], trial: Trial) -> None:
+        """NoSolution: the corner that strikes is another than was taken, or there are two, and they do not move alike.
+        FileProblem: the file says another point or normal.
         """
         for joint in self.struck.joints:
             if joint.strikes and joint.name not in far:
                 wrong = self.scene.doubtful(joint, here, near)
-                if wrong:
+                if wrong and self._rests_on_corner(joint, here, trial):
                     hint = "draw the points in the state of the impact, slightly turned so that one corner comes first"
                     raise NoSolution([Diagnostic(joint.mark, "PL528", wrong, hint)])
                 self.scene.demand_as_said(joint, here, near)
+
+    def _rests_on_corner(self, joint: Any, here: Valuation, trial: Trial) -> bool:
+        """Does the corner matter with which the partners of an impact meet? Not where they do not turn against each
+        other, before the blow or by it, and part: all that touches has one velocity then, and one impulse tells all.
+        """
+        if not trial.outcomes or self.scene.is_zero(joint.restitutes(self.scene)):
+            return True
+        bodies = [b for b in map(self.scene.carrier, joint.between) if b != GROUND]
+        found = here.extended(unknowns_of(trial.system, trial.outcomes[0]))
+        before = [found(self.scene.before[b].angular) for b in bodies]
+        after = [found(self._motion.accelerations[b].angular) for b in bodies]
+        against = [w[0] - sum(w[1:]) for w in (before, after)]
+        return max(map(abs, against)) > MOVES * max(map(abs, (*before, *after)))
 
     def _far(self, here: Valuation, near: Decimal) -> frozenset[str]:
         """Impacts of the whole motion that do not strike here: their bodies are apart. Where all are, and nothing else
@@ -317,18 +332,23 @@ def make_blow(course: RegimeSequence, i: int, span: Span, choice: tuple[int, ...
     before, after = course.readers[since.name].regime, course.readers[stop.name].regime
     drawn = {} if placed else _as_drawn(course, i, before)
     named = {u: since.letters[u] for u in before.free}
-    told = {}
-    for body, (v, spin) in arriving(before).items():
-        parts = [before.closed(e).xreplace({**named, **drawn}) for e in (v.x, v.y, spin)]
-        told[body] = (Vec(parts[0], parts[1]), parts[2])
+
+    def here(expr: sp.Expr) -> sp.Expr:
+        return before.closed(expr).xreplace({**named, **drawn})
+
+    told = {b: (Vec(here(v.x), here(v.y)), here(spin)) for b, (v, spin) in arriving(before).items()}
     inside = set().union(*(e.free_symbols for v, w in told.values() for e in (v.x, v.y, w)))
     ledger = course.ledger
     letters = {s: ledger.units[s].text for s in named.values() if s in inside}
     known = {title: stop.letters[u] for u, title in _titles(course).items() if u in stop.letters}
     position = Position(None, {}) if drawn else before.general.position
     mark = f"__{stop.name}" if sum(s.blow is not None for s in course.modes.stretches) > 1 else ""
-    scene = (span.problem, span.always, course.workshop.earlier, position)
-    struck = struck_instant(*scene, told, letters, known, stop.letters, mark)
+    laws = tuple(s for s in course.modes.stretches[i].span.always if s in span.always)
+    quantities = before.general.quantities.evaluator
+    scene = (span.problem, span.always, laws, course.workshop.earlier, position)
+    struck = struck_instant(
+        *scene, told, lambda s: constant(here(quantities.value(s))), letters, known, stop.letters, mark
+    )
     choice = choice if choice is not None else next(struck.choices())
     trial = struck.try_choice(choice, struck.scene.valuations[:1])
     otherwise = _struck_otherwise(course.modes.stretches[i].span, span)

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import fields, is_dataclass, replace
+from decimal import Decimal
 from typing import Any
 
 import sympy as sp
 
 from planar_cli.equation.conditions import ACCELERATION, VELOCITY, order
+from planar_cli.equation.exact import Valuation
+from planar_cli.equation.jets import Jet
 from planar_cli.equation.ledger import Kind, Role
 from planar_cli.equation.motion import TreeBuilder, Twist
 from planar_cli.equation.setup import Course as Position
@@ -17,15 +20,19 @@ from planar_cli.equation.struck import StruckScene
 from planar_cli.equation.system import Statements, mode_of
 from planar_cli.errors import refuse
 from planar_cli.joints.base import Joint
-from planar_cli.problem.expression import AtRest, Name, Quantity, Relation, Statement
+from planar_cli.problem.expression import AtRest, Binary, Grouped, Name, Quantity, Relation, Side, Statement
 from planar_cli.problem.facts import Mode, Push
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import Problem
 from planar_cli.problem.walk import walk
-from planar_cli.solve.instant.instant import Instant
+from planar_cli.solve.instant.asked import FORCES
+from planar_cli.solve.instant.instant import Instant, Trial
 from planar_cli.units import parse_unit
 
 LIFTED = {"v": "a", "omega": "alpha", "dot": "ddot"}
+LOWERED = {lifted: word for word, lifted in LIFTED.items()}
+BEFORE = "before"
+"""Where a velocity is told that is not changed by the blow."""
 OF_IMPULSE = {"N": "N*s", "N*m": "N*m*s"}
 
 
@@ -101,6 +108,15 @@ class Struck(Instant):
         assert isinstance(self.scene, StruckScene)
         return joint.blows(self.scene)
 
+    def try_choice(
+        self, choice: tuple[int, ...], valuations: tuple[Valuation, ...], given: dict[sp.Symbol, Decimal] | None = None
+    ) -> Trial:
+        """In numbers; what `motion` drives gets the impulse that this takes."""
+        found = super().try_choice(choice, valuations, given)
+        if any(o.solved.conflict is not None for o in found.outcomes) and self.add_drivers():
+            return super().try_choice(choice, valuations, given)
+        return found
+
     def tree_builder(self, bodies: list[str]) -> TreeBuilder:
         made = AfterTree(self.scene.ledger, self.scene.rigid, self.scene.own_name, bodies)
         made.known, made.mark = self.known, self.mark
@@ -113,27 +129,32 @@ class Struck(Instant):
 def struck_instant(
     problem: Problem,
     always: tuple[Statement, ...],
+    laws: tuple[Statement, ...],
     earlier: Mapping[str, Any],
     position: Position,
     before: Mapping[str, tuple[Vec, sp.Expr]],
+    speed: Callable[[Side], Jet],
     arriving: Mapping[sp.Symbol, str],
     known: Mapping[str, sp.Symbol],
     rates: Mapping[sp.Symbol, sp.Symbol],
     mark: str,
 ) -> Struck:
-    """The scene of one blow. `problem`: the joints that hold after it, and what strikes; `before`: velocity of
-    the mass centre and angular velocity with which each body arrives, in the letters `arriving` (with their units).
-    `known`: letters of velocities after it by what they are; `rates`: those of the rates of the file's coordinates.
+    """The scene of one blow. `problem`: the joints that hold after it, and what strikes; `laws`: those of `always` that
+    hold before it too; `before`: velocity of the mass centre and angular velocity with which each body arrives, in the
+    letters `arriving` (with their units); `speed`: any velocity before it, in the same letters. `known`: letters of
+    velocities after it by what they are; `rates`: those of the rates of the file's coordinates.
     """
     coordinates = {c.name for c in problem.coordinates}
-    demanded = tuple(d for s in always for d in _after(s, coordinates))
+    demanded = [d for s in always for d in _after(s, coordinates)]
+    demanded += [d for s in laws for d in _unchanged(s)]
     level = replace(problem, plane="horizontal")
-    statements = Statements.of((), (*demanded, AtRest(None, "", problem.bodies[0].mark)))
+    statements = Statements.of(tuple(demanded), (AtRest(None, "", problem.bodies[0].mark),))
     setup = StruckSetup(level, statements, earlier, position, arriving, rates, mark)
     scene = setup.scene
     assert isinstance(scene, StruckScene)
     scene.before = {b: Twist(scene.center(b), v, spin) for b, (v, spin) in before.items()}
     scene.open_names = {}
+    scene.evaluator = replace(scene.evaluator, at_state=lambda _: speed)
     return Struck(setup, known, mark)
 
 
@@ -153,13 +174,41 @@ def _after(statement: Statement, coordinates: set[str]) -> tuple[Statement, ...]
     return (replace(statement, left=left, right=right),)
 
 
+def _unchanged(statement: Statement) -> tuple[Relation, ...]:
+    """What a law of accelerations demands: the velocities that it drives are those before the blow. It is linear in its
+    accelerations, and so are both sides of it the same for velocities just after the blow and just before it.
+    """
+    if not isinstance(statement, Relation) or statement.operator != "=":
+        return ()
+    inside = [n for n in walk(statement) if isinstance(n, Quantity)]
+    driven = [q for q in inside if q.word in LOWERED]
+    bent = any(p.kind in ("mag", "angle", "t", "n") for q in driven for p in q.parts)
+    if not driven or bent or any(q.word in FORCES for q in inside):
+        return ()
+    left, right = (Binary("-", s, _before(s), statement.mark) for s in (statement.left, statement.right))
+    text = f"what {statement.text} drives keeps its velocity"
+    return (replace(statement, left=left, right=right, text=text),)
+
+
+def _before(tree: Any) -> Any:
+    """The same formula with velocities before the blow instead of accelerations."""
+    if isinstance(tree, Quantity) and tree.word in LOWERED:
+        return Grouped(replace(tree, word=LOWERED[tree.word]), BEFORE, tree.mark)
+    return _changed(tree, _before)
+
+
 def _lifted(tree: Any) -> Any:
     """The same formula of accelerations instead of velocities."""
-    if isinstance(tree, tuple):
-        return tuple(_lifted(t) for t in tree)
-    if not is_dataclass(tree) or isinstance(tree, type):
-        return tree
-    found = replace(tree, **{f.name: _lifted(getattr(tree, f.name)) for f in fields(tree) if f.init})
+    found = _changed(tree, _lifted)
     if isinstance(found, Quantity) and found.word in LIFTED:
         return replace(found, word=LIFTED[found.word])
     return found
+
+
+def _changed(tree: Any, change: Callable[[Any], Any]) -> Any:
+    """The same formula with its parts changed."""
+    if isinstance(tree, tuple):
+        return tuple(change(t) for t in tree)
+    if not is_dataclass(tree) or isinstance(tree, type):
+        return tree
+    return replace(tree, **{f.name: change(getattr(tree, f.name)) for f in fields(tree) if f.init})
