@@ -29,6 +29,9 @@ class Always:
         """None."""
         return {}
 
+    def corner(self, reached: Sequence[str], choice: Choice, t: float, y: Sequence[float]) -> None:
+        """None."""
+
 
 @dataclass(frozen=True)
 class Condition:

@@ -38,6 +38,8 @@ class Joint(Entry, ABC):
 
     touches: ClassVar[bool] = False
     """Do two outlines touch at the point `at`, which then stays with the centres, not with a rim?"""
+    guides: ClassVar[bool] = False
+    """Does it keep a point of a body on a line, along which it may go on beyond a corner?"""
     unilateral: ClassVar[bool] = False
     """Does it press from one side alone, on which the body is drawn?"""
 

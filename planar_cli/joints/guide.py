@@ -71,6 +71,7 @@ class Guide(Joint):
     """
 
     kind: ClassVar[str] = "guide"
+    guides: ClassVar[bool] = True
     quantities: ClassVar[tuple[str, ...]] = ("N", "friction", "mode")
     choices: ClassVar[tuple[Choice, ...]] = (
         Choice((("point",), ("body",)), "`point: B` when its body may turn, `body: b` when it cannot"),

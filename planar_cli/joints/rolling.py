@@ -52,6 +52,7 @@ class Rolling(Joint):
     """
 
     kind: ClassVar[str] = "rolling"
+    guides: ClassVar[bool] = True
     quantities: ClassVar[tuple[str, ...]] = ("N", "friction", "mode")
     touches: ClassVar[bool] = True
 

@@ -29,6 +29,16 @@ class Outside:
     """Momenta that count as usual in this scene: linear x, y [N s], angular about the origin [N m s]."""
 
 
+@record
+class Corner:
+    """Where what guides a body goes on in another direction."""
+
+    joints: tuple[str, ...]
+    """What guides it from there on."""
+    after: tuple[float, ...]
+    """The state beyond it."""
+
+
 Choice = tuple[int, ...]
 """For every joint of `Automaton.choices`, in its order, the index of its mode."""
 
@@ -167,6 +177,9 @@ class Stages(Protocol):
 
     def applied(self, after: str, t: float, y: Sequence[float]) -> Mapping[str, tuple[float, ...]]:
         """The impulses of loads, by their names, in the blow that ends in the state `after`, for each velocity."""
+
+    def corner(self, reached: Sequence[str], choice: Choice, t: float, y: Sequence[float]) -> Corner | None:
+        """The corner at which the last of these states is reached; None: there is none."""
 
 
 @record

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from planar_cli.integrators.base import StepTooSmall, TooManySteps
 from planar_cli.motion.automaton import Guard
 from planar_cli.motion.guards import AGAIN
@@ -16,6 +18,22 @@ def stuck_at(stuck: StepTooSmall | Singular, t: float) -> Outcome:
     if isinstance(stuck, TooManySteps):
         return Outcome("long", f"{stuck}", stuck.t, "", "PL703")
     return Outcome("small", f"from t = {stuck.t:.9g} s the motion can not be followed: {stuck}", stuck.t, "", "PL703")
+
+
+def undetermined_at(loose: Sequence[str], t: float) -> Outcome:
+    """Bodies that forces leave open."""
+    words = f"nothing tells how {', '.join(loose)} will move: without mass forces do not"
+    return Outcome("singular", words, t, loose[0], "PL702")
+
+
+def unbalanced(told: str, since: float, t: float) -> Outcome:
+    """Momentum or energy that does not add up from one time to another."""
+    return Outcome("unbalanced", f"between t = {since:.9g} s and t = {t:.9g} s {told}", t, "", "PL710")
+
+
+def jerked(joint: str, t: float) -> Outcome:
+    """A joint takes hold of what moves otherwise, and the file does not say that this is a blow."""
+    return Outcome("jerk", f"at t = {t:.9g} s {joint} takes hold of what moves otherwise", t, joint, "PL717")
 
 
 def spent(guard: Guard, t: float) -> Outcome:

@@ -14,14 +14,14 @@ from planar_cli.motion.automaton import Automaton, Choice, Regime, Stages, Start
 from planar_cli.motion.balance import ALLOWED, balance_of
 from planar_cli.motion.crossings import band_at
 from planar_cli.motion.drive import AUTOMATIC, Run, drive
-from planar_cli.motion.endings import open_after, repeats_every, spent, stuck_at
+from planar_cli.motion.endings import open_after, repeats_every, spent, stuck_at, unbalanced, undetermined_at
 from planar_cli.motion.guards import AGAIN, LENGTH
 from planar_cli.motion.recurrence import Recurrence, recurrence
 from planar_cli.motion.schedule import Event, Schedule
 from planar_cli.motion.segment import Segment
 from planar_cli.motion.source import Singular
 from planar_cli.motion.trajectory import Outcome, Trajectory, Transition, Work
-from planar_cli.motion.transition import Moment, Resolved, resolve
+from planar_cli.motion.transition import Moment, Resolved, grazing, resolve, turnings
 from planar_cli.motion.unstable import growth_note
 from planar_cli.motion.waiting import Waiting, at_edge, beyond, fits, meant, watch_of
 from planar_cli.motion.zeno import Bounces, summed_up
@@ -120,8 +120,7 @@ class Follower:
         """Do forces tell how everything moves?"""
         loose = self.automaton.undetermined(self.choice, self.t, self.y)
         if loose:
-            words = f"nothing tells how {', '.join(loose)} will move: without mass forces do not"
-            self.outcome = Outcome("singular", words, self.t, loose[0], "PL702")
+            self.outcome = undetermined_at(loose, self.t)
 
     def _blow(self, state: str) -> bool:
         """What strikes, takes hold or lets go when a state has been reached; False where nothing does."""
@@ -129,6 +128,9 @@ class Follower:
         changed = self._act(self.waiting.names, follower.name if follower is not None else "")
         if follower is None:
             if changed:
+                corner = self.stages.corner(self.waiting.names, self.choice, self.t, self.y)
+                self.transitions += turnings(corner, self.t, self.y, self.choice)
+                self.y = self.y if corner is None else corner.after
                 self._settle(f"the state {state}", striking=True)
             return changed
         applied = self.stages.applied(follower.name, self.t, self.y)
@@ -288,8 +290,7 @@ class Follower:
             self.at_once = 0
             allowed = max(ALLOWED * self.setting.tolerance, LEAST_ALLOWED)
             if balance is not None and balance.off > allowed and self.check:
-                words = f"between t = {self.t:.9g} s and t = {end:.9g} s {balance.told}"
-                self.outcome = Outcome("unbalanced", words, end, "", "PL710")
+                self.outcome = unbalanced(balance.told, self.t, end)
         self.t, self.y = end, y
 
     # --- what ends a segment -----------------------------------------------------------------------------------------
@@ -304,9 +305,7 @@ class Follower:
             self.outcome = spent(last, self.t)
             return
         for guard in (regime.guards[i] for i in grazed if regime.guards[i].kind == "gap"):
-            words = f"only just touched: {guard.joint}"
-            graze = Transition(self.t, "graze", words, (guard.joint,), self.y, self.y, self.choice, self.choice)
-            self.transitions.append(graze)
+            self.transitions.append(grazing(guard.joint, self.t, self.y, self.choice))
         for crossing in run.crossings:
             event = events[crossing.index - number] if crossing.index >= number else None
             if event is not None and meant(event, crossing.way):

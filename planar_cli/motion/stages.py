@@ -8,8 +8,9 @@ from functools import cached_property
 from planar_cli.integrators.base import Step
 from planar_cli.joints.base import Joint, distinct
 from planar_cli.motion.afterwards import drawn_apart, sliding_points
-from planar_cli.motion.automaton import Choice, Outside, Start
+from planar_cli.motion.automaton import Choice, Corner, Outside, Start
 from planar_cli.motion.constraints import Constraint
+from planar_cli.motion.corners import corner, passing_over
 from planar_cli.motion.dense import null_space
 from planar_cli.motion.equilibrium import in_equilibrium
 from planar_cli.motion.gaps import Gap
@@ -282,6 +283,17 @@ class SceneStages:
                 total[i] += x
             found[load.name] = tuple(total)
         return found
+
+    def corner(self, reached: Sequence[str], choice: Choice, t: float, y: Sequence[float]) -> Corner | None:
+        """The corner at which the last of these states is reached; None: there is none."""
+        lasting = [m for m in self.passing if isinstance(m, Joint) and not m.strikes and m.during is not None]
+        begun = [j for j in lasting if j.during is not None and j.during[0] == reached[-1]]
+        ended = [j for j in lasting if j.during is not None and j.during[1] == reached[-1]]
+        if not begun or not ended:
+            return None
+        model = self.automaton(reached).model
+        names = passing_over(self.automaton(reached[:-1]).model, model, begun, ended)
+        return corner(model, choice, names, t, y) if names else None
 
     def _acts(self, member: Member | Law, reached: Sequence[str]) -> bool:
         """Has the state been reached from which it acts, and not yet that until which it does? What has struck each

@@ -20,8 +20,8 @@ class Transition:
     t: float
     """When [s]."""
     kind: str
-    """mode (another choice of modes), impact, graze (a contact that is only just touched), rest (the limit of impacts
-    without number)."""
+    """mode (another choice of modes), impact, graze (a contact that is only just touched), corner (a surface goes on
+    in another direction), rest (the limit of impacts without number)."""
     words: str
     """The cause: the condition that ceased to hold, or who strikes."""
     joints: tuple[str, ...]

@@ -9,7 +9,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import field, replace
 
-from planar_cli.motion.automaton import Automaton, Choice
+from planar_cli.motion.automaton import Automaton, Choice, Corner
+from planar_cli.motion.endings import jerked
 from planar_cli.motion.impact import (
     Contradiction,
     NoImpulse,
@@ -32,6 +33,8 @@ UNBALANCED = 1e-7
 NAMED = 1e-4
 """Where the file says that there is an impact, partners touch that are closer than this part of the scene's length: its
 places have some four digits."""
+MISSED = 1e-7
+"""A joint that takes hold demands other velocities where it is missed by more, in parts of lengths and speeds."""
 SIMULTANEOUS = "all contacts at once, Newton's law of restitution at every one of them"
 
 
@@ -73,6 +76,19 @@ class Moment:
     """Must an impact be worked out even where nothing closes: a load strikes, a joint takes hold?"""
 
 
+def grazing(joint: str, t: float, y: tuple[float, ...], choice: Choice) -> Transition:
+    """A contact that is only just touched."""
+    return Transition(t, "graze", f"only just touched: {joint}", (joint,), y, y, choice, choice)
+
+
+def turnings(corner: Corner | None, t: float, y: tuple[float, ...], choice: Choice) -> tuple[Transition, ...]:
+    """A corner that is passed over, if there is one."""
+    if corner is None:
+        return ()
+    words = "the corner is taken as rounded: the speed is kept"
+    return (Transition(t, "corner", words, corner.joints, y, corner.after, choice, choice),)
+
+
 def resolve(moment: Moment) -> Resolved | Outcome:
     """Let everything happen that happens at this instant."""
     done: list[Transition] = []
@@ -95,6 +111,8 @@ def resolve(moment: Moment) -> Resolved | Outcome:
             return hit
         transition, note = hit
         if _does_something(transition, struck, moment.tolerance):
+            if first and (joint := _takes_hold(moment)):
+                return jerked(joint, moment.t)
             done.append(transition)
         notes += [note] if note else []
         y = transition.after
@@ -102,6 +120,15 @@ def resolve(moment: Moment) -> Resolved | Outcome:
         moment.automaton.note(moment.t, y)
     words = f"more than {MOST_IMPACTS} impacts follow each other at t = {moment.t:.9g} s"
     return Outcome("endless", words, moment.t, done[-1].joints[0] if done[-1].joints else "", "PL709")
+
+
+def _takes_hold(moment: Moment) -> str:
+    """The joint that takes hold of what moves otherwise, where no state of the file is just after that; "" if none."""
+    if moment.forced or moment.inelastic or not moment.striking:
+        return ""
+    missed = moment.automaton.misfits(moment.choice, moment.t, moment.y)
+    worst = max(missed, key=lambda joint: missed[joint], default="")
+    return worst if worst and missed[worst] > max(MISSED, 10 * moment.tolerance) else ""
 
 
 def _closes(struck: Struck, tolerance: float) -> bool:

@@ -86,6 +86,12 @@ _ENGINE = {
         "The size of an acceleration is prescribed for all the time, and with it alone a motion can go on in two ways. "
         "Give its components in `motion`; at one instant, under `instant`, a size and a sense are enough."
     ),
+    "PL717": (
+        "A joint that begins with a state (`during: 2->3`) would change a velocity at once: a cord that is straight "
+        "while its end still moves along it, a floor onto which something falls. That is a blow, and the velocities "
+        "before and after it differ: write a state `3: [just after 2]`. A corner between two surfaces is taken as "
+        "rounded where one way is left to move; the speed is kept there."
+    ),
     "PL720": (
         "A motion that was solved is followed once more by independent facts, step by step, and an answer comes out "
         "otherwise: nothing is printed as an answer. The message gives both values, and when. It is a fault of the "

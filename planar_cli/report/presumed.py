@@ -1,4 +1,4 @@
-"""What was taken for granted of letters: signs that are as in the scene that was drawn, and might be otherwise."""
+"""What was taken for granted: signs of letters as in the scene that was drawn, corners that are rounded."""
 
 from __future__ import annotations
 
@@ -17,7 +17,9 @@ LONGEST = 30
 
 
 def presumed_notes(part: PartSolution, phrases: Phrases) -> Iterator[Note]:
-    """One line for each sign: the file may `assume` it, or the other."""
+    """One line for each sign: the file may `assume` it, or the other. One for each corner, where a state `just after`
+    would be a blow.
+    """
     signs = [e for instant in part.instants for e in instant.instant.scene.presumed()]
     signs += [e for instant in part.instants for e in instant.conditions]
     if part.motion is not None:
@@ -25,6 +27,8 @@ def presumed_notes(part: PartSolution, phrases: Phrases) -> Iterator[Note]:
     for expr in dict.fromkeys(signs):
         if not longer(expr, LONGEST):
             yield Note("Assume", line(phrases.math(_above_zero(expr))))
+    for state in () if part.motion is None else part.motion.corners:
+        yield Note("Assume", line(f"At {state} the corner is rounded and smooth: the speed is kept."))
 
 
 def _above_zero(expr: Any) -> sp.Expr:

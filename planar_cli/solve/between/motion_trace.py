@@ -77,8 +77,18 @@ def motion_trace(
         regimes=tuple(_regime(found, i, () if whole else routes) for i in instants),
         checks=found.checks,
         presumed=presumed,
+        corners=_corners(found),
         taken=taken_of(found),
     )
+
+
+def _corners(found: SolvedMotion) -> tuple[str, ...]:
+    """States of the file at which the motion that was followed passes over a corner."""
+    run = None if found.followed is None else found.followed.run
+    if run is None:
+        return ()
+    times = {x.t for x in run.trajectory.transitions if x.kind == "corner"}
+    return tuple(e.name for e in run.trajectory.events if e.t in times)
 
 
 def _turnings(found: SolvedMotion) -> tuple[Turning, ...]:

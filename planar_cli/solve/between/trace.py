@@ -377,6 +377,8 @@ class MotionTrace:
     """What was compared, in phrases."""
     presumed: tuple[sp.Expr, ...]
     """What is positive with these letters, and need not be."""
+    corners: tuple[str, ...]
+    """States at which a body passes over a corner, with its speed kept."""
     taken: Taken
     """For a motion that is followed anew."""
 

@@ -7,8 +7,7 @@ from planar_cli.joints.base import Joint, distinct
 from planar_cli.motion.trajectory import Outcome
 from planar_cli.problem.scene import Problem
 
-AGAIN = "give the meeting a state, one `just after` it, and leave `during` out of the impact; or end before it"
-CODES = ("PL714", "PL715")
+CODES = ("PL714", "PL715", "PL717")
 """With which a motion ends that is not told on."""
 
 
@@ -17,8 +16,22 @@ def demand_told(problem: Problem, outcome: Outcome) -> None:
     if outcome.code not in CODES:
         return
     joint = next(j for j in distinct(problem.joints) if j.name == outcome.joint)
-    hint = AGAIN if outcome.code == "PL715" else _weld(problem, joint)
+    hints = {"PL714": _weld, "PL715": _again, "PL717": _blow}
+    hint = hints[outcome.code](problem, joint)
     raise NoSolution((Diagnostic(joint.mark, outcome.code, outcome.words, hint),))
+
+
+def _again(problem: Problem, impact: Joint) -> str:
+    return "give the meeting a state, one `just after` it, and leave `during` out of the impact; or end before it"
+
+
+def _blow(problem: Problem, joint: Joint) -> str:
+    before, until = joint.during or ("", "")
+    name = f"{before}a"
+    return (
+        f"if it is a blow, say so: a state `{name}: [just after {before}]` (`during: {before}->{until}` stays); "
+        f"else let it hold what it holds from the beginning"
+    )
 
 
 def _weld(problem: Problem, impact: Joint) -> str:

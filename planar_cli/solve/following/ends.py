@@ -13,7 +13,7 @@ from planar_cli.records import changing
 from planar_cli.solve.between.events import FollowedSegment
 from planar_cli.solve.between.followed import Ends
 from planar_cli.solve.between.stated_motion import StatedMotion
-from planar_cli.solve.following.traced import SOON, Traced, choice_of
+from planar_cli.solve.following.traced import SOON, Traced
 from planar_cli.solve.regimes.mode_dates import is_dated_by_mode
 from planar_cli.solve.regimes.regime import number_function
 from planar_cli.solve.regimes.regime_sequence import RegimeSequence
@@ -70,7 +70,7 @@ class EndSearch:
         stretch = self.course.modes.stretch(i)
         for piece in segment.pieces:
             if piece.t0 > segment.t0 and piece.t0 <= limit:
-                choice = choice_of(self.course.workshop, stretch, self.motion.modes(piece))
+                choice = self.motion.choice(self.course.workshop, stretch, self.motion.modes(piece))
                 if choice != stretch.choice:
                     return piece.t0, choice
         return None
@@ -78,7 +78,7 @@ class EndSearch:
     def _begins(self, i: int, t: float) -> tuple[float, tuple[int, ...]] | None:
         """The modes that begin at a time, if they are others than those of a stretch."""
         stretch, begins = self.course.modes.stretch(i), self.motion.begins(t, self.course.scales.time)
-        choice = stretch.choice if begins is None else choice_of(self.course.workshop, stretch, begins[0])
+        choice = stretch.choice if begins is None else self.motion.choice(self.course.workshop, stretch, begins[0])
         return None if choice == stretch.choice else (t, choice)
 
     def _ended(

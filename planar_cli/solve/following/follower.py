@@ -27,7 +27,7 @@ from planar_cli.solve.diagnosis.left_open import demand_told
 from planar_cli.solve.following.ends import TOGETHER, EndSearch, is_put_in
 from planar_cli.solve.following.letters import Letters
 from planar_cli.solve.following.passage_times import by_formula, steady_time
-from planar_cli.solve.following.traced import SOON, Traced, choice_of, traced
+from planar_cli.solve.following.traced import SOON, Traced, traced
 from planar_cli.solve.impulsive.impact import Stroke
 from planar_cli.solve.regimes.after import asked_after
 from planar_cli.solve.regimes.directions import ways_at
@@ -166,7 +166,7 @@ class Follower:
         found = self.motion.begins(t, course.scales.time)
         if found is None:
             return None
-        return t, choice_of(course.workshop, course.modes.stretch(i), found[0]), found[1]
+        return t, self.motion.choice(course.workshop, course.modes.stretch(i), found[0]), found[1]
 
     def times(self, i: int) -> float:
         """When state i is [s]; of one that is only approached, when the state before it is."""

@@ -13,7 +13,7 @@ from typing import Any
 from planar_cli.equation.sample import other_draws, seeded
 from planar_cli.equation.setup import numbers_of
 from planar_cli.problem.scene import Problem
-from planar_cli.solve.following.traced import Traced, as_told, choice_of
+from planar_cli.solve.following.traced import Traced, as_told
 from planar_cli.solve.regimes.mode_sequence import ModeSequence, Stretch, Workshop, spans_of
 
 
@@ -74,4 +74,4 @@ def _begun(modes: ModeSequence, i: int, stretch: Stretch, motion: Traced, worksh
     begins = None if moment is None else motion.begins(moment.t, motion.run.model.time_scale)
     if begins is None:
         return None
-    return replace(stretch, choice=choice_of(workshop, stretch, begins[0]))
+    return replace(stretch, choice=motion.choice(workshop, stretch, begins[0]))

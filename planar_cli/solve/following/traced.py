@@ -13,6 +13,7 @@ from planar_cli.equation.exact import Valuation
 from planar_cli.equation.setup import numbers_of
 from planar_cli.errors import FileProblem, NoSolution, Undecided
 from planar_cli.integrators.base import MOST_STEPS
+from planar_cli.joints.base import distinct
 from planar_cli.motion.automaton import Choice, Start
 from planar_cli.motion.segment import Segment
 from planar_cli.motion.trajectory import Transition
@@ -100,6 +101,18 @@ class Traced:
         pairs = zip(automaton.choices.items(), choice, strict=True)
         return {joint: labels(modes)[k] for (joint, modes), k in pairs}
 
+    def choice(self, workshop: Workshop, stretch: Stretch, modes: Mapping[str, Label]) -> tuple[int, ...]:
+        """The choice on a stretch that has these modes; a joint that has but one way to act keeps its own."""
+        # Two joints that act one after the other may share a name, which only the whole file tells apart.
+        joints = self.run.problem.joints
+        lines = Counter(joint.mark for joint in joints)
+        names = {joint.mark: joint.name for joint in distinct(joints) if lines[joint.mark] == 1}
+        found = []
+        for (joint, own), now in zip(workshop.drawn(stretch.span).modes, stretch.choice, strict=True):
+            label, known = modes.get(names.get(joint.mark, joint.name)), labels(own)
+            found.append(known.index(label) if label is not None and label in known else now)
+        return tuple(found)
+
     def begins(self, t: float, pace: float) -> tuple[dict[str, Label], tuple[float, ...]] | None:
         """The modes just after a time, and the state of the scene; None: nothing tells. `pace`: an ordinary time."""
         soon = t + SOON * pace
@@ -131,15 +144,6 @@ def labels(modes: Sequence[Mode]) -> list[Label]:
         found.append((*key, count[key]))
         count[key] += 1
     return found
-
-
-def choice_of(workshop: Workshop, stretch: Stretch, modes: Mapping[str, Label]) -> tuple[int, ...]:
-    """The choice on a stretch that has these modes; a joint that has but one way to act keeps its own."""
-    found = []
-    for (joint, own), now in zip(workshop.drawn(stretch.span).modes, stretch.choice, strict=True):
-        label, known = modes.get(joint.name), labels(own)
-        found.append(known.index(label) if label is not None and label in known else now)
-    return tuple(found)
 
 
 def traced(course: StatedMotion, problem: Problem, value: Valuation, start: Mapping[sp.Symbol, float]) -> Traced | str:
