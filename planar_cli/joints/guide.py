@@ -61,7 +61,8 @@ class Guide(Joint):
 
     Signs
         `N(j)` is the component of the force on the sliding body along the track's left normal (track direction turned
-        90 deg counterclockwise); it may have either sign. `friction(j)` is the friction force on the sliding body.
+        90 deg counterclockwise); it may have either sign. `friction(j)` is the friction force on the sliding body. At a
+        fixed point both are the forces on the body that slides over it.
 
     Valid when
         There is no play in the track.
@@ -116,7 +117,7 @@ class Guide(Joint):
         else:
             place = self.point or ""
             mover, point = scene.owner(place, base), scene.point(place)
-            if mover == "ground":
+            if mover == GROUND and (base == GROUND or scene.owner(place) != GROUND):
                 raise scene.refuse(
                     self.mark,
                     "PL524",
@@ -140,7 +141,7 @@ class Guide(Joint):
         return (Row(self.name, title, pulls, spins, slides=slides, sharpening=sharpening),)
 
     def _push(self, name: str, kind: str, joining: Joining, direction: Vec) -> Push:
-        actions = opposed(joining.mover, joining.base, joining.point, direction)
+        actions = opposed(*_sliding(joining), joining.point, direction)
         return Push(name, kind, self.name, joining.place, actions)
 
     def _rough(
@@ -156,7 +157,7 @@ class Guide(Joint):
         normal, friction = f"N_{self.name}", f"F_{self.name}"
         path = joining.path
         tangent = path.tangent if path else Vec(1, 0)
-        pulls = relative(joining.mover, joining.base, joining.point, tangent)
+        pulls = relative(*_sliding(joining), joining.point, tangent)
         sliding = Row(self.name, f"{joining.place} does not slide", pulls)
         modes = []
         for side in (1, -1):
@@ -193,6 +194,11 @@ class Guide(Joint):
         if track.kind == "straight" or mode.name == "stick":
             return (*found, same_turn(f"{self.name}: angle", mover, base))
         return (*found, _with_tangent(self.name, mover, track, point))
+
+
+def _sliding(joining: Joining) -> tuple[str, str]:
+    """The body that slides, and what it slides on; over a fixed point the body with the track slides."""
+    return (joining.base, joining.mover) if joining.mover == GROUND else (joining.mover, joining.base)
 
 
 def _with_tangent(name: str, mover: str, track: Outline, point: Vec) -> Residual:

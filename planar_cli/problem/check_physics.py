@@ -10,7 +10,7 @@ from planar_cli.errors import Diagnostic
 from planar_cli.problem.evaluation import ARITHMETIC
 from planar_cli.problem.expression import Binary, Name, Negate, Number, Quantity, Side
 from planar_cli.problem.formulas import formulas
-from planar_cli.problem.scene import GROUND, At, Body, Composite, Foot, Particle, Polar, Towards, TwoFacts
+from planar_cli.problem.scene import GROUND, At, Body, Composite, Foot, Particle, Polar, Problem, Towards, TwoFacts
 from planar_cli.problem.scope import Scope, members_of
 from planar_cli.problem.shapes import own_points
 from planar_cli.problem.signs import certain_sign
@@ -200,9 +200,7 @@ def members_act(scope: Scope) -> Iterator[Diagnostic]:
     """A joint or load between points acts on a body of which at least one of them is a point."""
     problem = scope.problem
     members = members_of(problem)
-    owned = {p for b in problem.bodies for p in (b.name, *own_points(b.shape), *b.points)}
-    owned |= {point for member in members for point, _ in member.attachments()}
-    owned |= {s.name for s in problem.surfaces if s.body is not None}
+    owned = _owned(problem)
     laws: list[Tree] = [*(law.statement for law in problem.motion), *(problem.instant or ())]
     for member in members if problem.bodies else ():
         named = scope.mentioned(member) & scope.points.keys()
@@ -214,6 +212,25 @@ def members_act(scope: Scope) -> Iterator[Diagnostic]:
             text = f"the {member.kind} acts on nothing: no body has the point {listed.replace(', ', ' or ')}"
             hint = "name the one that moves with a body under `points` of that body; a corner has no name by itself"
             yield Diagnostic(member.mark, "PL458", text, hint)
+
+
+def _owned(problem: Problem) -> set[str]:
+    """The points of bodies, the bodies themselves, and the surfaces fixed to them."""
+    owned = {p for b in problem.bodies for p in (b.name, *own_points(b.shape), *b.points)}
+    owned |= {point for member in members_of(problem) for point, _ in member.attachments()}
+    return owned | {s.name for s in problem.surfaces if s.body is not None}
+
+
+def points_of_joints_are_carried(scope: Scope) -> Iterator[Diagnostic]:
+    """What a joint holds moves with a body, or not at all: a point that only a coordinate moves holds nothing."""
+    owned = _owned(scope.problem)
+    for joint in scope.problem.joints:
+        for point in sorted((scope.mentioned(joint) & scope.points.keys()) - owned):
+            if _moves_with_coordinate({point}, scope):
+                text = f"{point} is written with a coordinate, but belongs to no body that could hold the {joint.kind}"
+                yield Diagnostic(
+                    joint.mark, "PL463", text, f"put one there: `bodies: {{slider: {{particle: {point}}}}}`"
+                )
 
 
 def places_on_surfaces(scope: Scope) -> Iterator[Diagnostic]:

@@ -17,6 +17,7 @@ from planar_cli.problem.check_physics import (
     partners_fit,
     places_on_surfaces,
     plane_is_given,
+    points_of_joints_are_carried,
     sizes_are_positive,
 )
 from planar_cli.problem.check_times import (
@@ -50,6 +51,7 @@ CHECKS: tuple[Check, ...] = (
     partners_fit,
     places_on_surfaces,
     members_act,
+    points_of_joints_are_carried,
     instant_or_states,
     statements_in_place,
     blows_have_spans,

@@ -185,6 +185,10 @@ _PHYSICS = {
         "A tolerance is a part of the value, a pure number between 0 and 1: `tolerance: 0.01` lets an answer be one "
         "per cent off."
     ),
+    "PL463": (
+        "A joint holds bodies, or points that are fixed. A point that is written with a coordinate and belongs to no "
+        "body would move without anything that moves it: put a particle there, or name it under `points` of its body."
+    ),
 }
 
 CODES_STRUCTURE: Mapping[str, str] = MappingProxyType({**_FORM, **_NAMES, **_PHYSICS})
