@@ -1,4 +1,4 @@
-"""Constants under `unknowns` that can not be negative: friction and its limits, and sizes and masses of bodies."""
+"""Constants under `unknowns` that can not be negative: friction, sizes, masses, and forces that may turn."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from collections.abc import Iterable
 
 from planar_cli.problem.expression import Name
 from planar_cli.problem.scene import Body, Composite, Problem, Shape
+from planar_cli.problem.walk import walk
 
 FRICTION = ("mu", "mu_s", "mu_k", "friction", "friction_torque")
 """Keys of joints that say how much friction there is at most."""
@@ -20,10 +21,21 @@ def limits_of_friction(problem: Problem) -> frozenset[str]:
 
 
 def not_negative(problem: Problem) -> frozenset[str]:
-    """The names of the unknowns that stand alone for friction, for a size or for a mass."""
+    """The names of the unknowns that stand alone for friction, for a size, for a mass, or for a force of which the
+    direction is sought as well.
+    """
     amounts = (getattr(body, key) for body in problem.bodies for key in AMOUNTS)
     sizes = (getattr(shape, key, None) for body in problem.bodies for shape in _shapes(body) for key in SIZES)
-    return limits_of_friction(problem) | _sought(problem, (*amounts, *sizes))
+    return limits_of_friction(problem) | _sought(problem, (*amounts, *sizes, *_turned(problem)))
+
+
+def _turned(problem: Problem) -> Iterable[object]:
+    """The magnitudes of forces that a sought angle may turn round: with a minus they would be the same once more."""
+    sought = {u.name for u in problem.unknowns}
+    for load in problem.loads:
+        angle = getattr(load, "angle", None)
+        if angle is not None and any(isinstance(n, Name) and n.name in sought for n in walk(angle)):
+            yield getattr(load, "magnitude", None)
 
 
 def _shapes(body: Body) -> Iterable[Shape]:

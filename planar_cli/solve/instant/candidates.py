@@ -17,7 +17,7 @@ from planar_cli.equation.exact import CERTAIN, ONE, ZERO
 from planar_cli.principles.base import Single
 from planar_cli.problem.geometry import Vec
 from planar_cli.records import record
-from planar_cli.solve.multibody.linear import Row, clean, scaled
+from planar_cli.solve.multibody.linear import Row, clean, rank, scaled
 
 ALONG_CONTACT = 0.95
 """Along and across a slope is how it is drawn."""
@@ -100,16 +100,27 @@ def combine(rows: Iterable[Row], factors: Iterable[Decimal]) -> Row:
     return [ZERO if abs(t) <= CERTAIN * s else t for t, s in zip(total, sizes, strict=True)]
 
 
-def cheapest(candidates: Iterable[Candidate | None]) -> list[Candidate]:
-    """Of the candidates of one family with the same unknowns, the nicest one."""
-    best: dict[tuple[object, int], Candidate] = {}
+def cheapest(candidates: Iterable[Candidate | None], most: int = 1) -> list[Candidate]:
+    """Of the candidates of one family with the same unknowns the nicest one, or as many (at most) as tell different
+    things.
+    """
+    families: dict[tuple[object, int], list[Candidate]] = {}
     for c in candidates:
-        if c is None:
-            continue
-        key = (c.bodies or id(c.condition or c.single), c.mask)
-        if key not in best or c.cost < best[key].cost:
-            best[key] = c
-    return sorted(best.values(), key=lambda c: c.cost)
+        if c is not None:
+            families.setdefault((c.bodies or id(c.condition or c.single), c.mask), []).append(c)
+    kept = (_telling(same, most) for same in families.values())
+    return sorted((c for same in kept for c in same), key=lambda c: c.cost)
+
+
+def _telling(same: list[Candidate], most: int) -> list[Candidate]:
+    if most == 1:
+        return [min(same, key=lambda c: c.cost)]
+    kept: list[Candidate] = []
+    for c in sorted(same, key=lambda c: c.cost):
+        rows = [scaled(list(other.row)) for other in (*kept, c)]
+        if len(kept) < most and rank(rows, len(c.row)) > len(kept):
+            kept.append(c)
+    return kept
 
 
 def cross3(

@@ -49,10 +49,11 @@ class Group:
 
 class Offers:
     """Makes all candidates of a system. `families`: what a principle offers, beside the relations of motion;
-    `constructed`: centres as well.
+    `constructed`: centres as well. `most`: so many equations of a group in the same unknowns.
     """
 
     constructed = True
+    most = 1
 
     def __init__(
         self, system: System, numbers: Numbers, conditions: list[Condition], families: Iterable[Family]
@@ -107,7 +108,7 @@ class Offers:
             words = f"so that {symbol.name} drops out"
             choice = Choice(False, partial(self._direction, across), words, (symbol,))
             found.append(priced((), condition, choice, row, c.ACROSS))
-        return c.cheapest(found)
+        return c.cheapest(found, self.most)
 
     @cached_property
     def _bent(self) -> set[sp.Symbol]:
@@ -244,19 +245,19 @@ class Offers:
                 self._force(group, direction, words, c.ALONG_CONTACT if words.startswith("along") else c.NAMED_SLANT)
             )
         if not group.turning:
-            return c.cheapest(found)
+            return c.cheapest(found, self.most)
         named = self._named_points(group)
         for name, place in named.items():
             found.append(self._moment(group, place, name, c.NAMED_POINT))
         if not self.constructed:
-            return c.cheapest(found)
+            return c.cheapest(found, self.most)
         points = [(self.numbers.value(place.x), self.numbers.value(place.y)) for place in named.values()]
         lines = list(group.lines.items())
         for i, (j, a) in enumerate(lines):
             found.append(self._across(group, j, a))
             for k, b in lines[i + 1 :]:
                 found.append(self._crossing(group, (j, a), (k, b), points))
-        return c.cheapest(found)
+        return c.cheapest(found, self.most)
 
     def _force(self, group: Group, direction: Vec, words: str, form: float) -> Candidate | None:
         value = self.numbers.value

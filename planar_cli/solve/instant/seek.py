@@ -1,7 +1,7 @@
 """Unknown constants, angles, speeds and extremes: the choices of modes in natural order, until a branch of one holds.
 
 `X is largest`: the freedom that is left is used up by assumptions at their limit (|F| = mu N, N = 0, …), one for each
-freedom; of all points that satisfy every other assumption the largest X counts.
+freedom, or X is stationary; of all points that satisfy every other assumption the largest X counts.
 """
 
 from __future__ import annotations
@@ -105,8 +105,8 @@ def _best(seeker: Seeker, targets: set[sp.Symbol], rejected: list[Sought]) -> So
                 (rejected if sought.objection or sought.objective is None else held).append(sought)
         if held:
             break
-    if not held and len(limits) == len(seeker.limit_conditions()):
-        held = stationary_branches(seeker, targets, side, rejected)
+    if len(limits) == len(seeker.limit_conditions()):
+        held += stationary_branches(seeker, targets, side, rejected)
     if not held:
         return None
     best = max(held, key=lambda s: extremes[0].sense * (s.objective or Decimal(0)))

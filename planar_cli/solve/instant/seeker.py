@@ -22,6 +22,7 @@ from planar_cli.equation.moving import all_wrenches
 from planar_cli.equation.sample import anywhere, fraction, generator
 from planar_cli.equation.system import System
 from planar_cli.problem.facts import Test
+from planar_cli.problem.not_negative import not_negative
 from planar_cli.records import changing
 from planar_cli.solve.diagnosis.words import listed
 from planar_cli.solve.instant.algebra import Algebra
@@ -31,7 +32,7 @@ from planar_cli.solve.instant.instant import Instant, Trial
 from planar_cli.solve.instant.numbers import Numbers
 from planar_cli.solve.instant.offers import Offers
 from planar_cli.solve.instant.plan import Plan, Planner
-from planar_cli.solve.instant.stages import acceleration_unknowns, with_zeros
+from planar_cli.solve.instant.stages import MOST, acceleration_unknowns, with_zeros
 from planar_cli.solve.instant.study import solve_velocities
 from planar_cli.solve.instant.verify import AGREE, residuals
 from planar_cli.solve.instant.worked import unknowns_of
@@ -150,8 +151,10 @@ class Seeker:
 
     # --- plan and branches -------------------------------------------------------------------------------------------
 
-    def candidates(self, limits: tuple[Condition, ...], targets: set[sp.Symbol]) -> tuple[list[Candidate], Numbers]:
-        """All candidates; what vanishes at sight leaves first."""
+    def candidates(
+        self, limits: tuple[Condition, ...], targets: set[sp.Symbol], most: int = 1
+    ) -> tuple[list[Candidate], Numbers]:
+        """All candidates, `most` in the same unknowns of one group; what vanishes at sight leaves first."""
         unknowns, value = list(self.unknowns), self.value
         kinetics = any(b.mass != 0 for b in self.scene.bodies.values()) or bool(self.system.wrenches)
         families = (
@@ -159,7 +162,9 @@ class Seeker:
         )
         while True:
             numbers = Numbers(tuple(unknowns), self.linear & set(unknowns), value)
-            found = Offers(self.system, numbers, [*self.conditions, *limits], families).all()
+            offers = Offers(self.system, numbers, [*self.conditions, *limits], families)
+            offers.most = most
+            found = offers.all()
             idle = set()
             for c in found:
                 if c.mask.bit_count() == 1 and not c.row[-1]:
@@ -173,11 +178,9 @@ class Seeker:
 
     def branches(self, targets: set[sp.Symbol], limits: tuple[Condition, ...]) -> Iterator[Sought]:
         """All branches of the plan for these targets; nothing when they are not determined."""
-        candidates, numbers = self.candidates(limits, targets)
-        index = {x: j for j, x in enumerate(numbers.unknowns)}
-        wanted = sum(1 << index[t] for t in targets if t in index)
-        nonlinear = sum(1 << j for x, j in index.items() if x not in self.linear)
-        plan = Planner(candidates, nonlinear).plan(wanted)
+        plan, numbers = self._plan(limits, targets, 1)
+        if plan is None:
+            plan, numbers = self._plan(limits, targets, MOST)
         if plan is None:
             return
         writer = Writer(self.system, numbers)
@@ -194,6 +197,13 @@ class Seeker:
             solved = branch.algebra.value.values
             if all(s in solved for s in places) and all(v.is_finite() for v in solved.values()):
                 yield self._judge(branch, plan, writer, numbers.unknowns)
+
+    def _plan(self, limits: tuple[Condition, ...], targets: set[sp.Symbol], most: int) -> tuple[Plan | None, Numbers]:
+        candidates, numbers = self.candidates(limits, targets, most)
+        index = {x: j for j, x in enumerate(numbers.unknowns)}
+        wanted = sum(1 << index[t] for t in targets if t in index)
+        nonlinear = sum(1 << j for x, j in index.items() if x not in self.linear)
+        return Planner(candidates, nonlinear).plan(wanted), numbers
 
     # --- tests -------------------------------------------------------------------------------------------------------
 
@@ -227,9 +237,10 @@ class Seeker:
         return len(solve_velocities(self.system, value, False, seek=False).free)
 
     def _wrong_sign(self, constants: dict[sp.Symbol, Decimal]) -> str:
+        named = not_negative(self.scene.problem)
         for s, v in constants.items():
             unit = self.ledger.units[s]
-            if v < 0 and (unit.dimension == MASS or self._is_friction(s) or self._is_size(s)):
+            if v < 0 and (s.name in named or unit.dimension == MASS or self._is_friction(s) or self._is_size(s)):
                 return f"{s.name} can not be negative"
         return ""
 

@@ -27,6 +27,9 @@ from planar_cli.solve.instant.write import Writer
 from planar_cli.solve.instant.written import Explicit
 from planar_cli.solve.multibody.linear import rank, scaled
 
+MOST = 3
+"""So many equations of one body or group can tell different things."""
+
 
 @record
 class Stage:
@@ -97,9 +100,16 @@ class StageMaker:
         columns = offers.numbers
         index = {x: j for j, x in enumerate(columns.unknowns)}
         wanted = sum(1 << index[t] for t in targets if t in index)
+        most = rank([scaled(row) for row in offers.base_rows()], len(columns.unknowns))
+        fixed = Planner(candidates).determined(most)
+        missing = _left_out(fixed, targets, index)
+        if missing and offers.families:
+            # One equation in the same unknowns is offered, the nicest; these need more of them.
+            offers.most = MOST
+            candidates = offers.all()
+            fixed = Planner(candidates).determined(most)
+            missing = _left_out(fixed, targets, index)
         planner = Planner(candidates)
-        fixed = planner.determined(rank([scaled(row) for row in offers.base_rows()], len(columns.unknowns)))
-        missing = sorted((t for t in targets if t in index and not fixed & (1 << index[t])), key=index.__getitem__)
         wanted &= ~sum(1 << index[t] for t in missing)
         planner.fixed = fixed
         if offers.families and self.constructed:
@@ -164,6 +174,11 @@ class StageMaker:
             zero += sorted(idle, key=lambda s: s.name)
             self.value = self.value.extended({s: Decimal(0) for s in idle})
             columns = columns.without(idle, self.value)
+
+
+def _left_out(fixed: int, targets: set[sp.Symbol], index: dict[sp.Symbol, int]) -> list[sp.Symbol]:
+    """The targets that are not among the unknowns that are fixed, given as bits."""
+    return sorted((t for t in targets if t in index and not fixed & (1 << index[t])), key=index.__getitem__)
 
 
 def _demand_linear(conditions: Iterable[Condition], unknowns: frozenset[sp.Symbol]) -> None:

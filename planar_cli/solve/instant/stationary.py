@@ -1,4 +1,4 @@
-"""`X is largest` at one instant, where no assumption reaches its limit: a constant that is sought makes X stationary.
+"""`X is largest` at one instant, within what the assumptions allow: a constant that is sought makes X stationary.
 
 Of all equations what is linear is eliminated; what is left relates X and the sought constants, z. X is stationary on
 f(z) = 0 where the determinant of the slopes of f and X vanishes, and largest where the second derivative of X along
