@@ -50,3 +50,28 @@ def test_the_least_force() -> None:
     found = solve(HAULED.format(known=known, extreme=", P is smallest", find="P: P, alpha: alpha"))
     assert first(found["alpha"]) == pytest.approx(math.atan(0.3))
     assert first(found["P"]) == pytest.approx(98.1 * math.sin(BETA + math.atan(0.3)))
+
+
+CUT = """
+title: Bar hung by two inclined cords, one of which has been cut
+plane: vertical
+symbols: {m: kg, L: m, c: m}
+unknowns: {beta: deg}
+points: {A: [0, 0], B: [L, 0], P: {from: A, distance: c, angle: 180 deg - beta}}
+bodies: {bar: {rod: [A, B], mass: m}}
+joints:
+  - rope: {path: [P, A], name: left}
+instant: [at rest, tension(left) is largest, 0 deg < beta, beta < 80 deg]
+find: {beta: beta, T: tension(left)}
+"""
+
+
+def test_the_angle_of_the_largest_tension_in_letters() -> None:
+    """T = m g sin β/(1 + 3 sin² β) is largest for sin² β = 1/3: squares of the sine alone have closed roots."""
+    found = solve(CUT)
+    m, g = sp.symbols("m g", positive=True)
+    beta, tension = found["beta"].expressions, found["T"].expressions
+    assert beta is not None
+    assert tension is not None
+    assert float(beta[0]) == pytest.approx(math.asin(1 / math.sqrt(3)))
+    assert sp.simplify(tension[0] - m * g / (2 * sp.sqrt(3))) == 0

@@ -173,3 +173,27 @@ def test_what_acts_in_the_last_segment_tells_its_modes() -> None:
     problem, wrong = load_text(NAIL)
     assert problem is not None, wrong
     assert not has_no_effect(problem, {})
+
+
+PUSHED = """
+title: Block pressed against a spring that it leaves
+plane: vertical
+given: {m: 0.5 kg, k: 800 N/m, d: 1.5 m, v: 5 m/s}
+unknowns: {s: m}
+points: {W: [-0.5 m, 0], P: [-s, 0]}
+surfaces: {floor: {through: [0, 0], angle: 0 deg}}
+bodies: {block: {particle: P, mass: m}}
+joints:
+  - contact: {between: [block, floor], mu: 0}
+loads:
+  - spring: {between: [W, P], stiffness: k, natural_length: 0.5 m, acts: push}
+states: {release: [at rest], passes: [x(block) = d, v(block).x = v]}
+find: {s: s}
+"""
+
+
+def test_a_constant_that_has_an_effect_only_in_part_of_its_range() -> None:
+    """Drawn beyond the wall or behind the free end, the block stays at rest, whatever s is."""
+    values = _part(PUSHED).found[0].values
+    assert values is not None
+    assert float(values[0]) == pytest.approx(5 * sqrt(0.5 / 800))

@@ -36,6 +36,8 @@ TIMES, STEPS = 500.0, 1500
 """A state is looked for over so many characteristic times, and so many steps, at most."""
 PROBED = 2.0
 """Over so many characteristic times it is looked whether a constant changes anything."""
+PROBES = 5
+"""For so many values of it."""
 ROUNDS, CLOSE = 80, 1e-13
 """A root is enclosed in so many steps at most, up to this part of its size."""
 HOLDS = 1e-7
@@ -82,18 +84,22 @@ def shooting(problem: Problem, known: Mapping[str, float]) -> tuple[float, ...] 
 
 
 def has_no_effect(problem: Problem, known: Mapping[str, float]) -> bool:
-    """Is all that the states say the same with two values of the only unknown, on a motion that does not
+    """Is all that the states say the same with several values of the only unknown, on motions that do not
     pass them?
     """
     shots = list(_shots(problem)) if len(problem.unknowns) == 1 and not problem.symbols else []
     if not shots:
         return False
     values = next(_values(problem, problem.unknowns[0], known))
-    middle = len(values) // 2
-    probes = [_sides(shots[0].problem, {**known, problem.unknowns[0].name: v}) for v in values[middle : middle + 2]]
-    one, other = (p or [] for p in probes)
-    pairs = list(zip(one, other, strict=False))
-    return len(one) == len(other) > 0 and all(abs(a - b) <= SAME * max(abs(a), abs(b)) for a, b in pairs)
+    tried = [values[k * (len(values) - 1) // (PROBES + 1)] for k in range(1, PROBES + 1)]
+    # Of a spring, say, that pushes only while it is compressed two of them might leave everything at rest.
+    probes = [p for v in tried if (p := _sides(shots[0].problem, {**known, problem.unknowns[0].name: v}))]
+    return len(probes) > 1 and all(_alike(one, other) for one, other in pairwise(probes))
+
+
+def _alike(one: list[float], other: list[float]) -> bool:
+    pairs = zip(one, other, strict=False)
+    return len(one) == len(other) and all(abs(a - b) <= SAME * max(abs(a), abs(b)) for a, b in pairs)
 
 
 def _sides(problem: Problem, values: Mapping[str, float]) -> list[float] | None:

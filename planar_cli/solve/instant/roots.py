@@ -125,7 +125,7 @@ def _closed(numerator: sp.Expr, x: sp.Symbol, value: Valuation) -> list[sp.Expr]
         return []
     poly = sp.Poly(flat, _SINE, _COSINE)
     if poly.total_degree() != 1:
-        return _by_factors(numerator, x, value) or _of_one_angle(numerator, x, value)
+        return _by_factors(numerator, x, value) or _of_one_angle(numerator, x, value) or _of_one_function(flat, value)
     a, b, k = poly.coeff_monomial(_COSINE), poly.coeff_monomial(_SINE), poly.coeff_monomial(1)
     if k == 0:
         base = sp.atan(cancelled(-a / b)) if b != 0 else sp.pi / 2
@@ -184,6 +184,18 @@ def _by_factors(numerator: sp.Expr, x: sp.Symbol, value: Valuation) -> list[sp.E
         return []
     found = [_closed(f, x, value) for f in factors]
     return [root for roots in found for root in roots] if all(found) else []
+
+
+def _of_one_function(flat: sp.Expr, value: Valuation) -> list[sp.Expr]:
+    """Roots where the sine alone is left, or the cosine, once the squares of the other one are put in by it."""
+    for one, other in ((_SINE, _COSINE), (_COSINE, _SINE)):
+        powers = dict(_powers(flat, other))
+        if any(n % 2 for n in powers):
+            continue
+        inside = expanded(sp.Add(*(c * (1 - one**2) ** (n // 2) for n, c in powers.items())))
+        first = [(sp.asin if one == _SINE else sp.acos)(root) for root in _closed(inside, one, value)]
+        return [e for f in first for e in ((f, sp.pi - f) if one == _SINE else (f, -f))]
+    return []
 
 
 def _with_numbers(expr: sp.Expr, x: sp.Symbol, value: Valuation) -> sp.Expr:
