@@ -94,3 +94,31 @@ find: {beta: beta}
     (expression,) = found["beta"].expressions or ()
     one, other = sorted(expression.free_symbols, key=lambda s: s.name)
     assert sp.simplify(sp.tan(expression) - (1 - one * other) / (2 * one)) == 0
+
+
+OVER_A_WALL = """
+title: Least speed over a wall
+plane: vertical
+unknowns: {{u: m/s, beta: deg}}
+bodies: {{ball: {{particle: [0, 1.5 m], mass: any}}}}
+states:
+  throw: [t = 0, v(ball).mag = u, v(ball).angle = beta]
+{before}  wall: [x(ball) = 12 m, y(ball) = 6 m, u is smallest]
+  ground: [y(ball) = 0]
+find: {{u: u, beta: beta, d: x(ball) @ ground{asked}}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("before", "asked"), [("", ""), ("  top: [v(ball).y = 0]\n", ", h: y(ball) @ top")], ids=["after", "before too"]
+)
+def test_other_states_do_not_bind_what_is_smallest(before: str, asked: str) -> None:
+    """u² = g (h + √(d² + h²)) over a corner d away and h above, at 45 deg + half of its elevation."""
+    u, beta = math.sqrt(9.81 * (4.5 + math.hypot(12, 4.5))), pi / 4 + math.atan2(4.5, 12) / 2
+    across, up = u * math.cos(beta), u * sin(beta)
+    found = solve(OVER_A_WALL.format(before=before, asked=asked))
+    assert first(found["u"]) == pytest.approx(u)
+    assert first(found["beta"]) == pytest.approx(beta)
+    assert first(found["d"]) == pytest.approx(across * (up + math.sqrt(up**2 + 2 * 9.81 * 1.5)) / 9.81)
+    if asked:
+        assert first(found["h"]) == pytest.approx(1.5 + up**2 / (2 * 9.81))

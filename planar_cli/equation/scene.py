@@ -227,8 +227,11 @@ class Scene(Decided):
         return self._sided(root)
 
     def _sided(self, root: sp.Expr) -> sp.Expr:
-        """A root in which sizes of places are written for the side where they are drawn."""
-        inside = {a: self.on_side(a.args[0], self.sign(a.args[0]) or 1) for a in root.atoms(sp.Abs)}
+        """A root in which sizes of places are written for the side where they are drawn; of what the drawing does not
+        tell, such as the time of a state, the size is left as it is.
+        """
+        told = [a for a in root.atoms(sp.Abs) if self.valuations[0].known(a.args[0]) is not None]
+        inside = {a: self.on_side(a.args[0], self.sign(a.args[0]) or 1) for a in told}
         return root.xreplace(inside) if inside else root
 
     def direction(self, along: Side | str) -> Vec:

@@ -113,4 +113,21 @@ def _related(pool: list[sp.Expr], objective: sp.Expr, unknowns: frozenset[sp.Sym
                 found.append(p)
                 reached |= p.free_symbols & unknowns
                 changed = True
-    return found
+    return _binding(found, objective, unknowns)
+
+
+def _binding(pool: list[sp.Expr], objective: sp.Expr, unknowns: frozenset[sp.Symbol]) -> list[sp.Expr]:
+    """Without equations that only tell an unknown of their own, as of a later state: they bind nothing else."""
+    found = list(pool)
+    while True:
+        idle = next(
+            (p for p in found if _tells_its_own(p, [objective, *(q for q in found if q is not p)], unknowns)), None
+        )
+        if idle is None:
+            return found
+        found = [p for p in found if p is not idle]
+
+
+def _tells_its_own(residual: sp.Expr, others: list[sp.Expr], unknowns: frozenset[sp.Symbol]) -> bool:
+    shared = set().union(*(other.free_symbols for other in others))
+    return bool((residual.free_symbols & unknowns) - shared)
