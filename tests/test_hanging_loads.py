@@ -120,3 +120,62 @@ def test_a_rope_that_is_drawn_too_short_is_told() -> None:
     with pytest.raises(Undecided, match=r":15: .*a free part of cable has run out.*draw it longer"):
         solve(ON_A_DRUM)
     assert float(solve(ON_A_DRUM.replace("-20 in", "-80 in"))["rise"].values[0]) == pytest.approx(70 * 0.0254)
+
+
+LANDING = """
+title: Two loads on a heavy pulley, one of which lands
+plane: vertical
+points: {O: [0, 3 m], S: [-0.2 m, 3 m], T: [0.2 m, 3 m], A: [-0.2 m, 0.9 m], B: [0.2 m, 0.9 m], F: [-0.2 m, 0]}
+surfaces: {floor: {through: F, angle: 0 deg}}
+bodies:
+  pulley: {disk: O, radius: 0.2 m, mass: 10 kg}
+  A: {particle: A, mass: 12 kg}
+  B: {particle: B, mass: 8 kg}
+joints:
+  - pin: {at: O, between: [ground, pulley]}
+  - rope: {path: [A, S on pulley], name: left}
+  - rope: {path: [B, T on pulley], name: right}
+  - impact: {between: [A, floor], restitution: 0, name: thud}
+states:
+  1: [at rest]
+  2: [y(A) = 0]
+  3: [just after 2]
+  4: [y(B) is largest]
+find: {v: v(B).y @ 2, S: impulse(thud/A).y @ 2->3, rise: y(B) @ 4 - y(B) @ 3}
+"""
+
+
+def test_what_strikes_a_level_floor_does_not_sway() -> None:
+    """The pulley goes on and pulls the other load up: m v² / 2 + I ω² / 2 = m g h."""
+    found = _told(LANDING)
+    v = math.sqrt(2 * 9.81 * 4 / 25 * 0.9)
+    assert found["v"] == pytest.approx(v)
+    assert found["S"] == pytest.approx(12 * v)
+    assert found["rise"] == pytest.approx((8 + 5) * v**2 / (2 * 8 * 9.81))
+
+
+IN_A_LOOP = """
+title: Load in a loop of the rope that lands, while the block on the table slides on
+plane: vertical
+points: {A: [0, 0], D: [3 m, 0], E: [3 m, 0.2 m], B: [3 m, -0.6 m], Q: [3 m, -1.1 m]}
+surfaces: {table: {through: A, angle: 0 deg}, floor: {through: Q, angle: 0 deg}}
+bodies: {A: {particle: A, mass: 10 kg}, B: {particle: B, mass: 6 kg}}
+joints:
+  - contact: {between: [A, table], mu: 0.2}
+  - rope: {path: [A, D, B, E]}
+  - impact: {between: [B, floor], restitution: 0}
+states:
+  1: [at rest]
+  2: [y(B) = -1.1 m]
+  3: [just after 2]
+  4: [v(A).x = 0]
+find: {v: v(A).x @ 2, way: x(A) @ 4}
+"""
+
+
+def test_what_lies_on_the_floor_in_the_end_does_not_sway_before() -> None:
+    found = _told(IN_A_LOOP)
+    energy = 6 * 9.81 * 0.5 - 0.2 * 10 * 9.81 * 1
+    v = math.sqrt(2 * energy / (10 + 6 / 4))
+    assert found["v"] == pytest.approx(v)
+    assert found["way"] == pytest.approx(1 + v**2 / (2 * 0.2 * 9.81))

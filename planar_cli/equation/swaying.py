@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from typing import Any
 
+from planar_cli.equation.meeting import meeting_of
 from planar_cli.equation.scene import Scene
 from planar_cli.problem.expression import Quantity, Relation, Side
 from planar_cli.problem.facts import Facts, Joining, Mode
@@ -18,7 +20,7 @@ ASIDE = ("x", "angle", "theta")
 
 def sways(scene: Scene, modes: Iterable[Mode], body: str) -> bool:
     """Is a body struck or sent off sideways, does a rope pull it aslant where it is drawn, or does none hold it?"""
-    if body in scene.problem.struck or scene.problem.plane == "horizontal":
+    if scene.problem.plane == "horizontal" or any(_strikes_aside(scene, m, body) for m in scene.problem.strikers):
         return True
     if scene.displacement is None:
         return False
@@ -29,6 +31,21 @@ def sways(scene: Scene, modes: Iterable[Mode], body: str) -> bool:
     if not ends or any(not scene.is_zero(d.x.xreplace(drawn)) for d in ends):
         return True
     return _sent_aside(scene, body, any(GROUND in (j.mover, j.base) for j in ties))
+
+
+def _strikes_aside(scene: Scene, member: Any, body: str) -> bool:
+    """Does an impact or an impulse send a body aside? Not where it acts straight up or down, and smoothly."""
+    between: tuple[str, ...] = getattr(member, "between", ())
+    if body not in (*between, getattr(member, "body", "")):
+        return False
+    if not between:
+        angle: Side | None = getattr(member, "angle", None)
+        return angle is None or not scene.is_zero(scene.unit(angle).x)
+    if getattr(member, "mu", None) is not None:
+        return True
+    said: Side | None = getattr(member, "normal", None)
+    normal = meeting_of(scene, between, None if said is None else scene.unit(said), member.mark).normal
+    return not scene.is_zero(normal.x)
 
 
 def _held(mode: Mode) -> Facts:

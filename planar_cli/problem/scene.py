@@ -329,4 +329,5 @@ class Problem:
     tolerance: Side | None
     method: str | None
     us: bool
-    struck: frozenset[str] = frozenset()
+    strikers: tuple[Joint | Load, ...] = ()
+    """Impacts and impulses of the file, in a problem of what acts while time passes."""

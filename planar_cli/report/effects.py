@@ -43,7 +43,7 @@ def effects(instant: InstantSolution) -> tuple[list[str], list[str]]:
     absent = [effect.absent for effect, kind in shelf if effect.absent and kind not in kinds]
     absent += [] if coriolis else ["Coriolis"]
     blows = any(isinstance(s, JustAfter) for state in scene.problem.states for s in state.relations)
-    if scene.problem.struck or blows:
+    if scene.problem.strikers or blows:
         return [*present, "impact"], absent
     return present, [*absent, "impact"]
 

@@ -55,9 +55,16 @@ def resting(course: RegimeSequence, start: Mapping[sp.Symbol, Decimal]) -> froze
     held = stretches[0].resting
     idle = {u for u in course.regimes[0].free if start.get(u) == 0}
     idle |= {u for r in course.regimes for u in r.free if u.name in held}
-    acting = list(zip(course.regimes, stretches, strict=False))
+    acting = list(enumerate(zip(course.regimes, stretches, strict=False)))
+    # What moves in no regime from there on, as it then lies on a floor, rests whatever acts.
+    last = {u: max((i for i, (r, _) in acting if u in r.free), default=-1) for u in idle}
     while idle:
-        moved = {u for r, s in acting for u in acted_on(course, r, idle, start) if u.name not in s.resting}
+        moved = {
+            u
+            for i, (r, s) in acting
+            for u in acted_on(course, r, idle, start)
+            if u.name not in s.resting and i <= last[u]
+        }
         if not moved:
             return frozenset(u.name for u in idle)
         idle -= moved

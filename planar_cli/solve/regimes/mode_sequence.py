@@ -162,9 +162,8 @@ def _span(problem: Problem, acts: Callable[[tuple[str, str] | None], bool], last
     if joints == problem.joints and loads == problem.loads:
         return Span(problem, always)
     members: tuple[Any, ...] = (*problem.joints, *problem.loads)
-    strikes = (m for m in members if m.strikes)
-    struck = frozenset(name for m in strikes for name in (*getattr(m, "between", ()), getattr(m, "body", "")))
-    return Span(replace(problem, joints=joints, loads=loads, struck=struck), always)
+    strikers = tuple(m for m in members if m.strikes)
+    return Span(replace(problem, joints=joints, loads=loads, strikers=strikers), always)
 
 
 def blow_before(problem: Problem, before: State, state: State) -> tuple[Span, Span] | None:
