@@ -186,6 +186,38 @@ def test_a_face_of_what_cannot_turn(e: float, last: str) -> None:
     assert first(found["x"]) == pytest.approx(2 - (e * v) ** 2 / (2 * 0.1 * G))
 
 
+ONE_END = """
+title: Dumbbell that strikes a floor with its lower end
+plane: vertical
+points: {A: [0, 0], B: {from: A, distance: 1 m, angle: 30 deg}}
+surfaces: {floor: {through: A, angle: 0 deg}}
+bodies: {dumbbell: {%s}}
+joints:
+  - impact: {between: [dumbbell, floor], at: A, restitution: 0.5, name: hit%s}
+states:
+  1: [v(dumbbell).x = 0, v(dumbbell).y = -1 m/s, omega(dumbbell) = 0]
+  2: [just after 1]
+find: {v: v(dumbbell).y @ 2, spin: omega(dumbbell) @ 2, J: impulse(hit).y @ 1->2}
+"""
+DUMBBELLS = (
+    "parts: [{particle: A, mass: 1 kg}, {particle: B, mass: 1 kg}], points: [A, B]",
+    "parts: [{rod: [A, B], mass: 0 kg}, {particle: A, mass: 1 kg}, {particle: B, mass: 1 kg}]",
+    "points: [A, B], center: {midpoint: [A, B]}, mass: 2 kg, inertia: 0.5 kg*m^2",
+    "rod: [A, B], mass: 2 kg, inertia: 0.5 kg*m^2",
+)
+
+
+@pytest.mark.parametrize("during", ["", ", during: 1->2"])
+@pytest.mark.parametrize("shape", DUMBBELLS)
+def test_only_the_end_that_is_there_strikes(shape: str, during: str) -> None:
+    """Also where the file says between which states: J = (1 + e) v / (1/m + b²/I), b = l/2 cos 30°."""
+    found = solve(ONE_END % (shape, during))
+    impulse = 1.5 / (1 / 2 + (3 / 16) / 0.5)
+    assert first(found["J"]) == pytest.approx(impulse)
+    assert first(found["v"]) == pytest.approx(impulse / 2 - 1)
+    assert first(found["spin"]) == pytest.approx(-impulse * sqrt(3 / 16) / 0.5)
+
+
 STACK = """
 title: Two balls dropped one above the other
 plane: vertical

@@ -106,15 +106,12 @@ def _of_shape(scene: Carried, body: str, shape: Shape) -> Iterator[Boundary]:
         case Rod(start, end):
             first = scene.carried(body, start)
             along = scene.frame(body)
-            middle = scene.arm(body, first)
-            length = scene.length(middle) * 2
+            length = scene.length(scene.arm(body, first)) * 2
             last = scene.carried(body, end) if end is not None else first + along * length
-            yield Corner(body, first)
-            yield Corner(body, last)
-            yield Edge(body, first, along, length, False)
+            yield from _of_rod(body, first, last, along, length)
         case Composite(pieces):
-            for piece in pieces:
-                yield from _of_shape(scene, body, piece.shape)
+            for piece, middle in zip(pieces, scene.drawn[body].centers, strict=True):
+                yield from _of_part(scene, body, piece.shape, middle)
         case Sector(apex):
             yield Corner(body, scene.carried(body, apex))
             yield Rim(body, scene.carried(body, apex), scene.value(shape.radius), False)
@@ -122,6 +119,26 @@ def _of_shape(scene: Carried, body: str, shape: Shape) -> Iterator[Boundary]:
             for point, owners in scene.owners.items():
                 if body in owners:
                     yield Corner(body, scene.carried(body, point))
+
+
+def _of_part(scene: Carried, body: str, shape: Shape, center: Vec) -> Iterator[Boundary]:
+    """A part of a composite, drawn with its mass centre there: it has neither a place nor a direction of its own."""
+    match shape:
+        case Particle():
+            yield Corner(body, scene.carried_from(body, center))
+        case Rod(start):
+            first = scene.carried(body, start)
+            half = scene.carried_from(body, center) - first
+            length = scene.length(half) * 2
+            yield from _of_rod(body, first, first + half * 2, half * 2 / length, length)
+        case _:
+            yield from _of_shape(scene, body, shape)
+
+
+def _of_rod(body: str, first: Vec, last: Vec, along: Vec, length: Term) -> Iterator[Boundary]:
+    yield Corner(body, first)
+    yield Corner(body, last)
+    yield Edge(body, first, along, length, False)
 
 
 def _of_plate(scene: Carried, body: str, shape: Plate) -> Iterator[Boundary]:

@@ -38,6 +38,8 @@ class Drawn:
     """Its name in print; "" where it has none."""
     theta: Term
     """The direction that its angle measures, rad."""
+    centers: tuple[Vec, ...] = ()
+    """The mass centres of the parts of a composite, m."""
 
 
 @record
@@ -143,7 +145,8 @@ def _composite(drawing: Drawing, body: Body, shape: Composite) -> Drawn:
         inertia = inertia + own + m * arm.dot(arm)
     if body.inertia is not None or body.gyration is not None:
         inertia = _inertia(drawing, body, Uniform(center, "", mass * 0, parts[0][1].theta), mass)
-    return Drawn(shape, True, mass, inertia, center, "", parts[0][1].theta)
+    centers = tuple(u.center for _, u in parts)
+    return Drawn(shape, True, mass, inertia, center, "", parts[0][1].theta, centers)
 
 
 def _piece(drawing: Drawing, body: Body, piece: Piece) -> tuple[Term, Term]:

@@ -7,7 +7,7 @@ springs have no impulse.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import field, replace
 
 from planar_cli.joints.base import Joint
@@ -52,7 +52,7 @@ class Direction:
     holding: frozenset[int]
     """The modes of the joint, by index, in which they touch."""
     forced: bool = False
-    """Does it strike whatever the distance, between the states that the file names?"""
+    """Does it strike whatever the distance, between the states that the file names, where it is the nearest?"""
     meets: bool = False
     """Is it one of the file's impacts?"""
     inner: bool = False
@@ -102,13 +102,15 @@ class Strikes:
         contacts: list[StruckContact] = []
         beside: list[StruckContact] = []
         meet = False
-        for d in self.directions:
-            normal = self._row(numbers, d.normal)
-            tangent = None if d.tangent is None else self._row(numbers, d.tangent)
-            belt, mu, restitution = next(numbers), next(numbers), next(numbers)
-            gap = None if d.gap is None else next(numbers)
-            apart = 0.0 if gap is None else abs(gap) / self.model.scales.length
-            touches = apart <= max(NEAR, near) or (d.forced and forced)
+        scale = self.model.scales.length
+        read = [(d, *self._read(d, numbers)) for d in self.directions]
+        nearest: dict[str, float] = {}
+        for d, *_, gap in read:
+            nearest[d.name] = min(gap / scale, nearest.get(d.name, gap / scale))
+        for d, normal, tangent, belt, mu, restitution, gap in read:
+            apart = gap / scale
+            reach = max(NEAR, near)
+            touches = apart <= reach + (nearest[d.name] if d.forced and forced else 0.0)
             # What strikes from afar, as the file has it, has no place at which both sides would act.
             inner = d.inner and apart <= MEETING
             contact = StruckContact(d.name, normal, 0.0, tangent, belt, restitution, mu, inner)
@@ -123,6 +125,15 @@ class Strikes:
         frames = tuple((f.x, f.y, f.theta) for f in layout.frames.values())
         places = tuple((y[f.x], y[f.y]) for f in layout.frames.values())
         return Struck(velocities, masses, speeds, tuple(made), tuple(contacts), frames=frames, places=places)
+
+    def _read(
+        self, d: Direction, numbers: Iterator[float]
+    ) -> tuple[tuple[float, ...], tuple[float, ...] | None, float, float, float, float]:
+        """In numbers: along and across, sliding, friction, restitution, and how far the partners are apart [m]."""
+        normal = self._row(numbers, d.normal)
+        tangent = None if d.tangent is None else self._row(numbers, d.tangent)
+        belt, mu, restitution = next(numbers), next(numbers), next(numbers)
+        return normal, tangent, belt, mu, restitution, 0.0 if d.gap is None else abs(next(numbers))
 
     def _row(self, numbers: Iterable[float], column: Column) -> tuple[float, ...]:
         row = [0.0] * self.model.layout.count
