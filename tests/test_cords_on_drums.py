@@ -59,3 +59,47 @@ def test_a_cable_drawn_along_its_own_line() -> None:
 def test_a_cable_drawn_aside() -> None:
     rate = (_turned(2 + 1e-5) - _turned(2 - 1e-5)) / 2e-5
     assert float(solve(ASIDE)["omega"].values[0]) == pytest.approx(rate, rel=1e-6)
+
+
+WINDING = """
+title: Puck whose string winds up on a post
+plane: horizontal
+given: {a: 0.1 m, L: 1 m, v_0: 2 m/s}
+points: {O: [0, 0], T: [0, a], P: [L, a]}
+bodies: {post: {disk: O, radius: a}, puck: {particle: P, mass: 0.3 kg}}
+joints:
+  - weld: {at: O, between: [ground, post]}
+  - rope: {path: [P, T on post], name: string}
+states:
+  1: [t = 0, v(puck).x = 0, v(puck).y = -v_0]
+  2: [r(puck).mag = sqrt(a^2 + (L/2)^2)]
+find: {t: t @ 2, v: v(puck).mag @ 2, S_1: tension(string) @ 1, S_2: tension(string) @ 2}
+"""
+
+
+def test_a_puck_whose_string_winds_up() -> None:
+    """It keeps its speed; a free part s that shortens by a v/s a second, s² = L² - 2 a v t, and S = m v²/s."""
+    found = {name: float(a.values[0]) for name, a in solve(WINDING).items() if a.values}
+    assert found == pytest.approx({"t": 0.75 / 0.4, "v": 2, "S_1": 1.2, "S_2": 2.4})
+
+
+SWINGING = """
+title: Load on a drum that swings while it sinks
+plane: vertical
+points: {O: [0, 3 m], S: [-0.2 m, 3 m], A: [-0.2 m, 0.9 m]}
+bodies: {drum: {disk: O, radius: 0.2 m, mass: 10 kg}, A: {particle: A, mass: 12 kg}}
+joints:
+  - pin: {at: O, between: [ground, drum]}
+  - rope: {path: [A, S on drum], name: cord}
+states:
+  1: [t = 0, omega(drum) = 0, v(A).x = 0.5 m/s, v(A).y = 0]
+  2: [t = 0.4 s]
+find: {alpha: alpha(drum) @ 2, S: tension(cord) @ 2, T: KE(all) @ 2, W: PE(A) @ 1 - PE(A) @ 2}
+"""
+
+
+def test_a_load_that_swings_on_a_drum() -> None:
+    """S r = I α, and what the weight does is kinetic energy in the end."""
+    found = {name: float(a.values[0]) for name, a in solve(SWINGING).items() if a.values}
+    assert found["S"] * 0.2 == pytest.approx(0.2 * found["alpha"], rel=1e-6)
+    assert found["T"] == pytest.approx(12 * 0.5**2 / 2 + found["W"], rel=1e-6)

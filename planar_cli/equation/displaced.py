@@ -21,6 +21,7 @@ from planar_cli.equation.plain import derivative, simplified
 from planar_cli.equation.pose import HERE, Pose
 from planar_cli.equation.sample import anywhere
 from planar_cli.equation.scene import Scene
+from planar_cli.equation.swaying import sent_aside
 from planar_cli.errors import NOWHERE
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND, Circle, Composite, Curve, Line, Polar, Round, Sector
@@ -314,11 +315,13 @@ class Displacer:
 
     def _tangent(self, point: str, body: str, other: str) -> Vec:
         """Where a cord that runs straight to another point leaves a rim: P = C + ρ n + L t with t along the rim, so
-        that n = (ρ r - L r × k) / r² with r = P - C and L² = r² - ρ². What has mass hangs on its cord without swaying.
+        that n = (ρ r - L r × k) / r² with r = P - C and L² = r² - ρ². What has mass hangs on its cord without swaying,
+        but where a state sends it aside.
         """
         scene, drum = self.scene, self.scene.bodies[body].center
         start, owner = scene.point(other), scene.owner(other, body)
-        if owner == GROUND or scene.bodies[owner].mass != 0:
+        hangs = owner != GROUND and scene.bodies[owner].mass != 0 and scene.problem.plane == "vertical"
+        if owner == GROUND or (hangs and not sent_aside(scene, owner, False)):
             return self._with_center(point, body)
         arm = scene.point(point) - drum
         reach = self.poses[owner].point(start) - self.poses[body].point(drum)

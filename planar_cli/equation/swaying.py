@@ -30,7 +30,7 @@ def sways(scene: Scene, modes: Iterable[Mode], body: str) -> bool:
     ends = _directions(facts, ties, body)
     if not ends or any(not scene.is_zero(d.x.xreplace(drawn)) for d in ends):
         return True
-    return _sent_aside(scene, body, any(GROUND in (j.mover, j.base) for j in ties))
+    return sent_aside(scene, body, any(GROUND in (j.mover, j.base) for j in ties))
 
 
 def _strikes_aside(scene: Scene, member: Any, body: str) -> bool:
@@ -60,7 +60,7 @@ def _directions(facts: list[Facts], ties: list[Joining], body: str) -> list[Vec]
     return found + [j.path.tangent.turned() for j in ties if j.path is not None]
 
 
-def _sent_aside(scene: Scene, body: str, tied: bool) -> bool:
+def sent_aside(scene: Scene, body: str, tied: bool) -> bool:
     """Does a state give a body a velocity sideways, or a later one another place? `tied`: to a fixed point, so that it
     can only sway.
     """

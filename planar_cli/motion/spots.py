@@ -37,7 +37,24 @@ def spots_of(
             center = scene.center(body)
             arm = scene.place_drawn(point) - scene.drawn_center(body)
             found[point] = center + arm
+    for joint in scene.problem.joints:
+        found |= {point: _tangent(scene, point, body, other) for point, body, other in joint.tangents()}
     return found
+
+
+def _tangent(scene: Carried, point: str, body: str, other: str) -> Vec:
+    """Where a cord that runs straight to another point leaves a rim: C + ρ n with n = (ρ r - L r × k) / r², r from the
+    centre C to that point, L² = r² - ρ².
+    """
+    graph, center = scene.graph, scene.center(body)
+    arm, reach = scene.place_drawn(point) - scene.drawn_center(body), scene.point(other) - center
+    square = graph.of(reach.dot(reach))
+    radius = graph.call("sqrt", graph.of(arm.dot(arm)))
+    way = scene.sign(graph.of(arm.cross(scene.place_drawn(other) - scene.drawn_center(body))))
+    free = scene.root(square - radius * radius)
+    normal: Vec = (reach * radius - reach.turned() * (free * way)) / square
+    place: Vec = center + normal * radius
+    return place
 
 
 def _touching(
