@@ -2,15 +2,22 @@
 
 from __future__ import annotations
 
+from decimal import Decimal
 from math import cos, radians, sin
+from types import SimpleNamespace
 
 import pytest
+import sympy as sp
 from answered import first, solve
 
+from planar_cli.equation.exact import Valuation
 from planar_cli.errors import NoSolution
 from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.structure import load_text
 from planar_cli.report.narrate import narrate
+from planar_cli.solve.between.agreement import demand_fulfilled
+from planar_cli.solve.instant.verify import Disagreement
+from planar_cli.solve.regimes.equations import Equation
 from planar_cli.solve.run import solve_problem
 
 G, BETA = 9.81, radians(20)
@@ -117,3 +124,12 @@ def test_a_cord_that_takes_hold_with_a_jerk_needs_a_state() -> None:
     # Only what runs across the cord stays: half of the speed of a fall through sqrt(3)/2 m.
     kept = 2 * G * 0.75**0.5 / 4
     assert first(solve(told.replace("@ 3", "@ 4"))["v"]) == pytest.approx((kept + 2 * G * (1 - 0.75**0.5)) ** 0.5)
+
+
+def test_numbers_that_break_an_equation_are_a_fault() -> None:
+    """What is followed and what is written can only differ by a fault of the program: nothing is printed then."""
+    x = sp.Symbol("x_3")
+    course = SimpleNamespace(equations=(Equation(2 * x - 4, "motion", "the law of x", "3"),))
+    demand_fulfilled(course, Valuation({x: Decimal(2)}), {x})  # type: ignore[arg-type]
+    with pytest.raises(Disagreement, match="the law of x"):
+        demand_fulfilled(course, Valuation({x: Decimal("2.01")}), {x})  # type: ignore[arg-type]

@@ -39,6 +39,18 @@ def compared(found: SolvedMotion) -> tuple[str, ...]:
     return balanced(found.course.distinct_regimes())
 
 
+def demand_fulfilled(course: MotionEquations, value: Valuation, guessed: Collection[sp.Symbol]) -> None:
+    """Disagreement: what following the motion alone has given does not fulfil an equation that it stands in. What is
+    said of the start of a later regime speaks of no moment of the motion.
+    """
+    for e in course.equations:
+        if e.kind == "start" or not e.residual.free_symbols.intersection(guessed) or e.residual.has(sp.Integral):
+            continue
+        off = value.known(e.residual)
+        if off is not None and abs(off) > Decimal(repr(APART)) * value.size(e.residual):
+            raise Disagreement(f"the motion that was followed contradicts an equation: {e.words}")
+
+
 def integrated(found: SolvedMotion, needed: Collection[sp.Symbol]) -> SolvedMotion:
     """The same, with the equations of motion integrated beside what following the motion alone has given. Disagreement:
     they lead elsewhere. `needed`: symbols of states on which answers rest.

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from decimal import Decimal
 
+from planar_cli.solve.between.agreement import demand_fulfilled
 from planar_cli.solve.between.asked_finds import AskedFind
 from planar_cli.solve.between.differences import by_differences
 from planar_cli.solve.between.followed import Followed
@@ -44,6 +45,7 @@ def solved_beside(course: MotionEquations, finds: tuple[AskedFind, ...], followe
     more |= {s: _number(followed.values[s], natural[s]) for s in guessed}
     value = course.base().extended({**more, **branch.values})
     demand_agreement(course, value, guessed)
+    demand_fulfilled(course, value, guessed)
     return SolvedMotion(course, finds, branch, followed, value, frozenset(guessed))
 
 
