@@ -149,7 +149,7 @@ def test_an_orbit_through_two_points(assumed: str, way: int) -> None:
 
 def test_several_angles_lead_there() -> None:
     """Two of them, each found from another relation of the state, and each in the author's unit."""
-    with pytest.raises(NoSolution, match=r"beta may be 38\.4734, 89\.4016 deg"):
+    with pytest.raises(NoSolution, match=r"beta = 38\.4734 deg; or beta = 89\.4016 deg"):
         _part(PROBE.format(assumed="beta > 0 deg, beta < 180 deg"))
 
 

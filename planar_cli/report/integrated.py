@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
 import sympy as sp
@@ -19,12 +19,17 @@ MOST = 70
 
 
 def integration_blocks(found: MotionTrace, phrases: Phrases, results: Iterable[Result]) -> Iterator[Block]:
-    """What is integrated to find letters of states. `results`: these letters."""
-    stops = {at for r in results if (at := found.ledger.roles[r.unknown].at) is not None}
+    """What is integrated to find letters of states, and constants. `results`: these letters."""
+    letters = [r.unknown for r in results]
+    stops = {at for s in letters if (at := found.ledger.roles[s].at) is not None}
+    tried = [s for s in letters if found.ledger.roles[s].at is None]
+    if tried:
+        stops |= set(found.states[-1:])
     regimes = [r for r in found.regimes if _is_passed(found, r, stops)]
     laws = {rate: law for r in regimes for rate, law in r.laws if law != 0}
     if not laws:
-        yield Paragraph(line("No formula gives this: with this number alone the motion passes all states."))
+        names = _names(tried or letters)
+        yield Paragraph(line("No formula gives ", *names, ", found by trial: with it the motion passes all states."))
         return
     shown = [e for rate, law in laws.items() if (e := _law(found, phrases, rate, law)) is not None]
     start = _start(found, phrases, [*laws.values()], [*laws])
@@ -32,10 +37,21 @@ def integration_blocks(found: MotionTrace, phrases: Phrases, results: Iterable[R
     what = "the equation of motion is" if len(laws) == 1 else "the equations of motion are"
     if not whole:
         what = "the equations above, solved for the accelerations at every step, are"
-    words = f"No formula gives what follows; {what} integrated numerically"
+    named = (" ", *_names(tried)) if tried else (" what follows",)
+    how = " with trial values, until the motion passes all states" if tried else ""
+    words = f"; {what} integrated numerically{how} (by a Runge–Kutta method)"
     begun = (f" from state {found.states[0]} on, where ", *start) if start else ()
-    yield Paragraph(line(f"{words} (by a Runge–Kutta method)", *begun, ":"))
+    yield Paragraph(line("No formula gives", *named, words, *begun, ":"))
     yield from shown if whole else ()
+
+
+def _names(letters: Sequence[sp.Symbol]) -> Line:
+    """`u, v and w`."""
+    parts: list[Any] = []
+    for i, s in enumerate(letters):
+        parts += [] if i == 0 else [" and " if i == len(letters) - 1 else ", "]
+        parts.append(Math(s))
+    return tuple(line(*parts))
 
 
 def is_solved_in_steps(found: MotionTrace, regime: RegimeTrace) -> bool:

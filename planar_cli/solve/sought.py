@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from decimal import Decimal
 
@@ -10,8 +10,9 @@ from planar_cli.equation.ledger import display
 from planar_cli.equation.setup import Earlier, numbers_of
 from planar_cli.errors import Diagnostic, NoSolution, PlanarError, Undecided
 from planar_cli.problem.not_negative import limits_of_friction
-from planar_cli.problem.scene import Problem
+from planar_cli.problem.scene import Problem, Symbol
 from planar_cli.simulate.shooting import has_no_effect, shooting
+from planar_cli.simulate.shooting_at_several import shooting_at_several
 from planar_cli.solve.followed import can_be_followed, followed_part
 from planar_cli.solve.solved_problem import PartSolution
 from planar_cli.units import parse_unit
@@ -21,10 +22,12 @@ OPEN = "PL623"
 
 
 def root_of(problem: Problem, earlier: Mapping[str, Earlier], error: Undecided | NoSolution) -> dict[str, float]:
-    """The number of the unknown [SI] with which the motion passes all states, by its name.
+    """The numbers of the unknowns [SI] with which the motion passes all states, by their names.
 
     Raises the `error` where shooting does not apply, NoSolution where no number is found, or several are.
     """
+    if len(problem.unknowns) > 1:
+        return _roots_of_several(problem, earlier, error)
     try:
         idle = has_no_effect(problem, numbers_of(earlier))
         roots = None if idle else shooting(problem, numbers_of(earlier))
@@ -48,12 +51,39 @@ def root_of(problem: Problem, earlier: Mapping[str, Earlier], error: Undecided |
         text = f"no motion passes through these states, whatever {unknown.name} is"
         raise NoSolution([Diagnostic(unknown.mark, "PL620", text, "follow it with `planar simulate --set`")]) from error
     if len(roots) > 1:
-        unit = parse_unit(unknown.unit or "1")
-        listed = ", ".join(f"{display(Decimal(repr(root)), unit):.6g}" for root in roots)
-        measure = "" if unit.text == "1" else f" {unit.text}"
-        text = f"{unknown.name} may be {listed}{measure}: with each of them the motion passes all states"
-        raise NoSolution([Diagnostic(unknown.mark, "PL635", text, "write an inequality that tells which is meant")])
+        raise _ambiguous(problem, [{unknown.name: root} for root in roots])
     return {unknown.name: roots[0]}
+
+
+def _roots_of_several(
+    problem: Problem, earlier: Mapping[str, Earlier], error: Undecided | NoSolution
+) -> dict[str, float]:
+    """The same for more than one unknown. That none was found does not say that there is none."""
+    try:
+        found = shooting_at_several(problem, numbers_of(earlier))
+    except PlanarError:
+        # What keeps the motion from being followed is not what is wrong with the file.
+        found = None
+    if not found:
+        raise error
+    if len(found) > 1:
+        raise _ambiguous(problem, found)
+    return found[0]
+
+
+def _ambiguous(problem: Problem, found: Sequence[Mapping[str, float]]) -> NoSolution:
+    """Several numbers with which the motion passes all states."""
+    told = "; or ".join(", ".join(_number(u, values[u.name]) for u in problem.unknowns) for values in found)
+    text = f"{told}: with each of them the motion passes all states"
+    hint = "write an inequality that tells which is meant"
+    return NoSolution([Diagnostic(problem.unknowns[0].mark, "PL635", text, hint)])
+
+
+def _number(unknown: Symbol, value: float) -> str:
+    """A constant with its value in its own unit."""
+    unit = parse_unit(unknown.unit or "1")
+    measure = "" if unit.text == "1" else f" {unit.text}"
+    return f"{unknown.name} = {display(Decimal(repr(value)), unit):.6g}{measure}"
 
 
 def by_motion(

@@ -1,0 +1,227 @@
+"""Several unknown constants found by shooting: the motion is followed with many of their values, and from those that
+come nearest Newton's method leads on.
+
+Every state after the first is told by one relation, by its time where that is given; what the states say besides are as
+many equations as there are constants. Their residuals, in parts of their scales, are differentiated by differences.
+Another solution, far from all starts, is not excluded: whoever uses this says that it was found by trial.
+
+Reference: Stoer and Bulirsch, Introduction to Numerical Analysis, 7.3: the shooting method.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
+from itertools import product
+
+import numpy as np
+
+from planar_cli.errors import PlanarError
+from planar_cli.problem.expression import Relation, Statement
+from planar_cli.problem.scene import Problem, State, Symbol
+from planar_cli.records import record
+from planar_cli.simulate.run import Run, Settings, followed, prepared
+from planar_cli.simulate.timetable import Timetable, is_time, mode_of
+from planar_cli.units import PURE, parse_unit
+
+STARTS, NEAREST = 400, 16
+"""So many starts are tried at most, and so many of them, those that come nearest, are followed on."""
+DECADES = 2.0
+"""Sizes of constants are looked for within so many powers of ten about an ordinary one."""
+TOLERANCE, SHIFT, ROUNDS = 1e-11, 1e-6, 30
+"""Of the steps of a motion; of a constant, for a difference; of Newton's method, at most."""
+HOLDS, SAME = 1e-9, 1e-6
+"""At a solution relations are off by less than this part of their scale; solutions closer than that are one."""
+TIMES, STEPS = 500.0, 1500
+"""A state is looked for over so many characteristic times, and so many steps, at most."""
+Residuals = Callable[[Sequence[float]], list[float] | None]
+
+
+@record
+class Shots:
+    """What is left of the relations of the states when each of them is told by one."""
+
+    problem: Problem
+    """The problem with one relation for each state."""
+    left: tuple[tuple[str, Relation], ...]
+    """The others, with their states."""
+
+
+def shooting_at_several(problem: Problem, known: Mapping[str, float]) -> list[dict[str, float]] | None:
+    """Values of all unknowns with which the motion passes all states, in SI units, as far as they were found; None: the
+    states do not say as much more than when they are, or there is one unknown alone. `known`: numbers of other names.
+    """
+    unknowns = problem.unknowns
+    if len(unknowns) < 2 or problem.symbols:
+        return None
+    found: list[dict[str, float]] | None = None
+    for shots in _shots(problem):
+        sizes = _sizes(problem, known)
+        residuals = _residuals(shots, [u.name for u in unknowns], known)
+        found = []
+        for root in _roots(residuals, _starts(unknowns, sizes), sizes):
+            values = dict(zip((u.name for u in unknowns), root, strict=True))
+            if _passes(problem, {**known, **values}):
+                found.append(values)
+        if found:
+            return found
+    return found
+
+
+def _shots(problem: Problem) -> Iterator[Shots]:
+    """Every way of telling each state by one relation, by its time where that is given."""
+    told = [[s for s in state.relations if _tells(s)] for state in problem.states[1:]]
+    if not all(told) or sum(len(t) - 1 for t in told) != len(problem.unknowns):
+        return
+    for kept in product(*(_telling(t) for t in told)):
+        left = [
+            (state.name, r)
+            for state, relations, one in zip(problem.states[1:], told, kept, strict=True)
+            for r in relations
+            if r is not one
+        ]
+        if not all(isinstance(r, Relation) and mode_of(r) is None for _, r in left):
+            continue
+        gone = [r for _, r in left]
+        states = (problem.states[0], *(_without(s, gone) for s in problem.states[1:]))
+        yield Shots(replace(problem, states=states), tuple((n, r) for n, r in left if isinstance(r, Relation)))
+
+
+def _tells(statement: Statement) -> bool:
+    return not isinstance(statement, Relation) or statement.operator == "="
+
+
+def _telling(relations: Sequence[Statement]) -> list[Statement]:
+    """The relations by which a state may be told."""
+    times: list[Statement] = [r for r in relations if isinstance(r, Relation) and is_time(r)]
+    return times[:1] or list(relations)
+
+
+def _without(state: State, gone: Sequence[Statement]) -> State:
+    return replace(state, relations=tuple(r for r in state.relations if not any(r is g for g in gone)))
+
+
+def _sizes(problem: Problem, known: Mapping[str, float]) -> list[float]:
+    """An ordinary size of each unknown [SI]."""
+    scales = prepared(problem, {**known, **{u.name: 1.0 for u in problem.unknowns}}).model.scales
+    dimensions = [parse_unit(u.unit or "1").dimension for u in problem.unknowns]
+    return [
+        scales.length ** float(d.length) * scales.mass ** float(d.mass) * scales.time ** float(d.time)
+        for d in dimensions
+    ]
+
+
+def _starts(unknowns: Sequence[Symbol], sizes: Sequence[float]) -> Iterator[tuple[float, ...]]:
+    """Values of both signs, over some powers of ten; angles all round."""
+    count = int(STARTS ** (1 / len(unknowns)))
+    choices = []
+    for unknown, size in zip(unknowns, sizes, strict=True):
+        unit = parse_unit(unknown.unit or "1")
+        if unit.angle and unit.dimension == PURE:
+            choices.append([math.tau * k / count for k in range(count)])
+            continue
+        half = max(count // 2, 2)
+        powers = [size * 10 ** (DECADES * (2 * k / (half - 1) - 1)) for k in range(half)]
+        choices.append([*powers, *(-p for p in powers)])
+    return product(*choices)
+
+
+def _residuals(shots: Shots, names: Sequence[str], known: Mapping[str, float]) -> Residuals:
+    def residuals(values: Sequence[float]) -> list[float] | None:
+        run = _run(shots.problem, {**known, **dict(zip(names, values, strict=True))})
+        if run is None:
+            return None
+        table, found = Timetable(run.problem, run.measures), []
+        for state, relation in shots.left:
+            moment = run.measures.moments.get(state)
+            off = [] if moment is None else run.measures.gap(relation, moment.regime)(moment.t, moment.y)
+            if len(off) != 1:
+                return None
+            found.append(off[0] / table.scale(relation.left, relation.right))
+        return found
+
+    return residuals
+
+
+def _run(problem: Problem, values: Mapping[str, float]) -> Run | None:
+    """The motion with these numbers; None: with them there is none."""
+    settings = Settings(values=values, tolerance=TOLERANCE, estimate=False, times=TIMES, most_steps=STEPS)
+    try:
+        return followed(prepared(problem, values), settings)
+    except PlanarError:
+        return None
+
+
+def _passes(problem: Problem, values: Mapping[str, float]) -> bool:
+    """Does the motion pass all states of the file?"""
+    run = _run(problem, values)
+    return run is not None and all(s.name in run.measures.moments for s in problem.states)
+
+
+# --- roots ------------------------------------------------------------------------------------------------------------
+
+
+def _roots(
+    residuals: Residuals, starts: Iterator[tuple[float, ...]], sizes: Sequence[float]
+) -> list[tuple[float, ...]]:
+    """Where all relations hold, as far as Newton's method gets there from the nearest of the starts."""
+    tried = [(off, start) for start in starts if (off := residuals(start)) is not None]
+    tried.sort(key=lambda pair: math.hypot(*pair[0]))
+    found: list[tuple[float, ...]] = []
+    for off, start in tried[:NEAREST]:
+        root = _newton(residuals, start, off, sizes)
+        # Beside an ordinary size, what is left of a zero is none.
+        root = (
+            None if root is None else tuple(0.0 if abs(x) <= HOLDS * s else x for x, s in zip(root, sizes, strict=True))
+        )
+        if root is not None and not any(_same(root, other, sizes) for other in found):
+            found.append(root)
+    return found
+
+
+def _same(one: Sequence[float], other: Sequence[float], sizes: Sequence[float]) -> bool:
+    return all(
+        abs(a - b) <= SAME * max(abs(a), abs(b), SAME * size) for a, b, size in zip(one, other, sizes, strict=True)
+    )
+
+
+def _newton(
+    residuals: Residuals, start: Sequence[float], off: list[float], sizes: Sequence[float]
+) -> tuple[float, ...] | None:
+    """Newton's method with steps that are halved until they lead nearer; None: it does not get there."""
+    x = list(start)
+    for _ in range(ROUNDS):
+        if math.hypot(*off) <= HOLDS:
+            return tuple(x)
+        step = _step(residuals, x, off, sizes)
+        better = None if step is None else _nearer(residuals, x, step, off)
+        if better is None:
+            return None
+        x, off = better
+    return None
+
+
+def _step(residuals: Residuals, x: Sequence[float], off: list[float], sizes: Sequence[float]) -> list[float] | None:
+    columns = []
+    for i, size in enumerate(sizes):
+        shift = SHIFT * max(abs(x[i]), SHIFT * size)
+        beside = residuals([v + shift * (k == i) for k, v in enumerate(x)])
+        if beside is None:
+            return None
+        columns.append([(b - a) / shift for a, b in zip(off, beside, strict=True)])
+    slopes = np.array(columns).T
+    weights = np.array([max(abs(v), SHIFT * size) for v, size in zip(x, sizes, strict=True)])
+    return [float(v) for v in np.linalg.lstsq(slopes * weights, -np.array(off), rcond=None)[0] * weights]
+
+
+def _nearer(
+    residuals: Residuals, x: Sequence[float], step: Sequence[float], off: list[float]
+) -> tuple[list[float], list[float]] | None:
+    """The first of ever shorter steps that leads nearer, with what the relations are off there."""
+    for k in range(10):
+        there = [a + s / 2**k for a, s in zip(x, step, strict=True)]
+        found = residuals(there)
+        if found is not None and math.hypot(*found) < math.hypot(*off):
+            return there, found
+    return None

@@ -1,0 +1,64 @@
+"""Several constants that only the states together tell: start velocities of a boundary-value problem."""
+
+from __future__ import annotations
+
+import pytest
+from answered import first, solve
+
+from planar_cli.errors import NoSolution
+from planar_cli.problem.structure import load_text
+from planar_cli.simulate.shooting_at_several import shooting_at_several
+
+SHELL = """
+title: Shell in air that must hit a target
+plane: vertical
+given: {m: 2 kg}
+unknowns: {u: m/s, w: m/s}
+points: {P: [0, 0]}
+bodies: {shell: {particle: P, mass: m}}
+loads:
+  - drag: {body: shell, quadratic: 0.04 kg/m}
+states:
+  fired: [t = 0, v(shell).x = u, v(shell).y = w]
+  hit: [t = 3 s, x(P) = 60 m, y(P) = 10 m]
+find: {u: u, w: w}
+"""
+SATELLITE = """
+title: Satellite that must be at a second point
+plane: horizontal
+given: {mu: 398600 km^3/s^2, r_A: 7000 km, r_B: 12000 km, m: 1000 kg}
+unknowns: {u: km/s, w: km/s}
+points: {O: [0, 0], S: [r_A, 0]}
+bodies: {sat: {particle: S, mass: m}}
+loads:
+  - force: {body: sat, at: S, towards: O, magnitude: m*mu/r(S/O).mag^2}
+states:
+  A: [t = 0, v(sat).x = w, v(sat).y = u]
+  B: [t = 40 min, r(S/O).angle = 120 deg, r(S/O).mag = r_B]
+find: {u: u, w: w}
+"""
+
+
+def test_both_components_of_a_start_velocity() -> None:
+    found = solve(SHELL)
+    # The fourth-order method of Runge and Kutta in 6000 steps, and Newton's method.
+    assert first(found["u"]) == pytest.approx(41.91010069, rel=1e-8)
+    assert first(found["w"]) == pytest.approx(28.42447064, rel=1e-8)
+
+
+def test_two_orbits_go_there() -> None:
+    """One with the other way round; an inequality tells which is meant (by Kepler's equation, the first)."""
+    with pytest.raises(NoSolution) as caught:
+        solve(SATELLITE)
+    (told,) = caught.value.diagnostics
+    assert told.code == "PL635"
+    assert told.message.startswith("u = 9.06668 km/s, w = -0.463678 km/s; or u = -6.73457 km/s, w = -6.22056 km/s")
+    found = solve(SATELLITE.replace("= u]", "= u, u > 0]"))
+    assert first(found["u"]) == pytest.approx(9066.679795389, rel=1e-9)
+    assert first(found["w"]) == pytest.approx(-463.677863583, rel=1e-8)
+
+
+def test_too_little_is_said() -> None:
+    problem, _ = load_text(SHELL.replace(", y(P) = 10 m", ""))
+    assert problem is not None
+    assert shooting_at_several(problem, {}) is None
