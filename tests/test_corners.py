@@ -5,6 +5,7 @@ from __future__ import annotations
 from decimal import Decimal
 from math import cos, radians, sin
 from types import SimpleNamespace
+from typing import Any
 
 import pytest
 import sympy as sp
@@ -129,7 +130,7 @@ def test_a_cord_that_takes_hold_with_a_jerk_needs_a_state() -> None:
 def test_numbers_that_break_an_equation_are_a_fault() -> None:
     """What is followed and what is written can only differ by a fault of the program: nothing is printed then."""
     x = sp.Symbol("x_3")
-    course = SimpleNamespace(equations=(Equation(2 * x - 4, "motion", "the law of x", "3"),))
-    demand_fulfilled(course, Valuation({x: Decimal(2)}), {x})  # type: ignore[arg-type]
+    course: Any = SimpleNamespace(equations=(Equation(2 * x - 4, "motion", "the law of x", "3"),))
+    demand_fulfilled(course, Valuation({x: Decimal(2)}), {x})
     with pytest.raises(Disagreement, match="the law of x"):
-        demand_fulfilled(course, Valuation({x: Decimal("2.01")}), {x})  # type: ignore[arg-type]
+        demand_fulfilled(course, Valuation({x: Decimal("2.01")}), {x})
