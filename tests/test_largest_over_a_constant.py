@@ -122,3 +122,38 @@ def test_other_states_do_not_bind_what_is_smallest(before: str, asked: str) -> N
     assert first(found["d"]) == pytest.approx(across * (up + math.sqrt(up**2 + 2 * 9.81 * 1.5)) / 9.81)
     if asked:
         assert first(found["h"]) == pytest.approx(1.5 + up**2 / (2 * 9.81))
+
+
+PEBBLE = """
+title: Pebble that leaves the rim of a wheel
+plane: vertical
+unknowns: {{t_1: s}}
+{assume}
+points: {{G: [0, 0.4 m], P: [-0.4 m, 0.4 m]}}
+surfaces: {{road: {{through: [0, 0], angle: 0 deg}}}}
+bodies:
+  wheel: {{disk: G, radius: 0.4 m}}
+  pebble: {{particle: P, mass: any}}
+joints:
+  - rolling: {{between: [wheel, road], at: [0, 0]}}
+  - weld: {{at: P, between: [wheel, pebble], during: level->free}}
+motion: [v(G).x = 5 m/s]
+states:
+  level: [t = 0]
+  free: [t = t_1]
+  top: [v(pebble).y = 0, y(pebble) is largest]
+find: {{t_1: t_1, h: y(pebble) @ top}}
+"""
+
+
+def test_where_a_pebble_leaves_to_fly_highest() -> None:
+    """sin φ = g R/v² above the level of the axle; what carries it hands its place and velocity over."""
+    found = solve(PEBBLE.format(assume="assume: [t_1 > 0, t_1 < 0.1 s]"))
+    assert first(found["t_1"]) == pytest.approx(0.08 * math.asin(9.81 * 0.4 / 25))
+    assert first(found["h"]) == pytest.approx(0.4 + 25 / (2 * 9.81) + 9.81 * 0.4**2 / (2 * 25))
+
+
+def test_of_several_turns_the_file_must_choose() -> None:
+    """That the motion passes all states with some number makes nothing largest: no trial stands for the extreme."""
+    with pytest.raises(NoSolution, match=r"is largest` in several ways: t_1 = 0.01261 s; t_1 = 0.515\d s"):
+        solve(PEBBLE.format(assume=""))

@@ -19,7 +19,7 @@ from planar_cli.problem.scene import Problem, State, Symbol
 from planar_cli.problem.walk import walk
 from planar_cli.records import record
 from planar_cli.simulate.run import Run, Settings, followed, prepared
-from planar_cli.simulate.timetable import Timetable, is_time, mode_of
+from planar_cli.simulate.timetable import Timetable, chooses, is_time, mode_of
 from planar_cli.units import PURE, parse_unit
 
 DECADES, PER_DECADE = 4, 4
@@ -62,11 +62,11 @@ class Shot:
 
 def shooting(problem: Problem, known: Mapping[str, float]) -> tuple[float, ...] | None:
     """All values of the only unknown with which the motion passes all states, in SI units, negative ones only where
-    there are no others; None: the file has other unknowns, or not just one relation more than tells its states.
-    `known`: numbers of other names.
+    there are no others; None: the file has other unknowns, or not just one relation more than tells its states, or it
+    is an extreme that chooses the constant. `known`: numbers of other names.
     """
     shots = list(_shots(problem)) if len(problem.unknowns) == 1 and not problem.symbols else []
-    if not shots:
+    if not shots or any(chooses(problem, state) for state in problem.states):
         return None
     unknown = problem.unknowns[0]
     for values in _values(problem, unknown, known):

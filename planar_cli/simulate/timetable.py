@@ -100,7 +100,7 @@ class Timetable:
         """
         rest = [s for s in state.relations if isinstance(s, AtRest | Equilibrium)]
         other = [s for s in state.relations if not isinstance(s, AtRest | Equilibrium)]
-        if self.problem.unknowns and (rest or any(_dates(s) for s in other)):
+        if chooses(self.problem, state):
             other = [s for s in other if not isinstance(s, Extreme)]
         return [*rest, *other]
 
@@ -222,6 +222,13 @@ def _vanishing(relation: Relation) -> Side | None:
         if _without_mag(side) is not None and isinstance(other, Number) and other.value == 0:
             return side
     return None
+
+
+def chooses(problem: Problem, state: State) -> bool:
+    """Is something largest or smallest where something else dates the state? Then it chooses a sought constant."""
+    others = [s for s in state.relations if not isinstance(s, Extreme)]
+    dated = any(isinstance(s, AtRest | Equilibrium) or _dates(s) for s in others)
+    return dated and bool(problem.unknowns) and len(others) < len(state.relations)
 
 
 def _dates(statement: Statement) -> bool:
