@@ -380,3 +380,31 @@ def test_long_formulas_of_an_oscillation_are_told_by_their_numbers() -> None:
     page = Terminal().render(narrate(solve_problem(problem)))
     assert "4.229 δ + δ̈ = 0" in page
     assert "ω_0 = 2.056 rad/s" in page
+
+
+CLOSER = """
+title: Block that just does not oscillate
+plane: horizontal
+{known}
+unknowns: {{c: N*s/m}}
+coordinates: {{x: m}}
+points: {{W: [-0.5 m, 0], P: [x, 0]}}
+bodies: {{block: {{particle: P, mass: m}}}}
+joints:
+  - guide: {{point: P, along: 0 deg}}
+loads:
+  - spring: {{between: [W, P], stiffness: k, relaxed_at: [x = 0]}}
+  - damper: {{between: [W, P], coefficient: c}}
+states: {{rest: [equilibrium, x = 0, frequency(rest) = 0]}}
+find: {{c: c}}
+"""
+
+
+def test_critical_damping() -> None:
+    """c = 2 √(k m), and not its negative."""
+    found = solve(CLOSER.format(known="given: {m: 2 kg, k: 200 N/m}"))
+    assert number(found["c"]) == pytest.approx(40)
+    letters = solve(CLOSER.format(known="symbols: {m: kg, k: N/m}"))["c"].expressions
+    m, k = sp.symbols("m k", positive=True)
+    assert letters is not None
+    assert sp.simplify(letters[0] - 2 * sp.sqrt(k * m)) == 0

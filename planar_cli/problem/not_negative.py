@@ -1,4 +1,4 @@
-"""Constants under `unknowns` that can not be negative: friction, sizes, masses, and forces that may turn."""
+"""Constants under `unknowns` that can not be negative: friction, sizes, masses, springs, forces that may turn."""
 
 from __future__ import annotations
 
@@ -10,6 +10,8 @@ from planar_cli.problem.walk import walk
 
 FRICTION = ("mu", "mu_s", "mu_k", "friction", "friction_torque")
 """Keys of joints that say how much friction there is at most."""
+RATES = ("stiffness", "coefficient", "natural_length", "linear", "quadratic")
+"""Keys of springs, dampers and drags."""
 SIZES = ("radius", "hub", "width", "height", "length")
 AMOUNTS = ("mass", "weight", "inertia", "gyration")
 """Of a part of a body they may be negative: those of a hole are."""
@@ -21,12 +23,13 @@ def limits_of_friction(problem: Problem) -> frozenset[str]:
 
 
 def not_negative(problem: Problem) -> frozenset[str]:
-    """The names of the unknowns that stand alone for friction, for a size, for a mass, or for a force of which the
-    direction is sought as well.
+    """The names of the unknowns that stand alone for friction, for a size, for a mass, for a spring or a damper, or for
+    a force of which the direction is sought as well.
     """
     amounts = (getattr(body, key) for body in problem.bodies for key in AMOUNTS)
     sizes = (getattr(shape, key, None) for body in problem.bodies for shape in _shapes(body) for key in SIZES)
-    return limits_of_friction(problem) | _sought(problem, (*amounts, *sizes, *_turned(problem)))
+    rates = (getattr(load, key, None) for load in problem.loads for key in RATES)
+    return limits_of_friction(problem) | _sought(problem, (*amounts, *sizes, *rates, *_turned(problem)))
 
 
 def _turned(problem: Problem) -> Iterable[object]:

@@ -15,6 +15,7 @@ from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import OscillationTrace, Verdict
 
 DEVIATION = sp.Symbol("delta", real=True)
+STRONG = "The damping is so strong that nothing oscillates."
 LONG = 40
 """A formula of more operations is told by its number, if it has one."""
 RATES = tuple(sp.Symbol(f"delta_{dots}", real=True) for dots in ("dot", "ddot"))
@@ -63,7 +64,8 @@ def _single(found: OscillationTrace, value: Valuation, phrases: Phrases, symboli
     yield _line("omega_0", sp.sqrt(w2), value, "rad/s", phrases, symbolic)
     if c != 0:
         if value(square) <= 0:
-            yield Paragraph(line("The damping is so strong that nothing oscillates."))
+            critical = value.is_zero(square)
+            yield Paragraph(line("It is critically damped." if critical else STRONG))
             return
         yield _line("omega_d", sp.sqrt(square), value, "rad/s", phrases, symbolic)
     yield _line("T", found.period, value, "s", phrases, symbolic)

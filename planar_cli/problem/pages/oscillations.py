@@ -17,7 +17,7 @@ Small oscillations about it
   frequency(s)         its inverse: 1/s or Hz; the circular frequency with `in rad/s`
 
   What is told of them may determine a constant under `unknowns`: `[equilibrium, theta = 0, period(hang) = 2 s]`, or
-  `period(hang) is smallest`.
+  `period(hang) is smallest`; `frequency(hang) = 0` is critical damping.
 
   A period exists for one free coordinate; of several only `stable(s)` is asked. Where the motion creeps back without
   oscillation, or the equilibrium is unstable, that is said instead (PL632). Dry friction has no small oscillations.

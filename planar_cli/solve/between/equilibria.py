@@ -195,18 +195,19 @@ def _branches(
     parameters = set(base.values)
     symbolic = any(e.residual.free_symbols & parameters for e in equations)
     wanted = [d for ds in demands.values() for d in ds if d.kind == "inequality"]
-    # Draws of letters say nothing of signs.
-    names = frozenset() if course.problem.symbols else not_negative(course.problem)
-    sizes = [s for s in course.sought() if s.name in names]
+    sizes = [s for s in course.sought() if s.name in not_negative(course.problem)]
 
     def possible(values: dict[sp.Symbol, Decimal]) -> bool:
         number = base.extended(values)
-        return all(_holds(d, number) for d in wanted) and all(values.get(s, Decimal(0)) >= 0 for s in sizes)
+        return all(_holds(d, number) for d in wanted)
 
     unknowns = _unknowns(course, states).difference(fixed)
     natural = course.natural(unknowns)
     chain = Chain(unknowns, {}, dict.fromkeys(angles), base, symbolic, possible, natural=natural)
     found = [b for b in chain.branches(equations) if not b.left]
+    proper = [b for b in found if all(b.values.get(s, Decimal(0)) >= 0 for s in sizes)]
+    # With letters the signs are those of their draws: they only tell one root from another.
+    found = proper or (found if course.problem.symbols else [])
     if not symbolic:
         found = [b for b in found if _assumed(course, states, base.extended(b.values))]
     found = [replace(b, values={**b.values, **fixed}) for b in found]

@@ -20,6 +20,7 @@ from planar_cli.equation.exact import DIGITS, Sample, Unvalued, Valuation
 from planar_cli.equation.plain import derivative, identically_zero, simplified
 from planar_cli.errors import Diagnostic, FileProblem, Mark, NoSolution, NoValue, Undecided
 from planar_cli.problem.expression import Quantity
+from planar_cli.problem.walk import walk
 from planar_cli.records import record
 from planar_cli.solve.between.trace import Verdict
 from planar_cli.solve.regimes.regime import Regime
@@ -161,11 +162,13 @@ def check_oscillations(course: RegimeSequence, swings: Mapping[str, Oscillation]
     """NoSolution: a period that is asked for does not exist, or is not the only one. Undecided: letters leave open
     whether the equilibrium is stable.
     """
+    # What a state says of it may be that it just ceases to oscillate: frequency(s) = 0.
+    stated = {n for state in course.problem.states for r in state.relations for n in walk(r)}
     for q in _asked(course):
         found = swings[q.things[0]]
         if isinstance(value, Sample) and (q.word == "stable" or not _swings(found, value)):
             demand_everywhere(placed(course, found), q, value, course.scene.everywhere())
-        if q.word in ("period", "frequency"):
+        if q.word in ("period", "frequency") and not (q in stated and value.is_zero(found.square)):
             _demand_period(swings[q.things[0]], q, value)
 
 

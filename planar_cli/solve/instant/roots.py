@@ -43,6 +43,8 @@ def real_roots(expr: sp.Expr, x: sp.Symbol, value: Valuation, symbolic: bool, an
     # An integrand stays as it is: put over one denominator, its value takes ten times as long.
     held = {i: sp.Dummy("i", real=True) for i in expr.atoms(sp.Integral)}
     numerator = sp.fraction(together(expr.xreplace(held)))[0].xreplace({d: i for i, d in held.items()})
+    # A root vanishes with what is under it; on one side of there it is not real, so that no sign changes.
+    numerator = sp.Mul(*(f.base if _is_root(f) and x in f.free_symbols else f for f in sp.Mul.make_args(numerator)))
     closed = _closed(numerator, x, value)
     if closed:
         found = [Root(e, v) for e in closed if (v := _real(e, value)) is not None]
@@ -57,6 +59,10 @@ def real_roots(expr: sp.Expr, x: sp.Symbol, value: Valuation, symbolic: bool, an
     if half is not None:
         return _distinct([Root(None, v) for v in half if _vanishes(numbers, x, v)], angle)
     return _distinct([Root(None, v) for v in _scan(expr, x, value, angle)], angle)
+
+
+def _is_root(factor: sp.Expr) -> bool:
+    return bool(factor.is_Pow and factor.exp.is_Rational and 0 < factor.exp < 1)
 
 
 def linear_or_square_roots(expr: sp.Expr, x: sp.Symbol) -> list[sp.Expr]:
