@@ -7,6 +7,11 @@ from math import log, sqrt, tanh
 import pytest
 from answered import first, solve
 
+from planar_cli.formats.terminal import Terminal
+from planar_cli.problem.structure import load_text
+from planar_cli.report.narrate import narrate
+from planar_cli.solve.run import solve_problem
+
 LAW = """
 title: Particle under a law of motion
 coordinates: {x: m}
@@ -93,3 +98,27 @@ def test_a_constant_that_the_end_of_a_motion_tells() -> None:
     found = solve(DIVER)
     assert first(found["c"]) == pytest.approx(9.81 * 80 / 3600)
     assert first(found["v"]) == pytest.approx(60 * tanh(9.81 * 5 / 60))
+
+
+TRUCK = """
+title: Truck at constant power
+plane: horizontal
+given: {m: 16000 kg, P: 150 kW, c: 15 kg/m, R: 1500 N}
+bodies: {truck: {particle: [0, 0], mass: m}}
+joints:
+  - guide: {point: truck, along: 0 deg}
+loads:
+  - force: {body: truck, magnitude: P/v(truck).x, angle: 0 deg}
+  - drag: {body: truck, magnitude: R + c*v(truck).mag^2}
+states: {slow: [t = 0, v(truck).x = 10 m/s], end: [t = infinity]}
+find: {v: v(truck).x @ end}
+"""
+
+
+def test_a_speed_that_is_approached_is_not_given() -> None:
+    """P = R v + c v³ has no short formula; the number follows from it all the same."""
+    problem, _ = load_text(TRUCK)
+    assert problem is not None
+    page = Terminal().render(narrate(solve_problem(problem)))
+    assert "in the end the speed no longer changes" in page
+    assert "end: given" not in page

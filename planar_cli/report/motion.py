@@ -164,12 +164,11 @@ class MotionTelling:
     @staticmethod
     def _known(e: Relation, r: Result) -> str:
         """Where a datum comes from; nothing where it is worked out of what is given."""
-        if e.kind == "turn":
-            return turning(e.words)
-        if e.kind == "followed":
-            return "found by trial" if "trial" in e.words else ""
+        if e.kind in ("turn", "followed"):
+            return turning(e.words) if e.kind == "turn" else "found by trial" if "trial" in e.words else ""
         plainly = r.formula is None or r.formula.is_number or (r.formula / r.formula.as_coeff_Mul()[0]).is_Symbol
-        return {"drawn": "in the given position", "start": e.words}.get(e.kind, "given" if plainly else "")
+        given = "given" if plainly and e.words != IN_THE_END else ""
+        return {"drawn": "in the given position", "start": e.words}.get(e.kind, given)
 
     def _leg(self, leg: RouteStep, route: RouteTrace) -> Iterator[Block]:
         equations = leg.relations
