@@ -6,7 +6,7 @@ from math import atan, degrees, sqrt
 
 import pytest
 
-from planar_cli.errors import NoSolution
+from planar_cli.errors import NoSolution, Undecided
 from planar_cli.problem.structure import load_text
 from planar_cli.simulate.shooting import has_no_effect, shooting
 from planar_cli.solve.run import solve_problem
@@ -197,3 +197,14 @@ def test_a_constant_that_has_an_effect_only_in_part_of_its_range() -> None:
     values = _part(PUSHED).found[0].values
     assert values is not None
     assert float(values[0]) == pytest.approx(5 * sqrt(0.5 / 800))
+
+
+def test_what_is_largest_over_a_constant_is_not_shot_at() -> None:
+    """With drag no formula tells the best angle; that there is no such motion would not be true."""
+    text = THROW.replace(", d: 20 m", "").replace("x(ball) = d", "x(ball) is largest")
+    text = text.replace("states:", "loads:\n  - drag: {body: ball, quadratic: 0.02 kg/m}\nstates:")
+    problem, wrong = load_text(text)
+    assert not wrong
+    assert problem is not None
+    with pytest.raises(Undecided, match="no formula tells for which beta `x\\(ball\\) is largest`"):
+        solve_problem(problem)

@@ -14,7 +14,7 @@ from itertools import pairwise
 
 from planar_cli.errors import PlanarError
 from planar_cli.motion.regime import Regime
-from planar_cli.problem.expression import Name, Quantity, Relation, Statement
+from planar_cli.problem.expression import Extreme, Name, Quantity, Relation, Statement
 from planar_cli.problem.scene import Problem, State, Symbol
 from planar_cli.problem.walk import walk
 from planar_cli.records import record
@@ -129,6 +129,9 @@ def _shots(problem: Problem) -> Iterator[Shot]:
     if [n for _, n in much] != [1]:
         return
     ((state, _),) = much
+    if any(isinstance(r, Extreme) for r in state.relations):
+        # What is largest there is so beside motions with other values, not of one that is followed.
+        return
     for relation in _telling(state):
         if not isinstance(relation, Relation) or is_time(relation) or mode_of(relation) is not None:
             continue

@@ -8,7 +8,8 @@ from decimal import Decimal
 
 from planar_cli.equation.ledger import display
 from planar_cli.equation.setup import Earlier, numbers_of
-from planar_cli.errors import Diagnostic, NoSolution, PlanarError, Undecided
+from planar_cli.errors import Diagnostic, NoSolution, PlanarError, Undecided, undecided_at
+from planar_cli.problem.expression import Extreme
 from planar_cli.problem.not_negative import limits_of_friction
 from planar_cli.problem.scene import Problem, Symbol
 from planar_cli.simulate.shooting import has_no_effect, shooting
@@ -40,7 +41,7 @@ def root_of(problem: Problem, earlier: Mapping[str, Earlier], error: Undecided |
         hint = "let it act on what they speak of: a joint that passes it on may be missing"
         raise NoSolution([Diagnostic(unknown.mark, OPEN, text, hint)]) from error
     if roots is None:
-        raise error
+        raise _of_extreme(problem) or error
     unknown = problem.unknowns[0]
     if roots and unknown.name in limits_of_friction(problem) and max(roots) < 0:
         text = f"the data make {unknown.name} negative, {max(roots):.4g}: friction would drive what slides"
@@ -84,6 +85,18 @@ def _number(unknown: Symbol, value: float) -> str:
     unit = parse_unit(unknown.unit or "1")
     measure = "" if unit.text == "1" else f" {unit.text}"
     return f"{unknown.name} = {display(Decimal(repr(value)), unit):.6g}{measure}"
+
+
+def _of_extreme(problem: Problem) -> Undecided | None:
+    """What is largest over the only unknown at a state that something else dates is not looked for in numbers."""
+    extremes = [r for s in problem.states[1:] if len(s.relations) > 1 for r in s.relations if isinstance(r, Extreme)]
+    if not extremes or len(problem.unknowns) != 1:
+        return None
+    name = problem.unknowns[0].name
+    text = f"no formula tells for which {name} `{extremes[0].text}`"
+    return undecided_at(
+        extremes[0].mark, f"{text}; compare motions with values of it: `planar simulate --set {name}=…`"
+    )
 
 
 def by_motion(
