@@ -41,7 +41,8 @@ def root_of(problem: Problem, earlier: Mapping[str, Earlier], error: Undecided |
         hint = "let it act on what they speak of: a joint that passes it on may be missing"
         raise NoSolution([Diagnostic(unknown.mark, OPEN, text, hint)]) from error
     if roots is None:
-        raise _of_extreme(problem) or error
+        is_open = isinstance(error, NoSolution) and all(d.code == OPEN for d in error.diagnostics)
+        raise (_of_extreme(problem) if is_open else None) or error
     unknown = problem.unknowns[0]
     if roots and unknown.name in limits_of_friction(problem) and max(roots) < 0:
         text = f"the data make {unknown.name} negative, {max(roots):.4g}: friction would drive what slides"
