@@ -278,6 +278,19 @@ def test_a_restitution_that_stays_open() -> None:
         solve(text)
 
 
+def test_what_is_shot_through_is_told_otherwise() -> None:
+    """An impact does not let one body come out on the other side; an impulse that is sought does."""
+    text = (
+        (DIRECT % 0)
+        .replace(", e: 0", "")
+        .replace(" restitution: e,", "")
+        .replace("2: [just after 1]", "2: [just after 1, v(A).x = 4 m/s]")
+    )
+    with pytest.raises(NoSolution, match="they would pass through each other") as raised:
+        solve(text)
+    assert "`impulse`" in raised.value.diagnostics[0].hint
+
+
 def test_an_impact_that_misses() -> None:
     """What does not approach keeps its velocity."""
     found = solve((DIRECT % 0.5).replace("v_B: -1 m/s", "v_B: 7 m/s"))

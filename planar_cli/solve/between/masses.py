@@ -26,7 +26,10 @@ def demand_mass(course: RegimeSequence, value: Valuation) -> None:
                 number = there.known(expr)
                 if number is not None and (number < 0 or (number == 0 and what == "mass")):
                     text = f"the {what} of {body.name} is {number:.4g} {unit} in state {state}, at t = {when:.4g} s"
-                    hint = "let the state come earlier, or let the formula end where nothing more flows out"
+                    hint = (
+                        "let the state come earlier, or let the flow end at a time T: "
+                        "from there on `M - q*(t + T - abs(t - T))/2` stays the same"
+                    )
                     raise NoSolution([Diagnostic(mark, "PL634", text, hint)])
 
 

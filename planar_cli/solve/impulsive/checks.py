@@ -77,6 +77,8 @@ def _demand_restitution(blow: Blow, trial: Trial, here: Valuation, name: str) ->
         found = f"the data of {name} make the coefficient of restitution {short(number)}"
         why = "bodies do not part faster than they approached" if number > 1 else "they would pass through each other"
         hint = "correct the speeds or masses: it lies between 0 and 1"
+        if number < 0:
+            hint += "; what one body shoots through gets an unknown `impulse` instead, and the other its opposite"
         wrong.append(Diagnostic(joint.mark, "PL619", f"{found}: {why}", hint))
     if wrong:
         raise NoSolution(wrong)

@@ -259,7 +259,10 @@ class Blow:
             if joint.strikes and joint.name not in far:
                 wrong = self.scene.doubtful(joint, here, near)
                 if wrong and self._rests_on_corner(joint, here, trial):
-                    hint = "draw the points in the state of the impact, slightly turned so that one corner comes first"
+                    hint = (
+                        "draw the points in the state of the impact, slightly turned so that one corner comes first; "
+                        "an edge that strikes between them is a particle that is welded to the ground"
+                    )
                     raise NoSolution([Diagnostic(joint.mark, "PL528", wrong, hint)])
                 self.scene.demand_as_said(joint, here, near)
 
