@@ -94,3 +94,41 @@ def test_a_flat_follower_is_fastest(extreme: str, asked: str, power: int, place:
     e, w = (next(s for s in most[0].free_symbols if s.name == name) for name in ("e", "w"))
     assert sp.simplify(most[0] - e * w**power) == 0
     assert at[0] == place
+
+
+def test_a_quantity_at_the_beginning_of_a_line_keeps_its_small_letter(tmp_path: Path) -> None:
+    file = tmp_path / "cam.yaml"
+    file.write_text(CAM.format(extreme="v(P).y is largest", asked="v(P)"), encoding="utf-8")
+    shown = CliRunner().invoke(cli, ["solve", str(file)])
+    assert "\n  v_Py is largest, so it does not change" in shown.output
+
+
+SHAPER = """
+title: Shaper with a quick return
+points:
+  O: [0, 0]
+  A: {from: O, distance: 100 mm, angle: 30 deg}
+  C: [0, -250 mm]
+  D: {from: C, towards: A, distance: 450 mm}
+  E: {y: 200 mm, distances: {D: 150 mm}, side: right}
+bodies: {crank: {rod: [O, A]}, arm: {rod: [C, D]}, rod: {rod: [D, E]}, ram: {particle: E}}
+joints:
+  - pin: {at: O, between: [ground, crank]}
+  - pin: {at: C, between: [ground, arm]}
+  - guide: {point: A, along: arm}
+  - pin: {at: D, between: [arm, rod]}
+  - pin: {at: E, between: [rod, ram]}
+  - guide: {point: E, along: 0 deg, name: ways}
+motion: [omega(crank) = 60 rpm]
+states:
+  start: [t = 0]
+  back: [v(ram).x is smallest]
+find: {v: v(ram).x @ back, level: theta(rod) @ back}
+"""
+
+
+def test_a_zero_that_is_solved_for_is_zero() -> None:
+    """With the crank upright the rod lies level; no rounding of the last step is left of its angle."""
+    found = solve(SHAPER)
+    assert_close(found["v"], -2 * math.pi * 0.1 * 0.45 / 0.35, 12)
+    assert found["level"].values == (0,)

@@ -270,7 +270,7 @@ class Telling:
         if w.source == "given":
             return f"Given: {w.words or w.lead}"
         if w.source == "limit":
-            return f"{w.lead[:1].upper()}{w.lead[1:]}:"
+            return f"{_begun(w.lead)}:"
         if w.source == "closure":
             joint = next((j for j in self.system.tree.closures if j.joint == w.lead), None)
             if joint is not None:
@@ -281,7 +281,7 @@ class Telling:
                     return f"{joint.place} stays on its path on {base}, across which nothing moves:"
                 return f"{joint.place} is a point of {joint.mover} and of {base}; {w.words}:"
         words = w.words.removeprefix(w.lead).removeprefix(", ")
-        return f"{w.lead[:1].upper()}{w.lead[1:]}{', ' + words if words and w.source != 'row' else ''}:"
+        return f"{_begun(w.lead)}{', ' + words if words and w.source != 'row' else ''}:"
 
     def _kind_of(self, name: str) -> str:
         """A joint by what it is: `The rope cord`."""
@@ -375,3 +375,9 @@ class Telling:
         for symbol in sorted(x.formula.free_symbols & set(stage.algebra.explicit) - self._valued, key=lambda s: s.name):
             self._valued.add(symbol)
             yield Equation(self._chain(symbol, stage.algebra.explicit[symbol], self.phrases.shown(symbol)))
+
+
+def _begun(words: str) -> str:
+    """Words at the beginning of a line; a quantity, `v(P).y is largest`, keeps its small letter."""
+    first = words.split(" ", 1)[0]
+    return words if "(" in first else f"{words[:1].upper()}{words[1:]}"

@@ -9,7 +9,7 @@ from typing import Any
 import mpmath
 import sympy as sp
 
-from planar_cli.equation.exact import DIGITS, Valuation
+from planar_cli.equation.exact import DIGITS, ZERO, Valuation
 from planar_cli.equation.plain import derivative, letters
 from planar_cli.errors import NotReached, NoValue
 from planar_cli.solve.between.chain import Branch
@@ -69,7 +69,8 @@ def refined(
     for x in used:
         if abs(at[x] - Decimal(repr(truth[x]))) > Decimal("1e-5") * sizes[x]:
             raise NotReached("Newton's method does not stay where the motion was")
-    return {x: at[x] for i, x in enumerate(used) if i not in loose}
+    # What is left of a zero where the steps end is the rounding of the last one.
+    return {x: at[x] if abs(at[x]) > SMALL * sizes[x] else ZERO for i, x in enumerate(used) if i not in loose}
 
 
 def _number(value: Decimal) -> Any:
