@@ -177,3 +177,29 @@ def test_a_rod_falls_flat() -> None:
     """Both ends rise with e times the speed with which they come."""
     found = _first(FLAT)
     assert found == pytest.approx({"v": 0.4 * math.sqrt(2 * G * 0.8), "w": 0, "h": 0.16 * 0.8}, abs=1e-12)
+
+
+PILE = """
+title: Pile that is driven into the ground
+plane: vertical
+points: {Q: [0, -3 m], T: [0, 0], K: [0, 2 m]}
+bodies: {pile: {rod: [Q, T], mass: 250 kg}, hammer: {particle: K, mass: 400 kg}}
+joints:
+  - guide: {body: pile, along: 90 deg, name: hole}
+  - guide: {point: K, along: 90 deg, name: mast}
+  - weld: {at: Q, between: [ground, pile], during: 1->2}
+  - impact: {between: [hammer, pile], at: T, normal: 90 deg, restitution: 0, name: blow}
+loads:
+  - force: {body: pile, at: Q, magnitude: 150 kN, angle: 90 deg, during: 3->4}
+states: {1: [t = 0, at rest], 2: [y(hammer) = 0], 3: [just after 2], 4: [v(pile).y = 0]}
+find: {depth: y(Q) @ 3 - y(Q) @ 4, press: N(blow) @ 3}
+"""
+
+
+def test_what_falls_on_the_end_of_a_rod_goes_on_with_it() -> None:
+    """Both are braked together: u = M v/(M + m), (R - M g - m g) d = (M + m) u²/2."""
+    found = _first(PILE)
+    u = 400 * math.sqrt(4 * 9.81) / 650
+    braked = 150000 / 650 - 9.81
+    assert found["depth"] == pytest.approx(u**2 / (2 * braked))
+    assert found["press"] == pytest.approx(400 * (9.81 + braked))

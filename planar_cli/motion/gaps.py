@@ -59,10 +59,17 @@ def gaps_of(scene: Carried, feet: Feet, between: tuple[str, ...], normal: Vec | 
     """All pairs of the outlines of two partners that may touch. `normal`: the direction that the file gives."""
     ours, theirs = (boundaries(scene, partner) for partner in between)
     found = [gap for a in ours for b in theirs for gap in _pair(scene, feet, a, b)]
+    if normal is not None:
+        # Along a rod its end is met, not its side.
+        found = [gap for gap in found if scene.sign(scene.graph.of(gap.normal.dot(normal))) != 0]
     if found:
         return tuple(found)
     corners = [(a, b) for a in ours for b in theirs if isinstance(a, Corner) and isinstance(b, Corner)]
-    return tuple(gap for a, b in corners for gap in _corners(scene, a, b, normal))
+    met = [gap for a, b in corners for gap in _corners(scene, a, b, normal)]
+    if len(ours) > 1 and len(theirs) > 1:
+        return tuple(met)
+    # A particle meets the end that is drawn nearest.
+    return tuple(sorted(met, key=lambda gap: gap.distance.value)[:1])
 
 
 def _pair(scene: Carried, feet: Feet, a: Boundary, b: Boundary) -> list[Gap]:

@@ -1,7 +1,8 @@
 """The contact in which a plastic impact leaves its partners: from the state just after it on, as long as they press.
 
-A particle then slides without friction, or with that of the impact, along the straight line across the common normal.
-Other outlines change the direction of their normal as they move along each other; of them a `contact` tells.
+A particle then slides without friction, or with that of the impact, along the straight line across the common normal,
+of a line or where the file states the normal. Other outlines change the direction of their normal as they move along
+each other; of them a `contact` tells.
 """
 
 from __future__ import annotations
@@ -140,8 +141,9 @@ def _side(joint: Joint, key: str) -> Side | None:
 
 
 def _slides(problem: Problem, joint: Joint) -> bool:
-    """Is it plastic, between a particle and a particle or a straight line?"""
-    shapes = {b.name: isinstance(b.shape, Particle) for b in problem.bodies}
+    """Is it plastic, between a particle and a particle, a straight line, or what it meets along a stated normal?"""
+    said = _side(joint, "normal") is not None
+    shapes = {b.name: isinstance(b.shape, Particle) or said for b in problem.bodies}
     shapes |= {s.name: isinstance(s.shape, Line) for s in problem.surfaces}
     particles = [b.name for b in problem.bodies if isinstance(b.shape, Particle)]
     straight = all(shapes.get(name, False) for name in _partners(joint))
