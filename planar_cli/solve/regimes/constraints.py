@@ -80,8 +80,15 @@ class GeneralPoses:
         turn = self.displacement.poses.get(body, HERE).turn
         if turn == 0 and body in self.displacement.formula:
             theta = self.displacement.poses[body].now
-            return theta - self._drawn(theta)
+            told = theta - self._drawn(theta)
+            return told if told != 0 else self._turned_by_points(body)
         return turn
+
+    def _turned_by_points(self, body: str) -> sp.Expr:
+        """By how much a body has turned on which the file places points with its coordinates; 0 where it has none."""
+        scene, center = self.scene, self.scene.center(body)
+        arms = (scene.point(point) - center for point in scene.own_points if scene.owner(point) == body)
+        return next((turn for arm in arms if (turn := self.turned(arm)) != 0), sp.S.Zero)
 
     def _written(self, expr: sp.Expr) -> sp.Expr:
         """What the file writes with its own coordinates, as it was at the start."""
