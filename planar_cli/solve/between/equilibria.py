@@ -123,15 +123,15 @@ def _stationary(
 ) -> list[Equation]:
     """What is largest or smallest in an equilibrium is so for a constant that is sought."""
     found: list[Equation] = []
-    unknowns = _unknowns(course, states)
+    unknowns, sought = _unknowns(course, states), frozenset(course.sought())
     for state in states:
         for d in (d for d in demands[state.name] if d.kind == "extreme"):
-            if not course.sought():
+            if not sought:
                 text = f"{state.name}: `{d.text}`, and nothing is sought on which it could depend"
                 raise NoSolution([Diagnostic(d.mark, "PL623", text, "declare the constant under `unknowns`")])
             like = Equation(sp.S.Zero, "extreme", d.text, state.name, mark=d.mark)
             objective = course.stops[state.name].at(d.residual)
-            found += stationary(equations, objective, unknowns, frozenset(course.sought()), like)
+            found += stationary(equations, objective, unknowns, sought, like, sought)
     return found
 
 

@@ -19,12 +19,13 @@ def stationary(
     unknowns: frozenset[sp.Symbol],
     kept: frozenset[sp.Symbol],
     like: Equation,
+    sought: frozenset[sp.Symbol],
 ) -> list[Equation]:
     """The equations left when all linear unknowns but `kept` (times and sought constants) are eliminated, and the
-    condition that the objective is stationary; each as an equation of the motion.
+    condition that the objective is stationary; each as an equation of the motion. `sought`: constants of the file.
     """
     plain = [e.residual for e in equations if e.kind in PLAIN]
-    related, aim, letters, condition = eliminated(plain, objective, unknowns, kept)
+    related, aim, letters, condition = eliminated(plain, objective, unknowns, kept, sought)
     if not related and aim in (letters[0], letters[0] ** 2) and "__" not in letters[0].name:
         text = f"{like.words}: no equation bounds it, only inequalities may"
         hint = "state the limit itself: `N(P) = 0` where contact is just kept, `v(P).mag = 0` where it just arrives"

@@ -141,10 +141,11 @@ def _stationary(motion: MotionEquations) -> list[Equation]:
         for d in motion.demands[s.name]:
             if d.kind == "extreme" and motion.is_set(s):
                 chain = motion.chain()
-                kept = frozenset((*chain.times, *motion.sought()))
+                sought = frozenset(motion.sought())
+                kept = sought.union(chain.times)
                 like = Equation(sp.S.Zero, "extreme", d.text, s.name, mark=d.mark)
                 objective = motion.stops[s.name].at(d.residual)
-                found += stationary(motion.equations, objective, chain.unknowns, kept, like)
+                found += stationary(motion.equations, objective, chain.unknowns, kept, like, sought)
     return found
 
 

@@ -92,7 +92,7 @@ def stationary_of(seeker: Seeker, extreme: Extreme, side: sp.Expr) -> Stationary
     residuals = [_opened(e, seeker) for e in exprs]
     try:
         related, objective, letters, condition = eliminated(
-            residuals, _opened(side, seeker), frozenset(seeker.unknowns), (sought - seeker.linear) or sought
+            residuals, _opened(side, seeker), frozenset(seeker.unknowns), (sought - seeker.linear) or sought, sought
         )
     except Undecided:
         return None

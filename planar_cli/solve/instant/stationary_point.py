@@ -21,10 +21,15 @@ LONGEST = 400
 
 
 def eliminated(
-    residuals: Iterable[sp.Expr], objective: sp.Expr, unknowns: frozenset[sp.Symbol], kept: frozenset[sp.Symbol]
+    residuals: Iterable[sp.Expr],
+    objective: sp.Expr,
+    unknowns: frozenset[sp.Symbol],
+    kept: frozenset[sp.Symbol],
+    sought: frozenset[sp.Symbol],
 ) -> tuple[list[sp.Expr], sp.Expr, list[sp.Symbol], sp.Expr]:
     """What is left of equations (given by their residuals) and objective, the unknowns in it, and the determinant that
-    vanishes where the objective is stationary. Undecided: more than one unknown is free, or too many are left.
+    vanishes where the objective is stationary. `sought`: constants of the file, which all equations share. Undecided:
+    more than one unknown is free, or too many are left.
     """
     pool = [p for p in residuals if p.free_symbols & unknowns]
     x_of = True
@@ -45,6 +50,7 @@ def eliminated(
             break
     pool, objective = _without_data(pool, objective, unknowns)
     related = _related(pool, objective, unknowns)
+    related = _binding(related, objective, unknowns - sought)
     letters = sorted({s for p in (*related, objective) for s in p.free_symbols if s in unknowns}, key=lambda s: s.name)
     if len(letters) != len(related) + 1 or len(letters) > MOST:
         raise Undecided("what is largest or smallest here depends on several unknowns at once")
@@ -113,7 +119,7 @@ def _related(pool: list[sp.Expr], objective: sp.Expr, unknowns: frozenset[sp.Sym
                 found.append(p)
                 reached |= p.free_symbols & unknowns
                 changed = True
-    return _binding(found, objective, unknowns)
+    return found
 
 
 def _binding(pool: list[sp.Expr], objective: sp.Expr, unknowns: frozenset[sp.Symbol]) -> list[sp.Expr]:
