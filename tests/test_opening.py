@@ -9,7 +9,7 @@ from conftest import PROBLEMS
 from worked import worked
 
 from planar_cli.formats.terminal import Terminal
-from planar_cli.report.blocks import Note
+from planar_cli.report.blocks import Heading, Name, Note
 from planar_cli.report.narrate import narrate
 
 FILES = {p.stem: p for p in PROBLEMS}
@@ -23,14 +23,55 @@ def _notes(stem: str) -> dict[str, str]:
 
 
 def test_numbers_as_they_were_written() -> None:
-    """Units of the file, and the value of a formula."""
+    """Units of the file, and a formula with its value."""
     notes = _notes("ex-4-10")
-    assert "m = 10 kg, l = 0.4 m, k = 800 N/m, l_0 = 0.2828 m" in notes["Given"]
+    assert "m = 10 kg, l = 0.4 m, k = 800 N/m, l_0 = (0.2 √2) m = 0.2828 m" in notes["Given"]
     assert notes["Find"].endswith(" ω")
 
 
 def test_letters_of_a_problem_in_letters() -> None:
     assert _notes("ex-4-04")["Given"].split()[1:] == ["m,", "L"]
+
+
+@pytest.mark.parametrize(
+    ("stem", "rows"),
+    [
+        ("ex-4-13", ["m = 12 kg", "A(0, 0), B(0, -2) m, S(0, -1.5) m", "impulse blow = 1000 N · 0.03 s", "1: at rest"]),
+        ("ex-1-02", ["r, l", "OA = r at 60°, AB = l at 0°, OA2 = r at -30°, A2B2 = l at 0°"]),
+        ("ladder-sliding", ["A(l cos β, 0), B(0, l sin β)", "μ = 0.2 at A, μ = 0.1 at B"]),
+        ("pucks-at-an-angle", ["1: |v_A| = 5 m/s, direction of v_A = 0°, |v_B| = 2 m/s, direction of v_B = 150°"]),
+        ("collar-on-rotating-rod", ["v_P/rod along OA = 0.6 m/s, a_P/rod along OA = -0.2 m/s²"]),
+        ("pipe-bend", ["v_A = 4 q/(ρ π d_A²) = 3.183 m/s"]),
+    ],
+)
+def test_data_without_letters(stem: str, rows: list[str]) -> None:
+    """Numbers of bodies, points, joints and loads, and the first state, in the words of the page."""
+    given = _given(stem)
+    for row in rows:
+        assert row in given
+
+
+def test_what_no_equation_uses_is_not_given() -> None:
+    """The mass of a pipe that stands still on level ground, and its mass centre."""
+    assert "60 kg" not in _given("pipe-bend")
+    assert "G(" not in _given("pipe-bend")
+
+
+def test_data_of_a_case_stand_at_its_head() -> None:
+    blocks = narrate(worked(FILES["bob-on-a-thread-that-goes-slack"])[0]).blocks
+    at = next(i for i, b in enumerate(blocks) if isinstance(b, Heading) and b.label == "CASE")
+    after = blocks[at + 1]
+    assert isinstance(after, Note)
+    assert after.kind == "Given"
+    assert Name("v_0") in after.line
+
+
+def _given(stem: str) -> str:
+    """All rows of what is given, one after the other."""
+    page = Terminal(200).render(narrate(worked(FILES[stem])[0])).splitlines()
+    first = next(i for i, row in enumerate(page) if row.startswith("Given"))
+    last = next(i for i, row in enumerate(page) if i > first and not row.startswith(" "))
+    return " | ".join(row.removeprefix("Given").strip() for row in page[first:last])
 
 
 @pytest.mark.parametrize(

@@ -14,7 +14,7 @@ from planar_cli.report.checks import check_blocks, program_blocks, road_blocks
 from planar_cli.report.discussion import discussion_lines
 from planar_cli.report.effects import effect_notes
 from planar_cli.report.names import plain_name
-from planar_cli.report.opening import opening_notes
+from planar_cli.report.opening import changed_notes, opening_notes
 from planar_cli.report.passages import tale_blocks
 from planar_cli.report.presumed import presumed_notes
 from planar_cli.report.repeats import told_once
@@ -58,18 +58,21 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
     told: set[tuple[str, ...]] = set()
     if surplus := unused(problem):
         blocks.append(Note("Not used", line(f"{', '.join(surplus)}: not needed here")))
+    first = next((phrases_of(i, voice.figures) for part in solution.parts for i in part.instants), None)
     for part in solution.parts:
         if why is not None and not any(f.name == why for f in part.found):
             continue
+        own = part_blocks(part, voice, why, told)
         if part.case:
             blocks.append(Heading("CASE", part.case.replace("_", " ")))
-        own = part_blocks(part, voice, why, told)
+            case = next(c.problem for c in problem.cases if c.name == part.case)
+            mine = next((phrases_of(i, voice.figures) for i in part.instants), None)
+            blocks += () if why is not None else changed_notes(problem, case, own, (first, mine), voice.figures)
         blocks += own if voice.audience == "lesson" else told_once(own, blocks)
     if voice.audience == "lesson":
         from planar_cli.report.lessons import with_lessons
 
         blocks = with_lessons(blocks)
-    first = next((phrases_of(i, voice.figures) for part in solution.parts for i in part.instants), None)
     opening = () if why is not None else opening_notes(problem, blocks, first, voice.figures)
     return Document(problem.title or problem.file, (*texts, *opening, *(b for b in blocks if not _says_nothing(b))))
 

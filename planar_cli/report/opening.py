@@ -11,30 +11,53 @@ from planar_cli.problem.expression import Number
 from planar_cli.problem.scene import Problem, Symbol
 from planar_cli.records import record
 from planar_cli.report.blocks import Block, Equation, Heading, Line, Math, Name, Note, Paragraph, Text, Value, line
+from planar_cli.report.given import Mentioned, given_rows, mentioned
+from planar_cli.report.sides import AS_WRITTEN, said
 from planar_cli.report.words import Phrases
 
 MOST_GIVEN = 12
 """More data are in the file, and not on the page."""
-AS_WRITTEN = 6
-"""A number of the file with at most so many figures is not rounded."""
+MOST_PIECES = 24
+"""A formula of the file of more pieces is given by its value alone."""
 
 
 def opening_notes(problem: Problem, blocks: Sequence[Block], phrases: Phrases | None, figures: int) -> Iterator[Note]:
     """Given, find and principle. `blocks`: the page, which tells the principles that it uses; `phrases`: with the
     numbers of the first instant, where there is one.
     """
-    data = [d for s in problem.given if (d := _datum(s, phrases, figures))]
-    letters = [line(Name(s.name)) for s in problem.symbols]
-    if data or letters:
-        shown = [*data, *letters]
-        more = [line("…")] if len(shown) > MOST_GIVEN else []
-        yield Note("Given", _listed([*shown[:MOST_GIVEN], *more]))
+    yield from _given(_rows(problem, mentioned(blocks), phrases, figures))
     names = dict.fromkeys(f.name for f in problem.find)
     if names:
         yield Note("Find", _listed([line(Name(n)) for n in names]))
     principles = [p.words for p in PRINCIPLES if p.applies(_seen(blocks))]
     if principles:
         yield Note("Principle", line(" ".join(principles)))
+
+
+def changed_notes(
+    problem: Problem,
+    case: Problem,
+    blocks: Sequence[Block],
+    phrases: tuple[Phrases | None, Phrases | None],
+    figures: int,
+) -> Iterator[Note]:
+    """What a case gives otherwise than the file, or besides. `phrases`: of the file, and of the case."""
+    seen = mentioned(blocks)
+    before = {datum for row in _rows(problem, seen, phrases[0], figures) for datum in row}
+    yield from _given([[d for d in row if d not in before] for row in _rows(case, seen, phrases[1], figures)])
+
+
+def _rows(problem: Problem, seen: Mentioned, phrases: Phrases | None, figures: int) -> list[Sequence[Line]]:
+    """All that a file gives: its letters, then what has none."""
+    letters = [d for s in problem.given if (d := _datum(s, phrases, figures))]
+    return [[*letters, *(line(Name(s.name)) for s in problem.symbols)], *given_rows(problem, seen, figures)]
+
+
+def _given(rows: Sequence[Sequence[Line]]) -> Iterator[Note]:
+    """A line for each row that has something."""
+    for row in rows:
+        if row:
+            yield Note("Given", _listed([*row[:MOST_GIVEN], *([line("…")] if len(row) > MOST_GIVEN else [])]))
 
 
 def _datum(symbol: Symbol, phrases: Phrases | None, figures: int) -> Line:
@@ -44,9 +67,17 @@ def _datum(symbol: Symbol, phrases: Phrases | None, figures: int) -> Line:
         value = Decimal(number.value.numerator) / Decimal(number.value.denominator) * number.sense
         return line(Name(symbol.name), " = ", Value(value, number.unit or "1", max(figures, AS_WRITTEN)))
     own = phrases.ledger.symbols.get(symbol.name) if phrases is not None else None
-    if phrases is None or own is None or not phrases.ledger.values.get(own, own).is_number:
-        return ()
-    return line(Name(symbol.name), " = ", phrases.shown(own))
+    written = said(symbol.value, figures) if symbol.value is not None else None
+    formula = (" = ", *written) if written is not None and len(written) <= MOST_PIECES else ()
+    if phrases is None or own is None or not _has_number(own, phrases):
+        return line(Name(symbol.name), *formula) if formula else ()
+    return line(Name(symbol.name), *formula, " = ", phrases.shown(own))
+
+
+def _has_number(symbol: sp.Symbol, phrases: Phrases) -> bool:
+    """Do only numbers of the file make its value?"""
+    value = phrases.ledger.values.get(symbol)
+    return value is not None and all(_has_number(s, phrases) for s in value.free_symbols)
 
 
 def _listed(parts: Sequence[Line]) -> Line:

@@ -1,0 +1,152 @@
+"""Formulas of a file as its author wrote them, in the notation of the page: `2*l` as 2 l."""
+
+from __future__ import annotations
+
+from decimal import Decimal
+
+from planar_cli.problem.expression import (
+    Binary,
+    Function,
+    Grouped,
+    Name,
+    Negate,
+    Number,
+    PointPair,
+    Quantity,
+    Relation,
+    Scaled,
+    Side,
+    Word,
+)
+from planar_cli.problem.walk import Tree, walk
+from planar_cli.report import blocks
+from planar_cli.report.blocks import Line, Text, Value, line
+from planar_cli.report.numbers import superscript
+from planar_cli.report.spoken import LETTERS, RELATIVE, SHORT
+from planar_cli.units import pretty_unit
+
+SUM, FACTOR, POWER = 0, 1, 2
+"""How closely a place binds: what stands there in a looser formula gets brackets."""
+AS_WRITTEN = 6
+"""A number of the file with at most so many figures is not rounded."""
+CONSTANTS = {"pi": "π", "infinity": "∞"}
+
+
+def said(side: Side, figures: int) -> Line | None:
+    """A side as written; None where it asks a quantity that has no short name."""
+    return _said(side, figures, SUM) if all(map(_has_a_name, walk(side))) else None
+
+
+def _has_a_name(node: Tree) -> bool:
+    """Is it nothing that only a sentence can tell?"""
+    match node:
+        case Quantity():
+            known = RELATIVE if len(node.things) == 2 else LETTERS
+            parts = ("x", "y", "mag", "angle", "along", "across") + (("t", "n") if len(node.things) == 1 else ())
+            one = len(node.parts) == 0 or (len(node.parts) == 1 and node.parts[0].kind in parts)
+            return node.at is None and node.argument is None and node.word in known and one
+        case Name() | Function():
+            return node.at is None
+    return not isinstance(node, Grouped | Word | Relation)
+
+
+def number_of(side: Side) -> tuple[Decimal, str] | None:
+    """The number of a side and its unit, where it is one number."""
+    sign = 1
+    while isinstance(side, Negate):
+        side, sign = side.operand, -sign
+    if not isinstance(side, Number):
+        return None
+    return Decimal(side.value.numerator) / Decimal(side.value.denominator) * side.sense * sign, side.unit or "1"
+
+
+def is_zero(side: Side) -> bool:
+    """Is nought written?"""
+    number = number_of(side)
+    return number is not None and not number[0]
+
+
+def _said(side: Side, figures: int, place: int) -> Line:
+    number = number_of(side)
+    if number is not None:
+        shown = line(Value(*number, max(figures, AS_WRITTEN)))
+        # A power of a number with a unit, and a product with a negative one, need brackets.
+        loose = (place == POWER and number[1] != "1") or (place != SUM and number[0] < 0)
+        return _bracketed(shown) if loose else shown
+    match side:
+        case Name(at=None):
+            return line(CONSTANTS[side.name] if side.name in CONSTANTS else blocks.Name(side.name))
+        case Negate():
+            inside = line("-", _said(side.operand, figures, FACTOR))
+            return _bracketed(inside) if place != SUM else inside
+        case Scaled():
+            return line("(", _said(side.operand, figures, SUM), f") {pretty_unit(side.unit)}")
+        case Binary():
+            return _combined(side, figures, place)
+        case Function(at=None):
+            name = "√" if side.name == "sqrt" else side.name
+            argument = _said(side.argument, figures, SUM)
+            if len(argument) > 1 or side.name == "abs":
+                return line(f"{name}(", argument, ")")
+            return line(name, "" if side.name == "sqrt" else " ", argument)
+        case Quantity():
+            return _quantity(side, figures)
+    raise TypeError(type(side).__name__)
+
+
+def _combined(side: Binary, figures: int, place: int) -> Line:
+    if side.operator == "^":
+        base = _said(side.left, figures, POWER)
+        power = number_of(side.right)
+        if power is not None and power[0] == int(power[0]) >= 0:
+            return line(base, superscript(str(int(power[0]))))
+        return line(base, "^(", _said(side.right, figures, SUM), ")")
+    if side.operator in "+-":
+        right = _said(side.right, figures, SUM if side.operator == "+" else FACTOR)
+        found = line(_said(side.left, figures, SUM), f" {side.operator} ", right)
+        return _bracketed(found) if place != SUM else found
+    left, right = _said(side.left, figures, FACTOR), _said(side.right, figures, FACTOR)
+    if side.operator == "/":
+        compound = isinstance(side.right, Binary) and side.right.operator in "*/"
+        found = line(left, "/", _bracketed(right) if compound else right)
+    else:
+        opens = right[0]
+        numeral = isinstance(opens, Value) or (isinstance(opens, Text) and opens.text[:1].isdigit())
+        found = line(left, " · " if numeral or _has_unit(left[-1]) else " ", right)
+    return _bracketed(found) if place == POWER else found
+
+
+def _has_unit(piece: blocks.Inline) -> bool:
+    return isinstance(piece, Value) and piece.unit != "1"
+
+
+def _bracketed(inside: Line) -> Line:
+    return line("(", inside, ")")
+
+
+def _quantity(asked: Quantity, figures: int) -> Line:
+    """`v(crate).x` as v_crate,x; `v(P).along(30 deg)` as v_P along 30°."""
+    part = asked.parts[0] if asked.parts else None
+    thing, *relative = asked.things
+    name = f"{LETTERS[asked.word]}_{thing}"
+    if relative:
+        base = line(blocks.Name(name), f"/{relative[0]}")
+    elif part is not None and part.kind in ("x", "y", "t", "n"):
+        return line(blocks.Name(name + ("" if len(thing) <= SHORT else "_") + part.kind))
+    else:
+        base = line(blocks.Name(name))
+    if part is None:
+        return base
+    if part.kind == "mag":
+        return line("|", base, "|")
+    if part.kind == "angle":
+        return line("direction of ", base)
+    if part.kind in ("x", "y"):
+        return line(base, f" along {part.kind}")
+    return line(base, f" {part.kind} ", *_direction(part.direction, figures))
+
+
+def _direction(direction: Side | PointPair | None, figures: int) -> Line:
+    if isinstance(direction, PointPair):
+        return line(f"{direction.origin}{direction.to}")
+    return () if direction is None else _said(direction, figures, SUM)
