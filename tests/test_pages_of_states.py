@@ -16,12 +16,15 @@ from worked import worked
 from planar_cli.equation.counting import operations
 from planar_cli.equation.ledger import display
 from planar_cli.report.blocks import Block, Equation, Heading, Math, Paragraph, Text, Value, line
+from planar_cli.report.clean import is_clean
 from planar_cli.report.motion import MotionTelling, motion_phrases
 from planar_cli.report.narrate import narrate
+from planar_cli.report.notation import plain
 from planar_cli.solve.between.trace import MotionTrace
 from planar_cli.units import Unit, parse_unit
 
 FILES = (
+    "textbook/ex-1-10",
     "textbook/ex-4-10",
     "textbook/ex-4-17",
     "energy/slider-crank-with-a-spring",
@@ -34,6 +37,7 @@ FILES = (
     "momentum/ball-with-backspin",
     "momentum/winch-with-counterweight",
     "motion/ball-up-with-drag",
+    "motion/crane-truck",
 )
 FIGURES, ROUNDED, TINY = 6, 1e-3, 1e-12
 
@@ -133,6 +137,21 @@ def test_every_answer_with_a_number_has_a_line(name: str) -> None:
     shown = {_size(s.number, parse_unit(s.unit or "1")) for e in lines for s in e.sides if isinstance(s, Value)}
     for found in (f for part in solution.parts for f in part.found if f.kind == "number" and f.values is not None):
         assert _size(display(found.values[0], found.unit), found.unit) in shown | {"0"}, found.name
+
+
+@pytest.mark.parametrize("name", ["textbook/ex-1-09", "textbook/ex-1-10", "motion/crane-truck", "motion/polar-motion"])
+def test_results_are_in_letters_or_in_numbers(name: str) -> None:
+    """Where a number of the file with a unit stands among letters, no letter is left."""
+    for motion in motions(name):
+        for e in (e for e in equations(told(motion)) if isinstance(e.sides[-1], Value)):
+            formulas = [s for s in e.sides if isinstance(s, Math) and s.expr.free_symbols - set(s.values or ())]
+            assert is_clean(motion.ledger, *(s.expr for s in formulas)), formulas
+
+
+def test_a_law_whose_numbers_hide_units_is_in_numbers() -> None:
+    (motion,) = motions("textbook/ex-1-09")
+    theta = next(e for e in equations(told(motion)) if e.note == line("in rad/s"))
+    assert [plain(s.expr, s.values) for s in theta.sides if isinstance(s, Math)] == ["θ̇", "0.3333"]
 
 
 def test_numerical_integration_says_of_what_and_from_where() -> None:

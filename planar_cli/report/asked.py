@@ -94,7 +94,7 @@ class AskedTelling:
         """name = formula = numbers = value, for each component; of a magnitude with a long formula √(x² + y²)."""
         what = answer.find.found.what if answer.find is not None else None
         sized = isinstance(what, Quantity) and len(what.parts) == 1 and what.parts[0].kind == "mag"
-        if sized and answer.values is not None and not self._readable(answer.asked[0]):
+        if sized and answer.values is not None and not self._readable(answer.asked[0], answer.unit.dimension):
             assert isinstance(what, Quantity)
             vector = self._parts(what)
             if vector is not None:
@@ -114,7 +114,7 @@ class AskedTelling:
             values = (
                 [] if answer.values is None else self.phrases.in_units(answer.values[i], answer.unit, answer.energy)
             )
-            if self._readable(expr) and not expr.is_number:
+            if self._readable(expr, answer.unit.dimension) and not expr.is_number:
                 sides.append(self.phrases.math(expr))
             if not self.phrases.symbolic and values and not longer(expr, LONGEST):
                 sides += self.phrases.substituted(expr, values[0])
@@ -125,8 +125,10 @@ class AskedTelling:
             if len(sides) > 1:
                 yield Equation(tuple(sides))
 
-    def _readable(self, expr: sp.Expr) -> bool:
-        return not longer(expr, LONGEST) and (self.phrases.symbolic or is_clean(self.phrases.ledger, expr))
+    def _readable(self, expr: sp.Expr, dimension: Dimension) -> bool:
+        """Is it short, and do its letters make the unit that is asked for?"""
+        clean = self.phrases.symbolic or is_clean(self.phrases.ledger, expr, dimension=dimension)
+        return not longer(expr, LONGEST) and clean
 
     def _size(self, vector: list[Decimal], dimension: Dimension) -> Math:
         """√(x² + y²) with the numbers, in the units of the page."""

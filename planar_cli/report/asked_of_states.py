@@ -12,11 +12,11 @@ from planar_cli.equation.plain import longer, simplified
 from planar_cli.problem.outermost import is_energy
 from planar_cli.records import record
 from planar_cli.report.at_state import told_at_states
-from planar_cli.report.blocks import Block, Equation, Math, Name, Paragraph, line
+from planar_cli.report.blocks import Block, Equation, Math, Name, Paragraph, Value, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.compared import compared_sides
 from planar_cli.report.friction_at_states import friction_at_states
-from planar_cli.report.put_in import partly
+from planar_cli.report.put_in import in_known
 from planar_cli.report.span_integrals import SpanTelling
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import MotionTrace, Request, SpanIntegral
@@ -97,38 +97,42 @@ class AskedTelling:
         name = line(Name(asked.find.name), f", {part.axis}" if part.axis else "")
         formula = part.expr
         phrases = self.numeric if self.numeric.has_numbers(formula) else self.phrases
-        shown, whole = self._shown(formula, span, asked.unit)
-        sides: list[Any] = [name, *([] if shown is None else [shown])]
+        values: list[Value] = []
         if not phrases.symbolic and asked.unit is not None:
-            values = self._values(asked, asked.unit, formula, phrases if whole or not longer(formula, FEW) else None)
-            sides += values if span is None else [*values[:-1], self.spans.named(span, values[-1])]
+            values = self._values(asked, asked.unit, formula)
+            values = values if span is None else [*values[:-1], self.spans.named(span, values[-1])]
+        sides: list[Any] = [name, *self._shown(formula, span, asked.unit, values, phrases), *values]
         if span is None:
             yield Equation(tuple(sides))
         else:
             yield from self.spans.lines(span, (), tuple(sides))
 
-    def _shown(self, formula: sp.Expr, span: SpanIntegral | None, unit: Unit | None) -> tuple[Math | None, bool]:
-        """The formula as it is printed, and whether that is all of it in letters; where it is long or hides units, the
-        letters of states with numbers for all else.
+    def _shown(
+        self, formula: sp.Expr, span: SpanIntegral | None, unit: Unit | None, values: list[Value], phrases: Phrases
+    ) -> list[Math]:
+        """The formula as it is printed and its numbers, before its values; the numbers alone where it is long or hides
+        units.
         """
         if formula.is_number or (formula.is_Symbol and (span is None or formula == span.symbol)):
-            return None, False
-        if not self.phrases.symbolic and (longer(formula, FEW) or not self._is_clean(formula, unit)):
-            part = partly(formula, formula.free_symbols & set(self.found.general), self.phrases)
-            if part is not None or not formula.free_symbols & set(self.found.general):
-                return part, False
-        return (None, False) if self._is_long(formula) else (self.phrases.math(formula), True)
+            return []
+        if values and (longer(formula, FEW) or not self._is_clean(formula, unit)):
+            own = formula.free_symbols & set(self.found.general)
+            found = in_known(formula, own, values[0], phrases)
+            if found or not own:
+                return found
+        if self._is_long(formula):
+            return []
+        return [self.phrases.math(formula), *(phrases.substituted(formula, values[0]) if values else [])]
 
     def _is_clean(self, formula: sp.Expr, unit: Unit | None) -> bool:
         """Do its letters make the unit that is asked for?"""
         return is_clean(self.phrases.ledger, formula, dimension=None if unit is None else unit.dimension)
 
-    def _values(self, asked: Request, unit: Unit, part: sp.Expr, phrases: Phrases | None) -> list[Any]:
-        """The numbers put in, and the value in the units of the page and in that which is asked."""
+    def _values(self, asked: Request, unit: Unit, part: sp.Expr) -> list[Value]:
+        """The value in the units of the page and in that which is asked."""
         energy = is_energy(asked.find.found.what)
         value = Decimal(0) if self.found.value.is_zero(part) else self.found.value(part)
-        shown = self.phrases.in_units(value, unit, energy)
-        return [*(phrases.substituted(part, shown[0]) if phrases else []), *shown]
+        return self.phrases.in_units(value, unit, energy)
 
     def _signed(self, expr: sp.Expr) -> sp.Expr:
         """|a| and sign a by the number that a has at its state; the direction of (a cos x, a sin x) where it is x."""

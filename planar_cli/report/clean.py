@@ -35,9 +35,14 @@ def dimension_of(expr: sp.Expr, ledger: Ledger) -> Dimension:
         return product
     if expr.is_Pow and expr.exp.is_Rational:
         return dimension_of(expr.base, ledger) ** Fraction(int(expr.exp.p), int(expr.exp.q))
-    for argument in expr.args:
-        if dimension_of(argument, ledger) != PURE:
-            raise Mixed(expr)
+    inside = {dimension_of(a, ledger) for a in expr.args}
+    if isinstance(expr, sp.Abs):
+        return inside.pop()
+    # A logarithm of a quantity is one part of that of a ratio, a direction is that of two components.
+    if not (isinstance(expr, sp.log | sp.sign) or (isinstance(expr, sp.atan2) and len(inside) == 1)) and inside - {
+        PURE
+    }:
+        raise Mixed(expr)
     return PURE
 
 

@@ -8,7 +8,7 @@ import sympy as sp
 
 from planar_cli.equation.plain import longer
 from planar_cli.report.blocks import Block, Equation, Line, Math, Paragraph, line
-from planar_cli.report.clean import is_clean
+from planar_cli.report.clean import dimension_of, is_clean
 from planar_cli.report.put_in import partly
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import Law
@@ -25,17 +25,25 @@ def law_blocks(law: Law, phrases: Phrases, varying: Collection[sp.Symbol]) -> It
     v = law.speed if law.speed is not None and law.factor == 1 else sp.Symbol(f"{q.name}_dot", real=True)
     rate = sp.Symbol(f"{q.name}_{'ddot' if law.order == 2 else 'dot'}", real=True)
     yield Paragraph(line(f"The law of {law.coordinate.words}:" if law.coordinate.words != q.name else "The law:"))
-    shown = running(law.f.xreplace({law.v: v}), {*varying, v}, phrases)
+    shown = running(law.f.xreplace({law.v: v}), {*varying, v}, phrases, law)
     unit = f"{_unit(law, phrases)}/s{'²' if law.order == 2 else ''}"
     yield Equation((phrases.math(rate), shown), None, (), line(f"in {unit}") if shown.values else ())
 
 
-def running(expr: sp.Expr, letters: Collection[sp.Symbol], phrases: Phrases) -> Math:
+def running(expr: sp.Expr, letters: Collection[sp.Symbol], phrases: Phrases, law: Law | None) -> Math:
     """A law or its integral. `letters`: those that run."""
     inside = [i.function for i in expr.atoms(sp.Integral)] or [expr]
     short = all(not longer(e, FEW) and is_clean(phrases.ledger, e) for e in inside)
-    numbers = None if phrases.symbolic or short else partly(expr, letters, phrases)
+    short = short and (law is None or _is_lettered(law, phrases))
+    numbers = None if phrases.symbolic or short else partly(expr, letters, phrases, constant=True)
     return phrases.math(expr) if numbers is None else numbers
+
+
+def _is_lettered(law: Law, phrases: Phrases) -> bool:
+    """Do the letters of a law make the unit of its rate, so that no number in it hides one?"""
+    q, t = law.coordinate.symbol, phrases.ledger.symbols["t"]
+    f = law.f.xreplace({law.v: q / t})
+    return law.f == 0 or is_clean(phrases.ledger, f, dimension=dimension_of(q / t**law.order, phrases.ledger))
 
 
 def integral_note(law: Law | None, kind: str, sides: Collection[Math], phrases: Phrases) -> Line:

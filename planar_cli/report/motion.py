@@ -22,9 +22,9 @@ from planar_cli.report.integrals import over_coordinates, plain_integral
 from planar_cli.report.integrated import integration_blocks
 from planar_cli.report.laws import integral_note, law_blocks, running
 from planar_cli.report.left_out import reason
-from planar_cli.report.origins import HAPPENS, head, told_once, turning
+from planar_cli.report.origins import HAPPENS, head, sides_of, told_once, turning
 from planar_cli.report.oscillation import oscillation_blocks
-from planar_cli.report.put_in import partly, put_in
+from planar_cli.report.put_in import in_known, put_in
 from planar_cli.report.span_integrals import SpanTelling
 from planar_cli.report.spoken import spoken
 from planar_cli.report.words import Phrases
@@ -70,6 +70,7 @@ class MotionTelling:
         self.general, self.varying = found.general, found.varying
         self.numeric = settled_phrases(found, phrases)
         self._told_laws: set[sp.Symbol] = set()
+        self._open: set[sp.Symbol] = set()
         self.between = BetweenTelling(phrases, {}, self.numeric)
         self._kinds = Kinds(Scope(found.problem, ()))
 
@@ -137,8 +138,9 @@ class MotionTelling:
             yield from integration_blocks(self.found, self.numeric, [r for leg in followed for r in leg.results])
         for leg in followed:
             yield from self._datum(leg)
-        for leg in legs:
+        for i, leg in enumerate(legs):
             if not leg.is_datum:
+                self._open = {x for later in legs[i:] for x in later.unknowns}
                 yield from self._leg(leg, route)
 
     def _needed(self, route: RouteTrace) -> list[RouteStep]:
@@ -156,7 +158,7 @@ class MotionTelling:
         e = leg.relations[0]
         if e.words == IN_THE_END:
             yield Paragraph(line(f"{e.stop}: {e.words}:"))
-            yield Equation(tuple(self.phrases.math(side) for side in self._sides_of(e, self.found.route)))
+            yield Equation(tuple(self.phrases.math(side) for side in sides_of(e, self.found.route)))
         for r in leg.results:
             lead = ": ".join(x for x in (e.stop, self._known(e, r)) if x) + ":"
             yield Equation(self._chain(r), None, line(lead))
@@ -196,9 +198,9 @@ class MotionTelling:
         yield from self._in_numbers(leg, numbers, route)
         lead = line(", ".join(f"({n})" for n in numbers) + (" together:" if len(numbers) > 1 else ":"))
         for i, r in enumerate(leg.results):
-            formula = self._formula(r)
-            known = (formula is None or longer(formula, PLAIN)) and set(numbers) <= self.between.counted
-            sides = (self.phrases.math(r.unknown), self._shown(r)) if known else self._chain(r)
+            plain = r.formula is not None and not longer(r.formula, PLAIN)
+            known = not plain and set(numbers) <= self.between.counted
+            sides = (self.phrases.math(r.unknown), self._shown(r)) if known else self._chain(r, explicit=False)
             yield Equation(sides, None, lead if i == 0 else ())
             if i == 0:
                 yield from self._others(r)
@@ -212,7 +214,7 @@ class MotionTelling:
         for e, number in zip(leg.relations, numbers, strict=True):
             if number in self.between.counted or e.residual.free_symbols <= set(leg.unknowns):
                 continue
-            left, right = self._sides_of(e, route)
+            left, right = sides_of(e, route)
             balanced = dimension_of_balance(e.source) if isinstance(e.source, BalanceTrace) else None
             found = put_in(left, right, leg.unknowns, self.numeric, balanced)
             if found is not None and found.length <= MOST_SHOWN:
@@ -223,20 +225,8 @@ class MotionTelling:
         """Does a formula stand before its value, or nothing at all?"""
         formula = self._formula(r)
         if formula is None:
-            return self._partly(r) is not None
+            return r.formula is not None and r.formula.has(*self.general) and bool(self._in_known(r, 2 * PLAIN))
         return not formula.is_number or formula == 0
-
-    @staticmethod
-    def _sides_of(e: Relation, route: RouteTrace) -> tuple[sp.Expr, sp.Expr]:
-        """A relation as two sides."""
-        if isinstance(e.source, ImpactEquation):
-            return e.source.left.xreplace(dict(route.plain)), e.source.right.xreplace(dict(route.plain))
-        if isinstance(e.source, BalanceTrace):
-            sides = (e.source.before + e.source.gain, e.source.after)
-            return sides[0].xreplace(dict(route.plain)), sides[1].xreplace(dict(route.plain))
-        residual = e.residual.xreplace(dict(route.plain))
-        left = sp.Add(*(a for a in sp.Add.make_args(residual) if not a.could_extract_minus_sign()))
-        return left, left - residual
 
     def _zero(self, e: Relation, result: Equation, route: RouteTrace) -> Iterator[Block]:
         """A relation that says at once that its letter is zero."""
@@ -265,7 +255,7 @@ class MotionTelling:
         if law is None or law.coordinate.symbol in self._told_laws or law.f == 0:
             return
         self._told_laws.add(law.coordinate.symbol)
-        yield from law_blocks(law, self.phrases, self.varying)
+        yield from law_blocks(law, self.phrases, {*self.varying, *self._open})
 
     def _head(self, e: Relation) -> Line:
         return head(e, self.found.ledger.symbols)
@@ -288,7 +278,7 @@ class MotionTelling:
         if e.law is not None and e.law.f == 0 and e.kind == "v(t)":
             return
         sides = tuple(plain_integral(side, e, route, self.general) for side in (span.left, span.right))
-        shown = tuple(running(s, self.varying, self.phrases) for s in sides)
+        shown = tuple(running(s, {*self.varying, *self._open}, self.phrases, e.law) for s in sides)
         yield Equation(shown, None, (), integral_note(e.law, e.kind, shown, self.phrases))
 
     def _sides(self, e: Relation, route: RouteTrace) -> tuple[Any, ...]:
@@ -315,28 +305,30 @@ class MotionTelling:
 
     # --- results -----------------------------------------------------------------------------------------------------
 
-    def _chain(self, r: Result) -> tuple[Any, ...]:
-        """letter = formula = numbers = value."""
+    def _chain(self, r: Result, explicit: bool = True) -> tuple[Any, ...]:
+        """letter = formula = numbers = value. `explicit`: no equation stands before it."""
         sides: list[Any] = [self.phrases.math(r.unknown)]
         formula = r.formula
         if formula is not None and formula.free_symbols & self.varying:
             return self.phrases.math(r.unknown), self.phrases.math(formula)
         formula = self._formula(r)
-        part = self._partly(r) if formula is None else None
-        if part is not None:
-            return self.phrases.math(r.unknown), part, self._shown(r)
+        if formula is None and (known := self._in_known(r, LONGEST if explicit else 2 * PLAIN)):
+            return self.phrases.math(r.unknown), *known, *self._radians(r), self._shown(r)
         phrases = self.numeric if r.unknown in self.found.route.settled else self.phrases
         if formula is not None and (not formula.is_number or phrases.symbolic):
             sides.append(self.phrases.math(formula))
             if not formula.is_Symbol:
                 sides += phrases.substituted(formula, self._shown(r))
         if not phrases.symbolic:
-            if len(sides) > 1 and self.phrases.by_radians(r.unknown, formula) and r.value.is_finite():
-                sides.append(Value(r.value, "rad", self.phrases.figures))
-            sides.append(self._shown(r))
+            sides += [*(self._radians(r) if len(sides) > 1 else ()), self._shown(r)]
         elif formula is None:
             sides.append(line("the root that this motion reaches"))
         return tuple(sides)
+
+    def _radians(self, r: Result) -> list[Value]:
+        """An angle that is told in degrees, as it is worked out."""
+        told = self.phrases.by_radians(r.unknown, r.formula) and r.value.is_finite()
+        return [Value(r.value, "rad", self.phrases.figures)] if told else []
 
     def _formula(self, r: Result) -> sp.Expr | None:
         """The formula of a result as it is printed; None: it is too long, or its numbers would hide units."""
@@ -347,14 +339,13 @@ class MotionTelling:
             return None if longer(formula, LONGEST) else formula
         if formula.is_number or formula.has(sp.Integral):
             return formula
-        clean = is_clean(self.found.ledger, r.unknown, formula)
-        return None if longer(formula, SHORT if clean else PLAIN) else formula
+        return None if longer(formula, SHORT) or not is_clean(self.found.ledger, r.unknown, formula) else formula
 
-    def _partly(self, r: Result) -> Math | None:
-        """The formula in letters of states, with numbers for all else."""
+    def _in_known(self, r: Result, most: int) -> list[Math]:
+        """The formula with its numbers, or with letters of states and numbers for all else."""
         if r.formula is None or self.phrases.symbolic or r.value.is_infinite() or r.formula.has(sp.Integral):
-            return None
-        return partly(r.formula, r.formula.free_symbols & set(self.general), self.phrases)
+            return []
+        return in_known(r.formula, set(self.general), self._shown(r), self.phrases, min(most, SHORT))
 
     def _shown(self, r: Result) -> Any:
         if r.value.is_infinite():

@@ -5,11 +5,13 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterable, Iterator
 
+import sympy as sp
+
 from planar_cli.report.blocks import Block, Equation, Line, Paragraph, Result, line
 from planar_cli.report.characteristic import with_coefficients
 from planar_cli.report.names import plain_name
 from planar_cli.report.spoken import spoken
-from planar_cli.solve.between.trace import Relation
+from planar_cli.solve.between.trace import BalanceTrace, ImpactEquation, Relation, RouteTrace
 
 HAPPENS = ("it stops sliding", "it turns round", "it comes to the other side")
 """What happens at an instant; all other words say what holds up to it."""
@@ -37,6 +39,18 @@ def head(e: Relation, names: Collection[str]) -> Line:
     place = f"From {e.since} to {e.stop}, " if e.since else f"At {e.stop}, " if e.stop else ""
     words = kept(e.words) if e.kind == "loop" else e.words
     return spoken(f"{place}{words}:", names)
+
+
+def sides_of(e: Relation, route: RouteTrace) -> tuple[sp.Expr, sp.Expr]:
+    """A relation as two sides, as the law writes them from which it comes."""
+    if isinstance(e.source, ImpactEquation):
+        return e.source.left.xreplace(dict(route.plain)), e.source.right.xreplace(dict(route.plain))
+    if isinstance(e.source, BalanceTrace):
+        sides = (e.source.before + e.source.gain, e.source.after)
+        return sides[0].xreplace(dict(route.plain)), sides[1].xreplace(dict(route.plain))
+    residual = e.residual.xreplace(dict(route.plain))
+    left = sp.Add(*(a for a in sp.Add.make_args(residual) if not a.could_extract_minus_sign()))
+    return left, left - residual
 
 
 def kept(title: str) -> str:

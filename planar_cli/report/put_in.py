@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Sequence
 from decimal import Decimal
+from typing import Any
 
 import sympy as sp
 from sympy.functions.elementary.trigonometric import TrigonometricFunction
@@ -21,6 +22,7 @@ from planar_cli.errors import NoValue
 from planar_cli.records import record
 from planar_cli.report.blocks import Line, Math, line
 from planar_cli.report.clean import Mixed, dimension_of, is_alike, is_clean
+from planar_cli.report.enough_figures import DEGREE
 from planar_cli.report.in_numbers import SMALL
 from planar_cli.report.numbers import significant
 from planar_cli.report.ordering import NUMBER
@@ -30,6 +32,8 @@ from planar_cli.units import ENERGY, PURE, Dimension, pretty_unit
 
 PART = 16
 """A formula of more operations is not told with some of its letters."""
+FEW, LONGEST = 12, 45
+"""A formula of more operations is told with one number for all that is known; and with no numbers put in at all."""
 OPENED = 150
 """A longer formula is not multiplied out to see whether it gets shorter so."""
 
@@ -79,9 +83,9 @@ def put_in(
     return PutIn(*shown, _unit(phrases, dimension, left, right), operations(before) + operations(after))
 
 
-def partly(expr: sp.Expr, letters: Collection[sp.Symbol], phrases: Phrases) -> Math | None:
+def partly(expr: sp.Expr, letters: Collection[sp.Symbol], phrases: Phrases, constant: bool = False) -> Math | None:
     """A formula in which some letters stay and all else is a number, where that makes a short one; None: it does not.
-    Of integrals what stands under them.
+    Of integrals what stands under them. `constant`: it may be a number alone.
     """
     writer = Writer(letters, phrases)
     written: dict[sp.Expr, sp.Expr] = {}
@@ -95,8 +99,36 @@ def partly(expr: sp.Expr, letters: Collection[sp.Symbol], phrases: Phrases) -> M
     if phrases.ledger.us and not is_alike(phrases.ledger, expr):
         return None
     found = writer.written(expr)
-    short = found is not None and not longer(found, PART) and bool(found.free_symbols & set(letters))
+    short = found is not None and not longer(found, PART) and (constant or bool(found.free_symbols & set(letters)))
     return Math(found, writer.texts) if short else None
+
+
+def in_known(
+    expr: sp.Expr, letters: Collection[sp.Symbol], value: Any, phrases: Phrases, most: int = LONGEST
+) -> list[Math]:
+    """A formula whose numbers hide units, with a number for every letter; where that would not give its value in so few
+    figures, `letters` stay. What is known beside them is one number, unless few names of the file stand in it. `most`:
+    of more operations not every letter gets a number of its own.
+    """
+    inside = expr.free_symbols & set(letters)
+    named = bool(expr.free_symbols - inside) and not longer(expr, FEW)
+    whole = [] if longer(expr, most) else phrases.substituted(expr, value)
+    if whole and named:
+        return whole
+    part = None if phrases.ledger.us and not is_alike(phrases.ledger, expr) else _together(expr, inside, phrases)
+    if part is not None:
+        return [part]
+    found = None if whole else partly(expr, inside, phrases)
+    return whole or ([] if found is None else [found])
+
+
+def _together(expr: sp.Expr, letters: Collection[sp.Symbol], phrases: Phrases) -> Math | None:
+    """A formula with one number for all that is known beside some letters, and the numbers of these."""
+    writer = Writer(letters, phrases)
+    found = writer.written(expr)
+    if found is None or longer(found, PART) or not found.free_symbols & set(letters):
+        return None
+    return phrases.numbers(found, writer.sizes)
 
 
 def _unit(phrases: Phrases, dimension: Dimension | None, *sides: sp.Expr) -> str:
@@ -119,6 +151,7 @@ class Writer:
     ) -> None:
         self.unknowns, self.phrases = frozenset(unknowns), phrases
         self.texts: dict[sp.Symbol, str] = {} if texts is None else texts
+        self.sizes: dict[sp.Symbol, Decimal] = {}
 
     def written(self, expr: sp.Expr) -> sp.Expr | None:
         """The formula with numbers for all that is known, in the shorter of two forms; None: that is not possible."""
@@ -180,14 +213,14 @@ class Writer:
         if ledger.us:
             unit = coherent_unit(dimension_of(known, ledger), us=True)
             size = display(size, unit)
-        return self._text(significant(size, self.phrases.figures), value < 0)
+        return self._text(significant(size, self.phrases.figures), size, value < 0)
 
-    def _text(self, text: str, negative: bool = False) -> sp.Expr:
+    def _text(self, text: str, size: Decimal, negative: bool = False) -> sp.Expr:
         if text in ("0", "1"):
             return sp.Integer(-int(text) if negative else int(text))
         # Each has a symbol of its own: two numbers that round to the same text do not cancel.
         number = sp.Symbol(f"{NUMBER}{len(self.texts)}", positive=True)
-        self.texts[number] = text
+        self.texts[number], self.sizes[number] = text, size
         return -number if negative else number
 
     def _angle(self, expr: sp.Expr) -> sp.Expr:
@@ -196,7 +229,7 @@ class Writer:
         if known == 0 or not expr.is_Add:
             return self._tree(expr)
         degrees = self.phrases.value(known * 180 / sp.pi)
-        shown = self._text(significant(abs(degrees), self.phrases.figures) + "°", degrees < 0)
+        shown = self._text(significant(abs(degrees), self.phrases.figures) + "°", abs(degrees) * DEGREE, degrees < 0)
         return sp.Add(self._tree(rest), shown)
 
 

@@ -123,12 +123,14 @@ class SpanTelling:
     def _last(self, found: SpanIntegral) -> tuple[Any, ...]:
         """The formula of a quantity where it is short, and its value."""
         formula = found.formula
-        clean = formula is not None and (self.phrases.symbolic or is_clean(self.phrases.ledger, formula))
-        shown = (self.phrases.math(formula),) if clean and not longer(formula, 2 * SHORT) else ()
+        short = formula is not None and not longer(formula, 2 * SHORT)
+        kind = dimension_of(found.quantity, self.lookup)
+        clean = short and (self.phrases.symbolic or is_clean(self.phrases.ledger, formula, dimension=kind.dimension))
+        shown = (self.phrases.math(formula),) if clean else ()
         if self.phrases.symbolic:
             return shown
         value = self._value(found, found.number, found.quantity.word == "mean" and found.duration == 1)
-        return (*shown, *(self.phrases.substituted(formula, value) if shown else ()), value)
+        return (*shown, *(self.phrases.substituted(formula, value) if short else ()), value)
 
     def _number(self, found: SpanIntegral, piece: Piece) -> Any:
         if self.phrases.symbolic:

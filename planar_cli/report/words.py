@@ -26,6 +26,7 @@ from planar_cli.report.pieces import met
 from planar_cli.solve.solution import Found
 from planar_cli.units import Dimension, Unit, default_unit
 
+ANGLES = ("", "1", "deg", "rad", "rev")
 LONG = 7
 """A rational with more digits than this is shown rounded."""
 
@@ -79,20 +80,27 @@ class Phrases:
         """Of a formula in pieces those that the motion meets; with letters all of them."""
         return expr if self.symbolic else met(expr, self.value)
 
-    def numbers(self, expr: sp.Expr) -> Math | None:
+    def numbers(
+        self, expr: sp.Expr, sizes: Mapping[sp.Symbol, Decimal] | None = None, turns: bool = True
+    ) -> Math | None:
         """The expression with numbers put in for its names; None where letters have none,
-        nothing is to be put in, or so few figures as a page has would give another result.
+        nothing is to be put in, or so few figures as a page has would give another result. `sizes`: of symbols that
+        stand for numbers in it already; `turns`: it may be an angle.
         """
         if not self.has_numbers(expr):
             return None
-        expr = self.neat(self.met(expr))
-        if self.ledger.us and not is_clean(self.ledger, expr):
+        expr = self.neat(self.met(expr)) if sizes is None else expr
+        if self.ledger.us and sizes is None and not is_clean(self.ledger, expr):
             return None
         degrees = [s for s in expr.free_symbols if self._in_degrees(s)]
-        apart = {} if is_angle(expr, degrees) else {s: sp.Symbol(f"{s.name} rad", **s.assumptions0) for s in degrees}
+        apart = (
+            {}
+            if turns and is_angle(expr, degrees)
+            else {s: sp.Symbol(f"{s.name} rad", **s.assumptions0) for s in degrees}
+        )
         counted: dict[sp.Symbol, Decimal] = {}
         for symbol in expr.free_symbols:
-            value = self.value.known(symbol)
+            value = (sizes or {}).get(symbol, self.value.known(symbol))
             if value is None:
                 return None
             counted[symbol] = self._in_page_units(symbol, value)
@@ -122,7 +130,7 @@ class Phrases:
         """The side with numbers put in, where it says more than the value that follows it."""
         from planar_cli.report.notation import plain
 
-        found = self.numbers(expr)
+        found = self.numbers(expr, turns=not isinstance(value, Value) or value.unit in ANGLES)
         if found is None:
             return []
         same = isinstance(value, Value) and plain(found.expr, found.values) in _texts(value)
