@@ -32,6 +32,12 @@ def answer_block(found: Found, part: PartSolution, phrases: Phrases, told: Itera
     return Answer(found.name, line(letter, " = ", *_signed(found, phrases), said), ":" if same else relation)
 
 
+def asked_symbol(found: Found, part: PartSolution) -> sp.Symbol | None:
+    """The letter of the solution that a find is, without its sign being changed."""
+    asked = _asked(found, part)
+    return asked if asked is not None and asked.is_Symbol else None
+
+
 def _asked(found: Found, part: PartSolution) -> Any:
     """What is asked, in the letters of the solution, without those that are zero; None: it is no number."""
     asked = found.asked

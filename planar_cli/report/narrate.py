@@ -11,6 +11,7 @@ from planar_cli.records import record
 from planar_cli.report.answer_letters import answer_block
 from planar_cli.report.blocks import Block, Document, Equation, Heading, Inline, Line, Math, Name, Note, Paragraph, line
 from planar_cli.report.checks import check_blocks, program_blocks, road_blocks
+from planar_cli.report.closed import with_closed_forms
 from planar_cli.report.discussion import discussion_lines
 from planar_cli.report.effects import effect_notes
 from planar_cli.report.names import plain_name
@@ -122,6 +123,7 @@ def part_blocks(part: PartSolution, voice: Voice, why: str | None, told: set[tup
             whole = part.tale.whole
             blocks.append(Heading("STEP 1", "Kinematic analysis") if whole else Heading("", "Places and curves"))
         blocks += tale_blocks(part.tale, phrases)
+    blocks = with_closed_forms(blocks, part, phrases)
     for found in part.found:
         if why is None or found.name == why:
             blocks.append(answer_block(found, part, phrases, blocks))
