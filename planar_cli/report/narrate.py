@@ -12,6 +12,7 @@ from planar_cli.report.answer_letters import answer_block
 from planar_cli.report.blocks import Block, Document, Equation, Heading, Inline, Line, Math, Name, Note, Paragraph, line
 from planar_cli.report.checks import check_blocks, program_blocks, road_blocks
 from planar_cli.report.closed import with_closed_forms
+from planar_cli.report.directions import with_tangents
 from planar_cli.report.discussion import discussion_lines
 from planar_cli.report.effects import effect_notes
 from planar_cli.report.names import plain_name
@@ -63,7 +64,7 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
     for part in solution.parts:
         if why is not None and not any(f.name == why for f in part.found):
             continue
-        own = part_blocks(part, voice, why, told)
+        own = list(with_tangents(part_blocks(part, voice, why, told)))
         if part.case:
             blocks.append(Heading("CASE", part.case.replace("_", " ")))
             case = next(c.problem for c in problem.cases if c.name == part.case)

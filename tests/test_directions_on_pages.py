@@ -1,0 +1,58 @@
+"""Angles that are found from two components are told by their tangent, or by the angle that the components repeat."""
+
+from __future__ import annotations
+
+from decimal import Decimal
+
+import pytest
+import sympy as sp
+from conftest import PROBLEMS
+from worked import worked
+
+from planar_cli.formats.terminal import Terminal
+from planar_cli.report.blocks import Document, Equation, Math, Value
+from planar_cli.report.directions import with_tangents
+from planar_cli.report.narrate import narrate
+
+FILES = {p.stem: p for p in PROBLEMS}
+theta, beta, x, y = sp.symbols("theta beta x y", real=True)
+
+
+def _rows(*sides: Math | Value) -> list[str]:
+    blocks = tuple(with_tangents([Equation(sides)]))
+    return [" ".join(row.split()) for row in Terminal(200).render(Document("", blocks)).splitlines() if row.strip()]
+
+
+@pytest.mark.parametrize(
+    ("numbers", "angle", "rows"),
+    [
+        (("3", "4"), "36.8699", ["tan θ = y/x = 3/4 = 0.7500", "θ = arctan(0.7500) = 36.87°"]),
+        (("3", "-4"), "143.1301", ["tan θ = y/x = 3/(-4) = -0.7500", "θ = arctan(-0.7500) + 180° = 143.1°"]),
+        (("-3", "-4"), "-143.1301", ["tan θ = y/x = -3/(-4) = 0.7500", "θ = arctan(0.7500) - 180° = -143.1°"]),
+    ],
+)
+def test_the_tangent_then_the_angle(numbers: tuple[str, str], angle: str, rows: list[str]) -> None:
+    formula = sp.atan2(y, x)
+    sides = (Math(theta), Math(formula), Math(formula, dict(zip((y, x), numbers, strict=True))))
+    assert _rows(*sides, Value(Decimal(angle), "deg")) == rows
+
+
+def test_an_angle_that_components_repeat() -> None:
+    formula = sp.atan2(sp.sin(beta), -sp.cos(beta))
+    sides = (Math(theta), Math(formula), Math(formula, {beta: "70°"}), Value(Decimal(110), "deg"))
+    assert _rows(*sides) == ["θ = 180° - β = 180° - 70° = 110°"]
+
+
+def test_letters_alone() -> None:
+    assert _rows(Math(theta), Math(sp.atan2(2 * y, 2 * x))) == ["tan θ = y/x"]
+
+
+def test_any_other_formula_stays() -> None:
+    assert _rows(Math(theta), Math(sp.atan(y))) == ["θ = arctan(y)"]
+
+
+@pytest.mark.parametrize("stem", ["pucks-at-an-angle", "ladder-leaving-the-wall", "geneva-wheel", "gun-on-rails"])
+def test_no_page_of_these_has_the_angle_of_a_program(stem: str) -> None:
+    page = Terminal(110).render(narrate(worked(FILES[stem])[0]))
+    assert "atan2" not in page
+    assert "tan " in page or "180° - β" in page
