@@ -295,17 +295,34 @@ def _arc(square: sp.Expr, start: Moment, end: Moment, value: Valuation | None) -
 def _squared(
     a: sp.Expr, start: Moment, end: Moment, value: Valuation | None, where: tuple[sp.Expr, ...]
 ) -> tuple[Span, ...]:
-    """a = g(q) + c v² with a constant c: v dv = a dq is linear in v², d(v²)/dq = 2 g + 2 c v²."""
+    """a = g(q) + c(q) v²: v dv = a dq is linear in v², d(v²)/dq = 2 g + 2 c v²."""
     square = sp.Dummy("v2")
     flat = expanded(a).xreplace({end.v**2: square})
     c = derivative(flat, square)
-    if flat.has(end.v, end.t) or c.has(end.q, square) or vanishes(c):
+    if flat.has(end.v, end.t) or c.has(square) or vanishes(c):
         return ()
     rest = expanded(flat - c * square)
+    if c.has(end.q):
+        return _with_factor(c, rest, start, end, value, where)
     formula = _forced(2 * c, 2 * rest, (start.q, start.v**2), (end.q, square), value)
     if formula is None:
         return ()
     return (span("v(q)", "v dv = a dq, linear in v²", end.v**2 - formula, None, None, where),)
+
+
+def _with_factor(
+    c: sp.Expr, rest: sp.Expr, start: Moment, end: Moment, value: Valuation | None, where: tuple[sp.Expr, ...]
+) -> tuple[Span, ...]:
+    """v by q with the integrating factor μ = exp(-∫ 2 c dq), for which d(μ v²)/dq = 2 μ g."""
+    x = bound(end.q)
+    power = definite(2 * c.xreplace({end.q: x}), x, start.q, end.q, value)
+    if power is None:
+        return ()
+    factor = simplified(sp.exp(-power))
+    gained = _done(integral(2 * simplified(factor * rest), start.q, end.q), value)
+    square = (start.v**2 + gained) / factor
+    words = "v dv = a dq, linear in v², with its integrating factor"
+    return (span("v(q)", words, end.v**2 - square, None, None, where),)
 
 
 def _product(

@@ -5,18 +5,20 @@ Composites by the parallel-axis theorem, I = Σ (I_i + m_i d_i²); of uniform sh
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 
 import sympy as sp
 
 from planar_cli.equation.evaluate import Evaluator, demand_time
-from planar_cli.equation.ledger import Ledger
+from planar_cli.equation.jets import Jet
+from planar_cli.equation.ledger import Kind, Ledger
 from planar_cli.equation.plain import simplified
 from planar_cli.errors import refuse
-from planar_cli.problem.expression import Side
+from planar_cli.problem.expression import Quantity, Side
 from planar_cli.problem.geometry import Vec
-from planar_cli.problem.scene import Body, Composite, Outline, Particle, Piece, Rod, Shape
+from planar_cli.problem.masses import placed, varying
+from planar_cli.problem.scene import Body, Composite, Outline, Particle, Piece, Problem, Rod, Shape
 from planar_cli.problem.uniform import Uniform, uniform
 from planar_cli.records import record
 
@@ -28,8 +30,8 @@ class BodyModel:
     """One body as principles see it.
 
     `mass` [kg] (0: massless), `inertia` [kg m²] about the mass centre at `center`; `center_name` in print. `theta`: the
-    direction that its angle measures. `rigid`: False for a particle, which has no angle. Mass and inertia may be
-    formulas in the time t.
+    direction that its angle measures. `rigid`: False for a particle, which has no angle. `varies`: do its mass or its
+    moment of inertia change with the time, or with places?
     """
 
     name: str
@@ -40,10 +42,7 @@ class BodyModel:
     center: Vec
     center_name: str
     theta: sp.Expr
-
-    def varies(self, time: sp.Symbol) -> bool:
-        """Does its mass or its moment of inertia change with time?"""
-        return time in self.mass.free_symbols | self.inertia.free_symbols
+    varies: bool = False
 
 
 @record
@@ -78,15 +77,19 @@ class MassReader:
         points: Callable[[str], Vec],
         span: Callable[[str, str], sp.Expr | None],
         gravity: sp.Expr,
-        alone: bool,
+        problem: Problem,
     ) -> None:
-        self.ledger, self.evaluator, self.points, self.gravity, self.alone = ledger, evaluator, points, gravity, alone
+        self.ledger, self.evaluator, self.points, self.gravity = ledger, evaluator, points, gravity
+        heavy = [b for b in problem.bodies if b.mass is not None or b.weight is not None or b.any_mass]
+        self.alone = len(heavy) == 1
+        self.own_points = {p.name for p in problem.points}
+        self.varying, self.placed = varying(problem), placed(problem)
         self.measures = _Measures(points, evaluator)
         self.span = span
         self.cancelling: list[sp.Symbol] = []
 
     def read(self, body: Body) -> BodyModel:
-        """The model of one body."""
+        """The model of one body; of one whose mass goes with places before it is `loaded`."""
         if isinstance(body.shape, Composite):
             return self._composite(body, body.shape)
         shape = uniform(body.shape, self.measures, body.name)
@@ -97,10 +100,36 @@ class MassReader:
                 text = f"both ends of {body.name} are at the same place"
                 raise refuse(body.mark, "PL615", text, "draw them apart")
             shape = shape if length is None else replace(shape, gyration_squared=length**2 / 12)
-        mass = self._mass(body)
-        rigid = not isinstance(body.shape, Particle)
-        inertia = self._inertia(body, shape, mass) if rigid else ZERO
-        return BodyModel(body.name, body.shape, rigid, mass, inertia, shape.center, shape.center_name, shape.theta)
+        rigid, later, varies = not isinstance(body.shape, Particle), body.name in self.placed, body.name in self.varying
+        mass = ZERO if later else self._mass(body)
+        inertia = self._inertia(body, shape, mass) if rigid and not later else ZERO
+        name = shape.center_name
+        return BodyModel(body.name, body.shape, rigid, mass, inertia, shape.center, name, shape.theta, varies)
+
+    def loaded(self, body: Body, bodies: Mapping[str, BodyModel]) -> BodyModel:
+        """The same with a mass that goes with places, now that all bodies have theirs."""
+
+        def place(thing: str, word: str) -> sp.Expr:
+            model = bodies.get(thing)
+            if word == "theta":
+                return ZERO if model is None else model.theta
+            at = self.points(thing) if model is None or thing in self.own_points else model.center
+            return sp.sympify(getattr(at, word))
+
+        def asked(quantity: Quantity) -> Jet:
+            first, *others = (place(thing, quantity.word) for thing in quantity.things)
+            return Jet(first - sp.Add(*others), None, None)
+
+        self.evaluator = replace(self.evaluator, quantity=asked)
+        model, mass = bodies[body.name], self._mass(body)
+        known, drawn = {**self.ledger.values, **self.ledger.definitions}, mass
+        while drawn.free_symbols & known.keys():
+            drawn = drawn.xreplace(known)
+        if drawn.is_number and not drawn.is_positive:
+            text = f"{body.name} has no mass where it is drawn"
+            raise refuse(body.mark, "PL520", text, "let it begin with some: a short piece of the chain")
+        inertia = self._inertia(body, uniform(body.shape, self.measures, body.name), mass) if model.rigid else ZERO
+        return replace(model, mass=mass, inertia=inertia)
 
     def _named(self, stem: str, body: Body) -> str:
         return stem if self.alone else f"{stem}_{body.name}"
@@ -126,8 +155,13 @@ class MassReader:
         return self._shown(mass, self._named("m", body), "kg", f"mass of {body.name}")
 
     def _varies(self, expr: sp.Expr) -> bool:
-        """Does it change with time? Then it stays a formula, so that its rate can be told."""
-        return self.ledger.symbols["t"] in expr.free_symbols
+        """Does it change with time or place? Then it stays a formula, so that its rate can be told."""
+        return any(self._moves(s) for s in expr.free_symbols)
+
+    def _moves(self, symbol: sp.Symbol) -> bool:
+        ledger, role = self.ledger, self.ledger.roles.get(symbol)
+        moving = role is not None and role.kind is Kind.COORDINATE and symbol in ledger.letters
+        return moving or symbol == ledger.symbols["t"]
 
     def _free(self, name: str) -> str:
         while name in self.ledger.symbols:
@@ -166,7 +200,9 @@ class MassReader:
         return self.ledger.define(name, value, unit, title, positive=True)
 
     def _with_mass(self, inertia: sp.Expr, mass: sp.Expr, body: Body) -> sp.Expr:
-        """A moment of inertia written without `t` is that at t = 0, and grows and shrinks with the mass."""
+        """A moment of inertia that is one number is that at t = 0, of a mass that goes with places that where it is
+        drawn; it grows and shrinks with the mass.
+        """
         if not self._varies(mass) or self._varies(inertia):
             return inertia
         begun = mass.xreplace({self.ledger.symbols["t"]: ZERO})

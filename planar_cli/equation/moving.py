@@ -13,6 +13,7 @@ from planar_cli.equation.counting import operations
 from planar_cli.equation.evaluate import demand_time
 from planar_cli.equation.expansion import expanded
 from planar_cli.equation.factoring import factored
+from planar_cli.equation.growth import growth
 from planar_cli.equation.motion import Motion
 from planar_cli.equation.plain import MANY, longer, simplified
 from planar_cli.equation.quantities import quantities_of
@@ -149,7 +150,8 @@ def all_wrenches(
 
 def _growing(scene: Scene, motion: Motion, body: str) -> list[Wrench]:
     """The couple -(dI/dt) ω on a body whose moment of inertia changes with its mass: d(I ω)/dt = I α + (dI/dt) ω."""
-    change = sp.diff(scene.bodies[body].inertia, scene.ledger.symbols["t"])
+    change = growth(scene, quantities_of(scene, motion, None).evaluator, body)[1].rate
+    assert change is not None
     couple = -change * motion.velocities[body].angular
     return [] if couple == 0 else [Wrench("", "stream", body, scene.center(body), None, couple, couple)]
 

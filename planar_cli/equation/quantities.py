@@ -7,6 +7,7 @@ from collections.abc import Callable
 import sympy as sp
 
 from planar_cli.equation.evaluate import Evaluator
+from planar_cli.equation.growth import growth
 from planar_cli.equation.jets import Jet, constant, magnitude, vector_jet
 from planar_cli.equation.motion import Motion
 from planar_cli.equation.scene import Scene
@@ -228,22 +229,18 @@ class Quantities:
     def _bodies(self, q: Quantity) -> list[str]:
         return list(self.scene.bodies) if q.things[0] == "all" else [q.things[0]]
 
-    def _over_time(self, value: sp.Expr) -> Jet:
-        """What changes with the time alone, such as a mass."""
-        time = self.scene.ledger.symbols["t"]
-        return Jet(value, sp.diff(value, time), sp.diff(value, time, 2))
-
     def _q_mass(self, q: Quantity) -> Jet:
-        return self._over_time(sp.Add(*(self.scene.bodies[b].mass for b in self._bodies(q))))
+        return sum((growth(self.scene, self.evaluator, b)[0] for b in self._bodies(q)), constant(sp.S.Zero))
 
     def _q_i(self, q: Quantity) -> Jet:
-        parts = []
+        found = constant(sp.S.Zero)
         for name in self._bodies(q):
             body = self.scene.bodies[name]
             about = self.scene.point(q.things[1]) if len(q.things) == 2 else body.center
             arm = body.center - about
-            parts.append(body.inertia + body.mass * arm.dot(arm))
-        return self._over_time(sp.Add(*parts))
+            mass, inertia = growth(self.scene, self.evaluator, name)
+            found = found + inertia + mass * constant(arm.dot(arm))
+        return found
 
     def _q_ke(self, q: Quantity) -> Jet:
         """Σ m v_G²/2 + I_G ω²/2, with its rate."""
@@ -253,9 +250,9 @@ class Quantities:
             v, a = self.motion.velocity(body.center, name), self.motion.acceleration(body.center, name)
             omega, alpha = self.motion.velocities[name].angular, self.motion.accelerations[name].angular
             parts.append(body.mass * v.dot(v) / 2 + body.inertia * omega**2 / 2)
-            change, spread = (sp.diff(e, self.scene.ledger.symbols["t"]) for e in (body.mass, body.inertia))
             rates.append(body.mass * v.dot(a) + body.inertia * omega * alpha)
-            rates.append(change * v.dot(v) / 2 + spread * omega**2 / 2)
+            mass, inertia = growth(self.scene, self.evaluator, name)
+            rates += [mass.rate * v.dot(v) / 2, inertia.rate * omega**2 / 2]
         return Jet(sp.Add(*parts), sp.Add(*rates), None)
 
     def _q_pe(self, q: Quantity) -> Jet:

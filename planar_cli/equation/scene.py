@@ -73,10 +73,8 @@ class Scene(Decided):
         for point in problem.points:
             self.formula(point.name)
         self.bodies: dict[str, BodyModel] = {}
-        alone = len([b for b in problem.bodies if b.mass is not None or b.weight is not None or b.any_mass]) == 1
-        reader = MassReader(
-            ledger, evaluator, self.point, self.span, self.gravity or ledger.symbols.get("g", sp.S.Zero), alone
-        )
+        heavy = self.gravity or ledger.symbols.get("g", sp.S.Zero)
+        reader = MassReader(ledger, evaluator, self.point, self.span, heavy, problem)
         for body in problem.bodies:
             self.bodies[body.name] = reader.read(body)
         self.cancelling = reader.cancelling
@@ -84,6 +82,9 @@ class Scene(Decided):
         self.owners = self._owners()
         if displacement is not None:
             self._displace(displacement)
+        for body in problem.bodies:
+            if body.name in reader.placed:
+                self.bodies[body.name] = reader.loaded(body, self.bodies)
 
     def _displace(self, displacement: Displacement) -> None:
         """Put every body, and what it carries, where its pose says."""

@@ -13,7 +13,8 @@ one file with one final class:
 The fields that every entry of a file has stand in `problem/entry.py`.
 
 What the rest of the program must know of a kind stands in class variables: how it is told (`effect`, `line`, `letter`,
-`working`), and what it does (`pulls`, `opposes`, `dissipates`); `quantities` are words that may be asked of it alone.
+`working`), and what it does (`pulls`, `opposes`, `dissipates`, `brings_mass`); `quantities` are words that may be asked
+of it alone.
 
 A member states facts only and does not import SymPy at module level, so that reading a file stays quick.
 """
@@ -53,6 +54,8 @@ class Load(Entry, ABC):
     """Is its force always against the velocity, whose sense may be open?"""
     dissipates: ClassVar[bool] = False
     """Does it turn motion into heat?"""
+    brings_mass: ClassVar[bool] = False
+    """Does matter come to a body with it, or go from one?"""
     turns_only: ClassVar[bool] = False
     """Is it a couple, which a particle cannot take?"""
 

@@ -30,6 +30,13 @@ class Stream(Load):
         does not change it. The moment of inertia goes with the mass (an `inertia` without `t` is that at t = 0).
         Pressures at the ends of a pipe are forces of their own.
 
+        A mass may also go with places, `x(P)`, `y(P)`, `theta(b)` or coordinates: of a chain that is lifted out of a
+        heap, `mass: rho*y(end)`, with what comes up from rest, `rate: rho*v(end).y` and `enters: {at: end, speed:
+        v(end).y, angle: -90 deg}`. The body then stands for the part that moves, all of it with the velocity of the
+        end, and has its weight. Kinetic energy is not kept: each link is jerked into motion, and what the pull does
+        beyond weight and kinetic energy is lost. What is laid down leaves the body with `speed: 0 m/s`. A mass that
+        goes with places and has no stream is refused, as nothing says with what velocity it comes.
+
     YAML
         title: Water in a bend
         plane: horizontal
@@ -67,6 +74,7 @@ class Stream(Load):
     kind: ClassVar[str] = "stream"
     effect: ClassVar[Effect] = Effect("stream of matter", rank=6)
     line: ClassVar[str] = "push of the stream {}"
+    brings_mass: ClassVar[bool] = True
     choices: ClassVar[tuple[Choice, ...]] = (
         Choice(
             (("enters",), ("leaves",), ("enters", "leaves")),

@@ -47,7 +47,7 @@ class Place:
     omega: Term | None
     """rad/s; None: a particle."""
     mass: Term
-    """kg; it may vary with the time."""
+    """kg; it may vary with the time and with places."""
     inertia: Term
     """About the mass centre, kg m²."""
 

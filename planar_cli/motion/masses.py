@@ -10,9 +10,11 @@ from typing import Any
 from planar_cli.errors import refuse
 from planar_cli.motion.places import Drawing, length_of, unit_vector
 from planar_cli.motion.replacing import replaced
+from planar_cli.motion.sides import Sides
 from planar_cli.motion.terms import Term, ordered
 from planar_cli.problem.expression import Side
 from planar_cli.problem.geometry import Vec
+from planar_cli.problem.masses import placed
 from planar_cli.problem.scene import Body, Composite, Outline, Particle, Piece, Shape
 from planar_cli.problem.uniform import Uniform, uniform
 from planar_cli.records import record
@@ -29,7 +31,7 @@ class Drawn:
     rigid: bool
     """False: a particle, which has no angle."""
     mass: Term
-    """kg; zero: massless; it may vary with the time."""
+    """kg; zero: massless; it may vary with the time. Of one that is written with places see `loaded`."""
     inertia: Term
     """About the mass centre, kg m²."""
     center: Vec
@@ -72,21 +74,34 @@ class _Measures:
 
 def drawn_bodies(drawing: Drawing) -> dict[str, Drawn]:
     """All bodies of the file by name."""
-    return {body.name: _drawn(drawing, body) for body in drawing.problem.bodies}
+    later = placed(drawing.problem)
+    return {body.name: _drawn(drawing, body, body.name in later) for body in drawing.problem.bodies}
 
 
-def _drawn(drawing: Drawing, body: Body) -> Drawn:
+def loaded(drawing: Drawing, body: Body, sides: Sides) -> tuple[Term, Term]:
+    """Mass and moment of inertia that are written with places, which `sides` know."""
+    mass = _mass(sides, body)
+    if mass.value <= 0:
+        text = f"{body.name} has no mass where it is drawn"
+        raise refuse(body.mark, "PL520", text, "let it begin with some: a short piece of the chain")
+    if isinstance(body.shape, Particle):
+        return mass, sides.graph.number(0.0)
+    return mass, _inertia(drawing, sides, body, uniform(body.shape, _Measures(drawing), body.name), mass)
+
+
+def _drawn(drawing: Drawing, body: Body, later: bool) -> Drawn:
+    """`later`: mass and moment of inertia are told once the places are."""
     if isinstance(body.shape, Composite):
         return _composite(drawing, body, body.shape)
     shape = uniform(body.shape, _Measures(drawing), body.name)
-    mass, zero = _mass(drawing, body), drawing.sides.graph.number(0.0)
+    zero = drawing.sides.graph.number(0.0)
+    mass = zero if later else _mass(drawing.sides, body)
     rigid = not isinstance(body.shape, Particle)
-    inertia = _inertia(drawing, body, shape, mass) if rigid else zero
+    inertia = _inertia(drawing, drawing.sides, body, shape, mass) if rigid and not later else zero
     return Drawn(body.shape, rigid, mass, inertia, shape.center, shape.center_name, shape.theta)
 
 
-def _mass(drawing: Drawing, body: Body) -> Term:
-    sides = drawing.sides
+def _mass(sides: Sides, body: Body) -> Term:
     if body.any_mass:
         return sides.graph.number(ANY_MASS)
     if body.weight is not None:
@@ -94,16 +109,16 @@ def _mass(drawing: Drawing, body: Body) -> Term:
     return sides.graph.number(0.0) if body.mass is None else sides.value(body.mass)
 
 
-def _inertia(drawing: Drawing, body: Body, shape: Uniform, mass: Term) -> Term:
+def _inertia(drawing: Drawing, sides: Sides, body: Body, shape: Uniform, mass: Term) -> Term:
     if body.inertia is not None:
-        value = _with_mass(drawing, body, drawing.sides.value(body.inertia), mass)
+        value = _with_mass(body, sides.value(body.inertia), mass)
         return value if body.about is None else value - mass * _shift(drawing, body, shape.center)
     if body.gyration is not None:
-        radius = drawing.sides.value(body.gyration)
+        radius = sides.value(body.gyration)
         value = mass * radius * radius
         return value if body.about is None else value - mass * _shift(drawing, body, shape.center)
     if body.any_inertia:
-        return drawing.sides.graph.number(ANY_MASS)
+        return sides.graph.number(ANY_MASS)
     if isinstance(body.shape, Outline) and not (mass.constant and mass.value == 0):
         # Its moment of inertia is not told, so that it must cancel as a mass may.
         return mass * ANY_MASS
@@ -111,12 +126,15 @@ def _inertia(drawing: Drawing, body: Body, shape: Uniform, mass: Term) -> Term:
     return found
 
 
-def _with_mass(drawing: Drawing, body: Body, inertia: Term, mass: Term) -> Term:
-    """A moment of inertia written without `t` is that at t = 0, and grows and shrinks with the mass."""
+def _with_mass(body: Body, inertia: Term, mass: Term) -> Term:
+    """A moment of inertia that is one number is that at t = 0, of a mass that goes with places that where it is drawn;
+    it grows and shrinks with the mass.
+    """
     if mass.constant or not inertia.constant:
         return inertia
-    graph = drawing.sides.graph
-    begun = replaced(mass, {t: graph.number(0.0) for t in ordered([mass]) if t.op == "variable"})
+    graph = mass.graph
+    variables = [t for t in ordered([mass]) if t.op == "variable"]
+    begun = replaced(mass, {v: graph.number(0.0 if graph.names[v] == "t" else v.value) for v in variables})
     if begun.zero:
         text = f"{body.name} has no mass at t = 0, so that its moment of inertia then does not tell the later ones"
         raise refuse(body.mark, "PL520", text, "write `radius_of_gyration:`, or `inertia:` with `t`")
@@ -144,7 +162,7 @@ def _composite(drawing: Drawing, body: Body, shape: Composite) -> Drawn:
         arm = u.center - center
         inertia = inertia + own + m * arm.dot(arm)
     if body.inertia is not None or body.gyration is not None:
-        inertia = _inertia(drawing, body, Uniform(center, "", mass * 0, parts[0][1].theta), mass)
+        inertia = _inertia(drawing, drawing.sides, body, Uniform(center, "", mass * 0, parts[0][1].theta), mass)
     centers = tuple(u.center for _, u in parts)
     return Drawn(shape, True, mass, inertia, center, "", parts[0][1].theta, centers)
 

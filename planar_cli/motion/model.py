@@ -191,7 +191,9 @@ class Model:
         acting = [x for x in self.loads if x not in self.ways or mode_key(x.name) not in idle]
         potential, stored = self.graph.number(0.0), []
         for load in acting:
-            part = load.potential(self.scene)
+            # The weight m g of what grows as it rises is no slope of m g y.
+            grows = any(w.body in self.scene.placed for w in self.wrenches[load])
+            part = None if grows else load.potential(self.scene)
             if part is not None:
                 potential = potential + part
                 stored.append(load)

@@ -3,7 +3,7 @@
     p' = Σ F,   H' = Σ M        of all loads, and of what the joints do to the ground, reversed
 
 What bodies do to each other does not count: whether it cancels is what the balance shows. A mass that grows or shrinks
-in time brings or takes m' v, as seen from the body. A body that is a particle does not turn: what presses on a surface
+brings or takes m' v, as seen from the body. A body that is a particle does not turn: what presses on a surface
 of it, away from its point, has a moment about that point, which goes to whatever keeps the body from turning, outside.
 A joint that is drawn beside the lines on which it acts leaves a moment, which goes the same way.
 """
@@ -32,7 +32,7 @@ def outside_of(model: HybridModel, regime: Regime) -> Outside | None:
         for i, term in held.loads.items():
             loads[i] = loads[i] + term if i in loads else term
     for i, slot in enumerate(layout.slots):
-        growth = graph.rate(slot.mass, {layout.time: graph.number(1.0)})
+        growth = graph.rate(slot.mass, layout.rates())
         if not (growth.constant and growth.value == 0):
             loads[i] = loads[i] + growth * slot.rate if i in loads else growth * slot.rate
     terms = list(_of_column(model, loads))

@@ -285,9 +285,14 @@ class Regime:
         return [m.value(pushes) for m in self.parts.measured]
 
     def _powers(self, unknowns: Unknowns) -> list[Term]:
-        """Wasting loads, friction, what drives do, and what energy changes with time alone."""
+        """Wasting loads, friction, what drives do, and what energy changes with time alone, or with masses that go
+        with places.
+        """
         layout, graph = self.layout, self.layout.graph
         total = graph.rate(self._measured()[0], {layout.time: graph.number(1.0)})
+        places = {slot.coordinate: slot.rate for slot in layout.slots}
+        for slot in layout.slots:
+            total = total + graph.rate(slot.mass, places) * slot.rate * slot.rate * 0.5
         force: dict[int, Term] = dict(self.parts.wasting)
         pushes = self.exerted(unknowns)
         for held in self.parts.held:

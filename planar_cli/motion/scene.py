@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from dataclasses import replace
 from functools import cached_property, partial
 from itertools import pairwise
 from typing import Any
@@ -18,6 +19,7 @@ from planar_cli.motion.facing import Facings
 from planar_cli.motion.feet import Foot, feet_of
 from planar_cli.motion.gaps import Gap, gaps_of
 from planar_cli.motion.layout import Layout
+from planar_cli.motion.masses import loaded
 from planar_cli.motion.places import unit_vector
 from planar_cli.motion.poses import MovingPoses
 from planar_cli.motion.quantities import Quantities
@@ -30,6 +32,7 @@ from planar_cli.problem.expression import Name, Side, Statement
 from planar_cli.problem.facts import Outline, Wrench
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.keys import Table
+from planar_cli.problem.masses import placed
 from planar_cli.problem.outlines import Bend, Span, edges_at, outline_of, spot_of
 from planar_cli.problem.relaxed import reach_of, relaxed_at
 from planar_cli.problem.scene import GROUND, Curve, Line, Plate, Problem, Round, Surface
@@ -62,6 +65,9 @@ class MovingScene(Carried):
         self._points |= spots_of(self, partial(outline_of, self), self.spot, self.feet)
         self._outlines: dict[tuple[str, Vec], Outline] = {}
         self.coordinates, self.ties = self._coordinates()
+        self.placed = placed(problem)
+        """Bodies whose mass goes with places."""
+        self._load()
 
     def _coordinates(self) -> tuple[dict[str, tuple[Term, Term]], tuple[Tie, ...]]:
         """Each coordinate of the file with its rate, and what points keep that are written with them."""
@@ -79,6 +85,13 @@ class MovingScene(Carried):
         coordinates = {n: (t, self.graph.rate(t, rates)) for n, t in found.found.items()}
         self.sides = self.sides.with_variables({n: t for n, (t, _) in coordinates.items()})
         return coordinates, (*found.ties, *(foot.tie for foot in self.feet.values()))
+
+    def _load(self) -> None:
+        """Give bodies the masses that go with places, now that coordinates and points are known."""
+        for body in self.problem.bodies:
+            if body.name in self.placed:
+                mass, inertia = loaded(self._drawing, body, Quantities(self, self.stored_energy, {}).sides)
+                self.places[body.name] = replace(self.places[body.name], mass=mass, inertia=inertia)
 
     # --- what joints and loads ask -----------------------------------------------------------------------------------
 
@@ -235,7 +248,7 @@ class MovingScene(Carried):
         """The couple -(dI/dt) ω on a body whose moment of inertia changes: d(I ω)/dt = I α + (dI/dt) ω."""
         found = []
         for name, place in self.places.items():
-            change = self.graph.rate(place.inertia, {self.time: self.graph.number(1.0)})
+            change = self.graph.rate(place.inertia, self.rates())
             if not self.vanishes(change):
                 couple = -change * self.turn(name)
                 found.append(Wrench("", "stream", name, place.center, None, couple, couple))

@@ -95,7 +95,7 @@ def _closed(position: Position) -> bool:
     system, scene = position.system, position.system.scene
     if not any(b.mass != 0 for b in scene.bodies.values()):
         return False
-    if any(b.varies(position.time) for b in scene.bodies.values()):
+    if any(b.varies for b in scene.bodies.values()):
         return False
     if any(p.kind == "drive" for p in system.pushes) or any(
         c.kind == "given" for c in system.acceleration_conditions()

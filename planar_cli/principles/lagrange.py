@@ -63,7 +63,7 @@ class Lagrange(Principle):
 
     def at_instant(self, position: Position) -> Iterator[Single]:
         scene = position.system.scene
-        if position.system.reactions is None or any(b.varies(position.time) for b in scene.bodies.values()):
+        if position.system.reactions is None or any(b.varies for b in scene.bodies.values()):
             return
         if any(c.speed not in dict(position.rates) for c in position.coordinates):
             # A joint has taken hold that the coordinates do not know of.

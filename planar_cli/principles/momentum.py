@@ -83,7 +83,7 @@ def _balances(position: Position) -> Iterator[Balance]:
     system, scene = position.system, position.system.scene
     if system.reactions is None or any(p.kind == "drive" and not p.actions for p in system.pushes):
         return
-    if any(b.varies(position.time) for b in scene.bodies.values()):
+    if any(b.varies for b in scene.bodies.values()):
         return
     followers = {law.push for law in system.laws}
     loose = {system.symbols[p.name] for p in system.pushes if p.name not in followers}

@@ -19,6 +19,7 @@ from planar_cli.problem.expression import (
     Quantity,
 )
 from planar_cli.problem.formulas import Formula, formulas
+from planar_cli.problem.masses import PLACES
 from planar_cli.problem.reading import did_you_mean
 from planar_cli.problem.scene import GROUND
 from planar_cli.problem.scope import Scope
@@ -134,8 +135,11 @@ def _name_hint(name: str, known: set[str], scope: Scope, direction: bool) -> str
 
 
 def _quantity(quantity: Quantity, formula: Formula, scope: Scope) -> Iterator[Diagnostic]:
-    if not formula.quantities:
+    place = quantity.word in PLACES and quantity.at is None
+    if not formula.quantities and not (formula.places and place):
         hint = "quantities may stand in `motion`, `instant`, `states`, `find`, magnitudes of loads and streams"
+        if formula.places:
+            hint = "a mass may use `t`, coordinates, and the places `x(P)`, `y(P)`, `theta(b)`"
         yield Diagnostic(quantity.mark, "PL413", f"{formula.what} cannot use {quantity.word}(…)", hint)
     for state in (quantity.at,) if isinstance(quantity.at, str) else quantity.at or ():
         yield from missing_state(state, scope, quantity.mark)

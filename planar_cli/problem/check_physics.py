@@ -8,8 +8,9 @@ from itertools import pairwise
 
 from planar_cli.errors import Diagnostic
 from planar_cli.problem.evaluation import ARITHMETIC
-from planar_cli.problem.expression import Binary, Name, Negate, Number, Quantity, Side
+from planar_cli.problem.expression import AtRest, Binary, Name, Negate, Number, Quantity, Side
 from planar_cli.problem.formulas import formulas
+from planar_cli.problem.masses import placed
 from planar_cli.problem.scene import GROUND, At, Body, Composite, Foot, Particle, Polar, Problem, Towards, TwoFacts
 from planar_cli.problem.scope import Scope, members_of
 from planar_cli.problem.shapes import own_points
@@ -62,6 +63,18 @@ def has_mass(body: Body) -> bool:
     if isinstance(body.shape, Composite):
         return any(piece.mass is not None or piece.weight is not None for piece in body.shape.pieces)
     return body.mass is not None or body.weight is not None or body.any_mass
+
+
+def masses_come_from_somewhere(scope: Scope) -> Iterator[Diagnostic]:
+    """A mass that goes with places comes and goes with a stream, unless nothing moves."""
+    problem = scope.problem
+    if not problem.states and (problem.instant is None or any(isinstance(s, AtRest) for s in problem.instant)):
+        return
+    fed = {getattr(load, "body", None) for load in problem.loads if load.brings_mass}
+    for body in problem.bodies:
+        if body.name in placed(problem) - fed and has_mass(body):
+            text = f"the mass of {body.name} changes as it moves, and nothing says how mass comes or goes"
+            yield Diagnostic(body.mark, "PL464", text, "add a `stream`, as `planar explain stream` shows for a chain")
 
 
 def particles_move(scope: Scope) -> Iterator[Diagnostic]:

@@ -12,6 +12,7 @@ from planar_cli.problem.check_formulas import formulas_name_known_things
 from planar_cli.problem.check_names import distinct_names, members_found, points_found, reserved_names
 from planar_cli.problem.check_physics import (
     coefficients,
+    masses_come_from_somewhere,
     members_act,
     particles_move,
     partners_fit,
@@ -45,6 +46,7 @@ CHECKS: tuple[Check, ...] = (
     members_found,
     formulas_name_known_things,
     plane_is_given,
+    masses_come_from_somewhere,
     particles_move,
     coefficients,
     sizes_are_positive,

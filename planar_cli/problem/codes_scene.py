@@ -39,7 +39,8 @@ _PLACES = {
 _SCENE = {
     "PL520": (
         "The parts of a composite body have no mass: give each part its `mass:`; a hole has minus mass. Or a body "
-        "whose mass varies has none at t = 0, where its moment of inertia is given: write `radius_of_gyration`."
+        "whose mass varies has none at t = 0, where its moment of inertia is given: write `radius_of_gyration`; or "
+        "none where it is drawn: a chain that is lifted begins with a short piece."
     ),
     "PL521": (
         "The point of contact is not on the surface. Let the line go through the point, or the circle have "

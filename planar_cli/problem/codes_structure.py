@@ -97,8 +97,8 @@ _NAMES = {
     ),
     "PL412": "`case.find` names a find of a case that stands earlier in the file.",
     "PL413": (
-        "Quantities such as `v(P)` may stand in `motion`, `instant`, `states`, `find`, magnitudes and streams. "
-        "Given values, points and sizes use names only."
+        "Quantities such as `v(P)` may stand in `motion`, `instant`, `states`, `find`, magnitudes and streams, "
+        "places such as `y(P)` also in masses. Given values, points and sizes use names only."
     ),
     "PL420": (
         "Each quantity takes things of its own in its bracket: `v(P)` a point or body, `omega(b)` a body, "
@@ -188,6 +188,10 @@ _PHYSICS = {
     "PL463": (
         "A joint holds bodies, or points that are fixed. A point that is written with a coordinate and belongs to no "
         "body would move without anything that moves it: put a particle there, or name it under `points` of its body."
+    ),
+    "PL464": (
+        "A mass that is written with places, `mass: rho*y(end)`, changes as the body moves: matter comes to it or goes "
+        "from it, with a velocity that a `stream` tells. What is left behind leaves with `speed: 0 m/s`."
     ),
 }
 

@@ -38,7 +38,8 @@ UNITS = {"length": "m", "angle": "deg", "mass": "kg", "weight": "N", "inertia": 
 class Formula:
     """One formula: `what` it is in words, the `unit` whose dimension it must have (None: any), whether it is an angle.
 
-    `time`: may it use `t`? `quantities`: may it use `v(P)` and the like? `locals`: variables of a curve.
+    `time`: may it use `t`? `quantities`: may it use `v(P)` and the like, `places`: `x(P)`, `y(P)`, `theta(b)`?
+    `locals`: variables of a curve.
     """
 
     tree: Side | Statement
@@ -48,6 +49,7 @@ class Formula:
     angle: bool = False
     time: bool = False
     quantities: bool = False
+    places: bool = False
     locals: frozenset[str] = frozenset()
 
 
@@ -127,7 +129,7 @@ def _of_body(body: Body) -> Iterator[Formula]:
     what = f"of the body {body.name}"
     yield from _of_shape(body.shape, what)
     if body.mass is not None:
-        yield Formula(body.mass, f"the mass {what}", body.mass.mark, "kg", time=True)
+        yield Formula(body.mass, f"the mass {what}", body.mass.mark, "kg", time=True, places=True)
     yield from _plain(body.weight, "weight", f"the weight {what}")
     if body.inertia is not None:
         words = f"the moment of inertia {what}"

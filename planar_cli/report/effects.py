@@ -28,7 +28,7 @@ def effects(instant: InstantSolution) -> tuple[list[str], list[str]]:
     has_mass = any(b.mass != 0 for b in scene.bodies.values())
     shelf = sorted(((_effect(kind), kind) for kind in members("loads")), key=lambda pair: pair[0].rank)
     present += [effect.words for effect, kind in shelf if kind in kinds]
-    if any(b.varies(scene.ledger.symbols["t"]) for b in scene.bodies.values()):
+    if any(b.varies for b in scene.bodies.values()):
         present.append("mass that varies")
     if has_mass:
         present += _contacts(instant)

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from planar_cli.errors import Mark
+from planar_cli.motion.terms import evaluate
 from planar_cli.motion.trajectory import Trajectory, Transition
 from planar_cli.problem.expression import JustAfter, Quantity
 from planar_cli.problem.scope import Scope
@@ -78,8 +79,8 @@ class Blows:
         """The change of the momentum that belongs to each velocity: all of it, or what a joint or load gives."""
         half = self.layout.count
         if self._owned(name):
-            pairs = zip(self.layout.slots, x.after[half:], x.before[half:], strict=True)
-            return [s.mass.value * (a - b) for s, a, b in pairs]
+            masses = evaluate([s.mass for s in self.layout.slots], self.layout.values(x.t, x.before))
+            return [m * (a - b) for m, a, b in zip(masses, x.after[half:], x.before[half:], strict=True)]
         given = [x.given[key] for key in self._pressing(name, x)]
         return [sum(column) for column in zip(*given, strict=True)] or [0.0] * half
 

@@ -18,7 +18,7 @@ Each body has one shape:
 Then what is known of the mass:
 
     nothing                        massless
-    mass: 5 kg                     or weight: 100 N; it may vary, `mass: M - q*t`, and the moment of inertia with it
+    mass: 5 kg                     or weight: 100 N; it may vary, `mass: M - q*t` or `rho*y(b)`, and the inertia with it
     mass: any                      not given; it must cancel
     inertia: 2 kg*m^2              about the mass centre, instead of that of the uniform body; any: it must cancel
     radius_of_gyration: 0.2 m      the same; either may be taken about another point: about: A

@@ -31,6 +31,7 @@ use `t` and quantities:
     magnitude: 10 N/s * t
     magnitude: {table: [[0 s, 0 N], [2 s, 50 N]]}
 
-A mass may vary too, `mass: M - q*t`, and its moment of inertia with it. `planar explain force` (torque, spring, …)
-prints the page of each, and `planar explain motion` says how motions under loads that vary are integrated.
+A mass may vary too, `mass: M - q*t` or `mass: rho*y(end)`, and its moment of inertia with it: see `planar explain
+stream`. `planar explain force` (torque, spring, …) prints the page of each, and `planar explain motion` says how
+motions under loads that vary are integrated.
 """

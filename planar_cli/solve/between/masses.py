@@ -16,7 +16,7 @@ def demand_mass(course: RegimeSequence, value: Valuation) -> None:
     """NoSolution: a body has no mass left at a state whose time [s] is known, in `value` or by the file itself."""
     scene = course.scene
     time = course.ledger.symbols["t"]
-    varying = [b for b in scene.bodies.values() if b.varies(time)]
+    varying = [b for b in scene.bodies.values() if time in b.mass.free_symbols | b.inertia.free_symbols]
     times = dict(_known_times(course, value)) if varying else {}
     for body in varying:
         mark = next(b.mark for b in course.problem.bodies if b.name == body.name)

@@ -17,7 +17,7 @@ def balance_of(general: General) -> tuple[sp.Expr, sp.Expr] | None:
     scene, system = general.instant.scene, general.trial.system
     if len(general.free) != 1 or system.reactions is None or not any(b.mass != 0 for b in scene.bodies.values()):
         return None
-    if any(b.varies(general.time) for b in scene.bodies.values()):
+    if any(b.varies for b in scene.bodies.values()):
         return None
     if any(p.kind == "drive" for p in system.pushes):
         return None
