@@ -6,7 +6,8 @@ A condition is a residual that vanishes: a vector one may be projected on any di
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from itertools import combinations
 from typing import Any
 
 import sympy as sp
@@ -35,6 +36,7 @@ from planar_cli.problem.facts import Row
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.polar import TOGETHER, VectorStatement, grouped
 from planar_cli.problem.scene import At, Particle, Polar
+from planar_cli.problem.shapes import own_points
 from planar_cli.records import record
 
 POSITION, VELOCITY, ACCELERATION = 0, 1, 2
@@ -227,10 +229,15 @@ def _moves_with(scene: Scene, origin: str, coordinates: set[sp.Symbol]) -> bool:
 def coordinate_conditions(quantities: Quantities, coordinates: set[sp.Symbol], level: int) -> list[Condition]:
     """Points of bodies that are written with a coordinate move as their formula says."""
     scene = quantities.scene
-    found = []
+    found = list(_turning_conditions(quantities, coordinates, level))
+    # The other points of a body whose angle is told go with the first one.
+    turned = {c.body for c in found}
+    told: set[str] = set()
     for point in scene.problem.points:
         owner = scene.owner(point.name)
         place = point.place
+        if owner in told:
+            continue
         if owner == "ground" or not isinstance(place, At | Polar) or point.name not in scene.own_points:
             continue
         parts = (place.x, place.y) if isinstance(place, At) else (place.distance, place.angle)
@@ -253,7 +260,35 @@ def coordinate_conditions(quantities: Quantities, coordinates: set[sp.Symbol], l
                 "coordinate", f"the position of {point.name}, differentiated", residual, place=point.name, body=owner
             )
         )
+        told |= {owner} & turned
     return found + _particle_conditions(quantities, coordinates, level)
+
+
+def _turning_conditions(quantities: Quantities, coordinates: set[sp.Symbol], level: int) -> Iterator[Condition]:
+    """Bodies turn as two of their points do that are written with coordinates, always r apart:
+
+    ω = (r × dr/dt)/r²,  α = (r × d²r/dt²)/r²
+
+    Reference: An Introduction to Planar Dynamics, 2.2: the relative velocity of two points of a body is ω × r.
+    """
+    scene = quantities.scene
+    for body in scene.problem.bodies:
+        if body.name not in quantities.motion.velocities or not scene.rigid(body.name):
+            continue
+        names = [p for p in (*own_points(body.shape), *body.points) if p in scene.formulas]
+        for one, other in combinations(names, 2):
+            reach = scene.formulas[other] - scene.formulas[one]
+            if not coordinates & (reach.x.value.free_symbols | reach.y.value.free_symbols):
+                continue
+            square = simplified(reach.x.value**2 + reach.y.value**2)
+            if square == 0 or square.free_symbols & coordinates:
+                continue
+            pick = "rate" if level == VELOCITY else "second"
+            turn = reach.x.value * getattr(reach.y, pick) - reach.y.value * getattr(reach.x, pick)
+            twist = quantities.motion.velocities if level == VELOCITY else quantities.motion.accelerations
+            residual = twist[body.name].angular - simplified(turn / square)
+            yield Condition("coordinate", f"angle of {body.name}", residual, body=body.name)
+            break
 
 
 def _particle_conditions(quantities: Quantities, coordinates: set[sp.Symbol], level: int) -> list[Condition]:

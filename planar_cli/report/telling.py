@@ -60,7 +60,8 @@ class Telling:
         self._constructed = {} if phrases.symbolic else constructed(self.scene, self.stages)
         self._valued: set[sp.Symbol] = set()
         self._together: dict[sp.Symbol, tuple[int, ...]] = {}
-        self.vectors = VectorTelling(instant.trial, phrases, {z for s in self.stages for z in vanishing(s)})
+        nothing = {z for s in self.stages for z in vanishing(s)}
+        self.vectors = VectorTelling(instant.trial, phrases, nothing, instant.open_speeds)
         self.asked = AskedTelling(instant, phrases, self.vectors)
         self.numeric = NumericTelling(phrases, self.stages)
 

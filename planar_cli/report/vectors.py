@@ -32,8 +32,16 @@ LONGEST = 12
 class VectorTelling:
     """Vector equations of one system, each told once."""
 
-    def __init__(self, trial: Trial, phrases: Phrases, zero: Collection[sp.Symbol] = ()) -> None:
+    def __init__(
+        self,
+        trial: Trial,
+        phrases: Phrases,
+        zero: Collection[sp.Symbol] = (),
+        open_speeds: Collection[sp.Symbol] = (),
+    ) -> None:
+        """`open_speeds`: velocity unknowns that nothing tells, and on which no answer rests."""
         self.system, self.phrases, self.zero = trial.system, phrases, frozenset(zero)
+        self.open_speeds = frozenset(open_speeds)
         self.edges = {e.body: e for e in self.system.tree.edges}
         self._told: set[str] = set()
         self._arms: dict[str, str] = {}
@@ -213,6 +221,9 @@ class VectorTelling:
     def _symbol(self, body: str, level: str) -> sp.Expr:
         motion = self.motion
         found = (motion.velocities if level == "velocity" else motion.accelerations)[body].angular
+        spin = self.edges[body].spin if body in self.edges else None
+        if level == "velocity" and spin is not None and spin in self.open_speeds:
+            return spin
         return sp.S.Zero if found in self.zero else found
 
     def _reference(self, edge: Edge) -> str:

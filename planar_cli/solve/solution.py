@@ -70,3 +70,12 @@ class InstantSolution:
     left_out: tuple[Any, ...] = ()
     quiet: bool = False
     conditions: tuple[sp.Expr, ...] = ()
+
+    @property
+    def open_speeds(self) -> frozenset[sp.Symbol]:
+        """Velocity unknowns that nothing tells; no answer rests on them."""
+        if self.sought is None:
+            return frozenset()
+        told = self.sought.branch.algebra.value.values
+        tree = self.trial.system.tree
+        return frozenset(s for s in tree.velocity_unknowns() if s in self.sought.unknowns and s not in told)
