@@ -9,6 +9,7 @@ from typing import Any
 
 import sympy as sp
 
+from planar_cli.base_units import in_base
 from planar_cli.equation.exact import Valuation
 from planar_cli.report.blocks import Block, Equation, Math, Text, Value
 from planar_cli.units import parse_unit
@@ -19,11 +20,12 @@ PLAIN = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻−", "0123456789--")
 
 @dataclass
 class Page:
-    """Evaluates equations in SI units. `value`: numbers of the letters of a motion; what the page names itself is
-    learnt from the equation in which it stands alone.
+    """Evaluates equations in the units of the page. `value`: numbers of its letters; what the page names itself is
+    learnt from the equation in which it stands alone. `us`: it is in feet, slugs and seconds.
     """
 
     value: Valuation
+    us: bool = False
     own: dict[sp.Symbol, float] = field(default_factory=dict)
 
     def wrong(self, block: Equation, tolerance: float) -> list[str]:
@@ -47,8 +49,7 @@ class Page:
     def _number(self, side: Any) -> tuple[float, float] | None:
         """A side, and the size of its terms; None: it holds what has no number here."""
         if isinstance(side, Value):
-            unit = parse_unit(side.unit) if side.unit else None
-            factor = float(unit.factor) * float(sp.pi) ** unit.pi_power if unit is not None else 1.0
+            factor = in_base(parse_unit(side.unit), self.us) if side.unit else 1.0
             return float(side.number) * factor, abs(float(side.number) * factor)
         if not isinstance(side, Math) or side.expr.has(sp.Integral, sp.Piecewise):
             return None

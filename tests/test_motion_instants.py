@@ -5,7 +5,6 @@ The scene is taken from position residuals, pushes and loads alone, its accelera
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
@@ -13,6 +12,7 @@ from pathlib import Path
 import pytest
 from conftest import ROOT
 
+from planar_cli.base_units import in_base
 from planar_cli.errors import FileProblem
 from planar_cli.motion.mode import Chooser, Chosen
 from planar_cli.motion.quantities import Quantities
@@ -83,7 +83,7 @@ class Instant:
 
 
 def stated_answer(instant: Instant, find: Find, answer: Answer) -> list[float] | None:
-    """The stated numbers in SI units; None where words or a relation are asked."""
+    """The stated numbers in base units; None where words or a relation are asked."""
     if isinstance(answer.value, bool | str | Word) or not isinstance(find.found.what, Side):
         return None
     parts = answer.value if isinstance(answer.value, tuple) else (answer.value,)
@@ -92,7 +92,7 @@ def stated_answer(instant: Instant, find: Find, answer: Answer) -> list[float] |
     for part in parts:
         number = part.operand if isinstance(part, Negate) else part
         bare = isinstance(number, Number) and number.unit is None and unit is not None
-        factor = float(unit.factor) * math.pi**unit.pi_power if bare and unit is not None else 1.0
+        factor = in_base(unit, instant.scene.problem.us) if bare and unit is not None else 1.0
         found.append(evaluate([instant.scene.sides.value(part)], instant.at)[0] * factor)
     return found
 

@@ -58,7 +58,7 @@ def _number(math: Math, phrases: Phrases) -> tuple[Decimal, Decimal]:
                 )
             else:
                 unit = phrases.ledger.units[base]
-                value *= display(phrases.value(base), phrases.page_unit(unit)) ** int(power)
+                value *= display(phrases.value(base), phrases.page_unit(unit), phrases.ledger.us) ** int(power)
         terms.append(value)
     return sum(terms, Decimal(0)), max((abs(t) for t in terms), default=Decimal(0))
 

@@ -56,7 +56,7 @@ def told(motion: MotionTrace, figures: int = 4) -> tuple[Block, ...]:
 @pytest.mark.parametrize("name", FILES)
 def test_printed_equations_are_true(name: str) -> None:
     for motion in motions(name):
-        page = Page(motion.value)
+        page = Page(motion.value, motion.ledger.us)
         wrong = [w for e in equations(told(motion, FIGURES)) for w in page.wrong(e, ROUNDED)]
         assert not wrong
 
@@ -136,7 +136,7 @@ def test_every_answer_with_a_number_has_a_line(name: str) -> None:
     lines = list(equations(narrate(solution).blocks))
     shown = {_size(s.number, parse_unit(s.unit or "1")) for e in lines for s in e.sides if isinstance(s, Value)}
     for found in (f for part in solution.parts for f in part.found if f.kind == "number" and f.values is not None):
-        assert _size(display(found.values[0], found.unit), found.unit) in shown | {"0"}, found.name
+        assert _size(display(found.values[0], found.unit, solution.problem.us), found.unit) in shown | {"0"}, found.name
 
 
 @pytest.mark.parametrize("name", ["textbook/ex-1-09", "textbook/ex-1-10", "motion/crane-truck", "motion/polar-motion"])

@@ -10,6 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from planar_cli import units
+from planar_cli.base_units import factor_to_base, in_base
 from planar_cli.units import ATOMS, Dimension, UnitError, default_unit, describe, parse_unit, pretty_unit
 
 
@@ -144,3 +145,16 @@ def test_words_and_print() -> None:
     assert default_unit(units.ENERGY).text == "N*m"
     assert default_unit(units.FORCE, us=True).text == "lbf"
     assert default_unit(Dimension(Fraction(1, 2))).text == "m^(1/2)"
+
+
+def test_base_units() -> None:
+    """Formulas need no factors: m, kg, s, or ft, slug, s."""
+    coherent = ("ft", "slug", "s", "lbf", "lbf*ft", "ft*lbf/s", "slug*ft^2", "rad")
+    assert all(factor_to_base(parse_unit(text), us=True) == 1 for text in coherent)
+    assert factor_to_base(parse_unit("psi"), us=True) == 144
+    assert factor_to_base(parse_unit("lb"), us=True) == Fraction(30480, 980665)
+    assert factor_to_base(parse_unit("mi/h"), us=True) == Fraction(88, 60)
+    assert factor_to_base(parse_unit("m"), us=True) * factor_to_base(parse_unit("ft"), us=False) == 1
+    root = factor_to_base(parse_unit("m^(1/2)"), us=True)
+    assert abs(float(root) ** 2 - 1 / 0.3048) < 1e-14
+    assert in_base(parse_unit("deg"), us=True) == in_base(parse_unit("deg"), us=False)

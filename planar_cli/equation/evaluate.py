@@ -1,4 +1,4 @@
-"""Syntax trees to exact expressions in SI units, with their time derivatives."""
+"""Syntax trees to exact expressions in the base units of the file, with their time derivatives."""
 
 from __future__ import annotations
 
@@ -74,10 +74,11 @@ class Evaluator:
     # --- the numbers of which formulas are made (problem/evaluation.py) ----------------------------------------------
 
     def number(self, number: Number) -> Jet:
-        return constant(number.sense * exact(number.value, parse_unit(number.unit) if number.unit else None))
+        unit = parse_unit(number.unit) if number.unit else None
+        return constant(number.sense * exact(number.value, unit, self.ledger.us))
 
     def scaled(self, side: Scaled) -> Jet:
-        return self.jet(side.operand) * constant(side.sense * exact(_ONE, parse_unit(side.unit)))
+        return self.jet(side.operand) * constant(side.sense * exact(_ONE, parse_unit(side.unit), self.ledger.us))
 
     def asked(self, quantity: Quantity) -> Jet:
         return self.quantity(quantity)

@@ -1,6 +1,7 @@
 """The names of one problem as SymPy symbols: which have numbers, which stay letters, which are to be solved for.
 
-The only maker of symbols. Every symbol carries the unit in which it is shown; inside, all numbers are SI.
+The only maker of symbols. Every symbol carries the unit in which it is shown; inside, all numbers are in
+the base units of the file (units.py).
 """
 
 from __future__ import annotations
@@ -15,10 +16,11 @@ from fractions import Fraction
 
 import sympy as sp
 
+from planar_cli.base_units import factor_to_base
 from planar_cli.equation.exact import PI, Sample, Valuation
 from planar_cli.equation.sample import fraction, generator, widely
 from planar_cli.errors import NoValue
-from planar_cli.problem.ordinary import Scales
+from planar_cli.problem.ordinary import GRAVITY, Scales
 from planar_cli.records import changing, record
 from planar_cli.units import PURE, Unit, parse_unit
 
@@ -114,6 +116,13 @@ class Ledger:
         self.roles[symbol] = Role(Kind.LETTER)
         return symbol
 
+    def gravity(self, letter: bool) -> None:
+        """g, which the file does not give: a letter, or that of the Earth."""
+        if letter:
+            self.letter("g", "m/s^2")
+        else:
+            self.known("g", exact(GRAVITY, parse_unit("m/s^2"), self.us), "m/s^2")
+
     def seek(self, name: str, unit: str, *, coordinate: bool = False) -> sp.Symbol:
         """An unknown constant, or a coordinate."""
         symbol = self.symbols[name] = sp.Symbol(name, real=True)
@@ -172,7 +181,7 @@ class Ledger:
         return symbol
 
     def natural(self, symbol: sp.Symbol) -> Decimal:
-        """An ordinary size of what a symbol stands for; of a letter of the file, 1 in its SI unit."""
+        """An ordinary size of what a symbol stands for; of a letter of the file, 1 in the base units."""
         unit = self.units.get(symbol)
         return Decimal(1) if unit is None or symbol.is_positive else self.scales.exact(unit.dimension)
 
@@ -268,19 +277,19 @@ def _holds(test: Callable[[Valuation], bool], valuation: Valuation) -> bool:
         return False
 
 
-def exact(number: Fraction, unit: Unit | None) -> sp.Expr:
-    """A written number in SI units, exact."""
+def exact(number: Fraction, unit: Unit | None, us: bool) -> sp.Expr:
+    """A written number in the base units of a file, exact."""
     value = sp.Rational(number.numerator, number.denominator)
     if unit is None:
         return value
-    factor = sp.Rational(unit.factor.numerator, unit.factor.denominator)
-    return value * factor * sp.pi**unit.pi_power
+    factor = factor_to_base(unit, us)
+    return value * sp.Rational(factor.numerator, factor.denominator) * sp.pi**unit.pi_power
 
 
-def display(value: Decimal, unit: Unit) -> Decimal:
-    """An SI value in the given unit."""
-    factor = Decimal(unit.factor.numerator) / Decimal(unit.factor.denominator)
-    return value / (factor * PI**unit.pi_power)
+def display(value: Decimal, unit: Unit, us: bool) -> Decimal:
+    """A value in the base units of a file in the given unit."""
+    factor = factor_to_base(unit, us)
+    return value / (Decimal(factor.numerator) / Decimal(factor.denominator) * PI**unit.pi_power)
 
 
 def total(parts: Iterable[sp.Expr]) -> sp.Expr:

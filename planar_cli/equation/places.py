@@ -70,13 +70,13 @@ class Jets:
         except NoValue:
             return None
 
-    def shown(self, meters: float, side: Side) -> str:
+    def shown(self, size: float, side: Side) -> str:
         """A length in the unit in which a side is written."""
         ledger = self.evaluator.ledger
         symbols = [ledger.symbols.get(n.name) for n in walk(side) if isinstance(n, Name)]
         units = [ledger.units[s] for s in symbols if s in ledger.units]
         units += [parse_unit(n.unit) for n in walk(side) if isinstance(n, Number | Scaled) and n.unit is not None]
-        return length_in(meters, units)
+        return length_in(size, units, ledger.us)
 
 
 class Placed(Protocol):

@@ -116,10 +116,7 @@ class Scene(Decided):
 
     def _gravity(self) -> sp.Expr:
         if "g" not in self.ledger.symbols:
-            if self.problem.symbols:
-                self.ledger.letter("g", "m/s^2")
-            else:
-                self.ledger.known("g", sp.Rational(981, 100), "m/s^2")
+            self.ledger.gravity(letter=bool(self.problem.symbols))
         return self.ledger.symbols["g"] if self.problem.plane == "vertical" else sp.S.Zero
 
     def _implicit_points(self) -> None:

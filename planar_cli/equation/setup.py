@@ -140,10 +140,7 @@ class Setup:
         self.ledger.known(symbol.name, self.evaluator.value(symbol.value), self.unit_of(symbol.value))
 
     def _gravity(self) -> None:
-        if self.problem.symbols:
-            self.ledger.letter("g", "m/s^2")
-        else:
-            self.ledger.known("g", sp.Rational(981, 100), "m/s^2")
+        self.ledger.gravity(letter=bool(self.problem.symbols))
 
     def unit_of(self, side: Side) -> str:
         """The unit in which a value is shown: as written, else the usual one of its dimension."""

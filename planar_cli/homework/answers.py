@@ -1,4 +1,4 @@
-"""Comparison of what a solution found with the `answers:` that a file states: in SI, to sixty digits.
+"""Comparison of what a solution found with the `answers:` that a file states: in base units, to sixty digits.
 
 A number agrees when it lies within a relative tolerance of what is stated. A true zero has no relative error, so a
 small share of the problem's own scale (the largest given quantity of that dimension) is allowed on top. A formula is
@@ -125,7 +125,7 @@ class _Comparison:
             known = self.ledger.units.get(symbol)
             if known is not None and known.dimension == unit.dimension:
                 sizes.append(abs(self.value.known(expr) or Decimal(0)))
-        return max(sizes, default=Decimal(0)) or Decimal(1) / display(Decimal(1), unit)
+        return max(sizes, default=Decimal(0)) or Decimal(1) / display(Decimal(1), unit, self.ledger.us)
 
     def tolerance(self) -> Decimal:
         """Relative: of this answer, else of the file, else one per cent."""
@@ -172,7 +172,7 @@ class _Comparison:
 
     def _shown(self, values: tuple[Decimal, ...]) -> str:
         unit = self.found.unit
-        numbers = _listed([f"{float(display(v, unit)):.6g}" for v in values])
+        numbers = _listed([f"{float(display(v, unit, self.ledger.us)):.6g}" for v in values])
         return numbers if unit.text == "1" else f"{numbers} {unit.text}"
 
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 from decimal import Decimal
 
+from planar_cli.base_units import in_base
 from planar_cli.homework.verdict import FLOOR, TOLERANCE, Verdict
 from planar_cli.problem.expression import Side, Word
 from planar_cli.problem.scene import Answer, Problem
-from planar_cli.simulate.answers import in_si
 from planar_cli.simulate.run import Simulation
 from planar_cli.solve.solution import Found
 
@@ -29,7 +29,7 @@ def verdict_on(problem: Problem, answer: Answer, found: Found, motion: Simulatio
 
     wanted = [sides.value(s).value for s in (stated if isinstance(stated, tuple) else (stated,))]
     solved = [float(v) for v in found.values or ()]
-    texts = _shown(wanted, found), _shown(solved, found)
+    texts = _shown(wanted, found, problem.us), _shown(solved, found, problem.us)
     if len(wanted) != len(solved):
         message = f"{answer.name}: the file states {texts[0]}, the solution gives {texts[1] or found.word}"
         return Verdict(answer.name, *texts, False, None, message)
@@ -43,7 +43,7 @@ def verdict_on(problem: Problem, answer: Answer, found: Found, motion: Simulatio
     return Verdict(answer.name, *texts, agrees, error, message)
 
 
-def _shown(values: list[float], found: Found) -> str:
-    numbers = [f"{v / in_si(found.unit):.6g}" for v in values]
+def _shown(values: list[float], found: Found, us: bool) -> str:
+    numbers = [f"{v / in_base(found.unit, us):.6g}" for v in values]
     text = numbers[0] if len(numbers) == 1 else f"[{', '.join(numbers)}]"
     return text if found.unit.text == "1" else f"{text} {found.unit.text}"

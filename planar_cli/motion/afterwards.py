@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 
+from planar_cli.base_units import in_base
 from planar_cli.motion.encounters import Encounter
 from planar_cli.motion.guards import speed_of
 from planar_cli.motion.hybrid import HybridModel
@@ -38,9 +39,10 @@ def drawn_apart(
         gap = min(map(abs, _numbers(model, [e.distance for e in encounters], t, y)), default=0.0)
         if gap > TOUCHES * model.scales.length:
             one, other = _names(encounters[0])
-            unit = default_unit(LENGTH, us=model.scene.problem.us)
+            us = model.scene.problem.us
+            unit = default_unit(LENGTH, us=us)
             return impact, (
-                f"after the plastic impact {one} and {other} are {gap / float(unit.factor):.3g} {unit.text} apart "
+                f"after the plastic impact {one} and {other} are {gap / in_base(unit, us):.3g} {unit.text} apart "
                 "as they are drawn, and nothing holds them"
             )
     return None

@@ -11,6 +11,7 @@ import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import pairwise
 
+from planar_cli.base_units import in_base
 from planar_cli.errors import Diagnostic, FileProblem, Mark, NoSolution
 from planar_cli.motion.crossings import root
 from planar_cli.motion.model import Model
@@ -84,7 +85,7 @@ class _Search:
             text = f"no place of equilibrium was found for {name}"
             raise NoSolution([Diagnostic(self.mark, "PL704", text, f"give {name} in the first state")])
         unit = parse_unit(self.sought.unit or "1")
-        factor = float(unit.factor) * math.pi**unit.pi_power
+        factor = in_base(unit, self.problem.us)
         told = [x / factor if abs(x) > SAME * size else 0.0 for x in found[:4]]
         shown = ", ".join(f"{x:.6g} {unit.text}" for x in told)
         text = f"there is equilibrium at several values of {name}: {shown}{' …' if len(found) > 4 else ''}"

@@ -92,13 +92,13 @@ class Drawing:
         """A length in m, as drawn."""
         return None if math.isnan(value.value) else value.value
 
-    def shown(self, meters: float, side: Side) -> str:
+    def shown(self, size: float, side: Side) -> str:
         """A length in the unit in which a side, or what it names, is written."""
         given = {s.name: s.value for s in self.problem.given}
         named = [given.get(n.name) for n in walk(side) if isinstance(n, Name)]
         nodes = [n for tree in (side, *named) if tree is not None for n in walk(tree)]
         units = [parse_unit(n.unit) for n in nodes if isinstance(n, Number | Scaled) and n.unit is not None]
-        return length_in(meters, units)
+        return length_in(size, units, self.problem.us)
 
 
 def points_of(problem: Problem) -> dict[str, Point]:

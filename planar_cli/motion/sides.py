@@ -1,4 +1,4 @@
-"""Formulas of the file as terms in SI units."""
+"""Formulas of the file as terms in the base units of the file."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import field
 from fractions import Fraction
 
+from planar_cli.base_units import in_base
 from planar_cli.errors import FileProblem, Mark, refuse
 from planar_cli.motion.terms import Graph, Term
 from planar_cli.problem.evaluation import ARITHMETIC, evaluated
@@ -21,12 +22,12 @@ from planar_cli.problem.expression import (
 )
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.no_number import quantity_misplaced, state_misplaced
+from planar_cli.problem.ordinary import GRAVITY
 from planar_cli.problem.scene import Problem
 from planar_cli.problem.walk import Tree, walk
 from planar_cli.records import changing, record
 from planar_cli.units import parse_unit
 
-GRAVITY = 9.81
 """g where the file gives none, m/s²."""
 
 
@@ -42,7 +43,7 @@ class Constants:
     graph: Graph
     problem: Problem
     values: Mapping[str, float]
-    """Numbers for letters and unknowns, by name, in SI units; they go before what the file gives."""
+    """Numbers for letters and unknowns, by name, in the base units of the file; they go before what the file gives."""
     settled: dict[str, Side] = field(default_factory=dict)
     """Unknowns whose value a relation of the start gives."""
     _found: dict[str, Term] = field(default_factory=dict)
@@ -66,7 +67,7 @@ class Constants:
         return found
 
     def gravity(self, sides: Sides) -> Term:
-        """g, m/s²."""
+        """g."""
         return self.term(Name("g", None, Mark(self.problem.file, 1, 1)), sides)
 
     def _made(self, name: Name, sides: Sides) -> Term:
@@ -82,7 +83,7 @@ class Constants:
             self._waiting.pop()
             return found
         if name.name == "g":
-            return self.graph.number(GRAVITY)
+            return self.graph.number(float(GRAVITY) * in_base(parse_unit("m/s^2"), self.problem.us))
         raise self._without_number(name)
 
     def _without_number(self, name: Name) -> FileProblem:
@@ -114,10 +115,14 @@ class Sides:
     # --- the numbers of which formulas are made (problem/evaluation.py) ----------------------------------------------
 
     def number(self, number: Number) -> Term:
-        return self.graph.number(number.sense * _written(number.value, number.unit))
+        return self.graph.number(number.sense * self._written(number.value, number.unit))
 
     def scaled(self, side: Scaled) -> Term:
-        return self.value(side.operand) * (side.sense * _written(Fraction(1), side.unit))
+        return self.value(side.operand) * (side.sense * self._written(Fraction(1), side.unit))
+
+    def _written(self, value: Fraction, unit: str | None) -> float:
+        """A written number in the base units of the file."""
+        return float(value) if unit is None else float(value) * in_base(parse_unit(unit), self.constants.problem.us)
 
     def called(self, function: Function) -> Term:
         return self.graph.call(function.name, self.value(function.argument))
@@ -160,11 +165,3 @@ def names_in(tree: Tree) -> set[str]:
 def has_quantity(tree: Tree) -> bool:
     """Does a quantity stand in it?"""
     return any(isinstance(node, Quantity) for node in walk(tree))
-
-
-def _written(value: Fraction, unit: str | None) -> float:
-    """A written number in SI units."""
-    if unit is None:
-        return float(value)
-    found = parse_unit(unit)
-    return float(value * found.factor) * math.pi**found.pi_power

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
+from planar_cli.base_units import in_base
 from planar_cli.errors import NOWHERE, Diagnostic, NoSolution
 from planar_cli.motion.dense import null_space
 from planar_cli.motion.layout import Layout, Slot
@@ -49,5 +50,5 @@ def _both(slot: Slot, one: float, other: float, us: bool) -> tuple[str, str]:
     turns = slot.kind == "theta"
     name = f"omega({slot.body})" if turns else f"v({slot.body}).{slot.kind}"
     unit = default_unit(RATE if turns else VELOCITY, turns, us)
-    told = " and for ".join(f"{v / float(unit.factor):.4g} {unit.text}" for v in (one, other))
+    told = " and for ".join(f"{v / in_base(unit, us):.4g} {unit.text}" for v in (one, other))
     return f"what is said of the start holds for {name} = {told}", f"say which is meant, such as `{name} > 0`"

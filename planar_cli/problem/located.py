@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any, Protocol
 
+from planar_cli.base_units import in_base
 from planar_cli.errors import refuse
 from planar_cli.problem.expression import Side
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import At, Foot, Midpoint, Point, Polar, Rims, Towards, TwoFacts
-from planar_cli.units import LENGTH, Unit
+from planar_cli.units import LENGTH, Unit, default_unit
 
 NEITHER = 1e-9
 """A difference of places below this part of their distance does not tell a side."""
@@ -35,16 +36,14 @@ class Numbers(Protocol):
     def plain(self, value: Any) -> float | None:
         """A length in m; None where letters have their part in it."""
 
-    def shown(self, meters: float, side: Side) -> str:
+    def shown(self, size: float, side: Side) -> str:
         """A length in the unit in which a side is written."""
 
 
-def length_in(meters: float, units: Iterable[Unit]) -> str:
-    """A length in the first of these units that is one of length, else in m."""
-    unit = next((u for u in units if u.dimension == LENGTH), None)
-    if unit is None:
-        return f"{meters:.4g} m"
-    return f"{meters / float(unit.factor):.4g} {unit.text}"
+def length_in(size: float, units: Iterable[Unit], us: bool) -> str:
+    """A length in the first of these units that is one of length, else in m or ft."""
+    unit = next((u for u in units if u.dimension == LENGTH), default_unit(LENGTH, us=us))
+    return f"{size / in_base(unit, us):.4g} {unit.text}"
 
 
 def located(point: Point, numbers: Numbers) -> Vec:

@@ -14,12 +14,14 @@ from decimal import Decimal
 from fractions import Fraction
 from typing import Any
 
+from planar_cli.base_units import in_base
 from planar_cli.problem.expression import Number, Scaled
 from planar_cli.problem.scene import Problem
 from planar_cli.records import record
 from planar_cli.units import ACCELERATION, PURE, Dimension, parse_unit
 
-GRAVITY = 9.81
+GRAVITY = Fraction(981, 100)
+"""Of the Earth, where the file says nothing else [m/s²]."""
 
 
 @record
@@ -27,14 +29,14 @@ class Scales:
     """What counts as an ordinary size in a scene."""
 
     length: float = 1.0
-    """In m."""
+    """In m or ft."""
     mass: float = 1.0
-    """In kg."""
+    """In kg or slug."""
     time: float = 1.0
     """In s."""
 
     def of(self, dimension: Dimension) -> float:
-        """The ordinary size of a quantity, in SI units."""
+        """The ordinary size of a quantity, in the base units of the file."""
         return float(
             self.length ** float(dimension.length)
             * self.mass ** float(dimension.mass)
@@ -47,10 +49,10 @@ class Scales:
 
 
 def scales_of(problem: Problem) -> Scales:
-    """The ordinary sizes of a scene. A kind of quantity that no number tells keeps its SI unit."""
-    rows = [(d, math.log(abs(n))) for n, d in _numbers(problem) if n and d != PURE]
+    """The ordinary sizes of a scene. A kind of quantity that no number tells keeps its base unit."""
+    rows = [(d, math.log(abs(n))) for n, d in _numbers(problem, problem.us) if n and d != PURE]
     if problem.plane == "vertical" and not any(s.name == "g" for s in (*problem.given, *problem.symbols)):
-        rows.append((ACCELERATION, math.log(GRAVITY)))
+        rows.append((ACCELERATION, math.log(float(GRAVITY) * in_base(parse_unit("m/s^2"), problem.us))))
     rows += [(parse_unit(s.unit).dimension, 0.0) for s in problem.symbols if s.unit is not None]
     powers = [(d.length, d.mass, d.time) for d, _ in rows]
     square = [[sum((p[i] * p[j] for p in powers), Fraction(0)) for j in range(3)] for i in range(3)]
@@ -58,23 +60,23 @@ def scales_of(problem: Problem) -> Scales:
     return Scales(*(math.exp(x) for x in _solved(square, right)))
 
 
-def _numbers(node: Any) -> Iterator[tuple[float, Dimension]]:
-    """All numbers with a unit in a file, in SI units; what it asks and answers is left out."""
+def _numbers(node: Any, us: bool) -> Iterator[tuple[float, Dimension]]:
+    """All numbers with a unit in a file, in its base units; what it asks and answers is left out."""
     if isinstance(node, tuple):
         for inner in node:
-            yield from _numbers(inner)
+            yield from _numbers(inner, us)
     elif isinstance(node, Number):
         if node.unit is not None:
             unit = parse_unit(node.unit)
-            yield float(node.value * unit.factor) * math.pi**unit.pi_power, unit.dimension
+            yield float(node.value) * in_base(unit, us), unit.dimension
     elif isinstance(node, Scaled):
         unit = parse_unit(node.unit)
         plain = [float(n.value) for n in _plain(node.operand)]
-        yield math.prod(n for n in plain if n) * float(unit.factor) * math.pi**unit.pi_power, unit.dimension
+        yield math.prod(n for n in plain if n) * in_base(unit, us), unit.dimension
     elif is_dataclass(node) and not isinstance(node, type):
         for f in fields(node):
             if f.name not in ("find", "answers", "cases", "mark", "tolerance"):
-                yield from _numbers(getattr(node, f.name))
+                yield from _numbers(getattr(node, f.name), us)
 
 
 def _plain(node: Any) -> Iterator[Number]:

@@ -299,7 +299,8 @@ class Case:
 
 @record
 class Problem:
-    """A whole problem file. `plane`: vertical, horizontal, or None. `us`: all of `given` is in US customary units.
+    """A whole problem file. `plane`: vertical, horizontal, or None. `us`: all of `given` is in US customary units;
+    all formulas are in ft, slug, s then.
 
     `struck`: in what acts during one span, the bodies that blows of the whole file strike.
     """

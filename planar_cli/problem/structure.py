@@ -120,9 +120,12 @@ def read_problem(file: str, node: Node, report: Report) -> Problem:
         node = Mapping((), node.mark)
     whole = Fields(node, KEYS, "a problem file", report, SLIPS)
     base = _read(file, whole)
-    cases = tuple(_cases(file, node, whole))
+    cases = _cases(file, node, whole)
+    # Numbers of one case are used in others: all are counted in the same units.
+    us = all(case.problem.us for case in cases) if cases else base.us
+    cases = [replace(case, problem=replace(case.problem, us=us)) for case in cases]
     sections.check_extras(whole)
-    return replace(base, cases=cases, answers=sections.answers(whole))
+    return replace(base, cases=tuple(cases), answers=sections.answers(whole), us=us)
 
 
 def _cases(file: str, base: Mapping, whole: Fields) -> list[Case]:

@@ -112,12 +112,12 @@ def _told(body: str, found: _Sum, terms: list[Decimal], phrases: Phrases) -> Lin
     unit = phrases.page_unit(default_unit(found.dimension))
     parts: list[str | Inline] = []
     for i, term in enumerate(terms):
-        shown = display(abs(term), unit)
+        shown = display(abs(term), unit, phrases.ledger.us)
         parts += [("-" if term < 0 else "") if i == 0 else (" - " if term < 0 else " + ")]
         parts.append(Value(shown, "1", phrases.figures))
     total = sum(terms, Decimal(0))
     zero = abs(total) <= max(abs(t) for t in terms) * SMALL
-    parts += [" = ", Value(Decimal(0) if zero else display(total, unit), unit.text, phrases.figures)]
+    parts += [" = ", Value(Decimal(0) if zero else display(total, unit, phrases.ledger.us), unit.text, phrases.figures)]
     if found.inertia != 0 and not zero:
         parts += [" = ", phrases.math(found.inertia)]
     return line(f"{body}: ", *found.lead, " = ", *(p for p in parts if p != "" and p != Text("")))

@@ -66,7 +66,7 @@ def _signed(found: Found, phrases: Phrases) -> list[Inline]:
     """A negative number before its size and direction."""
     if found.values is None:
         return []
-    number = display(found.values[0], found.unit)
+    number = display(found.values[0], found.unit, phrases.ledger.us)
     if number >= 0 or not direction_words(found, number):
         return []
     return [Value(number, told_unit(found.unit, found.energy), phrases.figures), Text(", that is ")]

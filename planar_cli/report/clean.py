@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from fractions import Fraction
 
 import sympy as sp
@@ -48,21 +48,11 @@ def dimension_of(expr: sp.Expr, ledger: Ledger) -> Dimension:
 
 def common_dimension(ledger: Ledger, *exprs: sp.Expr) -> Dimension | None:
     """The one dimension of all that is not zero; None: there are several, or a number hides a unit."""
-    found = _dimensions(ledger, exprs)
-    return found.pop() if found is not None and len(found) == 1 else None
-
-
-def is_alike(ledger: Ledger, *exprs: sp.Expr) -> bool:
-    """Have all one dimension, as far as they are not zero, with no unit behind a number?"""
-    found = _dimensions(ledger, exprs)
-    return found is not None and len(found) < 2
-
-
-def _dimensions(ledger: Ledger, exprs: Iterable[sp.Expr]) -> set[Dimension] | None:
     try:
-        return {dimension_of(e, ledger) for e in exprs if e != 0}
+        found = {dimension_of(e, ledger) for e in exprs if e != 0}
     except Mixed:
         return None
+    return found.pop() if len(found) == 1 else None
 
 
 def is_clean(ledger: Ledger, *exprs: sp.Expr, dimension: Dimension | None = None) -> bool:

@@ -297,7 +297,8 @@ class EnergyTelling:
         own = self.phrases.page_unit(unit)
         text = told_unit(own, unit.dimension == ENERGY)
         zero = self.phrases.value.is_zero(expr)
-        return Value(display(self.phrases.value(sp.S.Zero if zero else expr), own), text, self.phrases.figures)
+        number = display(self.phrases.value(sp.S.Zero if zero else expr), own, self.phrases.ledger.us)
+        return Value(number, text, self.phrases.figures)
 
     def _with(
         self, told: sp.Expr, ends: Mapping[sp.Symbol, sp.Expr], numbers: Mapping[sp.Symbol, str]

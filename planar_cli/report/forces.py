@@ -107,7 +107,7 @@ def _amount(size: sp.Expr, dimension: Dimension, phrases: Phrases) -> Math | Val
     if not size.is_number or size == 0:
         return phrases.math(size)
     unit = phrases.page_unit(default_unit(dimension))
-    return Value(display(phrases.value(size), unit), unit.text, phrases.figures)
+    return Value(display(phrases.value(size), unit, phrases.ledger.us), unit.text, phrases.figures)
 
 
 def _sense(w: Wrench, phrases: Phrases, back: bool) -> str:
@@ -225,7 +225,7 @@ def _clean(amount: sp.Expr, stage: Stage, phrases: Phrases, dimension: Dimension
     """m a or I α in letters; with its numbers where a number would hide a length."""
     if phrases.symbolic or is_clean(phrases.ledger, amount, dimension=dimension):
         return (phrases.math(amount),)
-    found = amount_in_numbers(amount, stage.algebra.unknowns, phrases, dimension)
+    found = amount_in_numbers(amount, stage.algebra.unknowns, phrases)
     if found is None:
         return (phrases.math(amount),)
     unit = coherent_unit(dimension, us=phrases.ledger.us).text

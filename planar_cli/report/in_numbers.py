@@ -1,7 +1,7 @@
 """Equations with the numbers put in: what a page prints where letters would need decimal factors or whole pages.
 
-Every known is a number, and the equation is collected in its unknowns: 24.53 - 0.25 N = 12.5 α, in N·m. In a file in US
-units the numbers are in feet, pounds and slugs, so that the equation is true as it stands.
+Every known is a number, and the equation is collected in its unknowns: 24.53 - 0.25 N = 12.5 α, in N·m. All of
+them are in the base units of the file, so that the equation is true as it stands.
 """
 
 from __future__ import annotations
@@ -11,13 +11,11 @@ from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.equation.ledger import display
 from planar_cli.records import record
 from planar_cli.report.blocks import Math
-from planar_cli.report.clean import common_dimension, dimension_of
+from planar_cli.report.clean import common_dimension
 from planar_cli.report.numbers import significant
 from planar_cli.report.ordering import NUMBER
-from planar_cli.report.page_units import coherent_unit
 from planar_cli.report.words import Phrases
 from planar_cli.units import Dimension
 
@@ -49,7 +47,7 @@ def in_numbers(
     if not all(phrases.has_numbers(s) or s in unknowns for s in (left - right).free_symbols):
         return None
     dimension = dimension or common_dimension(phrases.ledger, left, right)
-    writer = _Collected(frozenset(unknowns), phrases, dimension)
+    writer = _Collected(frozenset(unknowns), phrases)
     before, after = writer.terms(left), writer.terms(right)
     if before is None or after is None:
         return None
@@ -59,13 +57,11 @@ def in_numbers(
     return Sides(writer.side(before, largest), writer.side(after, largest), dimension)
 
 
-def amount_in_numbers(
-    expr: sp.Expr, unknowns: Collection[sp.Symbol], phrases: Phrases, dimension: Dimension
-) -> Math | None:
+def amount_in_numbers(expr: sp.Expr, unknowns: Collection[sp.Symbol], phrases: Phrases) -> Math | None:
     """One amount collected in its unknowns; None where `in_numbers` has none."""
     if not all(phrases.has_numbers(s) or s in unknowns for s in expr.free_symbols):
         return None
-    writer = _Collected(frozenset(unknowns), phrases, dimension)
+    writer = _Collected(frozenset(unknowns), phrases)
     terms = writer.terms(expr)
     return None if terms is None else writer.side(terms, max(map(abs, terms.values()), default=Decimal(0)))
 
@@ -86,8 +82,8 @@ def _apart(
 class _Collected:
     """Sides of one equation in its unknowns."""
 
-    def __init__(self, unknowns: frozenset[sp.Symbol], phrases: Phrases, dimension: Dimension | None) -> None:
-        self.unknowns, self.phrases, self.dimension = unknowns, phrases, dimension
+    def __init__(self, unknowns: frozenset[sp.Symbol], phrases: Phrases) -> None:
+        self.unknowns, self.phrases = unknowns, phrases
 
     def side(self, terms: dict[sp.Expr, Decimal], largest: Decimal) -> Math:
         """One side as a formula; what is below the rounding of the largest term is left out."""
@@ -100,21 +96,13 @@ class _Collected:
 
     def _part(self, monomial: sp.Expr, coefficient: Decimal, texts: dict[sp.Symbol, str]) -> sp.Expr:
         """coefficient · monomial, the number behind a symbol that is printed as its text."""
-        size = self._in_page_units(abs(coefficient), monomial)
         sign = sp.Integer(-1 if coefficient < 0 else 1)
-        shown = significant(size, self.phrases.figures)
+        shown = significant(abs(coefficient), self.phrases.figures)
         if shown == "1" and monomial != 1:
             return sign * monomial
         number = sp.Symbol(f"{NUMBER}{len(texts)}", positive=True)
         texts[number] = shown
         return sign * number * monomial
-
-    def _in_page_units(self, size: Decimal, monomial: sp.Expr) -> Decimal:
-        """A coefficient in the units of the page; in SI units where the dimension of the equation is not known."""
-        if self.dimension is None:
-            return size
-        ledger = self.phrases.ledger
-        return display(size, coherent_unit(self.dimension / dimension_of(monomial, ledger), us=ledger.us))
 
     def terms(self, expr: sp.Expr) -> dict[sp.Expr, Decimal] | None:
         """Coefficients by products of unknowns."""

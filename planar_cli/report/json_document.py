@@ -18,7 +18,8 @@ from planar_cli.homework.verdict import Verdict
 from planar_cli.report.checks import unconfirmed
 from planar_cli.report.effects import effects
 from planar_cli.report.narrate import phrases_in
-from planar_cli.report.words import answer_text, in_si, rounded, si_text, told_unit
+from planar_cli.report.page_units import in_base_units
+from planar_cli.report.words import answer_text, rounded, told_unit
 from planar_cli.solve.instant.algebra import Line
 from planar_cli.solve.instant.instant import Trial
 from planar_cli.solve.instant.stages import Stage
@@ -39,7 +40,9 @@ def solution_data(solution: Solution, verdicts: Sequence[Verdict], figures: int,
         "schema_version": 1,
         "problem": solution.problem.title or solution.problem.file,
         "outcome": "solved",
-        "answers": {f.name: _answer(f, part, figures) for part in solution.parts for f in part.found},
+        "answers": {
+            f.name: _answer(f, part, figures, solution.problem.us) for part in solution.parts for f in part.found
+        },
         "unconfirmed": sum(bool(unconfirmed(f, part)) for part in solution.parts for f in part.found),
         "plan": _plan(solution, method),
         "steps": [
@@ -84,13 +87,13 @@ def failure_data(problem: str, outcome: str, message: str, diagnostics: Sequence
 # --- answers ---------------------------------------------------------------------------------------------------------
 
 
-def _answer(found: Found, part: PartSolution, figures: int) -> dict[str, Any]:
-    # Formulas are in SI units whatever is asked.
+def _answer(found: Found, part: PartSolution, figures: int, us: bool) -> dict[str, Any]:
+    # Formulas are in base units whatever is asked.
     formula = found.values is None and bool(found.expressions)
-    unit = told_unit(in_si(found.unit) if formula else found.unit, found.energy)
+    unit = told_unit(in_base_units(found.unit, us) if formula else found.unit, found.energy)
     digits = part.instants[-1].checks.get("digits") if part.instants else _digits(found, part)
     return {
-        "value": _value(found),
+        "value": _value(found, us),
         "unit": unit,
         "expression": _expression(found),
         "text": answer_text(found, phrases_in(part, figures)),
@@ -110,14 +113,14 @@ def _digits(found: Found, part: PartSolution) -> int | None:
     return MACHINE_DIGITS if not answer.error else min(MACHINE_DIGITS, max(0, int(math.log10(size / answer.error))))
 
 
-def _value(found: Found) -> Any:
+def _value(found: Found, us: bool) -> Any:
     if found.kind == "truth":
         return found.word == "true"
     if found.kind == "word":
         return found.word
     if found.values is None:
         return None
-    numbers = [display(v, found.unit) if v.is_finite() else None for v in found.values]
+    numbers = [display(v, found.unit, us) if v.is_finite() else None for v in found.values]
     return numbers if found.kind == "vector" else numbers[0]
 
 
@@ -224,7 +227,7 @@ def _solved(solved: Line, instant: InstantSolution) -> dict[str, Any]:
         "symbol": solved.symbol.name,
         "formula": str(rounded(solved.formula, STEP_DIGITS)),
         "value": solved.value if numeric else None,
-        "unit": si_text(unit) if unit is not None else "1",
+        "unit": in_base_units(unit, ledger.us).text if unit is not None else "1",
         "equations": list(solved.equations),
     }
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 from decimal import Decimal
 from typing import Any
 
-from planar_cli.report.words import rounded, si_text
+from planar_cli.report.page_units import in_base_units
+from planar_cli.report.words import rounded
 from planar_cli.solve.between.trace import MotionTrace, Relation, Result
 
 STEP_DIGITS = 12
@@ -41,6 +42,6 @@ def _result(r: Result, found: MotionTrace) -> dict[str, Any]:
         "symbol": r.unknown.name,
         "formula": None if r.formula is None else str(rounded(r.formula, STEP_DIGITS)),
         "value": r.value if numeric else None,
-        "unit": si_text(unit) if unit is not None else "1",
+        "unit": in_base_units(unit, ledger.us).text if unit is not None else "1",
         "roots": [x.value for x in r.roots] if numeric else [],
     }

@@ -1,10 +1,17 @@
-"""The units in which the lines of a page are worked out: those in which its formulas need no factors."""
+"""The units in which the lines of a page are worked out: the base units of the file and what they make, in which
+formulas need no factors.
+"""
 
 from __future__ import annotations
 
 import re
 
 from planar_cli.units import Dimension, Unit, default_unit, parse_unit
+
+
+def in_base_units(unit: Unit, us: bool) -> Unit:
+    """What numbers of the kind of a unit are in inside formulas."""
+    return coherent_unit(unit.dimension, unit.angle, us)
 
 
 def coherent_unit(dimension: Dimension, angle: bool = False, us: bool = False) -> Unit:

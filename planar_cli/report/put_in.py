@@ -16,12 +16,11 @@ from sympy.functions.elementary.trigonometric import TrigonometricFunction
 from planar_cli.equation.counting import operations
 from planar_cli.equation.exact import Unvalued
 from planar_cli.equation.expansion import expanded
-from planar_cli.equation.ledger import display
 from planar_cli.equation.plain import longer
 from planar_cli.errors import NoValue
 from planar_cli.records import record
 from planar_cli.report.blocks import Line, Math, line
-from planar_cli.report.clean import Mixed, dimension_of, is_alike, is_clean
+from planar_cli.report.clean import Mixed, dimension_of, is_clean
 from planar_cli.report.enough_figures import DEGREE
 from planar_cli.report.in_numbers import SMALL
 from planar_cli.report.numbers import significant
@@ -71,8 +70,6 @@ def put_in(
         parts = [left]
     elif phrases.has_numbers(left):
         parts = [e for e in parts if not phrases.value.is_zero(e)] or [sp.S.Zero]
-    if phrases.ledger.us and not is_alike(phrases.ledger, left, right):
-        return None
     writer = Writer(unknowns, phrases)
     found = [writer.written(e) for e in parts]
     after = writer.written(right)
@@ -96,8 +93,6 @@ def partly(expr: sp.Expr, letters: Collection[sp.Symbol], phrases: Phrases, cons
         written[integral] = sp.Integral(inside, *integral.limits)
     if written:
         return Math(expr.xreplace(written), writer.texts)
-    if phrases.ledger.us and not is_alike(phrases.ledger, expr):
-        return None
     found = writer.written(expr)
     short = found is not None and not longer(found, PART) and (constant or bool(found.free_symbols & set(letters)))
     return Math(found, writer.texts) if short else None
@@ -115,7 +110,7 @@ def in_known(
     whole = [] if longer(expr, most) else phrases.substituted(expr, value)
     if whole and named:
         return whole
-    part = None if phrases.ledger.us and not is_alike(phrases.ledger, expr) else _together(expr, inside, phrases)
+    part = _together(expr, inside, phrases)
     if part is not None:
         return [part]
     found = None if whole else partly(expr, inside, phrases)
@@ -206,13 +201,10 @@ class Writer:
 
     def _number(self, known: sp.Expr) -> sp.Expr:
         """A number behind a symbol that is printed as its text, its sign before it."""
-        ledger, value = self.phrases.ledger, self.phrases.value(known)
+        value = self.phrases.value(known)
         if known.is_Integer and abs(int(known)) < 10:
             return known
         size = abs(value)
-        if ledger.us:
-            unit = coherent_unit(dimension_of(known, ledger), us=True)
-            size = display(size, unit)
         return self._text(significant(size, self.phrases.figures), size, value < 0)
 
     def _text(self, text: str, size: Decimal, negative: bool = False) -> sp.Expr:

@@ -9,7 +9,6 @@ from planar_cli.equation.exact import Valuation
 from planar_cli.equation.ledger import Ledger
 from planar_cli.report.blocks import Block, Bullet, Check, Heading, Line, Paragraph, Table, Value, line
 from planar_cli.report.words import Phrases
-from planar_cli.simulate.answers import in_si
 from planar_cli.simulate.report import transition_words
 from planar_cli.simulate.run import Simulation
 from planar_cli.simulate.table import table_of
@@ -64,7 +63,7 @@ def _cell(value: float, least: float, figures: int) -> Line:
 
 def read_off_checks(motion: Simulation) -> Iterator[Check]:
     """How good the numbers are."""
-    errors = [(a.error / in_si(a.unit), a) for a in motion.answers if a.error is not None and a.values]
+    errors = [(a.error / a.one, a) for a in motion.answers if a.error is not None and a.values]
     if errors:
         words = ", ".join(f"{a.name} {e:.0e} {pretty_unit(a.unit.text)}".rstrip() for e, a in errors)
         yield Check(line(f"estimated errors, by a second run with finer steps: {words}"))

@@ -146,7 +146,7 @@ class SpanTelling:
             return Value(number, text, self.phrases.figures)
         own = self.phrases.page_unit(parse_unit(text))
         shown = text if not self.phrases.ledger.us else own.text
-        return Value(display(number, own), shown, self.phrases.figures)
+        return Value(display(number, own, self.phrases.ledger.us), shown, self.phrases.figures)
 
 
 def _joined(pieces: list[Piece]) -> list[Piece]:

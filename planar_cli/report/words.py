@@ -17,14 +17,13 @@ from planar_cli.equation.plain import PRINTABLE, longer
 from planar_cli.problem.expression import Quantity
 from planar_cli.records import record
 from planar_cli.report.blocks import Line, Math, Text, Value
-from planar_cli.report.clean import is_clean
 from planar_cli.report.enough_figures import enough_figures
 from planar_cli.report.neat import Neat
 from planar_cli.report.numbers import as_printed, quantity, rotation_words, significant, vector_words
 from planar_cli.report.page_units import coherent_unit
 from planar_cli.report.pieces import met
 from planar_cli.solve.solution import Found
-from planar_cli.units import Dimension, Unit, default_unit
+from planar_cli.units import Dimension, Unit
 
 ANGLES = ("", "1", "deg", "rad", "rev")
 LONG = 7
@@ -90,8 +89,6 @@ class Phrases:
         if not self.has_numbers(expr):
             return None
         expr = self.neat(self.met(expr)) if sizes is None else expr
-        if self.ledger.us and sizes is None and not is_clean(self.ledger, expr):
-            return None
         degrees = [s for s in expr.free_symbols if self._in_degrees(s)]
         apart = (
             {}
@@ -113,7 +110,7 @@ class Phrases:
         for symbol in degrees:
             if symbol in apart:
                 texts[apart[symbol]] = texts[symbol]
-            texts[symbol] = significant(display(counted[symbol], self.ledger.units[symbol]), figures) + "°"
+            texts[symbol] = significant(self._in_unit(counted[symbol], self.ledger.units[symbol]), figures) + "°"
         return Math(rounded(_in_radians(expr, apart), figures), texts)
 
     def has_numbers(self, expr: sp.Expr) -> bool:
@@ -148,7 +145,10 @@ class Phrases:
 
     def _in_page_units(self, symbol: sp.Symbol, value: Decimal) -> Decimal:
         unit = self.ledger.units.get(symbol)
-        return value if unit is None else display(value, self.page_unit(unit))
+        return value if unit is None else self._in_unit(value, self.page_unit(unit))
+
+    def _in_unit(self, value: Decimal, unit: Unit) -> Decimal:
+        return display(value, unit, self.ledger.us)
 
     def page_unit(self, unit: Unit) -> Unit:
         """The unit of the lines of the page: SI, or feet, slugs, seconds and pounds in a file in US units."""
@@ -157,23 +157,23 @@ class Phrases:
         return unit if unit.factor == own.factor and not unit.angle and not unit.pi_power else own
 
     def of_dimension(self, value: Decimal, dimension: Dimension, angle: bool = False) -> Value:
-        """A value in SI units in the unit of the page."""
+        """A value in base units in the unit of the page."""
         unit = coherent_unit(dimension, angle, self.ledger.us)
-        return Value(display(value, unit), unit.text, self.figures)
+        return Value(self._in_unit(value, unit), unit.text, self.figures)
 
     def vector(self, x: Decimal, y: Decimal, dimension: Dimension) -> Line:
-        """[x, y] of SI values, with the unit of the page."""
+        """[x, y] of values in base units, with the unit of the page."""
         one, other = (self.of_dimension(p, dimension) for p in (x, y))
         return components(one.number, other.number, one.unit, self.figures)
 
     def in_units(self, value: Decimal, unit: Unit, energy: bool = False) -> list[Value]:
-        """An SI value in the unit of the page, which the numbers before it have, and in the one that is asked, where it
-        is another.
+        """A value in base units in the unit of the page, which the numbers before it have, and in the one that is
+        asked, where it is another.
         """
         own = self.page_unit(unit)
-        same = unit.text == "deg" or display(Decimal(1), unit) == display(Decimal(1), own)
+        same = unit.text == "deg" or self._in_unit(Decimal(1), unit) == self._in_unit(Decimal(1), own)
         units = [unit] if same else [own, unit]
-        return [Value(display(value, u), told_unit(u, energy), self.figures) for u in units]
+        return [Value(self._in_unit(value, u), told_unit(u, energy), self.figures) for u in units]
 
     def shown(self, symbol: sp.Symbol, value: Decimal | None = None) -> Value:
         """The value of a symbol in the units of the page."""
@@ -182,9 +182,9 @@ class Phrases:
         if unit is None:
             return Value(number, "1", self.figures)
         if unit.angle and unit.text == "deg":
-            return Value(display(number, unit), "deg", self.figures)
+            return Value(self._in_unit(number, unit), "deg", self.figures)
         own = self.page_unit(unit)
-        return Value(display(number, own), own.text, self.figures)
+        return Value(self._in_unit(number, own), own.text, self.figures)
 
     def arrow(self, x: Any, y: Any) -> str:
         """The direction of a vector as an arrow."""
@@ -230,16 +230,6 @@ def _in_radians(expr: sp.Expr, apart: Mapping[sp.Symbol, sp.Symbol]) -> sp.Expr:
     return expr.func(*(_in_radians(a, apart) for a in expr.args))
 
 
-def in_si(unit: Unit) -> Unit:
-    """The SI unit of the same dimension."""
-    return default_unit(unit.dimension, unit.angle)
-
-
-def si_text(unit: Unit) -> str:
-    """The same as text."""
-    return in_si(unit).text
-
-
 def answer_line(found: Found, phrases: Phrases) -> Line:
     """The answer of a find: its value with unit and direction, its formula, or its word."""
     if found.curve is not None:
@@ -255,7 +245,7 @@ def answer_line(found: Found, phrases: Phrases) -> Line:
             parts += [Text("[" if i == 0 and found.kind == "vector" else ", " if i else ""), Math(phrases.neat(expr))]
         line = (*parts, Text("]")) if found.kind == "vector" else tuple(p for p in parts if p != Text(""))
         return (*_in_asked_unit(line, found, phrases), *_unit_of_formula(found, phrases))
-    numbers = [display(v, found.unit) for v in found.values]
+    numbers = [display(v, found.unit, phrases.ledger.us) for v in found.values]
     unit = told_unit(found.unit, found.energy)
     if found.kind == "vector":
         what = found.find.found.what if found.find is not None else None
@@ -272,7 +262,7 @@ def _unit_of_formula(found: Found, phrases: Phrases) -> Line:
     """
     if phrases.letters:
         asked = found.find.found.unit if found.find is not None else None
-        if asked is None or found.unit.angle or display(Decimal(1), found.unit) == 1:
+        if asked is None or found.unit.angle or display(Decimal(1), found.unit, phrases.ledger.us) == 1:
             return ()
         return (Text(f" (it has the unit of its letters; {_unit_only(asked)} is for numbers)"),)
     if found.unit.text == "1":
@@ -282,8 +272,8 @@ def _unit_of_formula(found: Found, phrases: Phrases) -> Line:
 
 
 def _in_asked_unit(line: Line, found: Found, phrases: Phrases) -> Line:
-    """A formula, whose numbers are in SI units, times what makes it one in the unit of the answer."""
-    factor = display(Decimal(1), found.unit)
+    """A formula, whose numbers are in base units, times what makes it one in the unit of the answer."""
+    factor = display(Decimal(1), found.unit, phrases.ledger.us)
     if phrases.letters or factor == 1 or all(e == 0 for e in found.expressions or ()):
         return line
     head = Text(f"{significant(factor, phrases.figures)} · ")
@@ -304,7 +294,8 @@ def curve_line(curve: Curve, phrases: Phrases, hodograph: bool = False) -> Line:
         if plain_numbers is not None:
             parts += [Text(", that is "), plain_numbers]
         if not phrases.letters:
-            parts.append(Text(" (in m/s)" if hodograph else " (in m)"))
+            length = "ft" if phrases.ledger.us else "m"
+            parts.append(Text(f" (in {length}/s)" if hodograph else f" (in {length})"))
     if curve.holds:
         parts.append(Text(f", {curve.holds}"))
     return tuple(parts)

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 
+from planar_cli.base_units import in_base
 from planar_cli.errors import FileProblem, Undecided
 from planar_cli.motion.functions import FUNCTIONS
 from planar_cli.motion.regime import Regime
@@ -53,27 +53,24 @@ class Answered:
 
     name: str
     values: tuple[float, ...] = ()
-    """SI: one number, or the two components of a vector; none of a word or where there is no answer."""
+    """In base units: one number, or the two components of a vector; none of a word or where there is no answer."""
     word: str = ""
     """true, false, or a mode."""
     unit: Unit = NO_UNIT
     """In which it is shown."""
+    one: float = 1.0
+    """What one of that unit is in base units."""
     error: float | None = None
-    """The estimated error [SI]; None where there is none."""
+    """The estimated error, in base units; None where there is none."""
     why: str = ""
     """Why there is no answer."""
     scale: float = 0.0
-    """The size of usual values of this kind in the scene [SI]: what the error of a zero is measured by."""
+    """The size of usual values of this kind in the scene, in base units: what the error of a zero is measured by."""
 
     @property
     def shown(self) -> tuple[float, ...]:
         """The values in the unit."""
-        return tuple(v / in_si(self.unit) for v in self.values)
-
-
-def in_si(unit: Unit) -> float:
-    """What one of a unit is in SI units."""
-    return float(unit.factor) * math.pi**unit.pi_power
+        return tuple(v / self.one for v in self.values)
 
 
 def usual_unit(what: Side, kinds: Kinds, us: bool) -> Unit:
@@ -121,7 +118,8 @@ class Answers:
             return Answered(find.name, word=self._mode(what.things[0], what.at))
         scale = Timetable(self.problem, self.measures).scale(what)
         values = self._throughout(what, scale) if self._stateless(what) else self.value(what)
-        return Answered(find.name, values, unit=self.unit(find), scale=scale)
+        unit = self.unit(find)
+        return Answered(find.name, values, unit=unit, one=in_base(unit, self.problem.us), scale=scale)
 
     # --- values ------------------------------------------------------------------------------------------------------
 
@@ -137,7 +135,7 @@ class Answers:
             case Negate():
                 return tuple(-v for v in self.value(side.operand))
             case Scaled():
-                factor = side.sense * in_si(parse_unit(side.unit))
+                factor = side.sense * in_base(parse_unit(side.unit), self.problem.us)
                 return tuple(v * factor for v in self.value(side.operand))
             case Binary():
                 return self._binary(side)

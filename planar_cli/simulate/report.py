@@ -11,9 +11,9 @@ from planar_cli.motion.trajectory import Trajectory, Transition
 from planar_cli.problem.reading import did_you_mean
 from planar_cli.problem.scene import Answer, Problem
 from planar_cli.problem.show import spreadsheet_cell
-from planar_cli.simulate.answers import Answered, in_si
+from planar_cli.simulate.answers import Answered
 from planar_cli.simulate.effects import Entry, known_effects, ledger, without
-from planar_cli.simulate.request import Request, columns, stops
+from planar_cli.simulate.request import Request, columns, number_of, stops
 from planar_cli.simulate.run import Run, Settings, Simulation, begin, simulate, units_of
 from planar_cli.simulate.table import Table, table_of
 from planar_cli.units import pretty_unit
@@ -102,7 +102,7 @@ def _part(
         request.tolerance,
         request.integrator,
         request.step,
-        {**earlier, **dict(request.values)},
+        {**earlier, **{name: number_of(value, problem.us) for name, value in request.values}},
         stops=stops(problem, request),
         progress=progress,
     )
@@ -229,8 +229,8 @@ def answer_words(answer: Answered) -> str:
     if answer.word:
         return answer.word
     unit = pretty_unit(answer.unit.text)
-    error = None if answer.error is None else answer.error / in_si(answer.unit)
-    size = max([*map(abs, answer.shown), answer.scale / in_si(answer.unit)])
+    error = None if answer.error is None else answer.error / answer.one
+    size = max([*map(abs, answer.shown), answer.scale / answer.one])
     numbers = [_certain(v, error, size) for v in answer.shown]
     text = numbers[0] if len(numbers) == 1 else f"[{', '.join(numbers)}]"
     estimated = f"   (error about {error:.1e})" if error else ""
@@ -290,7 +290,7 @@ def _answer_data(answer: Answered) -> dict[str, Any]:
     value: Any = list(answer.shown) if len(answer.shown) > 1 else next(iter(answer.shown), None)
     if answer.word:
         value = {"true": True, "false": False}.get(answer.word, answer.word)
-    error = None if answer.error is None else answer.error / in_si(answer.unit)
+    error = None if answer.error is None else answer.error / answer.one
     return {"value": value, "unit": answer.unit.text, "error": error, "why": answer.why or None}
 
 

@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import TypeVar
 
+from planar_cli.base_units import in_base
 from planar_cli.errors import Diagnostic, FileProblem, Mark
 from planar_cli.problem.checks import check
 from planar_cli.problem.expression import Found, Number, Relation
@@ -36,8 +37,8 @@ class Request:
     integrator: str
     step: float | None
     """s."""
-    values: tuple[tuple[str, float], ...]
-    """Numbers for letters [SI]."""
+    values: tuple[tuple[str, Number], ...]
+    """Numbers for letters, as written."""
     case: str | None
     without: tuple[str, ...]
     effects: bool
@@ -82,15 +83,15 @@ def time_of(text: str, option: str) -> float:
     found = _number(text, option)
     if found.unit is not None and parse_unit(found.unit).dimension != TIME:
         raise _refused(option, f"{text} is no time", "write `10 s`")
-    return _si(found)
+    return number_of(found, us=False)
 
 
-def _value(text: str) -> tuple[str, float]:
+def _value(text: str) -> tuple[str, Number]:
     """NAME=VALUE."""
     name, sign, value = text.partition("=")
     if not sign or not name.strip().isidentifier():
         raise _refused("--set", f"{text} is no name with a value", "write `--set 'm=2 kg'`")
-    return name.strip(), _si(_number(value.strip(), "--set"))
+    return name.strip(), _number(value.strip(), "--set")
 
 
 def _named(text: str) -> tuple[str, str]:
@@ -106,11 +107,9 @@ def _number(text: str, option: str) -> Number:
     return side
 
 
-def _si(number: Number) -> float:
-    if number.unit is None:
-        return float(number.value)
-    unit = parse_unit(number.unit)
-    return number.sense * float(number.value * unit.factor) * (3.141592653589793**unit.pi_power)
+def number_of(number: Number, us: bool) -> float:
+    """A number in the base units of a file."""
+    return number.sense * float(number.value) * (in_base(parse_unit(number.unit), us) if number.unit else 1.0)
 
 
 def _refused(option: str, message: str, hint: str) -> FileProblem:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from planar_cli.base_units import in_base
 from planar_cli.errors import Mark
 from planar_cli.motion.regime import Regime
 from planar_cli.problem.check_dimensions import Kinds
@@ -12,7 +13,7 @@ from planar_cli.problem.scene import Find, Problem
 from planar_cli.problem.scope import Scope
 from planar_cli.problem.walk import walk
 from planar_cli.records import record
-from planar_cli.simulate.answers import in_si, usual_unit
+from planar_cli.simulate.answers import usual_unit
 from planar_cli.simulate.measures import Several
 from planar_cli.simulate.run import Run
 from planar_cli.simulate.timetable import Timetable
@@ -57,7 +58,7 @@ def table_of(run: Run, asked: Sequence[Find], times: Sequence[float], count: int
     if first is not None and isinstance(first.regime, Regime):
         widths = [len(v) for v in _values(run, columns, first.regime, values)(first.t0, first.start)]
     for column, width in zip(columns, widths, strict=True):
-        sizes += [scales.scale(column.side) / in_si(column.unit)] * width
+        sizes += [scales.scale(column.side) / in_base(column.unit, run.problem.us)] * width
         names += [column.name] if width == 1 else [f"{column.name}.{part}" for part in "xy"]
         units += [column.unit.text] * width
     return Table(tuple(names), tuple(units), tuple(rows), tuple(sizes))
@@ -82,7 +83,7 @@ def _row(run: Run, columns: Sequence[Column], t: float, known: dict[Regime, Seve
     values = _values(run, columns, regime, known)
     run.measures.wind(t)
     for column, found in zip(columns, values(t, y), strict=True):
-        factor = in_si(column.unit)
+        factor = in_base(column.unit, run.problem.us)
         yield from (v / factor for v in found)
 
 

@@ -12,6 +12,7 @@ from decimal import Decimal
 
 import sympy as sp
 
+from planar_cli.base_units import base_units
 from planar_cli.equation.ledger import display
 from planar_cli.errors import Diagnostic, FileProblem, Mark, NoSolution, NoValue
 from planar_cli.motion.unstable import growth_note
@@ -225,8 +226,8 @@ class _Compared:
         apart = max(abs(float(x) - y) for x, y in zip(numbers, answer.values, strict=True))
         size = max([*map(abs, answer.values), answer.scale])
         agrees = apart <= max(CERTAIN * size, DIFFERS * (answer.error or 0.0))
-        others = [Decimal(repr(v)) for v in answer.values]
-        return self._seen(f, agrees, _shown(numbers, f.unit), _shown(others, f.unit), what)
+        others, us = [Decimal(repr(v)) for v in answer.values], self.problem.us
+        return self._seen(f, agrees, _shown(numbers, f.unit, us), _shown(others, f.unit, us), what)
 
     def _seen(self, f: Found, agrees: bool, found: str, other: str, what: Side | Relation) -> Seen:
         if agrees:
@@ -276,8 +277,8 @@ class _Compared:
             others = measures.at(what, moment)
             apart = max(abs(float(x) - y) for x, y in zip(numbers, others, strict=True))
             if apart > CERTAIN * max([*map(abs, others), scale]):
-                shown = _shown([Decimal(repr(v)) for v in others], f.unit)
-                return Seen(f.name, "", shown, _shown(numbers, f.unit), f"t = {moment.t:.9g} s")
+                shown = _shown([Decimal(repr(v)) for v in others], f.unit, self.problem.us)
+                return Seen(f.name, "", shown, _shown(numbers, f.unit, self.problem.us), f"t = {moment.t:.9g} s")
         return Seen(f.name)
 
     def _now(self, moment: Moment) -> dict[sp.Symbol, Decimal]:
@@ -377,18 +378,17 @@ def _of_no_motion(f: Found) -> str:
 HINT = "please report it with the file; `planar simulate` prints the motion that was followed"
 
 
-def _shown(values: list[Decimal], unit: Unit) -> str:
+def _shown(values: list[Decimal], unit: Unit, us: bool) -> str:
     """Numbers in a unit, to more digits than agree."""
-    numbers = ", ".join(f"{float(display(v, unit)):.9g}" for v in values)
+    numbers = ", ".join(f"{float(display(v, unit, us)):.9g}" for v in values)
     text = numbers if len(values) == 1 else f"[{numbers}]"
     return f"{text} {unit.text}" if unit.text != "1" else text
 
 
 def _disagreement(problem: Problem, wrong: list[Seen], instance: Instance) -> Disagreement:
     """The refusal, with both values of every find that differs."""
-    letters = {s.name: instance.taken.letters[s.name] for s in problem.symbols}
-    drawn = ", ".join(f"{n} = {v:.6g}" for n, v in letters.items())
-    diagnostics = tuple(_told(problem, wrong, f", for {drawn} (SI)" if drawn else ""))
+    drawn = ", ".join(f"{s.name} = {instance.taken.letters[s.name]:.6g}" for s in problem.symbols)
+    diagnostics = tuple(_told(problem, wrong, f", for {drawn} ({base_units(problem.us)})" if drawn else ""))
     return Disagreement("; ".join(f"{d.mark.file}:{d.mark.line}: {d.message}" for d in diagnostics), diagnostics)
 
 

@@ -75,17 +75,17 @@ def _roots_of_several(
 
 def _ambiguous(problem: Problem, found: Sequence[Mapping[str, float]]) -> NoSolution:
     """Several numbers with which the motion passes all states."""
-    told = "; or ".join(", ".join(_number(u, values[u.name]) for u in problem.unknowns) for values in found)
+    told = "; or ".join(", ".join(_number(u, values[u.name], problem.us) for u in problem.unknowns) for values in found)
     text = f"{told}: with each of them the motion passes all states"
     hint = "write an inequality that tells which is meant"
     return NoSolution([Diagnostic(problem.unknowns[0].mark, "PL635", text, hint)])
 
 
-def _number(unknown: Symbol, value: float) -> str:
+def _number(unknown: Symbol, value: float, us: bool) -> str:
     """A constant with its value in its own unit."""
     unit = parse_unit(unknown.unit or "1")
     measure = "" if unit.text == "1" else f" {unit.text}"
-    return f"{unknown.name} = {display(Decimal(repr(value)), unit):.6g}{measure}"
+    return f"{unknown.name} = {display(Decimal(repr(value)), unit, us):.6g}{measure}"
 
 
 def _of_extreme(problem: Problem) -> Undecided | None:

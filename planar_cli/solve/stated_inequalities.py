@@ -9,13 +9,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
+from planar_cli.base_units import in_base
 from planar_cli.equation.setup import first_unit
 from planar_cli.errors import Diagnostic, FileProblem, NoSolution, Undecided
 from planar_cli.problem.check_dimensions import Kinds
 from planar_cli.problem.expression import Relation
 from planar_cli.problem.scene import Problem
 from planar_cli.problem.scope import Scope
-from planar_cli.simulate.answers import in_si, usual_unit
+from planar_cli.simulate.answers import usual_unit
 from planar_cli.simulate.measures import Moment
 from planar_cli.simulate.run import Run
 from planar_cli.simulate.timetable import Timetable
@@ -67,10 +68,10 @@ def _is_false(problem: Problem, run: Run, relation: Relation, sides: tuple[float
 def _told(problem: Problem, state: str, relation: Relation, sides: tuple[float, float]) -> Diagnostic:
     written = first_unit(relation.left) or first_unit(relation.right)
     unit = parse_unit(written) if written else usual_unit(relation.left, Kinds(Scope(problem, ())), problem.us)
-    shown = " and ".join(_shown(side, unit) for side in sides)
+    shown = " and ".join(_shown(side, unit, problem.us) for side in sides)
     text = f"`{relation.text}` does not hold at {state}: the sides are {shown}"
     return Diagnostic(relation.mark, FALSE, text, "leave it out, or change what its sides rest on")
 
 
-def _shown(value: float, unit: Unit) -> str:
-    return f"{value / in_si(unit):.4g} {unit.text}".removesuffix(" 1")
+def _shown(value: float, unit: Unit, us: bool) -> str:
+    return f"{value / in_base(unit, us):.4g} {unit.text}".removesuffix(" 1")

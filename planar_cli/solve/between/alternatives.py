@@ -12,6 +12,7 @@ from decimal import Decimal
 
 import sympy as sp
 
+from planar_cli.base_units import base_units
 from planar_cli.equation.exact import PI, Unvalued
 from planar_cli.equation.ledger import display
 from planar_cli.errors import Diagnostic, NoSolution, NoValue
@@ -114,8 +115,8 @@ def _same(course: MotionEquations, one: Branch, other: Branch) -> bool:
 
 def _words(course: MotionEquations, branch: Branch) -> str:
     """The sought constants of one of them, as the file shows them."""
-    units, values = course.ledger.units, branch.values
-    shown = [(s.name, float(display(values[s], units[s])), units[s].text) for s in course.sought() if s in values]
+    units, values, us = course.ledger.units, branch.values, course.ledger.us
+    shown = [(s.name, float(display(values[s], units[s], us)), units[s].text) for s in course.sought() if s in values]
     return ", ".join(f"{name} = {number:.4g} {unit}" for name, number, unit in shown)
 
 
@@ -135,5 +136,5 @@ def _left_out(course: RegimeSequence, others: list[SolvedMotion], why: str) -> t
     """Values of sought constants with which the motion is another, in a phrase."""
     if not others:
         return ()
-    names = [f"{s.name} = {others[-1].branch.values[s]:.4g} (SI units)" for s in course.sought()]
+    names = [f"{s.name} = {others[-1].branch.values[s]:.4g} ({base_units(course.ledger.us)})" for s in course.sought()]
     return (f"other roots, as {', '.join(names)}, {why}",)

@@ -69,7 +69,7 @@ def _failed(trial: Trial, test: Test, value: Decimal | None) -> str:
         return "its point moves into the partner at once"
     if told:
         return f"it fails that {test.words}"
-    numbers = [f"{push_name(system, p)} = {in_unit(v, parse_unit(p.unit))}" for p, v in named]
+    numbers = [f"{push_name(system, p)} = {in_unit(v, parse_unit(p.unit), system.scene.ledger.us)}" for p, v in named]
     if len(named) == 1 and named[0][0].kind in WRONG_WAY and not test.constant:
         return f"{numbers[0]} would {WRONG_WAY[named[0][0].kind]}"
     return f"{listed(numbers)}: it fails that {test.words}"
@@ -102,7 +102,7 @@ def several_cases(instant: Instant, held: list[Trial], values: list[list[Found]]
     """The report of all outcomes with their answers."""
     told = []
     for number, (trial, found) in enumerate(zip(held, values, strict=True), 1):
-        answers = [text for f in found if (text := _answer(f))]
+        answers = [text for f in found if (text := _answer(f, instant.scene.ledger.us))]
         told.append(f"({number}) {assumption(trial)}" + (f": {', '.join(answers)}" if answers else ""))
     text = f"{len(held)} consistent solutions: {'; '.join(told)}"
     joint = next((j for j, _ in instant.modes if any(t.system.modes[j.name].words for t in held)), None)
@@ -114,11 +114,11 @@ def several_cases(instant: Instant, held: list[Trial], values: list[list[Found]]
     return NoSolution([Diagnostic(mark, "PL612", text, wanted)])
 
 
-def _answer(found: Found) -> str:
+def _answer(found: Found, us: bool) -> str:
     """`alpha = -48.85 rad/s^2`."""
     if found.values is None:
         return f"{found.name} = {found.word}" if found.word else ""
-    parts = [in_unit(v, found.unit) for v in found.values]
+    parts = [in_unit(v, found.unit, us) for v in found.values]
     return f"{found.name} = {parts[0] if len(parts) == 1 else '[' + ', '.join(parts) + ']'}"
 
 

@@ -7,6 +7,7 @@ from decimal import Decimal
 
 import sympy as sp
 
+from planar_cli.base_units import base_units
 from planar_cli.equation.conditions import POSITION, gap, order, vector_or_jet
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.equation.jets import Jet
@@ -104,12 +105,12 @@ def _left_out(instant: Instant, trial: Trial, relation: Relation, others: list[s
         return Diagnostic(
             relation.mark, code, f"`{relation.text}` contradicts what {reason} {verb} of {left_of(relation)}", hint
         )
-    unit = unit_of(instant, relation.right, relation.left)
-    off = f"they differ by {in_unit(abs(left - right), unit)}"
+    unit, us = unit_of(instant, relation.right, relation.left), instant.scene.ledger.us
+    off = f"they differ by {in_unit(abs(left - right), unit, us)}"
     return Diagnostic(
         relation.mark,
         code,
-        f"`{relation.text}`, but {reason} {verb} {left_of(relation)} = {in_unit(left, unit)}; {off}",
+        f"`{relation.text}`, but {reason} {verb} {left_of(relation)} = {in_unit(left, unit, us)}; {off}",
         hint,
     )
 
@@ -209,12 +210,12 @@ def _as_drawn(instant: Instant, relation: Relation) -> Diagnostic | None:
     hint = _or_now(instant, relation, "draw the points at this instant, or write one of them with a coordinate")
     if instant.scene.ledger.symbolic:
         return Diagnostic(relation.mark, "PL609", f"`{relation.text}` does not hold in the drawn position", hint)
-    unit = unit_of(instant, relation.right, relation.left)
-    off = f"it is off by {in_unit(abs(left - right), unit)}"
+    unit, us = unit_of(instant, relation.right, relation.left), instant.scene.ledger.us
+    off = f"it is off by {in_unit(abs(left - right), unit, us)}"
     return Diagnostic(
         relation.mark,
         "PL609",
-        f"`{relation.text}`, but as drawn {left_of(relation)} = {in_unit(left, unit)}; {off}",
+        f"`{relation.text}`, but as drawn {left_of(relation)} = {in_unit(left, unit, us)}; {off}",
         hint,
     )
 
@@ -252,7 +253,9 @@ def demand_drawn(instant: Instant, trial: Trial) -> None:
             parts = (found.x, found.y) if isinstance(found, Vec) else (found,)
             off = max((abs(p.value) for p in parts), default=Decimal(0))
             if off > NEGLIGIBLE:
-                gap = "" if instant.scene.ledger.symbolic else f" by {short(off)} (SI units)"
+                gap = (
+                    "" if instant.scene.ledger.symbolic else f" by {short(off)} ({base_units(instant.scene.ledger.us)})"
+                )
                 name = f"the {joint.kind} {instant.aliases[joint.name]}"
                 text = f"{name} does not fit the drawing: {residual.title} is off{gap}"
                 hint = "correct the length or a point, or leave the length out"

@@ -43,6 +43,6 @@ def _told(course: MotionEquations, demand: Demand, number: Decimal) -> NoSolutio
     # Forces are those of modes that were tried last, not of what happens.
     if relation is not None and not course.symbolic and not of_forces(relation):
         unit = unit_of(course.regimes[0].general.instant, relation.left, relation.right)
-        apart = f": the sides differ by {in_unit(abs(number), unit)}"
+        apart = f": the sides differ by {in_unit(abs(number), unit, course.ledger.us)}"
     text = f"state {demand.state}: `{demand.text}` does not hold{apart}"
     return NoSolution([Diagnostic(demand.mark, "PL617", text, "leave it out, or change what its sides rest on")])

@@ -43,6 +43,6 @@ def _false(setup: Setup, relation: Relation) -> Diagnostic | None:
     written = first_unit(relation.left) or first_unit(relation.right)
     kind = dimension_of(relation.left, setup.lookup)
     unit = setup.unit_for(kind) if written is None else parse_unit(written)
-    told = " and ".join(in_unit(value(side), unit) for side in (left, right))
+    told = " and ".join(in_unit(value(side), unit, setup.ledger.us) for side in (left, right))
     text = f"`{relation.text}` does not hold: the sides are {told}"
     return Diagnostic(relation.mark, "PL616", text, "both sides are known: correct one, or declare it under `unknowns`")

@@ -95,4 +95,5 @@ def _off_rim(scene: Scene, shape: Round, body: str, point: str, mark: Mark) -> D
 def _shown(scene: Scene, value: Decimal, side: Side) -> str:
     """A length in the unit of the file."""
     written = first_unit(side)
-    return in_unit(value, default_unit(LENGTH, us=scene.problem.us) if written is None else parse_unit(written))
+    us = scene.problem.us
+    return in_unit(value, default_unit(LENGTH, us=us) if written is None else parse_unit(written), us)

@@ -245,7 +245,7 @@ def _apart(course: RegimeSequence, demand: Demand, number: Decimal) -> str:
     if relation is None:
         return ""
     unit = unit_of(course.regimes[0].general.instant, relation.left, relation.right)
-    return f"the sides differ by {in_unit(abs(number), unit)}"
+    return f"the sides differ by {in_unit(abs(number), unit, course.problem.us)}"
 
 
 def clash(course: MotionEquations, equations: Iterable[Equation]) -> NoSolution | None:

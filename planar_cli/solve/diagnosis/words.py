@@ -44,9 +44,9 @@ def short(value: Decimal) -> str:
     return f"{float(value):.4g}"
 
 
-def in_unit(value: Decimal, unit: Unit) -> str:
+def in_unit(value: Decimal, unit: Unit, us: bool) -> str:
     """A number with its unit, such as `1.2 m/s`."""
-    return f"{short(display(value, unit))} {unit.text}".removesuffix(" 1")
+    return f"{short(display(value, unit, us))} {unit.text}".removesuffix(" 1")
 
 
 def unit_of(instant: Instant, *sides: Side) -> Unit:
@@ -64,7 +64,8 @@ def false_words(instant: Instant, relation: Relation, left: Decimal, right: Deci
     sides = (relation.left, relation.right)
     # A bare zero has no unit of its own.
     unit = unit_of(instant, *sorted(sides, key=lambda s: isinstance(s, Number)))
-    return f"`{relation.text}` does not hold: the sides are {in_unit(left, unit)} and {in_unit(right, unit)}"
+    shown = " and ".join(in_unit(value, unit, instant.scene.ledger.us) for value in (left, right))
+    return f"`{relation.text}` does not hold: the sides are {shown}"
 
 
 def left_of(relation: Relation) -> str:
