@@ -63,3 +63,12 @@ def test_a_speed_that_nothing_tells_is_not_left_out() -> None:
 def test_a_disk_turns_as_its_rim_point_is_written() -> None:
     found = solve(DISK)
     assert first(found["omega"]) == pytest.approx(0.15 * (2 * 300 / (3 * 10)) ** 0.5 / 0.2)
+
+
+def test_small_oscillations_are_told_in_their_order() -> None:
+    """The highest derivative first, the frequency, then the period by it, under the name that the file gives it."""
+    small = ROD.replace("find: {eom: ddot(theta)}", "states: {low: [theta = 0, equilibrium]}\nfind: {T_0: period(low)}")
+    told = page(small)
+    assert "δ̈ + 12 g d δ / (12 d² + l²) = 0" in told
+    assert "T_0 = 2 π/ω_0 = π √(3 (12 d² + l²) / (g d)) / 3" in told
+    assert told.count("T_0 =") == 2

@@ -16,6 +16,7 @@ from planar_cli.report.blocks import Block, Equation, Math, Name, Paragraph, Val
 from planar_cli.report.clean import is_clean
 from planar_cli.report.compared import compared_sides
 from planar_cli.report.friction_at_states import friction_at_states
+from planar_cli.report.oscillation import periods_told
 from planar_cli.report.put_in import in_known
 from planar_cli.report.span_integrals import SpanTelling
 from planar_cli.report.words import Phrases
@@ -67,7 +68,7 @@ class AskedTelling:
     def _asked(self) -> Iterator[tuple[Request, Part, SpanIntegral | None]]:
         """What has a line: every component that is more than a letter."""
         zeros = {s: f for s, f in self.found.route.formulas.items() if f == 0}
-        later = told_at_states(self.found)
+        later = {*told_at_states(self.found), *periods_told(self.found).values()}
         for asked in self.found.requests:
             if asked.find.name in {*self.found.passing, *later} or (self.wanted is not None and not self.wanted):
                 continue

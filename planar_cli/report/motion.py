@@ -23,7 +23,7 @@ from planar_cli.report.integrated import integration_blocks
 from planar_cli.report.laws import integral_note, law_blocks, running
 from planar_cli.report.left_out import reason
 from planar_cli.report.origins import HAPPENS, head, sides_of, told_once, turning
-from planar_cli.report.oscillation import oscillation_blocks
+from planar_cli.report.oscillation import oscillation_blocks, periods_told
 from planar_cli.report.put_in import in_known, put_in
 from planar_cli.report.span_integrals import SpanTelling
 from planar_cli.report.spoken import spoken
@@ -103,14 +103,16 @@ class MotionTelling:
     def _body(self) -> Iterator[Block]:
         yield from self._turnings()
         yield from self._route(self.found.route)
+        periods = periods_told(self.found)
+        for swing in self.found.oscillations:
+            name = periods.get(swing.state, "T")
+            yield from oscillation_blocks(swing, self.found.value, self.phrases, self.phrases.symbolic, name)
         spans = SpanTelling(self._kinds.of, self.phrases, self.varying)
         yield from AskedTelling(self.found, self.phrases, self.numeric, self.wanted, spans).blocks()
         for name, route in self.found.passing.items():
             if any(not leg.is_datum for leg in route.steps):
                 yield Paragraph(line(Name(name), " throughout the motion:"))
                 yield from self._route(route)
-        for swing in self.found.oscillations:
-            yield from oscillation_blocks(swing, self.found.value, self.phrases, self.phrases.symbolic)
 
     def _turnings(self) -> Iterator[Block]:
         """States that were put in: until when an assumption holds, or what happens there."""

@@ -4,15 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from decimal import Decimal
+from typing import Any
 
 import sympy as sp
 
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.plain import longer
+from planar_cli.problem.expression import Quantity
 from planar_cli.report.blocks import Block, Equation, Inline, Line, Math, Paragraph, Result, Value, line
 from planar_cli.report.put_in import Writer
 from planar_cli.report.words import Phrases
-from planar_cli.solve.between.trace import OscillationTrace, Verdict
+from planar_cli.solve.between.trace import MotionTrace, OscillationTrace, Verdict
 
 DEVIATION = sp.Symbol("delta", real=True)
 STRONG = "The damping is so strong that nothing oscillates."
@@ -21,14 +23,36 @@ LONG = 40
 RATES = tuple(sp.Symbol(f"delta_{dots}", real=True) for dots in ("dot", "ddot"))
 
 
-def oscillation_blocks(found: OscillationTrace, value: Valuation, phrases: Phrases, symbolic: bool) -> Iterator[Block]:
-    """How one equilibrium was examined. `symbolic`: letters remain, so that no numbers are printed."""
+def periods_told(motion: MotionTrace) -> dict[str, str]:
+    """The names of finds that ask for a period which the analysis of its equilibrium tells, by the state."""
+    told = {o.state for o in motion.oscillations if len(o.motion) == 1 and _swings(o, motion.value)}
+    asked = ((r.find.name, r.find.found.what) for r in motion.requests)
+    periods = {q.things[0]: name for name, q in asked if isinstance(q, Quantity) and q.word == "period"}
+    return {state: name for state, name in periods.items() if state in told}
+
+
+def _swings(found: OscillationTrace, value: Valuation) -> bool:
+    """Does it go to and fro about the equilibrium, with a period that the linear part tells?"""
+    verdict = found.verdict
+    return verdict.stable and verdict.power <= 1 and (found.damping == 0 or value(found.square) > 0)
+
+
+def oscillation_blocks(
+    found: OscillationTrace, value: Valuation, phrases: Phrases, symbolic: bool, period: str = "T"
+) -> Iterator[Block]:
+    """How one equilibrium was examined. `symbolic`: letters remain, so that no numbers are printed; `period`: how the
+    file calls the period.
+    """
     state = found.state
-    yield Paragraph(line(f"Small oscillations about the equilibrium {state}. The equation of motion:"))
-    for rate, law in found.motion:
-        yield Equation((phrases.math(rate), _law(law, value, phrases, symbolic)))
+    laws = [(rate, _law(law, value, phrases, symbolic)) for rate, law in found.motion]
+    if any(longer(law.expr, LONG) for _, law in laws):
+        yield Paragraph(line(f"Small oscillations about the equilibrium {state}, from the equations above."))
+    else:
+        yield Paragraph(line(f"Small oscillations about the equilibrium {state}. The equation of motion:"))
+        for rate, law in laws:
+            yield Equation((phrases.math(rate), law))
     if len(found.motion) == 1:
-        yield from _single(found, value, phrases, symbolic)
+        yield from _single(found, value, phrases, symbolic, period)
     else:
         yield from _several(found)
     yield Result(line(f"The equilibrium {state} is {found.verdict.kind}{_because(found.verdict)}."))
@@ -44,39 +68,59 @@ def _law(law: sp.Expr, value: Valuation, phrases: Phrases, symbolic: bool) -> Ma
     return phrases.math(law)
 
 
-def _single(found: OscillationTrace, value: Valuation, phrases: Phrases, symbolic: bool) -> Iterator[Block]:
+def _single(found: OscillationTrace, value: Valuation, phrases: Phrases, symbolic: bool, name: str) -> Iterator[Block]:
     w2, c = found.stiffness, found.damping
     speed, rate = RATES
     yield Paragraph(line("For a small deviation ", phrases.math(DEVIATION), " from there its linear part is:"))
     texts: dict[sp.Symbol, str] = {}
-    terms = [rate]
+    left: list[Any] = [phrases.math(rate)]
     for coefficient, factor in ((c, speed), (w2, DEVIATION)):
         if coefficient != 0:
             told = coefficient
             if not symbolic and longer(coefficient, LONG):
                 told = Writer((), phrases, texts).written(coefficient) or coefficient
-            terms.append(told * factor)
-    left = phrases.math(sp.Add(*terms, evaluate=False))
-    yield Equation((Math(left.expr, {**(left.values or {}), **texts}), phrases.math(sp.S.Zero)))
+            # The highest derivative first, as the course writes it.
+            less = told.could_extract_minus_sign()
+            term = phrases.math((-told if less else told) * factor)
+            left += [" - " if less else " + ", Math(term.expr, {**(term.values or {}), **texts})]
+    yield Equation((line(*left), phrases.math(sp.S.Zero)))
     if not found.verdict.stable or found.verdict.power > 1:
         return
     square = found.square
+    natural = sp.Symbol("omega_0", real=True)
     yield _line("omega_0", sp.sqrt(w2), value, "rad/s", phrases, symbolic)
     if c != 0:
         if value(square) <= 0:
             critical = value.is_zero(square)
             yield Paragraph(line("It is critically damped." if critical else STRONG))
             return
+        natural = sp.Symbol("omega_d", real=True)
         yield _line("omega_d", sp.sqrt(square), value, "rad/s", phrases, symbolic)
-    yield _line("T", found.period, value, "s", phrases, symbolic)
+    yield _line(name, found.period, value, "s", phrases, symbolic, (2 * sp.pi / natural, value(sp.sqrt(square))))
 
 
-def _line(name: str, expr: sp.Expr, value: Valuation, unit: str, phrases: Phrases, symbolic: bool) -> Equation:
+def _line(
+    name: str,
+    expr: sp.Expr,
+    value: Valuation,
+    unit: str,
+    phrases: Phrases,
+    symbolic: bool,
+    by: tuple[sp.Expr, Decimal] | None = None,
+) -> Equation:
+    """name = formula = numbers = value. `by`: a formula in one frequency before it, with the value of this."""
     sides: list[Inline | Line] = [phrases.math(sp.Symbol(name))]
-    if symbolic or not longer(expr, LONG):
+    if by is not None:
+        sides.append(phrases.math(by[0]))
+    shown = Value(value(expr), unit)
+    if by is not None and not symbolic:
+        frequency = Value(by[1], "", phrases.figures)
+        sides.append(line(phrases.math(2 * sp.pi), "/", frequency))
+    elif symbolic or not longer(expr, LONG):
         sides.append(phrases.math(expr))
+        sides += [] if symbolic else phrases.substituted(expr, shown)
     if not symbolic:
-        sides.append(Value(value(expr), unit))
+        sides.append(shown)
     return Equation(tuple(sides))
 
 
