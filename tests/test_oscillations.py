@@ -378,7 +378,7 @@ def test_long_formulas_of_an_oscillation_are_told_by_their_numbers() -> None:
     problem, _ = load_text(text)
     assert problem is not None
     page = Terminal().render(narrate(solve_problem(problem)))
-    assert "4.229 δ + δ̈ = 0" in page
+    assert "δ̈ + 4.229 δ = 0" in page
     assert "ω_0 = 2.056 rad/s" in page
 
 

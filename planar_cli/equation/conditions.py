@@ -226,13 +226,16 @@ def _moves_with(scene: Scene, origin: str, coordinates: set[sp.Symbol]) -> bool:
     return bool(coordinates & (formula.x.value.free_symbols | formula.y.value.free_symbols))
 
 
-def coordinate_conditions(quantities: Quantities, coordinates: set[sp.Symbol], level: int) -> list[Condition]:
+def coordinate_conditions(
+    quantities: Quantities, coordinates: set[sp.Symbol], level: int, tree: Tree
+) -> list[Condition]:
     """Points of bodies that are written with a coordinate move as their formula says."""
     scene = quantities.scene
     found = list(_turning_conditions(quantities, coordinates, level))
-    # The other points of a body whose angle is told go with the first one.
+    # The other points of a body whose angle is told go with the first one; of one that only turns about where it is
+    # joined, all of them do.
     turned = {c.body for c in found}
-    told: set[str] = set()
+    told = {e.body for e in tree.edges if e.slide is None and e.rise is None} & turned
     for point in scene.problem.points:
         owner = scene.owner(point.name)
         place = point.place

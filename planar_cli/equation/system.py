@@ -198,7 +198,7 @@ class System:
         """The relations of the file, points that follow formulas, and bodies at rest."""
         names = {s.name for s in self.scene.ledger.coordinates}
         found = stated(list(self.statements.relations), quantities, quantities.evaluator, names, level)
-        found += coordinate_conditions(quantities, set(self.scene.ledger.coordinates), level)
+        found += coordinate_conditions(quantities, set(self.scene.ledger.coordinates), level, self.tree)
         return found + self._rest(quantities.motion, level)
 
     def balanced(self, body: str) -> bool:
