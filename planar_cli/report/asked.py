@@ -19,6 +19,7 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Value, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.forces import centre_of
+from planar_cli.report.geometry import coordinate, factor
 from planar_cli.report.names import plain_name
 from planar_cli.report.numbers import significant
 from planar_cli.report.ordering import NUMBER
@@ -47,7 +48,9 @@ class AskedTelling:
     def blocks(self, found: Iterable[Found]) -> Iterator[Block]:
         """A line or several for each answer that is no unknown of the equations."""
         for raw in found:
-            if raw.kind not in ("number", "vector") or raw.find is None or all(e.is_number for e in raw.asked):
+            if raw.kind not in ("number", "vector") or raw.find is None:
+                continue
+            if all(e.is_number for e in raw.asked) and not self._way(raw, "x"):
                 continue
             answer = replace(raw, asked=tuple(e if longer(e, LONGEST) else simplified(e) for e in raw.asked))
             if len(answer.asked) == 1 and answer.asked[0].is_Symbol:
@@ -114,6 +117,8 @@ class AskedTelling:
             values = (
                 [] if answer.values is None else self.phrases.in_units(answer.values[i], answer.unit, answer.energy)
             )
+            if way := self._way(answer, axis):
+                sides.append(way)
             if self._readable(expr, answer.unit.dimension) and not expr.is_number:
                 sides.append(self.phrases.math(expr))
             if not self.phrases.symbolic and values and not longer(expr, LONGEST):
@@ -124,6 +129,17 @@ class AskedTelling:
                 sides += [] if longer(closed, LONGEST) else [self.phrases.math(closed)]
             if len(sides) > 1:
                 yield Equation(tuple(sides))
+
+    def _way(self, answer: Found, axis: str) -> Line:
+        """How the file leads to the place that is asked; of two points the difference."""
+        what = answer.find.found.what if answer.find is not None else None
+        if not isinstance(what, Quantity) or what.word != "r" or what.parts or not axis:
+            return ()
+        ways = [coordinate(self.scene, name, axis, self.phrases.figures) for name in what.things]
+        if not all(ways) or all(len(way) == 1 for way in ways):
+            return ()
+        first, *others = ways
+        return line(first, *(p for other in others for p in (" - ", *factor(other))))
 
     def _readable(self, expr: sp.Expr, dimension: Dimension) -> bool:
         """Is it short, and do its letters make the unit that is asked for?"""

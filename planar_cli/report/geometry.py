@@ -8,8 +8,9 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.scene import Scene
-from planar_cli.problem.scene import TwoFacts
-from planar_cli.report.blocks import Block, Equation, Line, line
+from planar_cli.problem.scene import At, Polar, TwoFacts
+from planar_cli.report.blocks import Block, Equation, Line, Text, Value, line
+from planar_cli.report.sides import said
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.stages import Stage
 from planar_cli.units import LENGTH
@@ -39,6 +40,37 @@ def places(scene: Scene, names: Collection[str], phrases: Phrases) -> Iterator[B
         joined = line(*(p for i, f in enumerate(facts) for p in ((" and ",) if i else ()) + f))
         side = f", {_SIDES.get(point.place.side, point.place.side)}" if point.place.side else ""
         yield Equation((line(point.name), where), None, line(f"{point.name} is ", *joined, f"{side}:"))
+
+
+def coordinate(scene: Scene, name: str, axis: str, figures: int) -> Line:
+    """A coordinate of a point as the file tells its way there: r cos 60° + l cos 0°; empty where it tells it otherwise,
+    or bodies have moved since.
+    """
+    point = next((p for p in scene.problem.points if p.name == name), None)
+    if point is None or scene.displacement is not None:
+        return ()
+    if isinstance(point.place, At):
+        return said(point.place.x if axis == "x" else point.place.y, figures) or ()
+    if not isinstance(point.place, Polar):
+        return ()
+    before = coordinate(scene, point.place.origin, axis, figures)
+    distance, angle = (said(side, figures) for side in (point.place.distance, point.place.angle))
+    if not before or not distance or not angle:
+        return ()
+    turned = factor(angle)
+    arm = line(*factor(distance), " cos" if axis == "x" else " sin", "" if turned != angle else " ", *turned)
+    return arm if _is_nothing(before) else line(before, " + ", arm)
+
+
+def factor(side: Line) -> Line:
+    """As a factor, behind a minus or a function: a sum, and what begins with its sign, in brackets."""
+    sums = any(isinstance(p, Text) and p.text in (" + ", " - ", "-") for p in side)
+    signed = isinstance(side[0], Value) and side[0].number < 0
+    return line("(", side, ")") if sums or signed else side
+
+
+def _is_nothing(side: Line) -> bool:
+    return len(side) == 1 and isinstance(side[0], Value) and not side[0].number
 
 
 _SIDES = {"left": "on the left", "right": "on the right", "above": "the upper one", "below": "the lower one"}

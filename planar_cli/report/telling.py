@@ -76,6 +76,7 @@ class Telling:
 
     def blocks(self) -> list[Block]:
         blocks = assumption_notes(self.instant, self.phrases)
+        self.vectors.named |= set().union(*self._constructed.values())
         velocity = [s for s in self.stages if s.level == "velocity"]
         last = next((s for s in self.stages if s.level == "acceleration"), None)
         kinetic = last is not None and any(w.law != "relation" for b in last.blocks for w in b.equations)
@@ -127,6 +128,7 @@ class Telling:
                 and is_length == (kind == "m")
                 and not (expr.is_number and ledger.titles[symbol].startswith("mass"))
             ):
+                self.vectors.named.add(symbol)
                 value = self.phrases.shown(symbol)
                 hidden = longer(expr, LONG_FORMULA) and self.audience == "exam" and not self.phrases.symbolic
                 if hidden and any(symbol in symbols for symbols in self._constructed.values()):

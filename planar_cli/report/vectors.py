@@ -19,12 +19,15 @@ from planar_cli.problem.facts import Joining
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
 from planar_cli.report.blocks import Block, Equation, Line, Name, Paragraph, line
+from planar_cli.report.clean import is_clean
 from planar_cli.report.forces import centre_of
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.instant import Trial
 from planar_cli.solve.instant.written import Written
 from planar_cli.units import LENGTH
 
+SHORT = 7
+"""So many operations has a component of an arm at most that is told in letters before its number."""
 LONGEST = 12
 """A component of an arm with more operations is not written beside the equation."""
 
@@ -43,6 +46,8 @@ class VectorTelling:
         self.system, self.phrases, self.zero = trial.system, phrases, frozenset(zero)
         self.open_speeds = frozenset(open_speeds)
         self.edges = {e.body: e for e in self.system.tree.edges}
+        self.named: set[sp.Symbol] = set()
+        """Coordinates whose values stand on the page."""
         self._told: set[str] = set()
         self._arms: dict[str, str] = {}
 
@@ -258,10 +263,20 @@ class VectorTelling:
         name = _arm_name(place, reference)
         if not self.phrases.symbolic and all(self.phrases.has_numbers(p) for p in (arm.x, arm.y)):
             shown = self.phrases.vector(self.phrases.certain(arm.x), self.phrases.certain(arm.y), LENGTH)
-            return line(name, " = ", *shown)
+            return line(name, " = ", *self._constructed(arm), *shown)
         if longer(arm.x, LONGEST) or longer(arm.y, LONGEST):
             return ()
         return line(name, " = [", self.phrases.math(arm.x), ", ", self.phrases.math(arm.y), "]")
+
+    def _constructed(self, arm: Vec) -> Line:
+        """The components of an arm in letters, where they are short and say more than the numbers."""
+        parts = [sp.sympify(p) for p in (arm.x, arm.y)]
+        ledger, letters = self.phrases.ledger, {s for p in parts for s in p.free_symbols}
+        if all(p.is_Atom for p in parts) or letters & set(ledger.definitions) - self.named:
+            return ()
+        if any(longer(p, SHORT) or not is_clean(ledger, p) for p in parts):
+            return ()
+        return line("[", self.phrases.math(parts[0]), ", ", self.phrases.math(parts[1]), "] = ")
 
 
 def index_of(place: str) -> str:

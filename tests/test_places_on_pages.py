@@ -1,0 +1,38 @@
+"""Places that a file constructs are told by their construction, and arms in letters before their numbers."""
+
+from __future__ import annotations
+
+import pytest
+from conftest import PROBLEMS
+from worked import worked
+
+from planar_cli.formats.terminal import Terminal
+from planar_cli.report.narrate import narrate
+
+FILES = {p.stem: p for p in PROBLEMS}
+
+
+def _page(stem: str) -> str:
+    """The page with single spaces."""
+    return " ".join(Terminal(200).render(narrate(worked(FILES[stem])[0])).split())
+
+
+@pytest.mark.parametrize(
+    ("stem", "words"),
+    [
+        ("ex-1-02", "r_A, x = r cos 60° = r/2"),
+        ("ex-1-02", "r_B, x = r cos 60° + l cos 0° = l + r/2"),
+        ("ex-1-02", "r_A2_from_A, y = r sin(-30°) - r sin 60° = -1/2 (1 + √3) r"),
+        ("slider-crank-offset", "r_A/O = [r_OA cos 50°, r_OA sin 50°] = [0.06428, 0.07660] m"),
+        ("four-bar", "r_D/C = [d - x_C, -y_C] = [0.05264, -0.3965] m"),
+    ],
+)
+def test_by_the_construction(stem: str, words: str) -> None:
+    assert words in _page(stem)
+
+
+def test_no_coordinate_that_the_page_does_not_tell() -> None:
+    """Nothing but an answer needs where D is, so that its arm has numbers alone."""
+    page = _page("quick-return")
+    assert "r_D/C = [0.2320, 0.6604] m" in page
+    assert "x_D" not in page
