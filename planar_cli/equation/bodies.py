@@ -80,7 +80,7 @@ class MassReader:
         problem: Problem,
     ) -> None:
         self.ledger, self.evaluator, self.points, self.gravity = ledger, evaluator, points, gravity
-        heavy = [b for b in problem.bodies if b.mass is not None or b.weight is not None or b.any_mass]
+        heavy = [b for b in problem.bodies if not b.is_massless or isinstance(b.shape, Composite)]
         self.alone = len(heavy) == 1
         self.own_points = {p.name for p in problem.points}
         self.varying, self.placed = varying(problem), placed(problem)
@@ -227,7 +227,7 @@ class MassReader:
         mass = self.ledger.define(name, whole, "kg", f"mass of {body.name}", positive=True)
         center_name = self.ledger.fresh(self._named("G", body), "m").name
         center = Vec(*(self._coordinate(parts, mass, axis, f"{axis}_{center_name}", body) for axis in ("x", "y")))
-        inertia = sp.Add(*(own + m * (u.center - center).dot(u.center - center) for (m, own), u in parts))
+        inertia = sp.Add(*(self._about(center, i, part, body) for i, part in enumerate(parts, 1)))
         if body.inertia is not None or body.gyration is not None:
             stand_in = Uniform(center, center_name, ZERO, ZERO)
             symbol = self._inertia(body, stand_in, mass)
@@ -235,6 +235,20 @@ class MassReader:
             title = f"moment of inertia of {body.name} about {center_name}, parallel axes"
             symbol = self.ledger.define(self._named("I", body), inertia, "kg*m^2", title, positive=True)
         return BodyModel(body.name, shape, True, mass, symbol, center, center_name, parts[0][1].theta)
+
+    def _about(self, center: Vec, number: int, part: tuple[tuple[sp.Expr, sp.Expr], Uniform], body: Body) -> sp.Expr:
+        """Moment of inertia of a part about the mass centre of the whole; of numbers by named steps."""
+        (mass, own), shape = part
+        reach = shape.center - center
+        square = reach.dot(reach)
+        if self.ledger.symbolic:
+            return own + mass * square
+        which = f"part {number} of {body.name}"
+        own = self._shown(own, f"I_{body.name}_{number}", "kg*m^2", f"moment of inertia of {which} about its centre")
+        if square == 0:
+            return own
+        name, title = f"d_{body.name}_{number}", f"from the mass centre to that of {which}"
+        return own + mass * self._shown(sp.sqrt(square), name, "m", title) ** 2
 
     def _coordinate(
         self, parts: list[tuple[tuple[sp.Expr, sp.Expr], Uniform]], mass: sp.Expr, axis: str, name: str, body: Body

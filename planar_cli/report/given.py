@@ -156,7 +156,7 @@ def _oblique(side: Side) -> bool:
 
 
 def _of_body(body: Body, problem: Problem, page: Mentioned, figures: int) -> Iterator[Datum]:
-    heavy = [b for b in problem.bodies if b.mass is not None or b.weight is not None or b.any_mass]
+    heavy = [b for b in problem.bodies if not b.is_massless or isinstance(b.shape, Composite)]
     letter = "m" if len(heavy) == 1 else f"m_{body.name}"
     if page.kinetic or letter in page.words:
         yield from _datum(line(blocks.Name(letter)), body.mass, figures)
@@ -251,11 +251,11 @@ def _referred(problem: Problem) -> set[str]:
     """The points on which bodies, joints, loads and finds rest."""
     found = {name for m in members_of(problem) for s in keys_of(type(m)) for name in names_in(getattr(m, s.name), s)}
     for body in problem.bodies:
-        found |= {
-            getattr(body.shape, slot)
-            for slot in ("start", "end", "apex", "place")
-            if isinstance(getattr(body.shape, slot, None), str)
-        }
+        shapes = [p.shape for p in body.shape.pieces] if isinstance(body.shape, Composite) else [body.shape]
+        slots = ("start", "end", "apex", "place")
+        found |= {n for s in shapes for slot in slots if isinstance(n := getattr(s, slot, None), str)}
+        if isinstance(body.shape, Composite):
+            found |= {p.shape.center for p in body.shape.pieces if isinstance(p.shape, Round | Plate)}
     for find in problem.find:
         what = find.found.what
         found |= {t for n in walk(what) if isinstance(n, Quantity) for t in n.things}

@@ -9,12 +9,27 @@ from planar_cli.problem.expression import Quantity
 from planar_cli.problem.unused import unused
 from planar_cli.records import record
 from planar_cli.report.answer_letters import answer_block
-from planar_cli.report.blocks import Block, Document, Equation, Heading, Inline, Line, Math, Name, Note, Paragraph, line
+from planar_cli.report.blocks import (
+    Block,
+    Check,
+    Document,
+    Equation,
+    Heading,
+    Inline,
+    Line,
+    Math,
+    Name,
+    Note,
+    Paragraph,
+    line,
+)
 from planar_cli.report.checks import check_blocks, program_blocks, road_blocks
 from planar_cli.report.closed import with_closed_forms
 from planar_cli.report.directions import with_tangents
 from planar_cli.report.discussion import discussion_lines
 from planar_cli.report.effects import effect_notes
+from planar_cli.report.energy_check import energy_check
+from planar_cli.report.inertias import with_inertias
 from planar_cli.report.names import plain_name
 from planar_cli.report.opening import changed_notes, opening_notes
 from planar_cli.report.passages import tale_blocks
@@ -115,10 +130,15 @@ def part_blocks(part: PartSolution, voice: Voice, why: str | None, told: set[tup
     phrases = phrases_in(part, figures)
     blocks += _read_off(part, figures)
     if part.motion is not None:
-        from planar_cli.report.motion import motion_phrases
+        from planar_cli.report.motion import motion_phrases, settled_phrases
 
         phrases = motion_phrases(part.motion, figures)
-        blocks += _motion_blocks(part, part.motion, voice, why, steps, count)
+        moving = list(_motion_blocks(part, part.motion, voice, why, steps, count))
+        settled = settled_phrases(part.motion, phrases)
+        if part.instants and why is None:
+            scene = part.instants[-1].instant.scene
+            moving = with_inertias(moving, part.motion, scene, settled, blocks)
+        blocks += moving
     if part.tale is not None:
         if part.tale.passages:
             whole = part.tale.whole
@@ -131,6 +151,8 @@ def part_blocks(part: PartSolution, voice: Voice, why: str | None, told: set[tup
     heard = [instant for instant in part.instants if not instant.quiet]
     checks = [b for instant in heard for b in check_blocks(instant, phrases_of(instant, figures), part.motion is None)]
     blocks += [b for i, b in enumerate(checks) if b not in checks[:i]]
+    if part.motion is not None and why is None and (told_energy := energy_check(part.motion, settled)):
+        blocks.append(Check(told_energy))
     blocks += [*road_blocks(part), *(program_blocks(part) if voice.verbose else ())]
     tested = any(mode.tests for instant in part.instants for mode in instant.trial.system.modes.values())
     if not tested and part.motion is None and part.tale is None:

@@ -15,6 +15,7 @@ from planar_cli.report.at_rest import speeds_matter
 from planar_cli.report.blocks import Block, Equation, Heading, Line, Math, Name, Paragraph, Text, line
 from planar_cli.report.forces import centre_of, force_rows
 from planar_cli.report.geometry import constructed, places
+from planar_cli.report.inertias import by_size
 from planar_cli.report.names import GREEK
 from planar_cli.report.numeric import NumericTelling, vanishing
 from planar_cli.report.results import numbered, other_roots
@@ -134,6 +135,8 @@ class Telling:
                 if hidden and any(symbol in symbols for symbols in self._constructed.values()):
                     continue
                 sides = (self.phrases.math(symbol), value) if hidden else self._chain(symbol, expr, value)
+                if sized := by_size(symbol, self.scene, self.phrases, not self.phrases.symbolic):
+                    sides = (sides[0], *sized, *(() if self.phrases.symbolic else (value,)))
                 blocks.append(Equation(sides, None, line(ledger.titles[symbol] + ":")))
         return blocks
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
 from typing import Any
@@ -11,7 +11,7 @@ import sympy as sp
 
 from planar_cli.equation.exact import Valuation
 from planar_cli.solve.between.answers import AnsweredFind
-from planar_cli.solve.between.balances import StateBalance
+from planar_cli.solve.between.balances import StateBalance, balance_equations
 from planar_cli.solve.between.derivation import DerivedStep, Route
 from planar_cli.solve.between.energies import energy_parts
 from planar_cli.solve.between.independence import lettered_starts, settled
@@ -75,11 +75,24 @@ def motion_trace(
         spans=found.spans,
         oscillations=tuple(_oscillation(o, found.value) for o in found.oscillations),
         regimes=tuple(_regime(found, i, () if whole else routes) for i in instants),
+        unused=tuple(_unused(course, route)),
         checks=found.checks,
         presumed=presumed,
         corners=_corners(found),
         taken=taken_of(found),
     )
+
+
+def _unused(course: StatedMotion, route: Route) -> Iterator[BalanceTrace]:
+    """Balances of energies between states, where the route has none."""
+    sources = (e.source for step in route.steps for e in step.derivation.equations)
+    if any(isinstance(b, StateBalance) and b.law.letter for b in sources):
+        return
+    for k in range(1, len(course.states)):
+        for e in balance_equations(course, course.between.closed, k):
+            b = e.source
+            if isinstance(b, StateBalance) and b.law.letter:
+                yield BalanceTrace(b.law, b.since.name, b.stop.name, b.before, b.after, b.brought, b.amounts)
 
 
 def _corners(found: SolvedMotion) -> tuple[str, ...]:

@@ -373,6 +373,8 @@ class MotionTrace:
     """About equilibrium states that are asked about."""
     regimes: tuple[RegimeTrace, ...]
     """The regimes that are told."""
+    unused: tuple[BalanceTrace, ...]
+    """Energies between states that the route does without: another principle, to check it by."""
     checks: tuple[str, ...]
     """What was compared, in phrases."""
     presumed: tuple[sp.Expr, ...]

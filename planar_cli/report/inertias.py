@@ -1,0 +1,162 @@
+"""Moments of inertia on which energies and momenta between states rest, told once before them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import sympy as sp
+
+from planar_cli.equation.ledger import Kind, Ledger
+from planar_cli.equation.plain import longer
+from planar_cli.equation.scene import Scene
+from planar_cli.problem.scene import Body, Rod, Round
+from planar_cli.records import record
+from planar_cli.report.blocks import Block, Equation, Heading, Inline, Line, Math, Value, line
+from planar_cli.report.clean import is_clean
+from planar_cli.report.forces import centre_of
+from planar_cli.report.numbers import significant
+from planar_cli.report.words import Phrases
+from planar_cli.solve.between.trace import BalanceTrace, ImpactEquation, MotionTrace
+from planar_cli.units import LENGTH
+
+LONGEST = 40
+"""A longer formula is told by its value."""
+
+
+def with_inertias(
+    blocks: Sequence[Block], motion: MotionTrace, scene: Scene, phrases: Phrases, told: Sequence[Block]
+) -> list[Block]:
+    """The blocks of a motion, and behind its first heading the moments of inertia that none of those `told` before
+    gives; of one that was told in letters its number.
+    """
+    first = next((i for i, b in enumerate(blocks) if isinstance(b, Heading)), None)
+    before = {b.lead: b for b in told if isinstance(b, Equation)}
+    own = []
+    for block in _lines(motion, scene, phrases):
+        known = before.get(block.lead)
+        if known is None:
+            own.append(block)
+        elif isinstance(block.sides[-1], Value) and not any(isinstance(s, Value) for s in known.sides):
+            own.append(replace(block, sides=tuple(s for s in block.sides if s not in known.sides[1:])))
+    if first is None:
+        return list(blocks)
+    return [*blocks[: first + 1], *own, *(b for b in blocks[first + 1 :] if b not in own)]
+
+
+def _lines(motion: MotionTrace, scene: Scene, phrases: Phrases) -> list[Equation]:
+    """One for each moment of inertia of a turning body, and for what it is made of; what only another general position
+    has named, the motion does without.
+    """
+    ledger = scene.ledger
+    centres = {f"moment of inertia of {body} about {c}, parallel axes" for body, c in _turning(motion)}
+    wanted = {s for s, title in ledger.titles.items() if title in centres}
+    wanted |= {s for body, _ in _turning(motion) for s in scene.bodies[body].inertia.free_symbols}
+    for symbol in reversed(list(ledger.definitions)):
+        if symbol in wanted:
+            wanted |= ledger.definitions[symbol].free_symbols
+    return [
+        _line(symbol, expr, scene, phrases)
+        for symbol, expr in ledger.definitions.items()
+        if symbol in wanted and symbol in motion.ledger.definitions and not expr.is_number
+    ]
+
+
+def _turning(motion: MotionTrace) -> set[tuple[str, str]]:
+    """The bodies whose turning counts in a balance of the way to the answers, with the centre of its moments."""
+    found: set[tuple[str, str]] = set()
+    for source in (e.source for leg in motion.route.steps for e in leg.relations):
+        if isinstance(source, BalanceTrace) and source.parts is not None:
+            found |= {(m.body, "") for m in source.parts.moving if m.inertia != 0 and m.omega != 0}
+        elif isinstance(source, ImpactEquation) and source.law == "moment":
+            found |= {(body, source.lead) for body in source.bodies}
+    return found
+
+
+def _line(symbol: sp.Symbol, expr: sp.Expr, scene: Scene, phrases: Phrases) -> Equation:
+    """symbol = formula = numbers = value."""
+    settled = phrases.has_numbers(symbol) and not _is_sought(symbol, phrases.ledger)
+    sides: list[Inline | Line] = [phrases.math(symbol)]
+    value = phrases.shown(symbol)
+    dimension = phrases.ledger.units[symbol].dimension
+    if sized := by_size(symbol, scene, phrases, settled):
+        sides += sized
+    elif not settled or (not longer(expr, LONGEST) and is_clean(phrases.ledger, expr, dimension=dimension)):
+        sides += [phrases.math(expr), *(phrases.substituted(expr, value) if settled else ())]
+    return Equation((*sides, value) if settled else tuple(sides), None, line(f"{scene.ledger.titles[symbol]}:"))
+
+
+def by_size(symbol: sp.Symbol, scene: Scene, phrases: Phrases, settled: bool) -> list[Line]:
+    """m l²/12, I + m AG² and the like of a body whose sizes are numbers of the file, with the numbers where it is
+    `settled`; empty where its formula already has letters for them.
+    """
+    made = _of_body(symbol, scene) or _shifted(symbol, scene)
+    if made is None or not made.mass.is_Symbol or not made.square.is_number or made.square == 0:
+        return []
+    length = sp.Symbol(made.letter, positive=True)
+    formula = sp.Mul(made.factor, made.mass, length**2, evaluate=False)
+    formula = formula if made.own == 0 else sp.Add(made.own, formula, evaluate=False)
+    told = [line(Math(formula))]
+    if settled:
+        size = phrases.of_dimension(phrases.value(sp.sqrt(made.square)), LENGTH)
+        texts = {s: _text(phrases.shown(s)) for s in (made.mass, made.own) if s != 0}
+        told.append(line(Math(formula, {length: _text(size), **texts})))
+    return told
+
+
+def _text(value: Value) -> str:
+    return significant(value.number, value.figures)
+
+
+@record
+class _Made:
+    """I = own + factor · mass · letter², and the square that the letter stands for."""
+
+    own: sp.Expr
+    factor: sp.Expr
+    mass: sp.Expr
+    letter: str
+    square: sp.Expr
+
+
+def _of_body(symbol: sp.Symbol, scene: Scene) -> _Made | None:
+    """The moment of inertia of a uniform body, or of one whose radius of gyration is given."""
+    body = next((b for b in scene.problem.bodies if scene.bodies[b.name].inertia == symbol), None)
+    size = None if body is None or body.inertia is not None or body.about is not None else _size(body)
+    if body is None or size is None:
+        return None
+    factor, letter = size
+    mass = scene.bodies[body.name].mass
+    return _Made(sp.S.Zero, factor, mass, letter, scene.ledger.definitions[symbol] / mass / factor)
+
+
+def _shifted(symbol: sp.Symbol, scene: Scene) -> _Made | None:
+    """One about another point, by that about the mass centre and the distance of both."""
+    title = scene.ledger.titles[symbol].removesuffix(", parallel axes")
+    for name, model in scene.bodies.items():
+        place = title.removeprefix(f"moment of inertia of {name} about ")
+        if place != title and model.inertia.is_Symbol and model.inertia != symbol and model.mass != 0:
+            rest = scene.ledger.definitions[symbol] - model.inertia
+            letter = f"{place}{centre_of(scene, name)}"
+            return _Made(model.inertia, sp.S.One, model.mass, letter, rest / model.mass)
+    return None
+
+
+def _size(body: Body) -> tuple[sp.Expr, str] | None:
+    """The factor and the length of a moment of inertia m l²/12, m r²/2 or m k²."""
+    shape = body.shape
+    if body.gyration is not None:
+        return sp.S.One, "k"
+    if isinstance(shape, Rod):
+        return sp.Rational(1, 12), f"{shape.start}{shape.end}" if shape.end is not None else "l"
+    if isinstance(shape, Round) and shape.hub is None:
+        return {"disk": sp.Rational(1, 2), "ring": sp.S.One, "sphere": sp.Rational(2, 5)}[shape.kind], "r"
+    return None
+
+
+def _is_sought(symbol: sp.Symbol, ledger: Ledger) -> bool:
+    """Does it rest on what the equations have yet to give?"""
+    if ledger.roles[symbol].kind is Kind.SOUGHT:
+        return True
+    inside = ledger.definitions.get(symbol, ledger.values.get(symbol))
+    return inside is not None and any(_is_sought(s, ledger) for s in inside.free_symbols)

@@ -1,0 +1,55 @@
+"""Moments of inertia on which energies and momenta rest have their line: m l²/12, and of parts by their distances."""
+
+from __future__ import annotations
+
+import pytest
+from conftest import PROBLEMS
+from worked import worked
+
+from planar_cli.formats.terminal import Terminal
+from planar_cli.report.narrate import narrate
+
+FILES = {p.stem: p for p in PROBLEMS}
+
+
+def _page(stem: str) -> str:
+    """The page with single spaces."""
+    return " ".join(Terminal(200).render(narrate(worked(FILES[stem])[0])).split())
+
+
+@pytest.mark.parametrize(
+    ("stem", "words"),
+    [
+        ("ex-4-13", "moment of inertia of rod: I = 1/12 m AB² = 1/12 · 12 · 2² = 4 kg·m²"),
+        ("ex-4-13", "about A, parallel axes: I_A = I + m AG² = 4 + 12 · 1² = 16 kg·m²"),
+        ("car-with-locked-wheels", "moment of inertia of car: I_G = m k² = 1400 · 1.2² = 2016 kg·m²"),
+        ("puck-hits-a-free-rod", "I_rod = 1/12 m_rod l² = 1/12 · 2 · 1.2² = 0.24 kg·m²"),
+        ("dumbbell-hit-by-a-ball", "= 3 (0.9 - 0.675)² + 1 · 0.675² = 0.6075 kg·m²"),
+        ("rod-and-disk-pendulum", "= 2 · 0.3333² + 4 · 0.1667² + 0.1067 + 0.02 = 0.46 kg·m²"),
+    ],
+)
+def test_their_lines(stem: str, words: str) -> None:
+    assert words in _page(stem)
+
+
+def test_each_once() -> None:
+    """An energy before and an instant after it rest on the same one."""
+    assert _page("exercise-4-35").count("moment of inertia of rod") == 1
+
+
+def test_none_that_nothing_uses() -> None:
+    """The balance of energies counts with the mass centre, not with the pin."""
+    assert "I_O" not in _page("exercise-4-35")
+
+
+def test_a_sought_size_has_no_number_before_it_is_found() -> None:
+    """In the second case of the yo-yo the radius of gyration is what is asked."""
+    page = _page("yo-yo")
+    assert page.count("I_G = m k_G²") == 2
+    assert "0.03834² " not in page
+
+
+def test_a_body_of_parts_beside_another_has_letters_of_its_own() -> None:
+    page = _page("dumbbell-hit-by-a-ball")
+    assert "m_C = 0.6 kg" in page
+    assert "m_dumbbell" in page
