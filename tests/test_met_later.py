@@ -1,4 +1,4 @@
-"""Contacts that begin in a later state: a line or a circle that is met on the way, where it is nearest."""
+"""Joints that touch only from a later state on: a line or a circle that is met on the way, where it is nearest."""
 
 from __future__ import annotations
 
@@ -7,7 +7,9 @@ import math
 import pytest
 from answered import solve
 
-from planar_cli.errors import PlanarError
+from planar_cli.errors import NoSolution, PlanarError
+from planar_cli.problem.structure import load_text
+from planar_cli.simulate.run import Settings, Simulation, simulate
 
 G = 9.81
 BOWL = """
@@ -36,10 +38,55 @@ joints:
 states: {1: [t = 0, v(block).x = v_0], 2: [x(block) = 0], 3: [v(block).mag = 0]}
 find: {v: v(block).mag @ 2, N: N(second) @ 2, h: y(block) @ 3}
 """
+ROLLING = """
+title: Cylinder that rolls down a slope and on along a floor
+plane: vertical
+given: {beta: 20 deg, L: 3 m, R: 0.1 m}
+points:
+  E: [0, 0]
+  C: {from: E, distance: L, angle: 180 deg - beta}
+  G: {from: C, distance: R, angle: 90 deg - beta}
+surfaces: {slope: {through: E, angle: -beta}, level: {through: E, angle: 0 deg}}
+bodies: {cyl: {disk: G, radius: R, mass: 4 kg}}
+joints:
+  - rolling: {between: [cyl, slope], during: 1->2, name: on_slope}
+  - rolling: {between: [cyl, level], during: 2->3, name: on_level}
+states: {1: [t = 0, at rest], 2: [y(cyl) = R], 3: [x(cyl) - x(cyl) @ 2 = 4 m]}
+find: {v: v(cyl).x @ 3, w: omega(cyl) @ 3, t: t @ 3}
+"""
+LANDING = """
+title: Ball that falls on a floor and rolls on
+plane: vertical
+given: {h: 1 m, R: 0.1 m}
+points: {F: [0, 0], G: [0, h]}
+surfaces: {floor: {through: F, angle: 0 deg}}
+bodies: {ball: {disk: G, radius: R, mass: 2 kg}}
+joints:
+  - rolling: {between: [ball, floor], during: 2->4}
+states:
+  1: [t = 0, v(ball).x = 3 m/s, v(ball).y = 0, omega(ball) = 0]
+  2: [y(ball) = R]
+  3: [just after 2]
+  4: [x(ball) - x(ball) @ 3 = 2 m]
+find: {v: v(ball).x @ 3, w: omega(ball) @ 3, t: t @ 4}
+"""
 
 
 def _first(text: str) -> dict[str, float]:
     return {name: float(f.values[0]) for name, f in solve(text).items() if f.values}
+
+
+def _followed(text: str) -> Simulation:
+    problem, wrong = load_text(text)
+    assert problem is not None, wrong
+    return simulate(problem, Settings(estimate=False), {})
+
+
+def _in_both(text: str) -> dict[str, float]:
+    """The same by equations and step by step."""
+    found = _first(text)
+    assert {a.name: a.values[0] for a in _followed(text).answers} == pytest.approx(found, rel=1e-6)
+    return found
 
 
 def test_a_bowl_and_then_a_floor() -> None:
@@ -59,3 +106,49 @@ def test_a_force_of_a_contact_that_is_over() -> None:
     """What is asked at a state where something changes is asked of what begins."""
     with pytest.raises(PlanarError, match="first does not act then"):
         solve(BOWL.replace("N(second)", "N(first)"))
+
+
+def test_a_wheel_that_comes_to_a_floor() -> None:
+    """m g h = 3/4 m v², and v stays what it is."""
+    height = 3 * math.sin(math.radians(20)) + 0.1 * math.cos(math.radians(20)) - 0.1
+    v = math.sqrt(4 / 3 * G * height)
+    expected = {"v": v, "w": -v / 0.1, "t": 2 * height / math.sin(math.radians(20)) / v + 4 / v}
+    assert _in_both(ROLLING) == pytest.approx(expected)
+
+
+@pytest.mark.parametrize("joint", ["rolling: {", "contact: {mu: 0.6, "])
+@pytest.mark.parametrize("during", ["2->4", "3->4"])
+def test_a_ball_that_lands(joint: str, during: str) -> None:
+    """The blow turns it about the point that strikes: I ω = J R and m (3 m/s - v) = J with v = ω R."""
+    found = _in_both(LANDING.replace("rolling: {", joint).replace("2->4", during))
+    assert found == pytest.approx({"v": 2, "w": -20, "t": math.sqrt(2 * 0.9 / G) + 1})
+
+
+@pytest.mark.parametrize(
+    "text", [ROLLING.replace("y(cyl) = R", "y(cyl) = 2*R"), BOWL.replace("x(ball) = 0", "x(ball) = -1 m")]
+)
+def test_what_begins_must_touch(text: str) -> None:
+    with pytest.raises(NoSolution) as caught:
+        solve(text)
+    assert [d.code for d in caught.value.diagnostics] == ["PL718"]
+    assert _followed(text).run.trajectory.outcome.code == "PL718"
+
+
+def test_a_small_wheel_far_from_the_origin() -> None:
+    """Its places are rounded more than its radius is."""
+    text = ROLLING.split("  - rolling: {between: [cyl, level]", maxsplit=1)[0] + ROLLING[ROLLING.index("states") :]
+    text = text.replace("2: [y(cyl) = R], 3: [x(cyl) - x(cyl) @ 2 = 4 m]", "3: [x(cyl) = 0]")
+    found = _in_both(text.replace("R: 0.1 m", "R: 0.001 m").replace(", during: 1->2", ""))
+    assert found["v"] == pytest.approx(
+        math.sqrt(4 * G * math.sin(math.radians(20))) * math.cos(math.radians(20)), rel=1e-3
+    )
+
+
+def test_a_state_that_does_not_come_after_one_in_which_nothing_is_in_sight() -> None:
+    text = ROLLING.replace("R: 0.1 m", "R: 0.001 m").replace("3: [x(cyl) - x(cyl) @ 2 = 4 m]", "3: [x(cyl) = 0]")
+    with pytest.raises(PlanarError):
+        solve(
+            text.replace("  - rolling: {between: [cyl, level], during: 2->3, name: on_level}\n", "").replace(
+                "1->2", "1->3"
+            )
+        )

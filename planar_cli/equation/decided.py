@@ -172,6 +172,10 @@ class Decided:
     def is_zero(self, expr: Any) -> bool:
         return expr == 0 or all(v.is_zero(expr) for v in self.valuations)
 
+    def are_same(self, a: Any, b: Any) -> bool:
+        """Are two numbers the same?"""
+        return self.is_zero(a - b)
+
     def steady(self, direction: Vec) -> Vec | None:
         """A direction written with what moves, without it where it stays the same for the numbers of the file."""
         if self.displacement is None:

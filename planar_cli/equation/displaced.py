@@ -300,7 +300,7 @@ class Displacer:
     def _spots(self) -> dict[str, Vec]:
         """Points where round outlines touch, and where ropes leave rims, stay with the centre, not with the rim."""
         found: dict[str, Vec] = {}
-        for joint in self.scene.problem.joints:
+        for joint in (*self.scene.problem.joints, *self.scene.problem.idle):
             at, between = getattr(joint, "at", None), getattr(joint, "between", ())
             if joint.touches and at is not None and len(between) == 2:
                 spot = self._touching(at, between)

@@ -48,7 +48,8 @@ class Sizes:
         if unit.dimension == VELOCITY:
             return max(self.fastest, self.spin * self.length)
         if unit.dimension == RATE:
-            return max(self.spin, self.fastest / self.length)
+            # Before anything has moved, no length is in sight.
+            return max(self.spin, self.fastest / self.length) if self.length else self.scales.of(unit.dimension)
         return self.scales.of(unit.dimension)
 
     def by_letter(self, letters: Iterable[sp.Symbol], units: Mapping[sp.Symbol, Unit]) -> dict[sp.Symbol, float]:

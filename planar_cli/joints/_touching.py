@@ -23,6 +23,7 @@ from planar_cli.problem.facts import (
     relative,
 )
 from planar_cli.problem.geometry import Vec
+from planar_cli.problem.outlines import meeting_place
 from planar_cli.problem.setting import Setting
 from planar_cli.records import record
 
@@ -61,7 +62,7 @@ class Touching:
     def __init__(self, contact: ContactPlace, scene: Setting, friction: Friction) -> None:
         self.contact, self.scene = contact, scene
         self.static, self.kinetic, self.limit = friction.static, friction.kinetic, friction.limit
-        self.name, self.place = contact.name, self._spot()
+        self.name, self.place = contact.name, meeting_place(scene, contact.between, contact.at)
         self.mover, self.base = self._roles()
         tangent = self.base.tangent or Vec(1, 0)
         left = tangent.turned()
@@ -86,14 +87,6 @@ class Touching:
             and self.mover.kind == "corner"
             and not self.scene.rigid(self.mover.body)
         )
-
-    def _spot(self) -> Vec:
-        """Where they touch: a particle touches where it is, whatever else is drawn at that point."""
-        scene, contact = self.scene, self.contact
-        carriers = ((p, scene.carrier(p)) for p in contact.between)
-        particles = (p for p, body in carriers if p == body and not scene.rigid(p))
-        particle = next(particles, None)
-        return scene.point(contact.at) if particle is None else scene.center(particle)
 
     @property
     def smooth(self) -> bool:

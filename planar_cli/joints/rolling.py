@@ -9,8 +9,9 @@ from planar_cli.joints._outline_residuals import stuck
 from planar_cli.joints._tangency import demand_above, demand_common_tangent
 from planar_cli.joints._touching import away
 from planar_cli.joints.base import Joint
-from planar_cli.problem.facts import Facts, Joining, Mode, Push, opposed
+from planar_cli.problem.facts import Facts, Joining, Mode, Outline, Push, opposed
 from planar_cli.problem.facts import Rolling as NoSlip
+from planar_cli.problem.geometry import Vec
 from planar_cli.problem.keys import PartnersKey, PointKey, key
 from planar_cli.problem.residuals import Residual
 from planar_cli.problem.setting import Setting
@@ -23,7 +24,8 @@ class Rolling(Joint):
     Meaning
         The wheel touches the other body or surface at `at` and does not slip: a wheel on the floor, a gear on a rack,
         two gears, a wheel inside a ring. The force that this takes is asked by `N` and `friction`; if the wheel might
-        slip, write `contact` with a coefficient.
+        slip, write `contact` with a coefficient. From one surface to another: one `during: 1->2`, the next
+        `during: 2->3`, where state 2 says that the wheel touches the next one (`y(wheel) = R` on a floor at y = 0).
 
     YAML
         title: Cylinder rolls down an incline
@@ -64,7 +66,7 @@ class Rolling(Joint):
 
     def modes(self, scene: Setting) -> tuple[Mode, ...]:
         place = scene.point(self.at)
-        a, b = (scene.outline(p, place, self.mark) for p in self.between)
+        a, b = self._outlines(scene, place)
         if a.body == "ground" or (a.kind != "arc" and b.kind == "arc"):
             a, b = b, a
         if a.tangent is None or b.tangent is None:
@@ -99,5 +101,10 @@ class Rolling(Joint):
 
     def residuals(self, scene: Setting, mode: Mode) -> tuple[Residual, ...]:
         place = scene.point(self.at)
-        a, b = (scene.outline(p, place, self.mark) for p in self.between)
+        a, b = self._outlines(scene, place)
         return stuck(self.name, a, b, place)
+
+    def _outlines(self, scene: Setting, place: Vec) -> tuple[Outline, Outline]:
+        """Of the two partners where they touch."""
+        a, b = (scene.outline(p, scene.spot(p, place, self.during), self.mark) for p in self.between)
+        return a, b

@@ -6,17 +6,23 @@ them. That has no meaning where they are drawn beside each other, or where both 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Collection, Sequence
 
 from planar_cli.base_units import in_base
+from planar_cli.joints.base import Joint
 from planar_cli.motion.encounters import Encounter
 from planar_cli.motion.guards import speed_of
 from planar_cli.motion.hybrid import HybridModel
 from planar_cli.motion.model import Choice
 from planar_cli.motion.source import compiled
 from planar_cli.motion.terms import Term
+from planar_cli.problem.outlines import meeting_place
 from planar_cli.units import LENGTH, default_unit
 
+BEGINS = 1e-4
+"""A joint begins to hold what is closer than this part of the scene's length: places of the file have some four digits.
+"""
 TOUCHES = 1e-6
 """Partners touch that are closer than this part of the scene's length."""
 STILL = 1e-6
@@ -45,6 +51,22 @@ def drawn_apart(
                 f"after the plastic impact {one} and {other} are {gap / in_base(unit, us):.3g} {unit.text} apart "
                 "as they are drawn, and nothing holds them"
             )
+    return None
+
+
+def begun_apart(model: HybridModel, begun: Sequence[Joint], t: float, y: Sequence[float]) -> tuple[str, str] | None:
+    """The joint of those that begin now whose partners do not touch, and by how much; None: all do."""
+    scene = model.scene
+    for joint in begun:
+        one, other = getattr(joint, "between", ("", ""))
+        place = meeting_place(scene, (one, other), getattr(joint, "at", ""))
+        off = scene.spot(one, place, joint.during) - scene.spot(other, place, joint.during)
+        gap = math.hypot(*_numbers(model, [scene.graph.of(off.x), scene.graph.of(off.y)], t, y))
+        if gap > BEGINS * model.scales.length:
+            us = scene.problem.us
+            unit = default_unit(LENGTH, us=us)
+            size = f"{gap / in_base(unit, us):.3g} {unit.text}"
+            return joint.name, f"{joint.name} begins, and {one} is {size} away from {other}"
     return None
 
 

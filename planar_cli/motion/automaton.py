@@ -178,6 +178,9 @@ class Stages(Protocol):
     def applied(self, after: str, t: float, y: Sequence[float]) -> Mapping[str, tuple[float, ...]]:
         """The impulses of loads, by their names, in the blow that ends in the state `after`, for each velocity."""
 
+    def apart(self, reached: Sequence[str], t: float, y: Sequence[float]) -> tuple[str, str] | None:
+        """A joint that begins with the last of these states and whose partners do not touch there, with words."""
+
     def corner(self, reached: Sequence[str], choice: Choice, t: float, y: Sequence[float]) -> Corner | None:
         """The corner at which the last of these states is reached; None: there is none."""
 

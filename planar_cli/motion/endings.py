@@ -36,6 +36,16 @@ def jerked(joint: str, t: float) -> Outcome:
     return Outcome("jerk", f"at t = {t:.9g} s {joint} takes hold of what moves otherwise", t, joint, "PL717")
 
 
+def endless(words: str, joint: str, t: float) -> Outcome:
+    """Changes of mode that follow each other at one instant."""
+    return Outcome("endless", f"at t = {t:.9g} s the modes change without end: {words}", t, joint, "PL709")
+
+
+def begun_apart(found: tuple[str, str] | None, t: float) -> Outcome | None:
+    """A joint whose partners do not touch when it begins: the joint, and words; None: there is none."""
+    return None if found is None else Outcome("apart", f"at t = {t:.9g} s {found[1]}", t, found[0], "PL718")
+
+
 def spent(guard: Guard, t: float) -> Outcome:
     """A guard has fallen behind which nothing goes on."""
     if guard.kind == AGAIN:

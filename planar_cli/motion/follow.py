@@ -10,11 +10,11 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import field, replace
 
 from planar_cli.integrators.base import Counts, Setting, Step, StepTooSmall, TooManySteps
+from planar_cli.motion import endings
 from planar_cli.motion.automaton import Automaton, Choice, Regime, Stages, Start
 from planar_cli.motion.balance import ALLOWED, balance_of
 from planar_cli.motion.crossings import band_at
 from planar_cli.motion.drive import AUTOMATIC, Run, drive
-from planar_cli.motion.endings import open_after, repeats_every, spent, stuck_at, unbalanced, undetermined_at
 from planar_cli.motion.guards import AGAIN, LENGTH
 from planar_cli.motion.recurrence import Recurrence, recurrence
 from planar_cli.motion.schedule import Event, Schedule
@@ -120,14 +120,14 @@ class Follower:
         """Do forces tell how everything moves?"""
         loose = self.automaton.undetermined(self.choice, self.t, self.y)
         if loose:
-            self.outcome = undetermined_at(loose, self.t)
+            self.outcome = endings.undetermined_at(loose, self.t)
 
     def _blow(self, state: str) -> bool:
         """What strikes, takes hold or lets go when a state has been reached; False where nothing does."""
         follower = self.waiting.just_after(state)
         changed = self._act(self.waiting.names, follower.name if follower is not None else "")
-        if follower is None:
-            if changed:
+        if follower is None or self.outcome is not None:
+            if changed and self.outcome is None:
                 corner = self.stages.corner(self.waiting.names, self.choice, self.t, self.y)
                 self.transitions += turnings(corner, self.t, self.y, self.choice)
                 self.y = self.y if corner is None else corner.after
@@ -155,6 +155,7 @@ class Follower:
         self.choice = tuple(old.get(joint, 0) for joint in automaton.choices)
         self.automaton = automaton
         self.open_now = automaton.drawn_apart(self.t, self.y)
+        self.outcome = endings.begun_apart(self.stages.apart(reached, self.t, self.y), self.t)
         return True
 
     # --- one segment -------------------------------------------------------------------------------------------------
@@ -187,7 +188,7 @@ class Follower:
         except (StepTooSmall, Singular) as stuck:
             if taken:
                 self._close(regime, taken[-1].t1, tuple(taken[-1].y1), taken)
-            self.outcome = stuck_at(stuck, self.t)
+            self.outcome = endings.stuck_at(stuck, self.t)
             return
         self._close(regime, run.t1, tuple(run.y1), run.steps)
         if self._unclear(None):
@@ -196,13 +197,13 @@ class Follower:
         if self.outcome is None and (run.crossings or period is None):
             self._ended(regime, run)
         if self.outcome is None and self.returning is not None and period is not None:
-            self.outcome = repeats_every(period, self.t)
+            self.outcome = endings.repeats_every(period, self.t)
 
     def _unclear(self, drawn_apart: tuple[str, str] | None) -> bool:
         """Does an impact leave open how its partners go on?"""
         found = drawn_apart or self.automaton.sliding_points(self.choice, self.t, self.y)
         if found is not None:
-            self.outcome = open_after(found, self.t)
+            self.outcome = endings.open_after(found, self.t)
         return found is not None
 
     def _run(self, regime: Regime, end: float, taken: list[Step]) -> Run:
@@ -290,7 +291,7 @@ class Follower:
             self.at_once = 0
             allowed = max(ALLOWED * self.setting.tolerance, LEAST_ALLOWED)
             if balance is not None and balance.off > allowed and self.check:
-                self.outcome = unbalanced(balance.told, self.t, end)
+                self.outcome = endings.unbalanced(balance.told, self.t, end)
         self.t, self.y = end, y
 
     # --- what ends a segment -----------------------------------------------------------------------------------------
@@ -302,7 +303,7 @@ class Follower:
         events = [e for e in self.waiting.next() if e.crossing is not None]
         grazed = [c.index for c in run.crossings if c.index < number and c.way == "grazes"]
         if (last := next((g for i in (*fallen, *grazed) if (g := regime.guards[i]).kind == LENGTH), None)) is not None:
-            self.outcome = spent(last, self.t)
+            self.outcome = endings.spent(last, self.t)
             return
         for guard in (regime.guards[i] for i in grazed if regime.guards[i].kind == "gap"):
             self.transitions.append(grazing(guard.joint, self.t, self.y, self.choice))
@@ -322,7 +323,7 @@ class Follower:
         again = next((regime.guards[i] for i in fallen if regime.guards[i].kind == AGAIN), None)
         if self.outcome is None and again is not None and self.automaton.regime(self.choice) is regime:
             # Nothing strikes there, and the motion is to go on.
-            self.outcome = spent(again, self.t)
+            self.outcome = endings.spent(again, self.t)
         if self.outcome is None and fallen:
             guards = [regime.guards[i] for i in fallen]
             words = ", ".join(dict.fromkeys(f"no longer: {g.words}" for g in guards))
@@ -378,8 +379,7 @@ class Follower:
         """
         self.at_once, self.returning = self.at_once + 1, None
         if self.at_once > MOST_AT_ONCE or len(self.transitions) > MOST_IMPACTS:
-            told = f"at t = {self.t:.9g} s the modes change without end: {words}"
-            self.outcome = Outcome("endless", told, self.t, joint, "PL709")
+            self.outcome = endings.endless(words, joint, self.t)
             return
         moment = Moment(self.automaton, self.t, self.y, self.choice, words, self.setting.tolerance, lasting=not blow)
         moment = replace(moment, inelastic=inelastic, striking=striking or inelastic)

@@ -26,7 +26,7 @@ from planar_cli.motion.quantities import Quantities
 from planar_cli.motion.sides import names_in
 from planar_cli.motion.skids import Skids
 from planar_cli.motion.spots import spots_of
-from planar_cli.motion.terms import Term, evaluate
+from planar_cli.motion.terms import ROUNDING, Term, evaluate
 from planar_cli.problem.acting import acting_loads
 from planar_cli.problem.expression import Name, Side, Statement
 from planar_cli.problem.facts import Outline, Wrench
@@ -118,6 +118,11 @@ class MovingScene(Carried):
         if (partner, point) not in self._outlines:
             self._outlines[partner, point] = outline_of(self, partner, point, mark)
         return self._outlines[partner, point]
+
+    def are_same(self, a: Any, b: Any) -> bool:
+        """Are two numbers the same as drawn? The places of a small wheel far out are rounded more than its radius."""
+        one, other = self.graph.of(a), self.graph.of(b)
+        return abs(one.value - other.value) <= ROUNDING * max(one.size, other.size)
 
     def as_drawn(self, expr: Any) -> Any:
         """Terms have their value as drawn."""

@@ -7,7 +7,7 @@ from functools import cached_property
 
 from planar_cli.integrators.base import Step
 from planar_cli.joints.base import Joint, distinct
-from planar_cli.motion.afterwards import drawn_apart, sliding_points
+from planar_cli.motion.afterwards import begun_apart, drawn_apart, sliding_points
 from planar_cli.motion.automaton import Choice, Corner, Outside, Start
 from planar_cli.motion.constraints import Constraint
 from planar_cli.motion.corners import corner, passing_over
@@ -284,10 +284,15 @@ class SceneStages:
             found[load.name] = tuple(total)
         return found
 
+    def apart(self, reached: Sequence[str], t: float, y: Sequence[float]) -> tuple[str, str] | None:
+        """A joint that begins with the last of these states and whose partners do not touch there, with words."""
+        begun = [m for m in self.passing if isinstance(m, Joint) and m.touches and _begins(m, reached)]
+        return begun_apart(self.automaton(reached).model, begun, t, y) if begun else None
+
     def corner(self, reached: Sequence[str], choice: Choice, t: float, y: Sequence[float]) -> Corner | None:
         """The corner at which the last of these states is reached; None: there is none."""
         lasting = [m for m in self.passing if isinstance(m, Joint) and not m.strikes and m.during is not None]
-        begun = [j for j in lasting if j.during is not None and j.during[0] == reached[-1]]
+        begun = [j for j in lasting if _begins(j, reached)]
         ended = [j for j in lasting if j.during is not None and j.during[1] == reached[-1]]
         if not begun or not ended:
             return None
@@ -348,6 +353,11 @@ def _untold(gaps: Iterable[Gap]) -> list[Gap]:
 def _strikes(member: Member | Law) -> bool:
     """Is it an impact?"""
     return isinstance(member, Joint) and member.strikes
+
+
+def _begins(joint: Joint, reached: Sequence[str]) -> bool:
+    """Does it act from the last of these states on?"""
+    return joint.during is not None and joint.during[0] == reached[-1]
 
 
 def _passing(members: Sequence[Member]) -> Iterator[Member]:

@@ -92,6 +92,11 @@ _ENGINE = {
         "before and after it differ: write a state `3: [just after 2]`. A corner between two surfaces is taken as "
         "rounded where one way is left to move; the speed is kept there."
     ),
+    "PL718": (
+        "A contact, or a wheel that rolls, begins with a state in which its partners do not touch. Let what the state "
+        "says be the place where they meet: for a wheel that comes down to a floor at y = 0, the height of its centre "
+        "is its radius."
+    ),
     "PL720": (
         "A motion that was solved is followed once more by independent facts, step by step, and an answer comes out "
         "otherwise: nothing is printed as an answer. The message gives both values, and when. It is a fault of the "

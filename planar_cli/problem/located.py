@@ -71,10 +71,24 @@ def located(point: Point, numbers: Numbers) -> Vec:
         case TwoFacts():
             return _two_facts(point, place, numbers)
         case Foot():
-            return _foot(place, numbers)
+            return _touched(place, numbers)
         case Rims():
             return _between_rims(point, place, numbers)
     raise TypeError(type(place).__name__)
+
+
+def _touched(place: Foot, numbers: Numbers) -> Vec:
+    """The foot; where a rim that meets the edge later is not there yet, the place of the rim that is nearest to it."""
+    foot = _foot(place, numbers)
+    if not place.later:
+        return foot
+    center = numbers.point(place.center)
+    reach = foot - center
+    length, radii = numbers.length(reach), [numbers.value(r) for r in place.radii]
+    if numbers.is_nothing(length) or any(numbers.is_nothing(length - r) for r in radii):
+        return foot
+    nearest: Vec = center + reach * (radii[0] / length)
+    return nearest
 
 
 def _foot(place: Foot, numbers: Numbers) -> Vec:

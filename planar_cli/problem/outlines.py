@@ -14,6 +14,7 @@ from planar_cli.problem.expression import Side
 from planar_cli.problem.facts import Outline
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND, Circle, Composite, Curve, Line, Plate, Rod, Round, Sector, State, Surface
+from planar_cli.problem.setting import Setting
 from planar_cli.records import record
 
 Span = tuple[str, str] | None
@@ -55,6 +56,9 @@ class Outlined(Protocol):
     def length(self, v: Vec) -> Any: ...
     def sign(self, expr: Any) -> int: ...
     def is_zero(self, expr: Any) -> bool: ...
+    def are_same(self, a: Any, b: Any) -> bool:
+        """Are two squares of lengths the same, to the rounding of places?"""
+
     def as_drawn(self, expr: Any) -> Any:
         """An expression of a general position where the file draws it."""
 
@@ -76,6 +80,14 @@ def outline_of(scene: Outlined, partner: str, point: Vec, mark: Mark) -> Outline
         case Rod() as shape:
             return _rod(scene, partner, shape, point)
     return Outline("corner", partner)
+
+
+def meeting_place(scene: Setting, between: Sequence[str], at: str) -> Vec:
+    """Where two partners touch: a particle touches where it is, whatever else is drawn at that point."""
+    carriers = ((p, scene.carrier(p)) for p in between)
+    particles = (p for p, body in carriers if p == body and not scene.rigid(p))
+    particle = next(particles, None)
+    return scene.point(at) if particle is None else scene.center(particle)
 
 
 def spot_of(scene: Outlined, states: Sequence[State], during: Span, partner: str, point: Vec) -> Vec:
@@ -120,7 +132,7 @@ def _surface(scene: Outlined, surface: Surface, point: Vec, mark: Mark) -> Outli
     if isinstance(shape, Circle):
         center, radius = scene.carried(body, shape.center), scene.value(shape.radius)
         out = point - center
-        fits = scene.is_zero(out.dot(out) - radius * radius)
+        fits = scene.are_same(out.dot(out), radius * radius)
         _demand_on(fits, surface, mark, "its distance from the centre is the radius")
         if surface.speed is not None:
             text, hint = f"{surface.name}: a belt runs along a line", "give `speed:` to a line; let a disk turn instead"
@@ -166,7 +178,7 @@ def _rim(scene: Outlined, body: str, shape: Round | Sector, point: Vec) -> Outli
     for side in (shape.radius, shape.hub if isinstance(shape, Round) else None):
         if side is not None:
             radius = scene.value(side)
-            if scene.is_zero(out.dot(out) - radius * radius):
+            if scene.are_same(out.dot(out), radius * radius):
                 return Outline("arc", body, (out / radius).turned(), 1 / radius, center, _center(shape))
     return None
 

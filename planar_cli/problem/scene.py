@@ -78,12 +78,16 @@ class TwoFacts:
 
 @record
 class Foot:
-    """Where a rim about `center` touches an edge through `through`, at `angle` or towards the point `towards`."""
+    """Where a rim about `center` touches an edge through `through`, at `angle` or towards the point `towards`; of one
+    that meets it only `later`, the place of the rim that is nearest.
+    """
 
     center: str
     through: str
     angle: Side | None
     towards: str | None
+    radii: tuple[Side, ...] = ()
+    later: bool = False
 
 
 @record
@@ -332,3 +336,6 @@ class Problem:
     us: bool
     strikers: tuple[Joint | Load, ...] = ()
     """Impacts and impulses of the file, in a problem of what acts while time passes."""
+    idle: tuple[Joint, ...] = ()
+    """Joints of the file that touch only before or after that time: where they would touch, a rim goes on all the same.
+    """

@@ -27,7 +27,7 @@ from planar_cli.problem.read_points import read_points, read_surfaces
 from planar_cli.problem.read_values import Names
 from planar_cli.problem.reading import Report
 from planar_cli.problem.scene import Body, Case, Point, Problem, Surface
-from planar_cli.problem.touching_points import with_touching_points
+from planar_cli.problem.touching_points import with_later_meetings, with_touching_points
 from planar_cli.problem.unnamed_places import free_name, free_names, with_named_places
 from planar_cli.problem.whose_load import with_bodies
 from planar_cli.registry import modules
@@ -183,7 +183,7 @@ def _read(file: str, whole: Fields) -> Problem:
         method=sections.one_of(whole, "method", modules("principles")),
         us=sections.is_us(given),
     )
-    return with_placed_particles(with_assumed(problem))
+    return with_later_meetings(with_placed_particles(with_assumed(problem)))
 
 
 def _scene(whole: Fields, numbers: frozenset[str]) -> Scene:

@@ -24,6 +24,7 @@ from planar_cli.problem.scene import (
     Place,
     Plate,
     Point,
+    Problem,
     Rims,
     Rod,
     Round,
@@ -89,6 +90,19 @@ def with_touching_points(
     return tuple(read), tuple(points)
 
 
+def with_later_meetings(problem: Problem) -> Problem:
+    """The problem, in which a rim touches an edge that it meets after the first state where it comes nearest to it."""
+    first = problem.states[0].name if problem.states else ""
+    later = {getattr(j, "at", "") for j in problem.joints if j.touches and j.during and j.during[0] != first}
+    points = tuple(
+        replace(p, place=replace(p.place, later=True))
+        if p.name in later and isinstance(p.place, Foot) and p.place.radii
+        else p
+        for p in problem.points
+    )
+    return replace(problem, points=points)
+
+
 def _place(partners: list[Body | Surface | None]) -> Place | str | None:
     """The place of the point, or the name of a particle that touches there."""
     for partner in partners:
@@ -99,7 +113,7 @@ def _place(partners: list[Body | Surface | None]) -> Place | str | None:
         case [_Rim() as a, _Rim() as b]:
             return Rims(a.center, a.radii, b.center, b.radii)
         case [_Rim() as rim, _Straight() as line] | [_Straight() as line, _Rim() as rim]:
-            return Foot(rim.center, line.through, line.angle, line.towards)
+            return Foot(rim.center, line.through, line.angle, line.towards, rim.radii)
         case [_Face() as face, _Straight() as line] | [_Straight() as line, _Face() as face]:
             return Foot(face.center, line.through, line.angle, line.towards)
     return None

@@ -7,7 +7,7 @@ from planar_cli.joints.base import Joint, distinct
 from planar_cli.motion.trajectory import Outcome
 from planar_cli.problem.scene import Problem
 
-CODES = ("PL714", "PL715", "PL717")
+CODES = ("PL714", "PL715", "PL717", "PL718")
 """With which a motion ends that is not told on."""
 
 
@@ -16,7 +16,7 @@ def demand_told(problem: Problem, outcome: Outcome) -> None:
     if outcome.code not in CODES:
         return
     joint = next(j for j in distinct(problem.joints) if j.name == outcome.joint)
-    hints = {"PL714": _weld, "PL715": _again, "PL717": _blow}
+    hints = {"PL714": _weld, "PL715": _again, "PL717": _blow, "PL718": _apart}
     hint = hints[outcome.code](problem, joint)
     raise NoSolution((Diagnostic(joint.mark, outcome.code, outcome.words, hint),))
 
@@ -32,6 +32,11 @@ def _blow(problem: Problem, joint: Joint) -> str:
         f"if it is a blow, say so: a state `{name}: [just after {before}]` (`during: {before}->{until}` stays); "
         f"else let it hold what it holds from the beginning"
     )
+
+
+def _apart(problem: Problem, joint: Joint) -> str:
+    state = joint.during[0] if joint.during is not None else ""
+    return f"let the state {state} be where they touch: the height of the centre of a wheel is its radius, say"
 
 
 def _weld(problem: Problem, impact: Joint) -> str:

@@ -149,6 +149,7 @@ class Follower:
         done = self.done
         begins = self._start_of(i)
         if begins is None:
+            demand_told(self.course.problem, self.motion.run.trajectory.outcome)
             done.lost = "what follows is not told"
             return False
         _, choice, _ = begins

@@ -163,7 +163,8 @@ def _span(problem: Problem, acts: Callable[[tuple[str, str] | None], bool], last
         return Span(problem, always)
     members: tuple[Any, ...] = (*problem.joints, *problem.loads)
     strikers = tuple(m for m in members if m.strikes)
-    return Span(replace(problem, joints=joints, loads=loads, strikers=strikers), always)
+    idle = tuple(j for j in problem.joints if j.touches and j not in joints)
+    return Span(replace(problem, joints=joints, loads=loads, strikers=strikers, idle=idle), always)
 
 
 def blow_before(problem: Problem, before: State, state: State) -> tuple[Span, Span] | None:
