@@ -10,7 +10,7 @@ from planar_cli.joints.base import Joint, distinct
 from planar_cli.motion.afterwards import begun_apart, drawn_apart, sliding_points
 from planar_cli.motion.automaton import Choice, Corner, Outside, Start
 from planar_cli.motion.constraints import Constraint
-from planar_cli.motion.corners import corner, passing_over
+from planar_cli.motion.corners import corner, normals, passing_over
 from planar_cli.motion.dense import null_space
 from planar_cli.motion.equilibrium import in_equilibrium
 from planar_cli.motion.gaps import Gap
@@ -296,9 +296,10 @@ class SceneStages:
         ended = [j for j in lasting if j.during is not None and j.during[1] == reached[-1]]
         if not begun or not ended:
             return None
-        model = self.automaton(reached).model
-        names = passing_over(self.automaton(reached[:-1]).model, model, begun, ended)
-        return corner(model, choice, names, t, y) if names else None
+        before, model = self.automaton(reached[:-1]).model, self.automaton(reached).model
+        names = passing_over(before, model, begun, ended)
+        left = normals(before, [j for j in ended if j.guides])
+        return corner(model, choice, names, left, t, y) if names else None
 
     def _acts(self, member: Member | Law, reached: Sequence[str]) -> bool:
         """Has the state been reached from which it acts, and not yet that until which it does? What has struck each
