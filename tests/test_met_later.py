@@ -152,3 +152,44 @@ def test_a_state_that_does_not_come_after_one_in_which_nothing_is_in_sight() -> 
                 "1->2", "1->3"
             )
         )
+
+
+@pytest.mark.parametrize(("mu", "turns"), [(0.5, 1.5), (0, 1)])
+def test_a_wheel_that_may_slip_goes_on_turning_as_it_did(mu: float, turns: float) -> None:
+    """Rough enough it rolls on; on smooth ground it does not turn, and m g h = m v²/2."""
+    height = 3 * math.sin(math.radians(20)) + 0.1 * math.cos(math.radians(20)) - 0.1
+    v = math.sqrt(2 * G * height / turns)
+    found = _in_both(ROLLING.replace("rolling: {", f"contact: {{mu: {mu}, "))
+    assert found["v"] == pytest.approx(v)
+    assert found["w"] == pytest.approx(-v / 0.1 if mu else 0)
+
+
+PLATEAU = """
+title: Cylinder that rolls up a ramp to a plateau, on whose other side it is drawn
+plane: vertical
+given: {beta: 20 deg, L: 1 m, R: 0.1 m}
+points:
+  E: [0, 0]
+  C: {from: E, distance: L, angle: 180 deg + beta}
+  G: {from: C, distance: R, angle: 90 deg + beta}
+surfaces: {ramp: {through: E, angle: beta}, level: {through: E, angle: 0 deg}}
+bodies: {cyl: {disk: G, radius: R, mass: 4 kg}}
+joints:
+  - rolling: {between: [cyl, ramp], during: 1->2, name: on_ramp}
+  - rolling: {between: [cyl, level], during: 2->3, name: on_level}
+states: {1: [t = 0, v(cyl).mag = 4 m/s, omega(cyl) < 0], 2: [y(cyl) = R], 3: [x(cyl) - x(cyl) @ 2 = 4 m]}
+find: {v: v(cyl).x @ 3, w: omega(cyl) @ 3}
+"""
+
+
+def test_a_wheel_stays_on_the_side_on_which_it_rolls() -> None:
+    rise = 0.1 + math.sin(math.radians(20)) - 0.1 * math.cos(math.radians(20))
+    v = math.sqrt(16 - 4 / 3 * G * rise)
+    assert _in_both(PLATEAU) == pytest.approx({"v": v, "w": -v / 0.1})
+
+
+def test_what_slips_does_not_roll_at_once() -> None:
+    text = ROLLING.replace("rolling: {between: [cyl, slope]", "contact: {mu: 0, between: [cyl, slope]")
+    with pytest.raises(NoSolution) as caught:
+        solve(text)
+    assert [d.code for d in caught.value.diagnostics] == ["PL717"]

@@ -78,16 +78,19 @@ def located(point: Point, numbers: Numbers) -> Vec:
 
 
 def _touched(place: Foot, numbers: Numbers) -> Vec:
-    """The foot; where a rim that meets the edge later is not there yet, the place of the rim that is nearest to it."""
+    """The foot; where a rim that meets the edge later is not there yet, the place of the rim that is nearest to it. A
+    wheel that comes over an edge, or up to a plateau, is drawn beyond the line: it stays on the side where it rolls.
+    """
     foot = _foot(place, numbers)
     if not place.later:
         return foot
     center = numbers.point(place.center)
     reach = foot - center
     length, radii = numbers.length(reach), [numbers.value(r) for r in place.radii]
-    if numbers.is_nothing(length) or any(numbers.is_nothing(length - r) for r in radii):
+    beyond = place.former and _below(reach.dot(numbers.point(place.former) - center), numbers.number(0), numbers)
+    if numbers.is_nothing(length) or (not beyond and any(numbers.is_nothing(length - r) for r in radii)):
         return foot
-    nearest: Vec = center + reach * (radii[0] / length)
+    nearest: Vec = center + reach * ((-radii[0] if beyond else radii[0]) / length)
     return nearest
 
 
@@ -114,16 +117,16 @@ def _between_rims(point: Point, place: Rims, numbers: Numbers) -> Vec:
     radii = [(numbers.value(r), numbers.value(s)) for r in place.radii_a for s in place.radii_b]
     # Where none of them touch, the contact itself tells by how much the rims are apart.
     r, s = next((pair for pair in radii if _touch(*pair, length, numbers)), radii[0])
-
-    def below(smaller: Any, larger: Any) -> bool:
-        gap = numbers.apart(Vec(larger - smaller, numbers.number(0)))
-        return gap is not None and gap[0] > 0
-
-    if below(r, s) and below(length, s):
+    if _below(r, s, numbers) and _below(length, s, numbers):
         inner: Vec = b + (a - b) * (s / length)
         return inner
     touching: Vec = a + reach * (r / length)
     return touching
+
+
+def _below(smaller: Any, larger: Any, numbers: Numbers) -> bool:
+    gap = numbers.apart(Vec(larger - smaller, numbers.number(0)))
+    return gap is not None and gap[0] > 0
 
 
 def _touch(r: Any, s: Any, length: Any, numbers: Numbers) -> bool:

@@ -79,7 +79,8 @@ class TwoFacts:
 @record
 class Foot:
     """Where a rim about `center` touches an edge through `through`, at `angle` or towards the point `towards`; of one
-    that meets it only `later`, the place of the rim that is nearest.
+    that meets it only `later`, the place of the rim that is nearest. `former`: the point where it touches until then,
+    which tells the side.
     """
 
     center: str
@@ -88,6 +89,7 @@ class Foot:
     towards: str | None
     radii: tuple[Side, ...] = ()
     later: bool = False
+    former: str = ""
 
 
 @record

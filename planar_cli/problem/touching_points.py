@@ -93,14 +93,21 @@ def with_touching_points(
 def with_later_meetings(problem: Problem) -> Problem:
     """The problem, in which a rim touches an edge that it meets after the first state where it comes nearest to it."""
     first = problem.states[0].name if problem.states else ""
-    later = {getattr(j, "at", "") for j in problem.joints if j.touches and j.during and j.during[0] != first}
-    points = tuple(
-        replace(p, place=replace(p.place, later=True))
-        if p.name in later and isinstance(p.place, Foot) and p.place.radii
-        else p
-        for p in problem.points
-    )
-    return replace(problem, points=points)
+    bodies = {b.name for b in problem.bodies}
+    touching: list[Any] = [j for j in problem.joints if j.touches and j.during is not None]
+    former = {}
+    for joint in (j for j in touching if j.during[0] != first):
+        ours = bodies & {*joint.between}
+        before = (j.at for j in touching if j.during[1] == joint.during[0] and ours & {*j.between})
+        former[joint.at] = next(before, "")
+
+    def later(point: Point) -> Point:
+        place = point.place
+        if point.name not in former or not isinstance(place, Foot) or not place.radii:
+            return point
+        return replace(point, place=replace(place, later=True, former=former[point.name]))
+
+    return replace(problem, points=tuple(map(later, problem.points)))
 
 
 def _place(partners: list[Body | Surface | None]) -> Place | str | None:
