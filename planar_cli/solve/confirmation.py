@@ -33,6 +33,7 @@ from planar_cli.solve.solution import Found
 from planar_cli.solve.solved_problem import Confirmation, PartSolution
 from planar_cli.solve.stated_inequalities import demand_inequalities
 from planar_cli.solve.taken import Taken
+from planar_cli.solve.undriven import nothing_drives, standing_alone
 from planar_cli.units import Unit
 
 CERTAIN = 1e-6
@@ -202,7 +203,8 @@ class _Compared:
     def __init__(self, other: Simulation, trace: MotionTrace, instance: Instance) -> None:
         self.other, self.trace, self.instance = other, trace, instance
         self.problem = other.run.problem
-        self.answers = {a.name: a for a in other.answers}
+        self.alone = standing_alone(other.run)
+        self.answers = {a.name: a for a in other.answers} | self.alone
         self.moments = other.run.measures.moments
 
     def see(self, f: Found) -> Seen:
@@ -214,14 +216,12 @@ class _Compared:
             return Seen(f.name, kind or READ_OFF)
         answer = self.answers[f.name]
         missed = [s for s in self._states(what) if s not in self.moments]
-        if missed:
+        if missed and f.name not in self.alone:
             return self._missed(f, missed[0], answer)
         if f.word:
             return self._seen(f, f.word == answer.word, f.word, answer.word or answer.why, what)
         numbers = self._numbers(f)
-        if numbers is None:
-            return self._throughout(f, what)
-        if answer.why:
+        if numbers is None or answer.why:
             return self._throughout(f, what)
         apart = max(abs(float(x) - y) for x, y in zip(numbers, answer.values, strict=True))
         size = max([*map(abs, answer.values), answer.scale])
@@ -294,8 +294,7 @@ class _Compared:
         """A find that rests on a state which the motion that was followed does not reach."""
         if f.word and f.word == answer.word:
             return Seen(f.name)
-        why = self._out_of_reach(state)
-        if why:
+        if why := self._out_of_reach(state):
             return Seen(f.name, why)
         at = self.instance.taken.times.get(state)
         found = "reached" if at is None else f"reached at t = {at:.9g} s"
@@ -306,14 +305,14 @@ class _Compared:
         if self.problem.method not in (None, "newton"):
             return f"{self.problem.method} relates states also where no motion joins them: state {state} is not reached"
         for name in [s.name for s in self.problem.states]:
-            words = self._never(name) or self._barely(name)
-            if words:
+            if words := self._never(name) or self._barely(name):
                 return words
             if name == state:
                 break
+        if body := nothing_drives(self.other.run.measures.model):
+            return f"nothing drives {body}, so that no motion leads to state {state}"
         trajectory = self.other.run.trajectory
-        note = self._unstable()
-        if note:
+        if note := self._unstable():
             return f"numbers do not leave an unstable equilibrium: {note}"
         at = self.instance.taken.times.get(state, trajectory.t1)
         if self._faint(self.other.run.prepared.start.y) or self._faint(trajectory.at(min(at, trajectory.t1))):

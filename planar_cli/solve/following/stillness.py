@@ -55,6 +55,7 @@ def resting(course: RegimeSequence, start: Mapping[sp.Symbol, Decimal]) -> froze
     held = stretches[0].resting
     idle = {u for u in course.regimes[0].free if start.get(u) == 0}
     idle |= {u for r in course.regimes for u in r.free if u.name in held}
+    idle -= _stated_later(course)
     acting = list(enumerate(zip(course.regimes, stretches, strict=False)))
     # What moves in no regime from there on, as it then lies on a floor, rests whatever acts.
     last = {u: max((i for i, (r, _) in acting if u in r.free), default=-1) for u in idle}
@@ -69,6 +70,23 @@ def resting(course: RegimeSequence, start: Mapping[sp.Symbol, Decimal]) -> froze
             return frozenset(u.name for u in idle)
         idle -= moved
     return frozenset()
+
+
+def _stated_later(course: RegimeSequence) -> set[sp.Symbol]:
+    """Free speeds that nothing drives, and of which a later state says something: only the states tell them."""
+    if not isinstance(course, StatedMotion):
+        return set()
+    later = [d.residual for name, found in course.demands.items() if name != course.first.name for d in found]
+    said = {s for residual in later for s in residual.free_symbols}
+    found = {u for r in course.regimes for u in r.free if is_undriven(r, u)}
+    return {
+        u for u in found if any(s.letters.get(u) in said for n, s in course.stops.items() if n != course.first.name)
+    }
+
+
+def is_undriven(regime: Regime, u: sp.Symbol) -> bool:
+    """Does nothing tell how a free speed changes?"""
+    return regime.general.rate_of(u) in regime.accelerations.get(u, sp.S.Zero).free_symbols
 
 
 def unturned(course: StatedMotion, start: Mapping[sp.Symbol, Decimal], asked: Collection[sp.Symbol]) -> frozenset[str]:
@@ -99,9 +117,9 @@ def acted_on(
 
 def _is_apart(course: StatedMotion, regime: Regime, u: sp.Symbol, asked: Collection[sp.Symbol]) -> bool:
     """Does nothing tell how a speed changes, and nothing else depend on it or on what moves with it?"""
-    own = regime.general.rate_of(u)
-    if own not in regime.accelerations.get(u, sp.S.Zero).free_symbols:
+    if not is_undriven(regime, u):
         return False
+    own = regime.general.rate_of(u)
     places = {q for q, rate in regime.rates.items() if u in rate.free_symbols}
     if any(regime.rates[q] != u for q in places):
         return False
