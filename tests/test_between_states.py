@@ -448,3 +448,11 @@ states: {1: [t = 0, s = 0, dot(s) = 0], 2: [t = 2 s]}
 find: {a: ddot(s) @ 2}
 """)
     assert first(found["a"]) == pytest.approx(2)
+
+
+def test_no_letter_is_derived_twice() -> None:
+    """Energy and momentum together tell both speeds; a law for one of them alone is not written besides."""
+    part = part_of(BOWL)
+    assert part.motion is not None
+    told = [r.unknown for step in part.motion.route.steps for r in step.results]
+    assert len(told) == len(set(told))

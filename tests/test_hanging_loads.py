@@ -119,7 +119,8 @@ find: {rise: y(B) @ 2 - y(B) @ 0}
 def test_a_rope_that_is_drawn_too_short_is_told() -> None:
     with pytest.raises(Undecided, match=r":15: .*a free part of cable has run out.*draw it longer"):
         solve(ON_A_DRUM)
-    assert float(solve(ON_A_DRUM.replace("-20 in", "-80 in"))["rise"].values[0]) == pytest.approx(70 * 0.0254)
+    # In feet, as everything in a file in US customary units.
+    assert float(solve(ON_A_DRUM.replace("-20 in", "-80 in"))["rise"].values[0]) == pytest.approx(70 / 12)
 
 
 LANDING = """

@@ -107,20 +107,15 @@ def _pieces(value: object) -> Iterator[Inline]:
                 yield from _pieces(getattr(value, slot))
 
 
-def given_rows(problem: Problem, page: Mentioned, figures: int) -> list[tuple[Line, ...]]:
-    """The data in rows: of bodies, of points, of joints and loads, of the first state."""
-    rows = (
-        _listed([d for b in problem.bodies for d in _of_body(b, problem, page, figures)]),
-        tuple(_points(problem, page, figures)),
-        _listed(
-            [
-                *(d for s in problem.surfaces for d in _of_surface(s, figures)),
-                *(d for m in members_of(problem) for d in _of_member(m, problem, figures)),
-            ]
-        ),
-        _at_first(problem, tuple(_start(problem, figures))),
-    )
-    return [row for row in rows if row]
+def given_rows(problem: Problem, page: Mentioned, figures: int) -> tuple[tuple[Line, ...], ...]:
+    """The data in rows, which may be empty: of bodies, joints and loads; of points; of the first state."""
+    numbers = [
+        *(d for b in problem.bodies for d in _of_body(b, problem, page, figures)),
+        *(d for s in problem.surfaces for d in _of_surface(s, figures)),
+        *(d for m in members_of(problem) for d in _of_member(m, problem, figures)),
+    ]
+    start = _at_first(problem, tuple(_start(problem, figures)))
+    return _listed(numbers), tuple(_points(problem, page, figures)), start
 
 
 def _at_first(problem: Problem, row: tuple[Line, ...]) -> tuple[Line, ...]:

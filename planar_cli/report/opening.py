@@ -15,7 +15,7 @@ from planar_cli.report.given import Mentioned, given_rows, mentioned
 from planar_cli.report.sides import AS_WRITTEN, said
 from planar_cli.report.words import Phrases
 
-MOST_GIVEN = 12
+MOST_GIVEN = 18
 """More data are in the file, and not on the page."""
 MOST_PIECES = 24
 """A formula of the file of more pieces is given by its value alone."""
@@ -50,7 +50,8 @@ def changed_notes(
 def _rows(problem: Problem, seen: Mentioned, phrases: Phrases | None, figures: int) -> list[Sequence[Line]]:
     """All that a file gives: its letters, then what has none."""
     letters = [d for s in problem.given if (d := _datum(s, phrases, figures))]
-    return [[*letters, *(line(Name(s.name)) for s in problem.symbols)], *given_rows(problem, seen, figures)]
+    numbers, *others = given_rows(problem, seen, figures)
+    return [[*letters, *(line(Name(s.name)) for s in problem.symbols), *numbers], *others]
 
 
 def _given(rows: Sequence[Sequence[Line]]) -> Iterator[Note]:

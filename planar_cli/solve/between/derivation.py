@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import field
 
 import sympy as sp
@@ -44,3 +44,30 @@ class Route:
     """Everything that was derived."""
     plain: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
     """Data that are put in at once: zeros and names of the file."""
+
+
+def each_once(order: Sequence[Derivation]) -> list[Derivation]:
+    """Without derivations of what another one, of several unknowns together, tells besides; what is needed first."""
+    kept = list(order)
+    for one in order:
+        own = set(one.unknowns)
+        others = (d for d in kept if d is not one and own < set(d.unknowns))
+        if any(not _rests_on(other, own, kept) for other in others):
+            kept.remove(one)
+    found: list[Derivation] = []
+    while kept:
+        open_unknowns = {x for d in kept for x in d.unknowns}
+        ready = next((d for d in kept if not d.needs & open_unknowns - set(d.unknowns)), kept[0])
+        found.append(ready)
+        kept.remove(ready)
+    return found
+
+
+def _rests_on(derivation: Derivation, unknowns: set[sp.Symbol], order: Sequence[Derivation]) -> bool:
+    """Does a derivation need one of these, itself or through others?"""
+    reached, grows = set(derivation.needs), True
+    while grows:
+        more = {x for d in order if set(d.unknowns) & reached for x in d.needs} - reached
+        reached |= more
+        grows = bool(more)
+    return bool(reached & unknowns)

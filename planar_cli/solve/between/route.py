@@ -22,7 +22,7 @@ from planar_cli.errors import Undecided
 from planar_cli.solve.between.by_numbers import ByNumbers
 from planar_cli.solve.between.chain import Step
 from planar_cli.solve.between.closed import closed_roots
-from planar_cli.solve.between.derivation import Derivation, DerivedStep, Edge, Route
+from planar_cli.solve.between.derivation import Derivation, DerivedStep, Edge, Route, each_once
 from planar_cli.solve.between.trace import Result
 from planar_cli.solve.instant.elimination import Pending, alone, subtracted
 from planar_cli.solve.multibody.linear import solve
@@ -128,7 +128,7 @@ class Router:
             self._collect(target, best, order)
         formulas: dict[sp.Symbol, sp.Expr] = dict(self.plain)
         steps = []
-        for derivation in order:
+        for derivation in each_once(order):
             step = self._work(derivation)
             if step is None:
                 continue
