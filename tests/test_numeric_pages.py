@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 import sympy as sp
-from conftest import PROBLEMS
+from conftest import PROBLEMS, ROOT
 from worked import name_of, worked
 
 from planar_cli.equation.ledger import display
@@ -16,6 +16,7 @@ from planar_cli.report.blocks import Equation, Math
 from planar_cli.report.clean import Mixed, dimension_of, is_clean
 from planar_cli.report.in_numbers import in_numbers
 from planar_cli.report.narrate import narrate, phrases_of
+from planar_cli.report.notation import plain
 from planar_cli.report.ordering import NUMBER
 from planar_cli.report.page_units import coherent_unit
 from planar_cli.report.words import Phrases
@@ -120,3 +121,15 @@ def test_us_units_need_no_factors() -> None:
     units = [coherent_unit(d, us=True) for d in (MASS, FORCE, INERTIA)]
     assert [u.text for u in units] == ["slug", "lbf", "slug*ft^2"]
     assert units[0].factor * coherent_unit(FORCE / MASS, us=True).factor == units[1].factor
+
+
+@pytest.mark.parametrize(("name", "lines"), [
+    ("kinematics/four-bar", ["ω_DC = -1.103/0.3783", "ω_BC = (1.732 + 0.3965 (-2.916))/0.2233"]),
+    ("textbook/ex-2-09", ["ω_AB = -0.4309/0.4619", "α_AB = -0.05691/0.4619"]),
+    ("textbook/ex-4-17", ["θ̇_2 = √(1.137/0.7708)"]),
+])  # fmt: skip
+def test_solutions_of_equations_in_numbers_have_their_numbers(name: str, lines: list[str]) -> None:
+    blocks = narrate(worked(ROOT / "problems" / f"{name}.yaml")[0]).blocks
+    solved = [b for b in blocks if isinstance(b, Equation) and len(b.sides) == 3]
+    told = [" = ".join(plain(s.expr, s.values) for s in b.sides if isinstance(s, Math)) for b in solved]
+    assert set(lines) <= set(told)

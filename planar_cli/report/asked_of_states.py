@@ -59,24 +59,46 @@ class AskedTelling:
                 yield from self.spans.blocks(span)
         told = (compared_sides, friction_at_states) if self.wanted is None or self.wanted else ()
         compared = [block for decisions in told for block in decisions(self.found, self.numeric)]
-        if asked or compared:
+        vectors = list(self._vectors())
+        if asked or compared or vectors:
             yield HENCE
         yield from compared
         for request, part, whole in asked:
             yield from self._line(request, part, whole)
+        yield from vectors
+
+    def _vectors(self) -> Iterator[Block]:
+        """Vectors whose components are letters of the states: name = [x, y] = numbers."""
+        for asked in self._requests():
+            parts = [self._signed(_without(p, self._zeros)) for p in asked.parts]
+            letters = {p for p in parts if p.is_Symbol} - self.found.varying
+            if len(parts) < 2 or not letters or not all(p in letters or p.is_number for p in parts):
+                continue
+            shown = line("[", self.phrases.math(parts[0]), ", ", self.phrases.math(parts[1]), "]")
+            sides: list[Any] = [line(Name(asked.find.name)), shown]
+            if not self.phrases.symbolic and asked.unit is not None:
+                numbers = [Decimal(0) if self.found.value.is_zero(p) else self.found.value(p) for p in parts]
+                sides.append(self.phrases.vector(numbers[0], numbers[1], asked.unit.dimension))
+            yield Equation(tuple(sides))
+
+    @property
+    def _zeros(self) -> dict[sp.Symbol, sp.Expr]:
+        """Letters of states that are zero."""
+        return {s: f for s, f in self.found.route.formulas.items() if f == 0}
+
+    def _requests(self) -> Iterator[Request]:
+        """What is asked that may have a line here."""
+        elsewhere = {*self.found.passing, *told_at_states(self.found), *periods_told(self.found).values()}
+        for asked in self.found.requests if self.wanted is None or self.wanted else ():
+            if asked.find.name not in elsewhere and asked.unit is not None:
+                yield asked
 
     def _asked(self) -> Iterator[tuple[Request, Part, SpanIntegral | None]]:
         """What has a line: every component that is more than a letter."""
-        zeros = {s: f for s, f in self.found.route.formulas.items() if f == 0}
-        later = {*told_at_states(self.found), *periods_told(self.found).values()}
-        for asked in self.found.requests:
-            if asked.find.name in {*self.found.passing, *later} or (self.wanted is not None and not self.wanted):
-                continue
-            if asked.unit is None:
-                continue
+        for asked in self._requests():
             axes = ("x", "y") if len(asked.parts) > 1 else ("",)
             spans = [self._span(p) for p in asked.parts]
-            parts = [self._signed(_without(p, zeros)) for p in asked.parts]
+            parts = [self._signed(_without(p, self._zeros)) for p in asked.parts]
             if all(s is not None for s in spans) or all(self._is_formula(p) for p in parts):
                 for axis, part, span in zip(axes, parts, spans, strict=True):
                     yield asked, Part(axis, part), span

@@ -66,6 +66,46 @@ def amount_in_numbers(expr: sp.Expr, unknowns: Collection[sp.Symbol], phrases: P
     return None if terms is None else writer.side(terms, max(map(abs, terms.values()), default=Decimal(0)))
 
 
+def solved_for(
+    symbol: sp.Symbol,
+    sides: tuple[sp.Expr, sp.Expr],
+    unknowns: Collection[sp.Symbol],
+    phrases: Phrases,
+) -> Math | None:
+    """The numbers that give an unknown, from an equation that is linear in it (or in its square) and in the other
+    unknowns, which are known by now: (1.732 - 0.3965 · 2.916)/0.2233. None: it is not, or is a number alone.
+    """
+    left, right = sides
+    if not all(phrases.has_numbers(s) or s in unknowns for s in (left - right).free_symbols):
+        return None
+    if phrases.value.is_zero(symbol):
+        return None
+    terms = _Collected(frozenset(unknowns), phrases).terms(left - right) or {}
+    (power, *more) = [m for m in terms if symbol in m.free_symbols] or (None,)
+    if power not in (symbol, symbol**2) or more:
+        return None
+    sizes, parts = dict[sp.Symbol, Decimal](), list[sp.Expr]()
+    own = terms.pop(power)
+    largest = max(map(abs, terms.values()), default=Decimal(0))
+    for monomial, coefficient in ((m, c) for m, c in terms.items() if abs(c) > SMALL * largest):
+        number = sp.Symbol(f"{NUMBER}{len(sizes)}", positive=True)
+        sizes[number] = abs(coefficient)
+        one = monomial != 1 and significant(sizes[number], phrases.figures) == "1"
+        shown = monomial if one else number * monomial
+        parts.append(shown if coefficient * own < 0 else -shown)
+    number = sp.Symbol(f"{NUMBER}{len(sizes)}", positive=True)
+    sizes[number] = abs(own)
+    divided = significant(sizes[number], phrases.figures) != "1"
+    alone = len(parts) == 1 and parts[0].as_coeff_Mul()[1].is_Symbol
+    if not parts or (alone and not divided and power == symbol):
+        return None
+    whole = sp.Add(*parts, evaluate=False) if len(parts) > 1 else parts[0]
+    whole = whole / number if divided else whole
+    if power != symbol:
+        whole = sp.sqrt(whole) if phrases.value(symbol) > 0 else -sp.sqrt(whole)
+    return phrases.numbers(whole, sizes, turns=False)
+
+
 def _apart(
     left: dict[sp.Expr, Decimal], right: dict[sp.Expr, Decimal]
 ) -> tuple[dict[sp.Expr, Decimal], dict[sp.Expr, Decimal]]:

@@ -18,15 +18,15 @@ from planar_cli.report.asked_of_states import HENCE, AskedTelling
 from planar_cli.report.between import BetweenTelling, dimension_of_balance
 from planar_cli.report.blocks import Block, Equation, Heading, Line, Math, Name, Paragraph, Value, line
 from planar_cli.report.clean import is_clean
+from planar_cli.report.in_numbers import solved_for
 from planar_cli.report.integrals import over_coordinates, plain_integral
 from planar_cli.report.integrated import integration_blocks
 from planar_cli.report.laws import integral_note, law_blocks, running
 from planar_cli.report.left_out import reason
-from planar_cli.report.origins import HAPPENS, head, sides_of, told_once, turning
+from planar_cli.report.origins import head, sides_of, told_once, turning, turning_blocks
 from planar_cli.report.oscillation import oscillation_blocks, periods_told
 from planar_cli.report.put_in import in_known, put_in
 from planar_cli.report.span_integrals import SpanTelling
-from planar_cli.report.spoken import spoken
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import (
     IN_THE_END,
@@ -101,7 +101,7 @@ class MotionTelling:
         return "states " + ", ".join(names) if len(names) > 1 else ""
 
     def _body(self) -> Iterator[Block]:
-        yield from self._turnings()
+        yield from turning_blocks(self.found, self.phrases)
         yield from self._route(self.found.route)
         periods = periods_told(self.found)
         for swing in self.found.oscillations:
@@ -113,19 +113,6 @@ class MotionTelling:
             if any(not leg.is_datum for leg in route.steps):
                 yield Paragraph(line(Name(name), " throughout the motion:"))
                 yield from self._route(route)
-
-    def _turnings(self) -> Iterator[Block]:
-        """States that were put in: until when an assumption holds, or what happens there."""
-        for turning_point in self.found.turnings:
-            t, words, expr = turning_point.time, turning_point.words, turning_point.expr
-            when = line(f"state {turning_point.state}")
-            if t is not None:
-                when = line(Math(t), " = ", self.phrases.shown(t), f" (state {turning_point.state})")
-            if words in HAPPENS:
-                said = line(f"{words[:1].upper()}{words[1:]} at ", *when, ": ")
-            else:
-                said = line("Up to ", *when, " ", *spoken(words, self.found.ledger.symbols), "; there ")
-            yield Paragraph(line(*said, Math(expr), " = 0."))
 
     # --- the route ---------------------------------------------------------------------------------------------------
 
@@ -179,6 +166,9 @@ class MotionTelling:
         numbers = []
         single = len(equations) == 1
         for e in equations:
+            if single and e.kind == "link" and self._is_handed_on(leg.results[0]):
+                yield Equation(self._chain(leg.results[0]), None, line(f"{e.stop}:"), line(e.words))
+                return
             if single and self._explicit(e, leg):
                 yield from self._law(e)
                 yield Paragraph(self._head(e))
@@ -203,6 +193,8 @@ class MotionTelling:
             plain = r.formula is not None and not longer(r.formula, PLAIN)
             known = not plain and set(numbers) <= self.between.counted
             sides = (self.phrases.math(r.unknown), self._shown(r)) if known else self._chain(r, explicit=False)
+            if len(sides) == 2:
+                sides = (sides[0], *self._solved(leg, r, route), sides[1])
             yield Equation(sides, None, lead if i == 0 else ())
             if i == 0:
                 yield from self._others(r)
@@ -222,6 +214,19 @@ class MotionTelling:
             if found is not None and found.length <= MOST_SHOWN:
                 lead = line(f"({number}) in numbers:")
                 yield Equation((found.left, found.right), None, lead, found.note)
+
+    @staticmethod
+    def _is_handed_on(r: Result) -> bool:
+        """Does a letter only keep its value of the state before?"""
+        return r.formula is not None and (r.formula.is_Symbol or r.formula.is_number)
+
+    def _solved(self, leg: RouteStep, r: Result, route: RouteTrace) -> list[Math]:
+        """The numbers that give a letter, where its equation is linear in it or in its square."""
+        (e, *more), shown = leg.relations, self._shown(r)
+        if more or len(leg.unknowns) > 1 or not isinstance(shown, Value) or shown.unit == "deg":
+            return []
+        found = solved_for(r.unknown, sides_of(e, route), leg.unknowns, self.numeric)
+        return [] if found is None else [found]
 
     def _is_told(self, r: Result) -> bool:
         """Does a formula stand before its value, or nothing at all?"""

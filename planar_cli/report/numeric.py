@@ -8,11 +8,12 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.plain import longer
-from planar_cli.report.blocks import Line, line
+from planar_cli.report.blocks import Line, Math, line
 from planar_cli.report.clean import is_clean
-from planar_cli.report.in_numbers import Sides, in_numbers
+from planar_cli.report.in_numbers import Sides, in_numbers, solved_for
 from planar_cli.report.page_units import coherent_unit
 from planar_cli.report.words import Phrases
+from planar_cli.solve.instant.algebra import Line as SolvedLine
 from planar_cli.solve.instant.stages import Stage
 from planar_cli.solve.instant.written import Explicit, Written
 from planar_cli.units import ACCELERATION, ENERGY, FORCE, VELOCITY, Dimension, pretty_unit
@@ -92,6 +93,20 @@ class NumericTelling:
         if (id(stage.algebra), w.number) in self._put or self.phrases.symbolic:
             return None
         return self._numbers(w, stage, (w.left, w.right), unknowns)
+
+    def solution(self, x: SolvedLine, stage: Stage) -> list[Math]:
+        """The numbers that give an unknown, where the one equation that it is found from was printed in numbers."""
+        explicit = {s: e for s, e in stage.algebra.explicit.items() if e.free_symbols & stage.algebra.unknowns}
+        written = [w for b in stage.blocks for w in b.equations if w.number in x.equations]
+        if len(written) != 1:
+            return []
+        (w,) = written
+        left, right = (s.xreplace(explicit) / self._length(w) for s in (w.left, w.right))
+        unknowns = (left - right).free_symbols & stage.algebra.unknowns - self._data(stage)
+        if not unknowns - {x.symbol} <= x.formula.xreplace(explicit).free_symbols:
+            return []
+        found = solved_for(x.symbol, (left, right), unknowns, self.phrases)
+        return [] if found is None else [found]
 
     @staticmethod
     def _data(stage: Stage) -> set[sp.Symbol]:

@@ -7,11 +7,12 @@ from collections.abc import Collection, Iterable, Iterator
 
 import sympy as sp
 
-from planar_cli.report.blocks import Block, Equation, Line, Paragraph, Result, line
+from planar_cli.report.blocks import Block, Equation, Line, Math, Paragraph, Result, line
 from planar_cli.report.characteristic import with_coefficients
 from planar_cli.report.names import plain_name
 from planar_cli.report.spoken import spoken
-from planar_cli.solve.between.trace import BalanceTrace, ImpactEquation, Relation, RouteTrace
+from planar_cli.report.words import Phrases
+from planar_cli.solve.between.trace import BalanceTrace, ImpactEquation, MotionTrace, Relation, RouteTrace
 
 HAPPENS = ("it stops sliding", "it turns round", "it comes to the other side")
 """What happens at an instant; all other words say what holds up to it."""
@@ -39,6 +40,20 @@ def head(e: Relation, names: Collection[str]) -> Line:
     place = f"From {e.since} to {e.stop}, " if e.since else f"At {e.stop}, " if e.stop else ""
     words = kept(e.words) if e.kind == "loop" else e.words
     return spoken(f"{place}{words}:", names)
+
+
+def turning_blocks(found: MotionTrace, phrases: Phrases) -> Iterator[Block]:
+    """States that were put in: until when an assumption holds, or what happens there."""
+    for turning_point in found.turnings:
+        t, words, expr = turning_point.time, turning_point.words, turning_point.expr
+        when = line(f"state {turning_point.state}")
+        if t is not None:
+            when = line(Math(t), " = ", phrases.shown(t), f" (state {turning_point.state})")
+        if words in HAPPENS:
+            said = line(f"{words[:1].upper()}{words[1:]} at ", *when, ": ")
+        else:
+            said = line("Up to ", *when, " ", *spoken(words, found.ledger.symbols), "; there ")
+        yield Paragraph(line(*said, Math(expr), " = 0."))
 
 
 def sides_of(e: Relation, route: RouteTrace) -> tuple[sp.Expr, sp.Expr]:

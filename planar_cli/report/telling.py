@@ -367,9 +367,11 @@ class Telling:
         put = any(
             w.number in x.equations and self.numeric.put_whole(w, stage) for b in stage.blocks for w in b.equations
         )
-        sides = (self.phrases.math(x.symbol), shown) if put else self._chain(x.symbol, x.formula, shown)
+        sides = self._chain(x.symbol, x.formula, shown)
+        if put:
+            sides = (self.phrases.math(x.symbol), *self.numeric.solution(x, stage), shown)
         return [
-            *self._values_of(sides, x, stage),
+            *(() if put else self._values_of(sides, x, stage)),
             Equation(sides, None, lead),
             *other_roots(self.instant, x, self.phrases),
         ]
