@@ -271,6 +271,9 @@ def _group(block: Block) -> str:
 
 
 def _is_set_off(before: Block, block: Block) -> bool:
+    if isinstance(before, Answer) and isinstance(block, Check):
+        # What was checked belongs to the answers above it.
+        return False
     return isinstance(block, Heading) or _group(before) != _group(block)
 
 

@@ -55,10 +55,10 @@ def _rows(problem: Problem, seen: Mentioned, phrases: Phrases | None, figures: i
 
 
 def _given(rows: Sequence[Sequence[Line]]) -> Iterator[Note]:
-    """A line for each row that has something."""
-    for row in rows:
-        if row:
-            yield Note("Given", _listed([*row[:MOST_GIVEN], *([line("…")] if len(row) > MOST_GIVEN else [])]))
+    """The rows one after the other: numbers; places; the first state."""
+    told = [_listed([*row[:MOST_GIVEN], *([line("…")] if len(row) > MOST_GIVEN else [])]) for row in rows if row]
+    if told:
+        yield Note("Given", line(*(piece for i, row in enumerate(told) for piece in (*(["; "] if i else []), *row))))
 
 
 def _datum(symbol: Symbol, phrases: Phrases | None, figures: int) -> Line:
@@ -145,13 +145,13 @@ PRINCIPLES = (
         lambda p: "Kinematic analysis" in p.headings and not _kinetic(p) and not p.led("T_") and "v_rel" not in p.names,
         "Kinematics: places, velocities and accelerations.",
     ),
-    _Principle(lambda p: _newton(p) and not p.inertial, "Newton's second law for each body."),
+    _Principle(lambda p: _newton(p) and not p.inertial, "Newton's second law."),
     _Principle(lambda p: p.inertial, "d'Alembert's principle: with the inertial forces each body is in equilibrium."),
     _Principle(lambda p: "virtual power" in p.words, "Virtual power, in which no reaction takes part."),
     _Principle(lambda p: "momentum before" in p.words, "Impulse and momentum across the blow."),
-    _Principle(lambda p: p.led("T_"), "Work and kinetic energy between the states."),
+    _Principle(lambda p: p.led("T_"), "Work and energy between the states."),
     _Principle(lambda p: "impulse and momentum" in p.words, "Impulse and momentum over a time."),
-    _Principle(lambda p: "conservation of" in p.words, "Conservation of momentum, without an impulse from outside."),
-    _Principle(lambda p: p.integrates or "The law" in p.words, "The motion over time, integrated."),
+    _Principle(lambda p: "conservation of" in p.words, "Conservation of momentum."),
+    _Principle(lambda p: p.integrates or "The law" in p.words, "Integration over time."),
 )
 """In the order in which they are told."""
