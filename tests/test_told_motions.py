@@ -46,6 +46,16 @@ states:
 find: {omega: omega(rod) @ 2, v_P: v(bullet) @ 2}
 """
 
+THROWN = """
+title: Thrown from a cliff
+plane: vertical
+bodies: {P: {particle: [0, 0], mass: any}}
+states:
+  1: [v(P).x = 4 m/s, v(P).y = 3 m/s]
+  2: [y(P) = -5 m]
+find: {t: t @ 2, x: x(P) @ 2}
+"""
+
 
 def told(text: str) -> str:
     """The solution of a file as it is printed, in one line of single spaces."""
@@ -93,3 +103,10 @@ def test_what_a_joint_keeps() -> None:
     assert kept("hook: place on ground and rod") == "hook belongs to the ground and to rod"
     assert kept("tip: stays on profile") == "tip stays on profile"
     assert kept("odd title") == "odd title"
+
+
+def test_what_is_constant_needs_no_integral() -> None:
+    found = told(THROWN)
+    assert "constant velocity, x of P: (" in found
+    assert "constant acceleration, y of P: (" in found
+    assert "∫" not in found

@@ -152,7 +152,13 @@ LESSONS = (
     ),
     Lesson(
         "",
-        _says("v dv = a dy", "dω = α dθ", "The law"),
+        _says("constant acceleration", "constant angular acceleration"),
+        "The acceleration is constant, so that v = v₀ + a t, x = x₀ + v₀ t + a t²/2 and v² = v₀² + 2 a (x - x₀), of "
+        "which two are independent: take the one without what is neither given nor asked.",
+    ),
+    Lesson(
+        "",
+        _says("v dv = a", "dv = a dt", "ω dω = α dθ", "dω = α dt", "dv/a = dt"),
         "The acceleration depends on time, on speed or on place: separate the variables accordingly, and take the"
         " limits of both integrals at the same two states.",
     ),

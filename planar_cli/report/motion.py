@@ -23,7 +23,7 @@ from planar_cli.report.integrals import over_coordinates, plain_integral
 from planar_cli.report.integrated import integration_blocks
 from planar_cli.report.laws import integral_note, law_blocks, running
 from planar_cli.report.left_out import reason
-from planar_cli.report.origins import head, sides_of, told_once, turning, turning_blocks
+from planar_cli.report.origins import head, is_steady, sides_of, told_once, turning, turning_blocks
 from planar_cli.report.oscillation import oscillation_blocks, periods_told
 from planar_cli.report.put_in import in_known, put_in
 from planar_cli.report.span_integrals import SpanTelling
@@ -282,7 +282,7 @@ class MotionTelling:
         span = e.span
         if span is None or span.left is None or span.right is None or (span.unevaluated and e.kind != "t(q)"):
             return
-        if e.law is not None and e.law.f == 0 and e.kind == "v(t)":
+        if is_steady(e):
             return
         sides = tuple(plain_integral(side, e, route, self.general) for side in (span.left, span.right))
         shown = tuple(running(s, {*self.varying, *self._open}, self.phrases, e.law) for s in sides)

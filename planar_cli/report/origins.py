@@ -12,7 +12,14 @@ from planar_cli.report.characteristic import with_coefficients
 from planar_cli.report.names import plain_name
 from planar_cli.report.spoken import spoken
 from planar_cli.report.words import Phrases
-from planar_cli.solve.between.trace import BalanceTrace, ImpactEquation, MotionTrace, Relation, RouteTrace
+from planar_cli.solve.between.trace import (
+    BalanceTrace,
+    ImpactEquation,
+    Law,
+    MotionTrace,
+    Relation,
+    RouteTrace,
+)
 
 HAPPENS = ("it stops sliding", "it turns round", "it comes to the other side")
 """What happens at an instant; all other words say what holds up to it."""
@@ -85,14 +92,30 @@ def calculus(e: Relation) -> str:
     assert e.span is not None
     if e.law is None:
         return e.span.words
-    if e.law.f == 0 and e.kind == "v(t)":
-        return f"no acceleration, {e.law.coordinate.words}"
     q = e.law.coordinate
+    if is_steady(e):
+        return f"{_steady_words(e.law, e.kind)}, {q.words}"
     single = plain_name(q.symbol.name.split("_")[0]) if q.unit != "rad" else plain_name(q.symbol.name)
     words = re.sub(r"\bdq\b", f"d{single}", e.span.words)
     if q.unit == "rad":
         words = re.sub(r"\b(d?)v\b", r"\1ω", re.sub(r"\ba\b", "α", words))
     return f"{words}, {q.words}" if q.words != q.symbol.name else words
+
+
+def is_steady(e: Relation) -> bool:
+    """Is it a relation of constant velocity or constant acceleration? The course knows these without an integral."""
+    law = e.law
+    if law is None or e.span is None or e.kind not in ("v(t)", "q(t)", "v(q)"):
+        return False
+    return law.order > 0 and not law.f.has(sp.Symbol("t", real=True), law.coordinate.symbol, law.v)
+
+
+def _steady_words(law: Law, kind: str) -> str:
+    """What is constant."""
+    turns = "angular " if law.coordinate.unit == "rad" else ""
+    if law.order == 2 and law.f != 0:
+        return f"constant {turns}acceleration"
+    return f"no {turns}acceleration" if kind == "v(t)" else f"constant {turns}velocity"
 
 
 def turning(words: str) -> str:
