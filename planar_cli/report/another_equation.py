@@ -1,6 +1,6 @@
 """A check that a person can make: an equation that the solution did not use, with the numbers of the answers in it.
 
-ladder:  ↺ ΣM_G = 89.5 - 40.8 - 22.7 = 26.0 N·m = I α
+ladder:  ↺ ΣM_G = 89.5 - 40.8 - 22.7 = 26.0 N·m, I α = 26.0 N·m
 """
 
 from __future__ import annotations
@@ -12,11 +12,11 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.exact import Unvalued
-from planar_cli.equation.ledger import display
 from planar_cli.equation.plain import longer
 from planar_cli.problem.geometry import Vec
 from planar_cli.records import record
-from planar_cli.report.blocks import Inline, Line, Name, Text, Value, line
+from planar_cli.report.blocks import Line, Name, line
+from planar_cli.report.sums import agree, chain, counting
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.written import Written
 from planar_cli.solve.solution import InstantSolution
@@ -26,8 +26,6 @@ LEAST, MOST = 2, 6
 """Terms of a sum that is worth a check, and that still fits a line."""
 LONGEST = 24
 """Operations in what it amounts to."""
-SMALL = Decimal("1e-12")
-"""In parts of the largest term: what is smaller is the rounding of zero."""
 
 
 @record
@@ -52,8 +50,7 @@ def another_equation(instant: InstantSolution, phrases: Phrases) -> Line:
         if not used or instant.instant.scene.bodies[body].mass == 0:
             continue
         for found in _left(instant, body, used, phrases):
-            largest = max((abs(t) for t in found.terms), default=Decimal(0))
-            terms = [t for t in found.terms if abs(t) > largest * SMALL]
+            terms = counting(found.terms)
             if LEAST <= len(terms) <= MOST and not longer(found.inertia, LONGEST):
                 return _told(body, found, terms, phrases)
     return ()
@@ -108,16 +105,10 @@ def _number(arm: Vec, force: Any, phrases: Phrases) -> Decimal:
 
 
 def _told(body: str, found: _Sum, terms: list[Decimal], phrases: Phrases) -> Line:
-    """A sum with its terms, what it comes to, and what that is."""
+    """A sum with its terms and what it comes to, then what it amounts to with its value; nothing where these differ."""
     unit = phrases.page_unit(default_unit(found.dimension))
-    parts: list[str | Inline] = []
-    for i, term in enumerate(terms):
-        shown = display(abs(term), unit, phrases.ledger.us)
-        parts += [("-" if term < 0 else "") if i == 0 else (" - " if term < 0 else " + ")]
-        parts.append(Value(shown, "1", phrases.figures))
-    total = sum(terms, Decimal(0))
-    zero = abs(total) <= max(abs(t) for t in terms) * SMALL
-    parts += [" = ", Value(Decimal(0) if zero else display(total, unit, phrases.ledger.us), unit.text, phrases.figures)]
-    if found.inertia != 0 and not zero:
-        parts += [" = ", phrases.math(found.inertia)]
-    return line(f"{body}: ", *found.lead, " = ", *(p for p in parts if p != "" and p != Text("")))
+    change = phrases.certain(found.inertia)
+    if not agree(terms, [change]):
+        return ()
+    head = line(f"{body}: ", *found.lead, " = ", *chain(terms, unit, phrases))
+    return line(*head, ", ", phrases.math(found.inertia), " = ", *chain([change], unit, phrases)) if change else head

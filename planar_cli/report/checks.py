@@ -13,6 +13,7 @@ from planar_cli.equation.system import System
 from planar_cli.problem.facts import Test
 from planar_cli.report.another_equation import another_equation
 from planar_cli.report.blocks import Check, Line, Math, Name, Relation, line
+from planar_cli.report.power_check import power_check
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.instant import Trial
 from planar_cli.solve.instant.worked import unknowns_of
@@ -31,8 +32,11 @@ def check_blocks(instant: InstantSolution, phrases: Phrases, single: bool) -> li
     """The checks of one instant that a person can follow, each a phrase. `single`: it is no part of a motion."""
     if not instant.checks.get("lines"):
         return []
-    told = [*_presses(instant, phrases), *(line(text) for text in instant.checks.get("told", ()))]
-    if single and not told and (other := another_equation(instant, phrases)):
+    bodies = instant.trial.system.scene.bodies.values()
+    heavy = bool(instant.trial.outcomes) and not phrases.symbolic and any(b.mass != 0 for b in bodies)
+    presses, limits = (_presses(instant, phrases), _friction(instant, phrases)) if heavy else ([], [])
+    told = [*presses, *limits, *(line(text) for text in instant.checks.get("told", ()))]
+    if single and not limits and (other := another_equation(instant, phrases) or power_check(instant, phrases)):
         told.append(other)
     return [Check(phrase) for phrase in told]
 
@@ -80,12 +84,8 @@ def program_blocks(part: PartSolution) -> list[Check]:
 
 
 def _presses(instant: InstantSolution, phrases: Phrases) -> list[Line]:
-    """N > 0 of each contact, and |F| against its limit where a contact sticks."""
-    if not instant.trial.outcomes:
-        return []
+    """N > 0 of each contact."""
     system, outcome = instant.trial.system, instant.trial.outcomes[0]
-    if phrases.symbolic or not any(b.mass != 0 for b in system.scene.bodies.values()):
-        return []
     values = {**unknowns_of(system, outcome), **instant.value.values}
     found: list[Line] = []
     for mode in system.modes.values():
@@ -100,7 +100,7 @@ def _presses(instant: InstantSolution, phrases: Phrases) -> list[Line]:
             if push.kind == "normal" and values[symbol] > 0:
                 dimension = parse_unit(push.unit).dimension
                 found.append(line(Relation(Math(symbol), "=", phrases.of_dimension(values[symbol], dimension)), " > 0"))
-    return [*found[:MOST_PRESSES], *_friction(instant, phrases)]
+    return found[:MOST_PRESSES]
 
 
 def _friction(instant: InstantSolution, phrases: Phrases) -> list[Line]:

@@ -11,15 +11,14 @@ from decimal import Decimal
 import sympy as sp
 
 from planar_cli.equation.exact import Sample
-from planar_cli.equation.ledger import Kind, display
-from planar_cli.report.blocks import Inline, Line, Name, Text, Value, line
+from planar_cli.equation.ledger import Kind
+from planar_cli.report.blocks import Line, Name, line
 from planar_cli.report.page_units import coherent_unit
-from planar_cli.report.words import Phrases, told_unit
+from planar_cli.report.sums import agree, chain, counting
+from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import BalanceTrace, MotionTrace
 from planar_cli.units import ENERGY
 
-SMALL = Decimal("1e-9")
-"""In parts of the largest energy: what is smaller is rounding."""
 MOST = 5
 """Terms that fit a line."""
 
@@ -41,20 +40,14 @@ def _told(balance: BalanceTrace, found: Collection[sp.Symbol], phrases: Phrases)
         return ()
     known = [phrases.value.known(e) for e in exprs]
     *left, after = [k for k in known if k is not None]
-    if len(known) != len(left) + 1 or not left:
+    if len(known) != len(left) + 1 or not left or not agree(left, [after]):
         return ()
-    largest = max(abs(v) for v in (*left, after))
     # From rest the sum begins with nought.
-    terms = [v if abs(v) > largest * SMALL else Decimal(0) for v in left]
-    terms = [terms[0], *(v for v in terms[1:] if v)]
-    if not 2 <= len(terms) <= MOST or abs(sum(left) - after) > largest * SMALL:
+    first = left[0] if counting([left[0], after, *left[1:]])[:1] == [left[0]] else Decimal(0)
+    terms = [first, *counting(left[1:])]
+    if not 2 <= len(terms) <= MOST:
         return ()
     unit = coherent_unit(ENERGY, False, phrases.ledger.us)
-    shown = [Value(display(v, unit, phrases.ledger.us), "1", phrases.figures) for v in terms]
-    total: list[Inline] = [shown[0]]
-    for value in shown[1:]:
-        total += [Text(" - " if value.number < 0 else " + "), Value(abs(value.number), "1", phrases.figures)]
-    first, last = (Name(f"{balance.law.letter}_{state}") for state in (balance.since, balance.stop))
-    result = Value(display(after, unit, phrases.ledger.us), told_unit(unit, True), phrases.figures)
-    head = line("work and energy: ", first, " + ", Name(balance.law.bring), " = ")
-    return line(head, *total, " = ", result, " = ", last)
+    before, end = (Name(f"{balance.law.letter}_{state}") for state in (balance.since, balance.stop))
+    head = line("work and energy: ", before, " + ", Name(balance.law.bring), " = ", *chain(terms, unit, phrases, "J"))
+    return line(*head, " = ", end)

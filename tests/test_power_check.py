@@ -1,0 +1,49 @@
+"""Forces and accelerations of one instant are checked by power, with numbers that agree on both sides."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+from conftest import PROBLEMS
+from worked import worked
+
+from planar_cli.formats.terminal import Terminal
+from planar_cli.report.narrate import narrate
+
+FILES = {p.stem: p for p in PROBLEMS}
+MOVING = r"power: Σ F v = (.*?) W; dT/dt = Σ \(m a v \+ I α ω\) = (.*?) W"
+FROM_REST = r"U/t² = (.*?) J/s², T/t² = (.*?) J/s²"
+
+
+def _page(stem: str) -> str:
+    return " ".join(Terminal(200).render(narrate(worked(FILES[stem])[0])).split())
+
+
+def _sum(text: str) -> tuple[float, float]:
+    """What the terms come to, and what the page says that they come to."""
+    terms, _, result = text.partition(" = ")
+    return sum(float(t) for t in re.sub(r" ([+-]) ", r" \1", terms).split()), float(result or terms)
+
+
+@pytest.mark.parametrize(("stem", "words"), [
+    ("gear-pair", MOVING),
+    ("gas-force-on-piston", MOVING),
+    ("flywheel-axle-friction", MOVING),
+    ("double-pulley", FROM_REST),
+    ("spool-rolls-or-slips", FROM_REST),
+])  # fmt: skip
+def test_both_sides_agree(stem: str, words: str) -> None:
+    found = re.findall(words, _page(stem))
+    assert found
+    for sides in found:
+        (one, result), (other, same) = (_sum(side) for side in sides)
+        assert result == pytest.approx(same, rel=1e-9)
+        assert [one, other] == pytest.approx([result, result], rel=5e-3)
+
+
+@pytest.mark.parametrize("stem", ["atwood-machine", "four-bar", "built-in-beam-with-prop"])
+def test_none_in_letters_without_forces_or_in_equilibrium(stem: str) -> None:
+    page = _page(stem)
+    assert not re.search(MOVING, page)
+    assert not re.search(FROM_REST, page)
