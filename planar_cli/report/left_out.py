@@ -4,8 +4,9 @@ in the other sense, a place on the other side of the start. Where nothing of mec
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 from decimal import Decimal
+from typing import Any
 
 import sympy as sp
 
@@ -18,6 +19,28 @@ SENSES = {
     "x": ("it moves to the right there", "it moves to the left there"),
     "y": ("it moves upward there", "it moves downward there"),
 }
+
+
+def rejected(
+    found: MotionTrace, r: Result, others: list[Decimal], shown: Sequence[Any], told: Collection[sp.Symbol]
+) -> Line:
+    """Which root of a letter is taken, and why; nothing where only their size tells them apart. `others`: the roots
+    that were not taken, `shown`: the first of them in print.
+    """
+    why = reason(found, r, others, told)
+    kind = found.ledger.roles[found.general[r.unknown]].kind
+    opposite = len(others) == 1 and others[0] * r.value < 0
+    if not why:
+        return ()
+    if opposite and kind in (Kind.TIME, Kind.SPEED):
+        return line(f"the {'positive' if r.value > 0 else 'negative'} root, as ", why)
+    if kind is Kind.TIME:
+        later = any(v > r.value for v in others)
+        return why if later else line("the root for which ", why)
+    parts: list[Any] = ["not "]
+    for i, root in enumerate(shown):
+        parts += [", " if i else "", root]
+    return line(*parts, ": ", why)
 
 
 def reason(found: MotionTrace, r: Result, others: list[Decimal], told: Collection[sp.Symbol]) -> Line:
@@ -46,7 +69,7 @@ def _later(
     )
     if all(v < r.value for v in others):
         return after
-    return line("it is the first time after ", "the start" if bound == 0 else f"state {_state(found, bound)}")
+    return line("the first such time after ", "the start" if bound == 0 else f"state {_state(found, bound)}")
 
 
 def _after(found: MotionTrace, unknown: sp.Symbol, earlier: sp.Symbol) -> Line:

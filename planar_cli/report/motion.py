@@ -22,7 +22,7 @@ from planar_cli.report.in_numbers import solved_for
 from planar_cli.report.integrals import over_coordinates, plain_integral
 from planar_cli.report.integrated import integration_blocks
 from planar_cli.report.laws import integral_note, law_blocks, running
-from planar_cli.report.left_out import reason
+from planar_cli.report.left_out import rejected
 from planar_cli.report.origins import head, is_steady, sides_of, told_once, turning, turning_blocks
 from planar_cli.report.oscillation import oscillation_blocks, periods_told
 from planar_cli.report.put_in import in_known, put_in
@@ -367,15 +367,16 @@ class MotionTelling:
         left = [x for x in r.roots if abs(x.value - r.value) > abs(r.value) * Decimal("1e-9") + Decimal("1e-30")]
         if not left or r.unknown not in self.general:
             return
-        parts: list[Any] = ["not "]
         symbolic = self.phrases.symbolic and r.unknown not in self.found.route.settled
-        for i, root in enumerate(left[:MOST_ROOTS]):
-            shown = self.phrases.shown(r.unknown, root.value)
-            sign = self.phrases.math(root.expression) if symbolic and root.expression is not None else shown
-            parts += [", " if i else "", sign]
+        shown = [
+            self.phrases.math(root.expression)
+            if symbolic and root.expression is not None
+            else self.phrases.shown(r.unknown, root.value)
+            for root in left[:MOST_ROOTS]
+        ]
         told = {x for leg in self._needed(self.found.route) for x in leg.unknowns}
-        if why := reason(self.found, r, [x.value for x in left], told):
-            yield Paragraph(line(*parts, ": ", why))
+        if said := rejected(self.found, r, [x.value for x in left], shown, told):
+            yield Paragraph(said)
 
     def _letter(self, e: Relation) -> sp.Symbol | None:
         """The letter that a relation between states gives, by its kind."""

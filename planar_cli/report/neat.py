@@ -17,6 +17,7 @@ from planar_cli.equation.common_factors import factor_terms
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.ledger import Kind, Ledger
 from planar_cli.equation.plain import longer, simplified
+from planar_cli.report.durations import over_durations
 from planar_cli.report.notation import plain
 
 LONGEST = 90
@@ -33,12 +34,20 @@ class Neat:
 
     def __call__(self, expr: sp.Expr) -> sp.Expr:
         """The formula, term by term. One that does not get shorter stays as it is."""
+        if isinstance(expr, sp.Add | sp.Mul) and (times := self._times(expr)):
+            expr = over_durations(expr, times)
         if not isinstance(expr, sp.Add | sp.Mul | sp.Pow | sp.Abs) or not self._promising(expr):
             return expr
         whole = self.collected(expr)
         terms = [self.term(t) for t in sp.Add.make_args(whole)]
         same = whole is expr and all(a is b for a, b in zip(terms, sp.Add.make_args(whole), strict=True))
         return expr if same else terms[0] if len(terms) == 1 else sp.Add(*terms)
+
+    def _times(self, expr: sp.Expr) -> list[sp.Symbol]:
+        """The times of states in a formula, the last one first."""
+        time, roles = self.ledger.symbols.get("t"), self.ledger.roles
+        found = [s for s in expr.free_symbols if time is not None and s in roles and roles[s].of == time]
+        return sorted(found, key=lambda s: (-(self.value.known(s) or 0), s.name))
 
     def sides(self, left: sp.Expr, right: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
         """Both sides of an equation, without the factors of all their terms that are surely positive."""

@@ -28,6 +28,7 @@ from planar_cli.report.formula import (
 )
 from planar_cli.report.names import latex_name, plain_name, printable
 from planar_cli.report.numbers import superscript
+from planar_cli.report.turned import turned
 
 _SIMPLE_NUMERAL = re.compile(r"[0-9.]+°?|[πe∞]")
 _LATEX_FUNCTIONS = frozenset(
@@ -37,12 +38,12 @@ _LATEX_FUNCTIONS = frozenset(
 
 def plain(expr: Any, values: Values | None = None) -> str:
     """An expression in Unicode plain text; `values` are texts to print in place of symbols."""
-    return _Plain().write(read(expr, values))
+    return _Plain().write(turned(read(expr, values)))
 
 
 def latex(expr: Any, values: Values | None = None) -> str:
     """An expression in LaTeX mathematics, without dollar signs; `values` as in `plain`."""
-    return _Latex().write(read(expr, values))
+    return _Latex().write(turned(read(expr, values)))
 
 
 class _Writer(ABC):

@@ -49,8 +49,12 @@ def factor_key(factor: Any) -> Key:
         return (_rank(name), "_" in name, name.casefold(), name, power)
     if base.is_Add or base.is_Mul:
         # A bracket stands behind the letters of its own kind: (m_1 + m_2) g, P (R + r), m (R² + k_G²) α.
-        ranks = [_FUNCTIONS if base.atoms(Function) else -1, *(_rank(s.name) for s in base.free_symbols)]
-        return (max(ranks) + 0.5, False, "", str(base), power)
+        ranks = [_rank(s.name) for s in base.free_symbols]
+        if base.atoms(Function):
+            ranks.append(_FUNCTIONS)
+        # The time between two states counts as a time: x_2 + v (t_3 - t_2).
+        time = bool(ranks) and min(ranks) == max(ranks) == _TIME
+        return (_TIME if time else max(ranks, default=-1) + 0.5, False, "", str(base), power)
     return (_FUNCTIONS, False, base.func.__name__[::-1], str(base), power)
 
 
