@@ -169,7 +169,8 @@ def _half_arch(
 def polar(plane: Plane, names: tuple[str, str]) -> Curve | None:
     """x = r cos θ and y = r sin θ with r and θ known along the path: the polar equation r = f(θ), and its name."""
     p, (x, y) = plane.trial.parameter, plane.path
-    arguments = sorted({f.args[0] for f in without_tan(x + y, p).atoms(sp.sin, sp.cos) if f.has(p)}, key=sp.count_ops)
+    inside = {f.args[0] for f in without_tan(x + y, p).atoms(sp.sin, sp.cos) if f.has(p)}
+    arguments = sorted(inside, key=lambda a: (sp.count_ops(a), sp.default_sort_key(a)))
     turned = [sense * angle + quarter * sp.pi / 2 for angle in arguments for sense in (1, -1) for quarter in range(4)]
     for angle in (*arguments, *turned):
         ahead = angle in arguments or plane.trial.sign(x * sp.cos(angle) + y * sp.sin(angle)) == 1

@@ -20,7 +20,7 @@ def pieces(
     """∫ f dx for one function in pieces (x < c1), (x < c2), … with growing ends, times and plus anything else."""
     if longer(f, 10 * MANY):
         return None
-    still = {p: sp.Dummy(real=True) for p in f.atoms(sp.Piecewise) if not p.has(x)}
+    still = {p: sp.Dummy(real=True) for p in sorted(f.atoms(sp.Piecewise), key=sp.default_sort_key) if not p.has(x)}
     back = {d: p for p, d in still.items()}
     own = f.xreplace(still)
     together = own if isinstance(own, sp.Piecewise) else sp.piecewise_fold(own)

@@ -393,7 +393,7 @@ def _along(expr: sp.Expr, x: sp.Symbol, rest: Valuation) -> Callable[[Decimal], 
 
 def switching(expr: sp.Expr) -> list[sp.Expr]:
     """Where one of these changes its sign, an expression may have a corner or a jump."""
-    found = [a.args[0] for a in expr.atoms(sp.Abs, sp.sign)]
+    found = [a.args[0] for a in sorted(expr.atoms(sp.Abs, sp.sign), key=sp.default_sort_key)]
     found += [a - b for m in expr.atoms(sp.Max, sp.Min) for a, b in combinations(m.args, 2)]
     found += [c.lhs - c.rhs for p in expr.atoms(sp.Piecewise) for c in p.atoms(sp.core.relational.Relational)]
     return found

@@ -62,6 +62,11 @@ def letters(expr: sp.Expr) -> frozenset[sp.Symbol]:
     return frozenset().union(*map(letters, expr.args))
 
 
+def by_name(symbols: Iterable[sp.Symbol]) -> list[sp.Symbol]:
+    """Symbols in the order of their names: that of a set differs from run to run, and must not decide what is told."""
+    return sorted(symbols, key=lambda s: s.name)
+
+
 def parts_of(exprs: Iterable[sp.Basic]) -> Iterator[sp.Basic]:
     """Every distinct part of expressions once, those inside it first. Formulas that were put together of others hold
     the same parts many times over, which SymPy's traversals go through each time.
@@ -158,7 +163,7 @@ def _simplified(expr: sp.Expr) -> sp.Expr:
     whole = expanded(expr)
     forms = [expr, whole]
     if _degree(expr) >= 2:
-        forms += [trigonometric(f) for f in {expr, min(forms, key=_effort)}]
+        forms += [trigonometric(f) for f in dict.fromkeys((min(forms, key=_effort), expr))]
     best = min(forms, key=_effort)
     if operations(best) <= FEW:
         return best

@@ -131,7 +131,7 @@ class Setup:
         if symbol.name in self._waiting:
             raise refuse(symbol.mark, "PL533", f"{symbol.name} is given through itself")
         self._waiting.append(symbol.name)
-        for name in names_in(symbol.value):
+        for name in sorted(names_in(symbol.value)):
             if name in self._given:
                 self._know(self._given[name])
         if "g" in names_in(symbol.value) and "g" not in self.ledger.symbols:

@@ -81,7 +81,7 @@ def _as_letters(expr: sp.Expr) -> sp.Expr:
     if not _rational(expr):
         # What stands inside a root or another function has been seen to; a root may be one of factors.
         return _worked(expr) if isinstance(expr, TrigonometricFunction) else _plainest(expr, factored)
-    letters: dict[sp.Expr, sp.Symbol] = {k: _letter(k) for k in _kernels(expr)}
+    letters: dict[sp.Expr, sp.Symbol] = {k: _letter(k) for k in sorted(_kernels(expr), key=sp.default_sort_key)}
     plain = expr.xreplace(letters)
     if plain.has(TrigonometricFunction):
         functions = plain.atoms(TrigonometricFunction)

@@ -176,7 +176,7 @@ class AskedTelling:
 
     def _direction(self, found: sp.Expr) -> sp.Expr:
         y, x = found.args
-        for sine in y.atoms(sp.sin):
+        for sine in sorted(y.atoms(sp.sin), key=sp.default_sort_key):
             angle = sine.args[0]
             if y / sine == x / sp.cos(angle) and self.found.value.is_zero(found - angle):
                 return angle

@@ -11,7 +11,7 @@ import sympy as sp
 
 from planar_cli.equation.exact import Sample
 from planar_cli.equation.expansion import expanded
-from planar_cli.equation.plain import longer, simplified
+from planar_cli.equation.plain import by_name, longer, simplified
 from planar_cli.problem.check_dimensions import Kinds
 from planar_cli.problem.scope import Scope
 from planar_cli.report.asked_of_states import HENCE, AskedTelling
@@ -389,7 +389,7 @@ class MotionTelling:
             return found if found.is_Symbol else None
         if e.kind == "v(q)":
             roles = self.found.ledger.roles
-            own = [s for s in span.residual.free_symbols if s in roles and roles[s].at == e.stop]
+            own = [s for s in by_name(span.residual.free_symbols) if s in roles and roles[s].at == e.stop]
             return next((s for s in own if span.residual.coeff(s, 2) == 1), None)
         return None
 

@@ -86,7 +86,7 @@ def partly(expr: sp.Expr, letters: Collection[sp.Symbol], phrases: Phrases, cons
     """
     writer = Writer(letters, phrases)
     written: dict[sp.Expr, sp.Expr] = {}
-    for integral in expr.atoms(sp.Integral):
+    for integral in sorted(expr.atoms(sp.Integral), key=sp.default_sort_key):
         inside = Writer({*letters, *integral.variables}, phrases, writer.texts).written(integral.function)
         if inside is None:
             return None

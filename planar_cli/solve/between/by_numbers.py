@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterable, Mapping
 import sympy as sp
 
 from planar_cli.equation.exact import Valuation
-from planar_cli.equation.plain import longer
+from planar_cli.equation.plain import by_name, longer
 from planar_cli.records import record
 from planar_cli.solve.between.derivation import Edge
 from planar_cli.solve.regimes.equations import Equation
@@ -28,7 +28,8 @@ class ByNumbers:
     def edges(self, edges: Iterable[Edge]) -> list[Edge]:
         """The derivations that lead onward in time and can be read, and the numbers."""
         order = self.order or {}
-        found = [((e,), (x,), frozenset[sp.Symbol](), e.cost) for e in self.equations for x in e.residual.free_symbols]
+        told = [(e, x) for e in self.equations for x in by_name(e.residual.free_symbols)]
+        found = [((e,), (x,), frozenset[sp.Symbol](), e.cost) for e, x in told]
         return [*(e for e in edges if _onward(e, order)), *found]
 
 

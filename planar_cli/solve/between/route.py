@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import heapq
 import itertools
+import math
 from collections.abc import Iterable, Mapping, Sequence
 from decimal import Decimal
 
@@ -17,7 +18,7 @@ import sympy as sp
 
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.expansion import expanded
-from planar_cli.equation.plain import derivative, letters, longer, simplified
+from planar_cli.equation.plain import by_name, derivative, letters, longer, simplified
 from planar_cli.errors import Undecided
 from planar_cli.solve.between.by_numbers import ByNumbers
 from planar_cli.solve.between.chain import Step
@@ -169,7 +170,7 @@ class Router:
                 for j in users.get(x, ()):
                     waiting[j] -= 1
                     if waiting[j] == 0:
-                        heapq.heappush(queue, (edges[j][3] + sum(costs[s] for s in edges[j][2]), j))
+                        heapq.heappush(queue, (edges[j][3] + math.fsum(costs[s] for s in edges[j][2]), j))
         return best
 
     def _edges(self) -> list[Edge]:
@@ -179,7 +180,7 @@ class Router:
         for e in self.equations:
             inside = self._inside(e)
             small.append((e, inside))
-            for x in inside:
+            for x in by_name(inside):
                 hidden = self._hidden(e, x)
                 if hidden is not None:
                     found.append(((e,), (x,), inside - {x}, e.cost + 0.05 * len(inside) + hidden))
@@ -201,11 +202,11 @@ class Router:
         for (e, a), (f, b), (g, c) in itertools.combinations(inside, 3):
             if not (a & b and b & c and c & a):
                 continue
-            for three in {frozenset(t) for t in itertools.product(a & b, b & c, c & a) if len(set(t)) == 3}:
-                unknowns = tuple(sorted(three, key=lambda s: s.name))
+            threes = {tuple(by_name(set(t))) for t in itertools.product(a & b, b & c, c & a) if len(set(t)) == 3}
+            for unknowns in sorted(threes, key=lambda three: [s.name for s in three]):
                 if self._regular((e, f, g), unknowns):
                     cost = e.cost + f.cost + g.cost + 2 * TOGETHER + 0.05 * len(a | b | c)
-                    found.append(((e, f, g), unknowns, (a | b | c) - three, cost))
+                    found.append(((e, f, g), unknowns, (a | b | c) - {*unknowns}, cost))
         return found
 
     def _large(self) -> list[Edge]:

@@ -8,7 +8,7 @@ import sympy as sp
 
 from planar_cli.equation.conditions import order
 from planar_cli.equation.exact import Valuation
-from planar_cli.equation.plain import derivative
+from planar_cli.equation.plain import by_name, derivative
 from planar_cli.problem.expression import Relation, Statement
 from planar_cli.problem.scene import State
 from planar_cli.records import record
@@ -56,7 +56,9 @@ class StatedMotion(RegimeSequence):
         for state in self.states:
             for d in self.demands[state.name]:
                 if d.kind == "limit":
-                    letter = max(d.residual.free_symbols, key=lambda s: s in self.stops[state.name].letters.values())
+                    letter = max(
+                        by_name(d.residual.free_symbols), key=lambda s: s in self.stops[state.name].letters.values()
+                    )
                     found[letter] = sp.oo if value(derivative(d.residual, letter)) > 0 else -sp.oo
         return found
 

@@ -13,6 +13,7 @@ from decimal import Decimal
 import sympy as sp
 
 from planar_cli.equation.exact import Unvalued
+from planar_cli.equation.plain import by_name
 from planar_cli.errors import NoValue
 from planar_cli.records import record
 from planar_cli.solve.between.branch_order import ranked
@@ -117,12 +118,12 @@ def _exact(course: MotionEquations, letters: set[sp.Symbol], truth: Mapping[sp.S
     """The numbers, to all digits where the equations of this part give them."""
     chain = course.chain()
     own = [e for e in course.equations if _within(e, letters, chain.unknowns) and e.kind not in ONLY_TIMES]
-    chain = replace(chain, truth={s: truth[s] for s in letters})
+    chain = replace(chain, truth={s: truth[s] for s in by_name(letters)})
     branch = next(iter(chain.branches(own)), Branch({}, {}, (), ()))
-    left = [s for s in letters if s not in branch.values]
+    left = [s for s in by_name(letters) if s not in branch.values]
     more = refined_left(course, branch, left, truth)
     guessed = frozenset(s for s in left if s not in more)
-    values = {**branch.values, **more, **{s: Decimal(repr(truth[s])) for s in guessed}}
+    values = {**branch.values, **more, **{s: Decimal(repr(truth[s])) for s in by_name(guessed)}}
     return KnownPrefix(replace(branch, values=values, left=()), guessed)
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from decimal import Decimal
 
+from planar_cli.equation.plain import by_name
 from planar_cli.solve.between.agreement import demand_fulfilled
 from planar_cli.solve.between.asked_finds import AskedFind
 from planar_cli.solve.between.differences import by_differences
@@ -42,7 +43,7 @@ def solved_beside(course: MotionEquations, finds: tuple[AskedFind, ...], followe
     more = refined_left(course, branch, open_letters, followed.values)
     guessed = {s for s in open_letters if s not in more}
     natural = course.natural(guessed)
-    more |= {s: _number(followed.values[s], natural[s]) for s in guessed}
+    more |= {s: _number(followed.values[s], natural[s]) for s in by_name(guessed)}
     value = course.base().extended({**more, **branch.values})
     demand_agreement(course, value, guessed)
     demand_fulfilled(course, value, guessed)

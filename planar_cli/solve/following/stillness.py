@@ -14,6 +14,7 @@ import sympy as sp
 
 from planar_cli.equation.displacement import Coordinate
 from planar_cli.equation.exact import CERTAIN, Valuation
+from planar_cli.equation.plain import by_name
 from planar_cli.equation.sample import anywhere
 from planar_cli.errors import FileProblem, NotReached, NoValue
 from planar_cli.problem.expression import AtRest
@@ -203,5 +204,5 @@ def _place(
     base = regime.general.instant.scene.valuations[0].updated(base)
     value, given = base.extended({**sought, **here}), {**sought, **given}
     closing = tuple(c for c in regime.general.constraints if c.residual.free_symbols & moving)
-    within = tuple(q for q in moving if any(q in c.residual.free_symbols for c in closing))
+    within = tuple(q for q in by_name(moving) if any(q in c.residual.free_symbols for c in closing))
     return (value.extended(project(closing, within, value)) if closing else value), given

@@ -10,7 +10,7 @@ from planar_cli.equation.common_factors import factor_terms
 from planar_cli.equation.conditions import vector_or_jet
 from planar_cli.equation.displacement import Coordinate
 from planar_cli.equation.exact import Sample, Valuation
-from planar_cli.equation.plain import letters, longer, replaced, rounded_inside, simplified
+from planar_cli.equation.plain import by_name, letters, longer, replaced, rounded_inside, simplified
 from planar_cli.equation.quantities import Quantities
 from planar_cli.equation.system import System, mode_of
 from planar_cli.errors import Diagnostic, FileProblem, Mark, NoSolution, refuse
@@ -198,7 +198,7 @@ class Finisher:
         found: dict[sp.Symbol, sp.Expr] = {}
         left = list(exprs)
         while left:
-            for s in left.pop().free_symbols:
+            for s in by_name(left.pop().free_symbols):
                 if s in self.ledger.definitions and s not in found:
                     found[s] = self.ledger.definitions[s]
                     left.append(found[s])

@@ -41,7 +41,7 @@ class Root:
 def real_roots(expr: sp.Expr, x: sp.Symbol, value: Valuation, symbolic: bool, angle: bool) -> list[Root]:
     """The real roots of expr = 0, sorted; an angle lies in (-180°, 180°]."""
     # An integrand stays as it is: put over one denominator, its value takes ten times as long.
-    held = {i: sp.Dummy("i", real=True) for i in expr.atoms(sp.Integral)}
+    held = {i: sp.Dummy("i", real=True) for i in sorted(expr.atoms(sp.Integral), key=sp.default_sort_key)}
     numerator = sp.fraction(together(expr.xreplace(held)))[0].xreplace({d: i for i, d in held.items()})
     # A root vanishes with what is under it; on one side of there it is not real, so that no sign changes.
     numerator = sp.Mul(*(f.base if _is_root(f) and x in f.free_symbols else f for f in sp.Mul.make_args(numerator)))

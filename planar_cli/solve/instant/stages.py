@@ -12,6 +12,7 @@ import sympy as sp
 from planar_cli.equation.conditions import Condition
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.form import Nonlinear, linear_form, mentions
+from planar_cli.equation.plain import by_name
 from planar_cli.equation.system import System
 from planar_cli.errors import Undecided, undecided_at
 from planar_cli.principles.base import Family
@@ -125,7 +126,7 @@ class StageMaker:
             candidates += power_candidates(offers, wanted_columns)
             plan = Planner(candidates, 0, (), fixed).plan(wanted)
         if plan is None:
-            names = ", ".join(t.name for t in targets if t in index)
+            names = ", ".join(t.name for t in by_name(targets) if t in index)
             raise Undecided(f"{names}: determined, but by no equations that can be solved one after the other")
         writer = Writer(self.system, columns, self.next_number)
         numbered = [tuple(writer.write(e) for e in block.equations) for block in plan.blocks]

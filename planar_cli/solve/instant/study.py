@@ -230,7 +230,7 @@ def add_loads(assembly: Assembly, system: System, wrenches: tuple[Wrench, ...], 
         known.append(
             Wrench(w.name, w.kind, w.body, w.point, Vec(forms[0].constant, forms[1].constant), forms[2].constant)
         )
-        for s in {s for f in forms for s in f.terms}:
+        for s in dict.fromkeys(s for f in forms for s in f.terms):
             parts = [f.terms.get(s, sp.S.Zero) for f in forms]
             unknown.append((s.name, Wrench(w.name, w.kind, w.body, w.point, Vec(parts[0], parts[1]), parts[2])))
     masses = {name: (b.mass, b.inertia) for name, b in scene.bodies.items()}

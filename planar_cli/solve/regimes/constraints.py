@@ -87,7 +87,7 @@ class GeneralPoses:
     def _turned_by_points(self, body: str) -> sp.Expr:
         """By how much a body has turned on which the file places points with its coordinates; 0 where it has none."""
         scene, center = self.scene, self.scene.center(body)
-        arms = (scene.point(point) - center for point in scene.own_points if scene.owner(point) == body)
+        arms = (scene.point(point) - center for point in sorted(scene.own_points) if scene.owner(point) == body)
         return next((turn for arm in arms if (turn := self.turned(arm)) != 0), sp.S.Zero)
 
     def _written(self, expr: sp.Expr) -> sp.Expr:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from planar_cli.equation.plain import parts_of
+from planar_cli.equation.plain import by_name, parts_of
 from planar_cli.equation.scales import SLACK, Here
 from planar_cli.solve.regimes.regime import Regime
 
@@ -14,7 +14,7 @@ def ways_at(regime: Regime, here: Here) -> dict[str, int]:
     its rate.
     """
     found = {}
-    for u in {*turning_speeds(regime), *regime.going()}:
+    for u in by_name({*turning_speeds(regime), *regime.going()}):
         rests = abs(here.letters[u]) <= SLACK * here.sizes[u]
         way = here.at(regime.accelerations[u], {u: 0.0}) if rests else here.letters[u]
         sign = 1 if way >= 0 else -1
