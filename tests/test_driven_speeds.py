@@ -70,3 +70,24 @@ def test_a_speed_and_its_growth_anywhere_in_a_bend(angle: int) -> None:
     found = solve(ROADS.format(angle=angle))
     assert float((found["v"].values or ())[0]) == pytest.approx(10 * abs(math.sin(math.radians(angle))))
     assert float((found["a"].values or ())[0]) == pytest.approx(math.hypot(2, 100 / 80))
+
+
+TOP_SPEED = """
+title: Car at its top speed
+plane: vertical
+given: {m: 1600 kg, c: 0.47 kg/m, P: 76.3 kW}
+unknowns: {F: N}
+bodies: {car: {particle: [0, 0], mass: m}}
+joints:
+  - guide: {point: car, along: 0 deg}
+loads:
+  - drag: {body: car, quadratic: c}
+  - force: {body: car, magnitude: F, angle: 0 deg, name: drive}
+instant: [v(car).x > 0, a(car).x = 0, power(drive) = P]
+find: {v: v(car).x}
+"""
+
+
+def test_a_speed_that_a_power_tells() -> None:
+    """F = c v² and F v = P: the relation of the power has no acceleration for the second road to find."""
+    assert float((solve(TOP_SPEED)["v"].values or ())[0]) == pytest.approx((76300 / 0.47) ** (1 / 3))

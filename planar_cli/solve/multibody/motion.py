@@ -243,6 +243,8 @@ class Multibody:
             for expr in condition.rows():
                 form = _first_order(expr, columns, paces, value)
                 line = {columns[s]: c for s, c in form.slopes.items()}
+                if not line and value.is_zero(expr):
+                    continue  # a relation between loads and velocities: what its rounding leaves has no other size
                 found.append((condition.text, tidied_line({**line, CONSTANT: form.constant})))
         return found
 
