@@ -193,3 +193,27 @@ def test_what_slips_does_not_roll_at_once() -> None:
     with pytest.raises(NoSolution) as caught:
         solve(text)
     assert [d.code for d in caught.value.diagnostics] == ["PL717"]
+
+
+ROD_AND_BOX = """
+title: Rod that falls from level and knocks a box away
+plane: vertical
+given: {L: 0.9 m, e: 0.6, mu: 0.3}
+points: {A: [0, 0], B: [-L, 0], C: [0, -L]}
+surfaces: {floor: {through: C, angle: 0 deg}}
+bodies: {rod: {rod: [A, B], mass: 3 kg}, box: {particle: C, mass: 1.2 kg}}
+joints:
+  - pin: {at: A, between: [ground, rod]}
+  - contact: {between: [box, floor], at: C, mu: mu}
+  - impact: {between: [rod, box], normal: 0 deg, restitution: e, during: 2->3}
+states: {1: [t = 0, at rest], 2: [x(B) = 0], 3: [just after 2], 4: [box at rest]}
+find: {w: omega(rod) @ 3, d: x(box) @ 4}
+"""
+
+
+def test_a_rod_that_is_drawn_along_the_normal_strikes_with_its_side_once_it_has_turned() -> None:
+    found = _first(ROD_AND_BOX)
+    arriving = math.sqrt(3 * G / 0.9)
+    w = arriving * (1 - 1.2 * 0.6) / 2.2
+    v = 0.9 * (w + 0.6 * arriving)
+    assert found == pytest.approx({"w": w, "d": v * v / (2 * 0.3 * G)})

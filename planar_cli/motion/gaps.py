@@ -7,6 +7,7 @@ partner is drawn; the edges of a plate from outside.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import replace
 
@@ -18,6 +19,9 @@ from planar_cli.motion.terms import Term
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
 from planar_cli.records import record
+
+FACING = math.cos(math.pi / 4)
+"""An edge faces a direction if its normal is nearer to it than the edge itself."""
 
 Feet = Mapping[tuple[str, str], Foot]
 """Where rims are nearest to curves, by surface and body."""
@@ -55,21 +59,41 @@ class Gap:
         return replace(self, distance=-self.distance, normal=-self.normal)
 
 
-def gaps_of(scene: Carried, feet: Feet, between: tuple[str, ...], normal: Vec | None = None) -> tuple[Gap, ...]:
-    """All pairs of the outlines of two partners that may touch. `normal`: the direction that the file gives."""
+def gaps_of(
+    scene: Carried, feet: Feet, between: tuple[str, ...], normal: Vec | None = None, later: bool = False
+) -> tuple[Gap, ...]:
+    """All pairs of the outlines of two partners that may touch. `normal`: the direction that the file gives. `later`:
+    they strike in another position than the drawn one.
+    """
     ours, theirs = (boundaries(scene, partner) for partner in between)
     found = [gap for a in ours for b in theirs for gap in _pair(scene, feet, a, b)]
-    if normal is not None:
-        # Along a rod its end is met, not its side.
-        found = [gap for gap in found if scene.sign(scene.graph.of(gap.normal.dot(normal))) != 0]
-    if found:
-        return tuple(found)
+    if normal is None:
+        return tuple(found or _ends(scene, ours, theirs, None))
+    # Along a rod its end is met, not its side.
+    along = [gap for gap in found if scene.sign(gap.normal.dot(normal)) == 0]
+    across = [gap for gap in found if gap not in along]
+    turning = [gap for gap in along if later and not scene.vanishes(gap.normal.dot(normal))]
+    if across or not turning:
+        return tuple([*across, *turning] or _ends(scene, ours, theirs, normal))
+    ends = _ends(scene, ours, theirs, normal) if all(gap.thin is not None for gap in turning) else []
+    met = [_where(scene, gap, scene.graph.of(gap.normal.dot(normal)), 1) for gap in turning]
+    return (*met, *(_where(scene, end, scene.graph.of(turning[0].normal.dot(normal)), -1) for end in ends))
+
+
+def _where(scene: Carried, gap: Gap, cosine: Term, sense: int) -> Gap:
+    """The same where an edge faces the direction of the normal (`sense` 1), or lies along it (-1)."""
+    facing = (scene.graph.call("abs", cosine) - FACING) * (sense * scene.extent)
+    return replace(gap, within=(*gap.within, facing))
+
+
+def _ends(scene: Carried, ours: list[Boundary], theirs: list[Boundary], normal: Vec | None) -> list[Gap]:
+    """Corners that meet corners."""
     corners = [(a, b) for a in ours for b in theirs if isinstance(a, Corner) and isinstance(b, Corner)]
     met = [gap for a, b in corners for gap in _corners(scene, a, b, normal)]
     if len(ours) > 1 and len(theirs) > 1:
-        return tuple(met)
+        return met
     # A particle meets the end that is drawn nearest.
-    return tuple(sorted(met, key=lambda gap: gap.distance.value)[:1])
+    return sorted(met, key=lambda gap: gap.distance.value)[:1]
 
 
 def _pair(scene: Carried, feet: Feet, a: Boundary, b: Boundary) -> list[Gap]:

@@ -266,7 +266,8 @@ class MovingScene(Carried):
         between, normal = getattr(joint, "between", ()), getattr(joint, "normal", None)
         if len(between) != 2:
             return ()
-        found = gaps_of(self, self.feet, between, None if normal is None else self.unit(normal))
+        later = joint.during is None or joint.during[0] != self.problem.states[0].name
+        found = gaps_of(self, self.feet, between, None if normal is None else self.unit(normal), later)
         other = self.pressed(joint.name) < 0
         found = tuple(g.from_other_side() if other and not g.told else g for g in found)
         return tuple(self.facings.both_sides(g) for g in found)

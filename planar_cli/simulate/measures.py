@@ -16,6 +16,7 @@ from typing import TypeVar
 from planar_cli.errors import Diagnostic, FileProblem, Mark, Undecided
 from planar_cli.integrators.base import OUTSIDE
 from planar_cli.joints.base import distinct
+from planar_cli.motion.hybrid import HybridModel
 from planar_cli.motion.model import Model
 from planar_cli.motion.quantities import Quantities
 from planar_cli.motion.regime import Regime
@@ -216,6 +217,9 @@ class Measures:
         pushes = tuple((p, self._push(p.name)) for p in regime.reactions)
         written = model.scene.problem.joints
         names = {ours.name: theirs.name for ours, theirs in zip(distinct(written), written, strict=True)}
+        if isinstance(model, HybridModel):
+            # Bodies that an impact leaves in contact may touch in several ways.
+            names |= {way.name: names[impact] for impact, ways in model.encounters.items() for way in ways}
         reactions = Reactions(pushes, regime.parts.wrenches, names, graph.number(0.0))
         scene = model.scene
 

@@ -99,7 +99,13 @@ class Traced:
     def _labelled(self, reached: tuple[str, ...], choice: Choice) -> dict[str, Label]:
         automaton = self.run.prepared.stages.automaton(reached)
         pairs = zip(automaton.choices.items(), choice, strict=True)
-        return {joint: labels(modes)[k] for (joint, modes), k in pairs}
+        found = {joint: labels(modes)[k] for (joint, modes), k in pairs}
+        for impact, ways in automaton.model.encounters.items():
+            # Of the ways in which an impact's partners may touch, the one in which they do.
+            told = [found[way.name] for way in ways if way.name in found]
+            if len(told) > 1:
+                found[impact] = next((label for label in told if label[0] != "apart"), told[0])
+        return found
 
     def choice(self, workshop: Workshop, stretch: Stretch, modes: Mapping[str, Label]) -> tuple[int, ...]:
         """The choice on a stretch that has these modes; a joint that has but one way to act keeps its own."""
