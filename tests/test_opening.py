@@ -82,9 +82,11 @@ def _given(stem: str) -> str:
         ("ex-2-09", "Coriolis acceleration"),
         ("ex-4-13", "across the blow"),
         ("four-bar", "Kinematics"),
+        ("two-blocks-joined-by-a-cord", "Newton's second law"),
     ],
 )
 def test_the_principle_that_is_used(stem: str, words: str) -> None:
+    """Also where all forces are summed in slanting directions."""
     assert words in _notes(stem)["Principle"]
 
 

@@ -98,3 +98,30 @@ def test_a_sense_is_told_of_a_known_axis() -> None:
     page = Terminal(width=110).render(narrate(solve_problem(problem)))
     assert "it moves in the positive sense there" in page
     assert "upward" not in page
+
+
+HOIST = """
+title: Load lifted by a turning arm
+points: {O: [0, 0], A: [1 m, 0], D: [1 m, 3 m], S: [-1 m, 0], B: [2 m, 0.5 m]}
+bodies: {arm: {rod: [O, A]}, load: {particle: S}, bar: {rod: [A, B]}}
+joints:
+  - pin: {at: O, between: [ground, arm]}
+  - pin: {at: A, between: [arm, bar]}
+  - guide: {point: B, along: 0 deg}
+  - guide: {point: S, along: 90 deg}
+  - rope: {path: [S, D, A]}
+motion: [omega(arm) = 2 rad/s]
+find: {v: v(S).y, C: IC(bar)}
+"""
+
+
+@pytest.mark.parametrize(
+    ("key", "called"),
+    [("", "The rope from S to A"), (", name: cord", "The cord"), (", name: left_rope", "The left rope")],
+)
+def test_a_rope_is_called_once(key: str, called: str) -> None:
+    problem, wrong = load_text(HOIST.replace("S, D, A]", f"S, D, A]{key}"))
+    assert problem is not None, wrong
+    page = Terminal(width=110).render(narrate(solve_problem(problem)))
+    assert f"  {called} keeps its length" in page
+    assert "C = [2, 0] m\n" in page

@@ -14,7 +14,7 @@ from printed import Page, equations
 from worked import name_of, worked
 
 from planar_cli.homework.checking import solve_and_compare
-from planar_cli.problem.read_sections import ATOM, NEUTRAL_ATOMS, US_ATOMS
+from planar_cli.problem.customary import ATOM, NEUTRAL_ATOMS, US_ATOMS
 from planar_cli.problem.structure import load_text
 from planar_cli.report.blocks import Equation, Math, Text, Value
 from planar_cli.report.motion import MotionTelling, motion_phrases
@@ -155,3 +155,13 @@ def test_all_cases_count_in_the_same_units() -> None:
     problem, wrong = load_text(text)
     assert problem is not None, wrong
     assert [case.problem.us for case in problem.cases] == [False, False]
+
+
+@pytest.mark.parametrize(
+    ("given", "place", "feet"),
+    [("{T: 2 s}", "[7 ft, -1 ft]", True), ("{T: 2 s}", "[7 ft, 0.3 m]", False), ("{l: 2 m}", "[7 ft, 1 ft]", False)],
+)
+def test_units_of_the_scene_count_where_none_are_given(given: str, place: str, feet: bool) -> None:
+    problem, wrong = load_text(f"given: {given}\npoints: {{A: {place}}}\nfind: {{x: x(A)}}")
+    assert problem is not None, wrong
+    assert problem.us is feet

@@ -163,7 +163,7 @@ def _named(wrench: Wrench, scene: Scene) -> Wrench:
     if wrench.force is None or not (pieced or longer(magnitude, 3)) or scene.rests_on_sought(magnitude):
         return wrench
     kind = kind_of(wrench) or Load
-    title = kind.line.format(wrench.name)
+    title = kind.line.format(wrench.name, called=kind.phrase(wrench.name))
     ledger = scene.ledger
     symbol = next((s for s, t in ledger.titles.items() if t == title and ledger.definitions[s] == magnitude), None)
     if symbol is None:

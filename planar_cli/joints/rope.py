@@ -66,11 +66,19 @@ class Rope(Joint):
 
     kind: ClassVar[str] = "rope"
     quantities: ClassVar[tuple[str, ...]] = ("tension", "mode")
+    nouns: ClassVar[tuple[str, ...]] = ("cord", "cable", "string", "thread", "line", "chain", "wire", "tape", "band")
 
     path: tuple[RopeStop, ...] = key(RopePathKey(), "its stops in order: A, over D, under E, T on drum")
     along: Side | None = key(
         SideKey("deg", angle=True), "the direction of all its parts; pulley sizes left out", default=None
     )
+
+    @property
+    def called(self) -> str:
+        start, end = self.path[0].name, self.path[-1].name
+        # Without a name of its own it has that of its first stop, with a number where others have it too.
+        own = self.name.removeprefix(start).removeprefix("_")
+        return self.phrase(self.name) if own and not own.isdigit() else f"the rope from {start} to {end}"
 
     @property
     def drawn_beside(self) -> bool:
@@ -105,7 +113,7 @@ class Rope(Joint):
 
     def modes(self, scene: Setting) -> tuple[Mode, ...]:
         segments, spins, actions = free_parts(self._route(), scene)
-        row = Row(self.name, f"the rope {self.name} keeps its length", spins=spins, segments=segments)
+        row = Row(self.name, f"{self.called} keeps its length", spins=spins, segments=segments)
         push = Push(f"T_{self.name}", "tension", self.name, self.name, actions)
         taut = Facts(rows=(row,), pushes=(push,))
         # A part of fixed direction does not swing with the body at its end.
@@ -117,10 +125,10 @@ class Rope(Joint):
         pulls = Test(self.name, "the tension pulls", ((push.name, 1),))
         shortens = Test(self.name, "the ends do not move apart", row=row, sense=-1)
         return (
-            Mode("taut", f"the rope {self.name} is taut", taut, (pulls,), row),
+            Mode("taut", f"{self.called} is taut", taut, (pulls,), row),
             Mode(
                 "slack",
-                f"the rope {self.name} is slack",
+                f"{self.called} is slack",
                 Facts(),
                 (shortens,),
                 touching=Facts(taut.joinings, taut.rows),

@@ -43,7 +43,7 @@ class Load(Entry, ABC):
     effect: ClassVar[Effect | None] = None
     """How it stands among the effects of a scene; None: by its kind."""
     line: ClassVar[str] = "magnitude of {}"
-    """The words beside a magnitude that has a line of its own; {} is the load's name."""
+    """The words beside a magnitude that has a line of its own; {} is the load's name, {called} how it is called."""
     letter: ClassVar[str] = "F"
     """The letter of such a magnitude."""
     working: ClassVar[str] = ""

@@ -46,7 +46,7 @@ class Damper(Load):
 
     kind: ClassVar[str] = "damper"
     effect: ClassVar[Effect] = Effect("damper force", "dampers", rank=5)
-    line: ClassVar[str] = "pull of the damper {}"
+    line: ClassVar[str] = "pull of {called}"
     quantities: ClassVar[tuple[str, ...]] = ("tension",)
     pulls: ClassVar[bool] = True
     dissipates: ClassVar[bool] = True

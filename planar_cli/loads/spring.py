@@ -49,7 +49,7 @@ class Spring(Load):
 
     kind: ClassVar[str] = "spring"
     effect: ClassVar[Effect] = Effect("spring force", "springs", rank=4)
-    line: ClassVar[str] = "pull of the spring {}"
+    line: ClassVar[str] = "pull of {called}"
     quantities: ClassVar[tuple[str, ...]] = ("tension",)
     pulls: ClassVar[bool] = True
     choices: ClassVar[tuple[Choice, ...]] = (
@@ -74,12 +74,12 @@ class Spring(Load):
         start, end = (scene.point(p) for p in self.between)
         stretch = self._stretch(scene, scene.length(end - start)) * sense
         state = "stretched" if sense > 0 else "compressed"
-        engaged = Test(key, f"the spring {self.name} is {state}", constant=stretch)
-        free = Test(key, f"the spring {self.name} is not {state}", constant=-stretch)
+        engaged = Test(key, f"{self.called} is {state}", constant=stretch)
+        free = Test(key, f"{self.called} is not {state}", constant=-stretch)
         acts = "pulls" if sense > 0 else "pushes"
         return (
-            Mode("", f"the spring {self.name} {acts}", Facts(), (engaged,)),
-            Mode("", f"the spring {self.name} is free", Facts(idle=(key,)), (free,)),
+            Mode("", f"{self.called} {acts}", Facts(), (engaged,)),
+            Mode("", f"{self.called} is free", Facts(idle=(key,)), (free,)),
         )
 
     def _stretch(self, scene: Any, length: Any) -> Any:

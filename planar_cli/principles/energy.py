@@ -122,7 +122,7 @@ def _sources(position: Position) -> Iterator[Source]:
         load = loads.get((kind, name))
         made = None if load is None else load.stored(setting)
         stored = None if load is None else load.potential(setting)
-        working = FRICTION if load is None else load.working or f"{kind} {{}}"
+        working = FRICTION if load is None else load.working or load.called.removeprefix("the ")
         of = None if made is None else Stored(sp.sympify(made[0]), sp.sympify(made[1]), made[2], made[3])
         yield Source(working.format(name), power, None if stored is None else -sp.sympify(stored), of)
     followers = {law.push for law in system.laws}

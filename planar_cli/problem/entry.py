@@ -27,6 +27,9 @@ class Entry:
     quantities: ClassVar[tuple[str, ...]] = ()
     """Quantities of the language that may be asked of this kind and not of every other: N, friction, tension, mode."""
 
+    nouns: ClassVar[tuple[str, ...]] = ()
+    """Words by which such an entry is called beside its kind: a rope is a cord too."""
+
     name: str
     during: tuple[str, str] | None
     mark: Mark
@@ -35,6 +38,17 @@ class Entry:
     def derived(self) -> frozenset[str]:
         """Keys whose value was made of that of others, which have their own dimensions."""
         return frozenset()
+
+    @classmethod
+    def phrase(cls, name: str) -> str:
+        """How one of this kind and name is called in a sentence: "the rope AB", "the spring", "the left cord"."""
+        said = name.split("_")
+        return f"the {' '.join(said)}" if {cls.kind, *cls.nouns}.intersection(said) else f"the {cls.kind} {name}"
+
+    @property
+    def called(self) -> str:
+        """How this one is called in a sentence."""
+        return self.phrase(self.name)
 
     def attachments(self) -> tuple[tuple[str, str], ...]:
         """Pairs (point, body or surface): the points that belong to a body because the entry names them together."""

@@ -61,22 +61,24 @@ def scales_of(problem: Problem) -> Scales:
 
 
 def _numbers(node: Any, us: bool) -> Iterator[tuple[float, Dimension]]:
-    """All numbers with a unit in a file, in its base units; what it asks and answers is left out."""
+    """All numbers with a unit in a file, in its base units."""
+    for number in with_units(node):
+        unit = parse_unit(number.unit or "1")
+        plain = [number] if isinstance(number, Number) else [n for n in _plain(number.operand) if n.value]
+        yield math.prod(float(n.value) for n in plain) * in_base(unit, us), unit.dimension
+
+
+def with_units(node: Any) -> Iterator[Number | Scaled]:
+    """All numbers with a unit in a file, or in a part of it; what it asks and answers is left out."""
     if isinstance(node, tuple):
         for inner in node:
-            yield from _numbers(inner, us)
-    elif isinstance(node, Number):
-        if node.unit is not None:
-            unit = parse_unit(node.unit)
-            yield float(node.value) * in_base(unit, us), unit.dimension
-    elif isinstance(node, Scaled):
-        unit = parse_unit(node.unit)
-        plain = [float(n.value) for n in _plain(node.operand)]
-        yield math.prod(n for n in plain if n) * in_base(unit, us), unit.dimension
+            yield from with_units(inner)
+    elif isinstance(node, Scaled) or (isinstance(node, Number) and node.unit is not None):
+        yield node
     elif is_dataclass(node) and not isinstance(node, type):
         for f in fields(node):
             if f.name not in ("find", "answers", "cases", "mark", "tolerance"):
-                yield from _numbers(getattr(node, f.name), us)
+                yield from with_units(getattr(node, f.name))
 
 
 def _plain(node: Any) -> Iterator[Number]:

@@ -5,21 +5,17 @@ from __future__ import annotations
 import re
 
 from planar_cli.problem import reading
-from planar_cli.problem.expression import Law, Number, Relation, Scaled, Side, Statement
+from planar_cli.problem.expression import Law, Relation, Side, Statement
 from planar_cli.problem.fields import Fields
 from planar_cli.problem.nodes import Mapping, Node, Scalar, Sequence
 from planar_cli.problem.said_here import said_here
 from planar_cli.problem.scene import Answer, Find, State, Symbol
-from planar_cli.problem.walk import walk
 from planar_cli.units import UnitError, parse_unit
 
 PLANES = ("vertical", "horizontal")
 ANSWER_KEYS = ("value", "tolerance")
 RANGE_KEYS = ("from", "to", "step")
 FIGURE_KEYS = ("hide",)
-ATOM = re.compile(r"[A-Za-z]+")
-US_ATOMS = frozenset("in ft yd mi lb slug lbf kip psi hp mph".split())
-NEUTRAL_ATOMS = frozenset("s ms min h deg rad rev rpm Hz kHz".split())
 
 
 def words(whole: Fields, key: str) -> str:
@@ -215,13 +211,3 @@ def _check_variant(key: Scalar, node: Node, whole: Fields) -> None:
     fields = Fields(node, RANGE_KEYS, f"the variant {key.text}", whole.report)
     for part in RANGE_KEYS:
         fields.need_side(part, "write `{from: 1 kg, to: 5 kg, step: 0.5 kg}`")
-
-
-def is_us(symbols: tuple[Symbol, ...]) -> bool:
-    """Are all dimensional numbers of `given` in US customary units? Times and angles count neither way."""
-    atoms = {atom for s in symbols if s.value is not None for unit in _units_in(s.value) for atom in ATOM.findall(unit)}
-    return bool(atoms & US_ATOMS) and atoms <= US_ATOMS | NEUTRAL_ATOMS
-
-
-def _units_in(side: Side) -> list[str]:
-    return [node.unit for node in walk(side) if isinstance(node, Number | Scaled) and node.unit]

@@ -305,7 +305,7 @@ class Case:
 
 @record
 class Problem:
-    """A whole problem file. `plane`: vertical, horizontal, or None. `us`: all of `given` is in US customary units;
+    """A whole problem file. `plane`: vertical, horizontal, or None. `us`: it is in US customary units;
     all formulas are in ft, slug, s then.
 
     `struck`: in what acts during one span, the bodies that blows of the whole file strike.
@@ -341,3 +341,7 @@ class Problem:
     idle: tuple[Joint, ...] = ()
     """Joints of the file that touch only before or after that time: where they would touch, a rim goes on all the same.
     """
+
+    def called(self, joint: str) -> str:
+        """How the joint of that name is called in a sentence."""
+        return next(j.called for j in self.joints if j.name == joint)

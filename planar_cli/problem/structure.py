@@ -14,6 +14,7 @@ from planar_cli.problem import read_sections as sections
 from planar_cli.problem import reading
 from planar_cli.problem.assumed_of_unknowns import with_assumed
 from planar_cli.problem.checks import check
+from planar_cli.problem.customary import is_us
 from planar_cli.problem.fields import Fields
 from planar_cli.problem.grounds import Floor, with_floor
 from planar_cli.problem.in_time import in_time
@@ -181,8 +182,9 @@ def _read(file: str, whole: Fields) -> Problem:
         answers=(),
         tolerance=whole.side("tolerance"),
         method=sections.one_of(whole, "method", modules("principles")),
-        us=sections.is_us(given),
+        us=False,
     )
+    problem = replace(problem, us=is_us(problem))
     return with_later_meetings(with_placed_particles(with_assumed(problem)))
 
 

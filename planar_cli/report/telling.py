@@ -12,7 +12,7 @@ from planar_cli.report.actions import moment_words, perpendicular
 from planar_cli.report.asked import AskedTelling
 from planar_cli.report.assumed import assumption_notes
 from planar_cli.report.at_rest import speeds_matter
-from planar_cli.report.blocks import Block, Equation, Heading, Line, Math, Name, Paragraph, Text, line
+from planar_cli.report.blocks import Block, Equation, Heading, Line, Math, Name, Paragraph, line
 from planar_cli.report.forces import centre_of, force_rows
 from planar_cli.report.geometry import constructed, places
 from planar_cli.report.inertias import by_size
@@ -219,7 +219,7 @@ class Telling:
                 Paragraph(moment_words(self.system, self.phrases, w, stage)),
                 Equation(sides, number, line("↺ ", Name(f"ΣM_{w.lead}"), ":"), note),
             ]
-        lead = line(f"{self.phrases.along(w.along)} ", Name(f"ΣF_{w.lead}") if w.lead else Text("ΣF"), ":")
+        lead = line(f"{self.phrases.along(w.along)} ", Name(f"ΣF_{w.lead}" if w.lead else "ΣF"), ":")
         return [
             Paragraph(line(f"{group}:") if w.lead else line(f"{group}, ", *self._way(w), ":")),
             Equation(sides, number, lead, note),
@@ -282,17 +282,12 @@ class Telling:
             if joint is not None:
                 base = "the ground" if joint.base == "ground" else joint.base
                 if any(push.kind == "tension" for push in self.system.modes[joint.joint].facts.pushes):
-                    return f"{self._kind_of(joint.joint)} keeps its length:"
+                    return f"{_begun(self.scene.problem.called(joint.joint))} keeps its length:"
                 if joint.path is not None:
                     return f"{joint.place} stays on its path on {base}, across which nothing moves:"
                 return f"{joint.place} is a point of {joint.mover} and of {base}; {w.words}:"
         words = w.words.removeprefix(w.lead).removeprefix(", ")
         return f"{_begun(w.lead)}{', ' + words if words and w.source != 'row' else ''}:"
-
-    def _kind_of(self, name: str) -> str:
-        """A joint by what it is: `The rope cord`."""
-        kind = next((j.kind for j in self.scene.problem.joints if j.name == name), "")
-        return name if not kind else f"The {name}" if kind in name else f"The {kind} {name}"
 
     # --- step 3 ------------------------------------------------------------------------------------------------------
 

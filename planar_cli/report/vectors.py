@@ -74,8 +74,8 @@ class VectorTelling:
 
     def _taut(self, j: Joining, level: str) -> Line:
         """What a link or a taut cord between two points says."""
-        kind = next((x.kind for x in self.system.scene.problem.joints if x.name == j.joint), "rope")
-        named = f"The {j.joint}" if kind in j.joint else f"The {kind} {j.joint}"
+        called = self.system.scene.problem.called(j.joint)
+        named = f"{called[:1].upper()}{called[1:]}"
         v = "v" if level == "velocity" else "a"
         own = Name(f"{v}_{index_of(j.place)}")
         if j.base == GROUND and level == "velocity":

@@ -323,13 +323,9 @@ def _vector_line(numbers: list[Decimal], unit: str, figures: int, place: bool) -
     if x.is_infinite() or y.is_infinite():
         return (Text("at infinity"),)
     size = (x * x + y * y).sqrt()
-    words = vector_words(x, y)
+    words = "" if place else vector_words(x, y)
     head = components(x, y, unit, figures)
-    return (
-        head
-        if not words or x.is_infinite()
-        else (*head, Text(", that is "), Value(size, unit, figures), Text(f" {words}"))
-    )
+    return (*head, Text(", that is "), Value(size, unit, figures), Text(f" {words}")) if words else head
 
 
 def _unit_only(unit: str) -> str:

@@ -9,5 +9,6 @@
 - With neither it is a formula in `t` (if the file uses t) and the `coordinates`; if there is none of these, the value
   in the drawn position. So `ddot(theta)` is the equation of motion.
 - A path or hodograph is a curve, whatever the instant or state of the other finds: planar explain paths.
-- Its unit is the one after `in`, else that of `answers`, else SI (US customary when all of `given` is).
+- Its unit is the one after `in`, else that of `answers`, else SI (US customary when all of `given` is; where `given`
+  has no units, when all of the file is).
 """

@@ -32,5 +32,6 @@ Gravity
   `g` is 9.81 m/s^2 unless `given` says otherwise; in a file with `symbols` it stays a letter.
 
 Printed units
-  The unit after `in`; else that of `answers`; else SI units, or US customary ones when all of `given` is.
+  The unit after `in`; else that of `answers`; else SI units, or US customary ones when all of `given` is;
+  where `given` has no units, when all of the file is.
 """

@@ -280,7 +280,6 @@ class Offers:
     def _named_directions(self, group: Group) -> list[tuple[Vec, str]]:
         """Along and across the paths and contacts of the group's bodies."""
         found: list[tuple[Vec, str]] = []
-        kinds = {j.name: j.kind for j in self.scene.problem.joints}
         for push in self.system.pushes:
             for action in push.actions:
                 if (
@@ -290,15 +289,13 @@ class Offers:
                 ):
                     x, y = self.numbers.value(action.force.x), self.numbers.value(action.force.y)
                     if abs(x) > CERTAIN and abs(y) > CERTAIN:
-                        tie = f"the {kinds.get(push.joint, 'rope')} {push.place}"
-                        words = {
-                            "normal": f"along the normal at {push.place}",
-                            "friction": f"along the contact at {push.place}",
-                            "tension": f"along {tie}",
-                        }[push.kind]
-                        found.append((action.force, words))
                         if push.kind == "tension":
+                            tie = self.scene.problem.called(push.joint)
+                            found.append((action.force, f"along {tie}"))
                             found.append((action.force.turned(), f"perpendicular to {tie}"))
+                        else:
+                            way = "normal" if push.kind == "normal" else "contact"
+                            found.append((action.force, f"along the {way} at {push.place}"))
         return found[:12]
 
     def _named_points(self, group: Group) -> dict[str, Vec]:
