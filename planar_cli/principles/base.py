@@ -196,6 +196,8 @@ class Balance:
     """The same where no source brings anything: conservation of momentum; "": as ever."""
     about: str = ""
     """The point it is taken about, the end of the heading."""
+    explained: str = ""
+    """What that point is, after it."""
     letter: str = ""
     """The letter of the amount: then amounts and what sources bring are told one by one, T_1 + U = T_2."""
     bring: str = ""

@@ -7,8 +7,11 @@ from typing import ClassVar, final
 
 import sympy as sp
 
+from planar_cli.equation.expansion import expanded
 from planar_cli.equation.motion import Motion
 from planar_cli.equation.moving import Moving as MovingScene
+from planar_cli.equation.plain import simplified
+from planar_cli.principles._frames import Frame, frames, knows_less, power_in, unknown_sizes
 from planar_cli.principles.base import Balance, Moving, Position, Principle, Source, Stored
 from planar_cli.problem.acting import acting_loads
 from planar_cli.problem.facts import Wrench
@@ -49,6 +52,7 @@ class WorkEnergy(Principle):
         weight:  U = m g (y_1 - y_2)            spring:  U = k (s_1² - s_2²)/2
         constant force:  U = F · Δr             couple:  U = M Δθ
         friction:  U = -∫ mu N ds               conservation:  T_1 + V_1 = T_2 + V_2
+        seen from the mass centre G of all:     T'_1 + U'_1-2 = T'_2,  T' = Σ (m (v_i - v_G)²/2 + I_i ω_i²/2)
 
     Signs
         Work is positive where a force acts along the motion of its point.
@@ -66,6 +70,8 @@ class WorkEnergy(Principle):
 
     def over(self, position: Position, chosen: bool) -> Iterator[Balance]:
         """T_1 + U_1-2 = T_2, unless something unknown drives the scene, or a support moves."""
+        for frame in frames(position):
+            yield from _seen_from(position, frame)
         if not _closed(position):
             return
         scene, motion = position.system.scene, position.motion
@@ -88,6 +94,38 @@ class WorkEnergy(Principle):
             moving=tuple(moving),
             longest=500,
         )
+
+
+def _seen_from(position: Position, frame: Frame) -> Iterator[Balance]:
+    """T'_1 + U'_1-2 = T'_2, where no unknown reaction does work as the frame sees it; of the forces of inertia
+    in the frame of the mass centre all work cancels (König).
+    """
+    scene, motion = position.system.scene, position.motion
+    amounts, inertia = {}, sp.S.Zero
+    for name in frame.bodies:
+        body, (_, v) = scene.bodies[name], frame.of(position, name)
+        spin = body.inertia * motion.velocities[name].angular ** 2
+        amounts[name] = simplified(expanded((body.mass * v.dot(v) + spin) / 2))
+        inertia += body.mass * v.dot(frame.inertia)
+    brought = {"forces": power_in(position, frame), "forces of inertia": simplified(expanded(inertia))}
+    entering = {s for e in brought.values() for s in e.free_symbols}
+    if entering & unknown_sizes(position) or not knows_less(position, amounts.values()):
+        return
+    yield Balance(
+        words="work and kinetic energy",
+        name="T'",
+        amounts=tuple((name, energy) for name, energy in amounts.items() if energy != 0),
+        sources=tuple(Source(words, power) for words, power in brought.items() if power != 0),
+        cost=1.1,
+        heading="work and kinetic energy in the frame that moves with ",
+        about=frame.point,
+        explained=frame.words,
+        letter="T'",
+        bring="U'",
+        adds=True,
+        timeless=True,
+        longest=500,
+    )
 
 
 def _closed(position: Position) -> bool:

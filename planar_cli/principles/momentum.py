@@ -11,6 +11,7 @@ from planar_cli.equation.expansion import expanded
 from planar_cli.equation.plain import simplified
 from planar_cli.equation.scene import Scene
 from planar_cli.principles._bodies import body_families
+from planar_cli.principles._frames import Frame, frames, knows_less, unknown_sizes
 from planar_cli.principles.base import Balance, BodyFamily, Impulses, Position, Principle, Source
 from planar_cli.problem.facts import Wrench
 from planar_cli.problem.geometry import Vec
@@ -50,13 +51,15 @@ class ImpulseMomentum(Principle):
     Equations
         m v_G1 + ∫F dt = m v_G2
         H_O1 + ∫M_O dt = H_O2                   H_O = Σ (r_G/O × m v_G + I_G ω)
+        H_G1 + ∫M_G dt = H_G2                   H_G = Σ ((r_i - r_G) × m_i (v_i - v_G) + I_i ω_i), G of all bodies
         about a point C that moves:  dH_C/dt = ΣM_C - v_C × m v_G
 
     Signs
         Along x and y; angular momenta counterclockwise. `impulse(f)` is that of the force on the body.
 
     Valid when
-        The point O is fixed, or is the mass centre, or keeps its place beside it.
+        The point O is fixed, or is the mass centre, or keeps its place beside it; any other point C that moves takes
+        the term with its velocity.
 
     Reference
         An Introduction to Planar Dynamics, 3.4, 3.7, 4.6, equations 4.68 - 4.76, Examples 4-12 to 4-14, 4-18.
@@ -70,11 +73,13 @@ class ImpulseMomentum(Principle):
         return body_families(position)
 
     def over(self, position: Position, chosen: bool) -> Iterator[Balance | Impulses]:
-        """For every body and the whole system, along x and y, about every fixed point O, and about a point C of one
-        body that stays where it is to the mass centre (C need not be fixed: v_C and v_G are equal then, and the extra
-        term v_C × m v_G vanishes): what no unknown reaction enters. By itself also what such reactions enter.
+        """For every body and the whole system, along x and y, about every fixed point O, about the mass centre of all,
+        and about every other named point C that moves, with the term v_C × m v_G (it vanishes where C stays where it is
+        to the mass centre): what no unknown reaction enters. By itself also what such reactions enter.
         """
         yield from _balances(position)
+        for frame in frames(position):
+            yield from _seen_from(position, frame)
         if chosen:
             yield Impulses(WORDS, COST)
 
@@ -105,7 +110,7 @@ def _balances(position: Position) -> Iterator[Balance]:
 
 
 def _balance(
-    group: tuple[str, ...], parts: dict[str, sp.Expr], rate: sp.Expr, arrow: str, about: str
+    group: tuple[str, ...], parts: dict[str, sp.Expr], rate: sp.Expr, arrow: str, about: str, explained: str = ""
 ) -> Iterator[Balance]:
     if sp.Add(*parts.values()) == 0:
         return
@@ -122,6 +127,7 @@ def _balance(
         heading=heading,
         kept=kept,
         about=about,
+        explained=explained,
         lead=arrow,
     )
 
@@ -168,3 +174,17 @@ def _angular(position: Position, group: tuple[str, ...], center: Vec) -> dict[st
         arm, v = body.center - center, motion.velocity(body.center, b)
         parts[b] = body.mass * arm.cross(v) + body.inertia * motion.velocities[b].angular
     return parts
+
+
+def _seen_from(position: Position, frame: Frame) -> Iterator[Balance]:
+    """Angular momentum about the point of a frame, of what moves in it."""
+    scene = position.system.scene
+    parts, inertia = {}, sp.S.Zero
+    for name in frame.bodies:
+        body, (arm, v) = scene.bodies[name], frame.of(position, name)
+        spin = body.inertia * position.motion.velocities[name].angular
+        parts[name] = simplified(expanded(body.mass * arm.cross(v) + spin))
+        inertia += body.mass * arm.cross(frame.inertia)
+    rate = simplified(expanded(sp.Add(inertia, *(_moment(w, frame.place) for w in frame.acting))))
+    if not rate.free_symbols & unknown_sizes(position) and knows_less(position, parts.values()):
+        yield from _balance(frame.bodies, parts, rate, "↺ ", frame.point, frame.words)

@@ -122,7 +122,7 @@ class BetweenTelling:
         group = f"{', '.join(law.bodies)}: " if law.bodies else ""
         words = (law.kept if b.gain == 0 else "") or law.heading or law.words
         head = f"From {b.since} to {b.stop}, {group}{words}"
-        return line(head, Name(law.about) if law.about else "", *_idle(law.idle), ":")
+        return line(head, Name(law.about) if law.about else "", law.explained, *_idle(law.idle), ":")
 
     # --- blows -------------------------------------------------------------------------------------------------------
 

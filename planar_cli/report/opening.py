@@ -138,11 +138,17 @@ def _kinetic(page: _Seen) -> bool:
     return _newton(page) or "virtual power" in page.words
 
 
+def _energetic(page: _Seen) -> bool:
+    return page.led("T_") or page.led("T'_")
+
+
 PRINCIPLES = (
     _Principle(lambda p: "a_cor" in p.names, "Motion relative to a turning body, with the Coriolis acceleration."),
     _Principle(lambda p: "v_rel" in p.names and "a_cor" not in p.names, "Motion relative to a moving body."),
     _Principle(
-        lambda p: "Kinematic analysis" in p.headings and not _kinetic(p) and not p.led("T_") and "v_rel" not in p.names,
+        lambda p: (
+            "Kinematic analysis" in p.headings and not _kinetic(p) and not _energetic(p) and "v_rel" not in p.names
+        ),
         "Kinematics: places, velocities and accelerations.",
     ),
     _Principle(lambda p: _newton(p) and not p.inertial, "Newton's second law."),
@@ -150,6 +156,7 @@ PRINCIPLES = (
     _Principle(lambda p: "virtual power" in p.words, "Virtual power, in which no reaction takes part."),
     _Principle(lambda p: "momentum before" in p.words, "Impulse and momentum across the blow."),
     _Principle(lambda p: p.led("T_"), "Work and energy between the states."),
+    _Principle(lambda p: p.led("T'_"), "Work and energy in a frame that moves."),
     _Principle(lambda p: "impulse and momentum" in p.words, "Impulse and momentum over a time."),
     _Principle(lambda p: "conservation of" in p.words, "Conservation of momentum."),
     _Principle(lambda p: p.integrates or "The law" in p.words, "Integration over time."),
