@@ -1,6 +1,7 @@
 """Nothing that a problem file states is ignored: every statement, number, key, unit and name is changed in turn.
 
     .venv/bin/python tests/mutations.py [--kind number] [--sample 2000] [--seed 1] [--files problems/friction]
+    nice -n 19 .venv/bin/python tests/mutations.py --jobs 1 --results /tmp/mutations.jsonl      (all: many hours)
 
 A mutant is refused, has no solution, has another answer, or has the same answer and another page ("told": a mass that
 cancels stands in the equations). It may have the very same page for a reason:
@@ -14,277 +15,54 @@ cancels stands in the equations). It may have the very same page for a reason:
     a name    a name that nothing else uses is spelt otherwise
 
 What is none of it ("unchanged"), ends in a fault, or is refused without a place is an offender and is listed.
+
+A file is worked out once, in a process of its own. Most mutants are refused as they are read, there; each of the others
+is worked out in a child of that process, which remembers what it knows of the file and has a limit of processor time.
+The page is written where the answers are the same. With `--results` each outcome is added to a file at once (a line of
+JSON); a run that was broken off goes on from there, and judges the offenders among them anew.
 """
 
 from __future__ import annotations
 
 import argparse
+import gc
+import hashlib
+import importlib
 import json
+import os
+import pickle
+import pkgutil
 import random
-import re
-import sys
+import resource
+import select
+import signal
+import tempfile
+import time
 from collections import Counter
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
-from typing import Any
 
-from planar_cli.errors import FileProblem, NoSolution, Undecided
+from mutants import KINDS, Mutant, mutants, mutated
+
+import planar_cli
+from planar_cli.errors import Diagnostic, FileProblem, NoSolution, Undecided
 from planar_cli.homework.checking import solve_and_compare
-from planar_cli.homework.supervisor import Supervisor
 from planar_cli.problem import nodes
 from planar_cli.problem.checks import check
-from planar_cli.problem.nodes import Mapping, Node, Scalar
 from planar_cli.problem.reading import Report
+from planar_cli.problem.scene import Problem
 from planar_cli.problem.structure import read_problem
-from planar_cli.problem.tokens import ParseError, Token, tokenize
-from planar_cli.problem.words import QUANTITIES
 from planar_cli.registry import members
 from planar_cli.report.json_document import solution_data
 from planar_cli.report.narrate import Voice, narrate
-from planar_cli.units import UnitError, parse_unit
 
-Path_ = tuple[int, ...]
-"""Where a node is: by the numbers of the children (of a mapping: of its pairs) from the root."""
-
-KINDS = ("statement", "number", "sign", "key", "unit", "name")
-TEXTS = frozenset(("title", "text", "source", "note", "tolerance", "variants", "figure", "method"))
-"""What is only told, or what tells how to solve; names and the figures of answers are no part of the mechanics."""
-STATEMENTS = frozenset(("motion", "instant", "assume", "joints", "loads", "relaxed_at"))
-NAMED = frozenset(("given", "symbols", "unknowns", "coordinates", "points", "surfaces", "bodies", "states"))
-SIZES = frozenset("particle rod disk ring sphere sector plate center radius hub width height points".split())
-OTHER_MODES = {"stick": "slip", "slip": "stick", "taut": "slack", "slack": "taut", "apart": "stick", "tip": "stick"}
-A_NAME = "a name"
-OFF = "1.07"
-UNCHANGED, FAULT = "unchanged", "fault"
-
-
-@dataclass(frozen=True, slots=True)
-class Mutant:
-    """One change of one file: `at` the node, `new` the text in its place (None: the node goes), `key`: of its key."""
-
-    file: str
-    kind: str
-    at: Path_
-    key: bool
-    new: str | None
-    place: str
-    what: str
-    reason: str = ""
-    """Why its page may be that of the file: one of the words above; "": there is none."""
-    contrary: str | None = None
-    """What says the contrary of the statement that goes: a statement that follows from others is checked by them."""
-
-
-# --- mutants ----------------------------------------------------------------------------------------------------------
-
-
-def mutants(file: str) -> list[Mutant]:
-    """All mutants of a file, in its order."""
-    _, root, wrong = nodes.read_file(file)
-    assert isinstance(root, Mapping), wrong
-    return list(_Walk(file, root).mutants())
-
-
-class _Walk:
-    """All nodes of a file, with the keys that lead to them."""
-
-    def __init__(self, file: str, root: Mapping) -> None:
-        self.file, self.root = file, root
-        self.names: dict[str, list[str]] = {}
-        self.uses: dict[str, set[str]] = {}
-        """Where each name of `given` is used: "drawn", "given:name" or something else."""
-        self._note(root, ())
-        for section in (root, *_cases(root)):
-            for key, value in section.pairs:
-                if key.text in NAMED and isinstance(value, Mapping):
-                    known = self.names.setdefault(key.text, [])
-                    known.extend(name for name in _keys(value) if name not in known)
-
-    def _note(self, node: Node, keys: tuple[str, ...]) -> None:
-        """Gather where names are used."""
-        if isinstance(node, Mapping):
-            for key, value in node.pairs:
-                self._note(value, (*keys, key.text))
-        elif isinstance(node, Scalar):
-            own = keys[2:] if keys[:1] == ("cases",) else keys
-            if not own or own[0] in TEXTS | {"answers"}:
-                return
-            use = f"given:{own[1]}" if own[0] == "given" and len(own) > 1 else _reason(keys) or own[0]
-            for word in re.findall(r"[A-Za-z]\w*", node.text):
-                self.uses.setdefault(word, set()).add(use)
-        else:
-            for item in node.items:
-                self._note(item, keys)
-
-    def only_drawn(self, name: str, above: frozenset[str] = frozenset()) -> bool:
-        """Is a name used for places and sizes alone, itself or by way of other names?"""
-        uses = self.uses.get(name, set())
-        further = {use.removeprefix("given:") for use in uses if use.startswith("given:")} - above
-        rest = {use for use in uses if not use.startswith("given:")}
-        return rest <= {"drawn"} and all(self.only_drawn(other, above | {name}) for other in further)
-
-    def mutants(self) -> Iterator[Mutant]:
-        yield from self._inside(self.root, (), ())
-
-    def _inside(self, node: Node, at: Path_, keys: tuple[str, ...]) -> Iterator[Mutant]:
-        if isinstance(node, Scalar):
-            if not node.quoted or keys[:1] != ("answers",):
-                yield from self._scalar(node, at, keys)
-        elif isinstance(node, Mapping):
-            for i, (key, value) in enumerate(node.pairs):
-                if key.text in TEXTS and (not keys or keys[0] == "cases"):
-                    continue
-                place = f"{key.mark.line}:{key.mark.column}"
-                name = key.text + key.text[-1]
-                reason = A_NAME if keys and keys[-1] in NAMED | {"find", "cases"} else ""
-                yield Mutant(self.file, "key", (*at, i), True, name, place, f"{key.text} -> {name}", reason)
-                yield from self._inside(value, (*at, i), (*keys, key.text))
-        else:
-            for i, item in enumerate(node.items):
-                if _are_statements(keys):
-                    place = f"{item.mark.line}:{item.mark.column}"
-                    what, other = f"without {_said(item)}", _contrary(item)
-                    reason = _reason((*keys, ""))
-                    yield Mutant(self.file, "statement", (*at, i), False, None, place, what, reason, other)
-                yield from self._inside(item, (*at, i), keys)
-
-    def _scalar(self, node: Scalar, at: Path_, keys: tuple[str, ...]) -> Iterator[Mutant]:
-        try:
-            tokens = tokenize(node.text, node.mark)
-        except ParseError:
-            return
-        if keys[:1] == ("answers",) or keys[0] in TEXTS:
-            return
-        for i, token in enumerate(tokens):
-            for kind, new, start in self._changed(tokens, i, node, keys):
-                text = node.text[:start] + new + node.text[token.end :]
-                place = f"{node.mark.line}:{node.mark.column + node.quoted + token.start}"
-                # A bound rejects what lies beyond it, and may do so wherever it stands on this side.
-                other = _contrary(node) if "<" in node.text or ">" in node.text.replace("->", "") else None
-                if kind == "name" and other is None and _are_statements(keys):
-                    # The new statement may say the same in other words.
-                    other = _contrary(replace(node, text=text))
-                reason = _reason(keys) or self._reason_of(kind, keys, node.text, start)
-                yield Mutant(self.file, kind, at, False, text, place, f"{node.text} -> {text}", reason, other)
-
-    def _reason_of(self, kind: str, keys: tuple[str, ...], text: str, start: int) -> str:
-        """Why a number may change nothing, by what its name is for or by how it stands there."""
-        own = keys[2:] if keys[0] == "cases" else keys
-        if own[0] == "given" and len(own) > 1 and self.only_drawn(own[1]):
-            return "drawn"
-        if kind == "sign" and (own[-1] == "along" or re.search(r"cos\([^()]*(\([^()]*)?$", text[:start])):
-            return "even"
-        return ""
-
-    def _changed(
-        self, tokens: Sequence[Token], i: int, node: Scalar, keys: tuple[str, ...]
-    ) -> Iterator[tuple[str, str, int]]:
-        """Kind of change, what stands instead of token `i`, and from where on it stands there."""
-        token, before = tokens[i], tokens[i - 1] if i else None
-        if token.kind == "number" and not _is_label(tokens, i, keys) and float(token.text):
-            yield "number", f"{float(token.text) * float(OFF):.6g}", token.start
-            if not (before and before.text == "^"):
-                yield "sign", f"(-{token.text})" if before else f"-{token.text}", token.start
-        if token.kind != "name":
-            return
-        unit = (before and (before.kind == "number" or before.text in (")", "in"))) or _declares(keys)
-        if unit and token.text not in ("is", "at", "just") and (other := _other_unit(token.text)):
-            yield "unit", other, token.start
-            return
-        if tokens[i + 1].text == "(" and token.text in QUANTITIES:
-            return
-        for names in self.names.values():
-            if token.text in names and len(names) > 1:
-                yield "name", names[(names.index(token.text) + 1) % len(names)], token.start
-
-
-def _reason(keys: tuple[str, ...]) -> str:
-    """Why a number or name below these keys may change nothing."""
-    own = keys[2:] if keys[0] == "cases" else keys
-    if own[:1] in (("points",), ("surfaces",)) or own[-1] in SIZES:
-        return "drawn"
-    return {"find": "asked", "assume": "assumed"}.get(own[0], "")
-
-
-def _keys(node: Mapping) -> list[str]:
-    return [key.text for key, _ in node.pairs]
-
-
-def _cases(root: Mapping) -> list[Mapping]:
-    cases = root.get("cases")
-    return [] if not isinstance(cases, Mapping) else [v for _, v in cases.pairs if isinstance(v, Mapping)]
-
-
-def _are_statements(keys: tuple[str, ...]) -> bool:
-    """Is a list below these keys one of statements? In a state, in a case, or in a section of its own."""
-    return keys[-1] in STATEMENTS or (len(keys) > 1 and keys[-2] == "states")
-
-
-def _declares(keys: tuple[str, ...]) -> bool:
-    return len(keys) > 1 and keys[-2] in ("symbols", "unknowns", "coordinates")
-
-
-def _is_label(tokens: Sequence[Token], i: int, keys: tuple[str, ...]) -> bool:
-    """A state may be called by a number."""
-    beside = {tokens[i - 1].text if i else "", tokens[i + 1].text}
-    return keys[-1] == "during" or bool(beside & {"@", "->", "during", "after"}) or _declares(keys)
-
-
-def _other_unit(text: str) -> str | None:
-    try:
-        dimension = parse_unit(text).dimension
-    except UnitError:
-        return None
-    return "kg" if dimension != parse_unit("kg").dimension else "m"
-
-
-def _contrary(node: Node) -> str | None:
-    """A statement that is false where this one is true."""
-    if not isinstance(node, Scalar):
-        return None
-    if rest := re.fullmatch(r"(\w+) at rest", node.text):
-        return f"v({rest[1]}).x > 0"
-    if "mode(" in node.text:
-        return re.sub("|".join(OTHER_MODES), lambda found: OTHER_MODES[found[0]], node.text)
-    for sign, other in (("<=", ">"), (">=", "<"), ("<", ">"), (">", "<"), ("=", ">"), ("largest", "smallest")):
-        if sign in node.text:
-            return node.text.replace(sign, other)
-    return None
-
-
-def _said(node: Node) -> str:
-    match node:
-        case Scalar():
-            return node.text
-        case Mapping():
-            return "{" + ", ".join(f"{k.text}: {_said(v)}" for k, v in node.pairs) + "}"
-    return "[" + ", ".join(_said(item) for item in node.items) + "]"
-
-
-def mutated(node: Node, at: Path_, mutant: Mutant) -> Node | None:
-    """The tree with the change at a path below `node`; None: nothing is left of it."""
-    if isinstance(node, Mapping):
-        pairs = list(node.pairs)
-        key, value = pairs[at[0]]
-        if len(at) == 1 and mutant.key:
-            pairs[at[0]] = (replace(key, text=mutant.new or ""), value)
-        else:
-            rest = mutated(value, at[1:], mutant)
-            pairs[at[0] : at[0] + 1] = [] if rest is None else [(key, rest)]
-        return replace(node, pairs=tuple(pairs))
-    if isinstance(node, Scalar):
-        return None if mutant.new is None else replace(node, text=mutant.new)
-    items = list(node.items)
-    if len(at) == 1 and mutant.new is None:
-        del items[at[0]]
-    else:
-        rest = mutated(items[at[0]], at[1:], mutant)
-        items[at[0] : at[0] + 1] = [] if rest is None else [rest]
-    return replace(node, items=tuple(items)) if items else None
-
-
-# --- outcomes ---------------------------------------------------------------------------------------------------------
+GROUPS = {"statement": 0, "number": 0, "sign": 0, "name": 1, "unit": 2, "key": 2}
+"""Those of which most is learnt come first."""
+SOLVED, UNCHANGED, FAULT, UNDECIDED = "solved", "unchanged", "fault", "undecided"
+WAITING = 20
+"""A child that gets little of the processor has so many times its limit."""
+MEMORY = 2 * 1024**3
 
 
 @dataclass(frozen=True, slots=True)
@@ -297,39 +75,67 @@ class Outcome:
     page: str = ""
 
 
-def solved(task: tuple[str, Mutant | None]) -> Outcome:
-    """A file as it stands, or with one change, worked out in this process."""
-    file, mutant = task
-    _, root, wrong = nodes.read_file(file)
-    assert root is not None, wrong
+@dataclass(frozen=True, slots=True)
+class Judged:
+    """A line of the results. `digest`: of the file as it was."""
+
+    file: str
+    digest: str
+    kind: str
+    place: str
+    what: str
+    outcome: str
+    detail: str
+    seconds: float
+
+    @property
+    def key(self) -> tuple[str, ...]:
+        return self.file, self.digest, self.kind, self.place, self.what
+
+    @property
+    def offends(self) -> bool:
+        """Is it a fault, a change that nothing notices, or a refusal without a place?"""
+        return self.outcome in (UNCHANGED, FAULT) or self.detail.startswith("no place")
+
+
+# --- one mutant -------------------------------------------------------------------------------------------------------
+
+
+def read(file: str, root: nodes.Node, mutant: Mutant | None) -> Problem | Outcome:
+    """The problem of a file as it stands, or with one change; or the refusal."""
     tree = root if mutant is None else mutated(root, mutant.at, mutant)
     assert tree is not None
     report = Report()
     problem = read_problem(file, tree, report)
+    for diagnostic in check(problem):
+        report.take(diagnostic)
+    found = report.sorted()
+    return _failed("refused", found) if found else problem
+
+
+def _failed(kind: str, diagnostics: Sequence[Diagnostic]) -> Outcome:
+    place = "" if diagnostics and diagnostics[0].mark.line else "no place: "
+    return Outcome(kind, place + ", ".join(sorted({d.code for d in diagnostics})))
+
+
+def solved(problem: Problem, other_than: str | None = None) -> Outcome:
+    """A problem worked out; its page only where the answers are not `other_than` these."""
     try:
-        for diagnostic in check(problem):
-            report.take(diagnostic)
-        if found := report.sorted():
-            raise FileProblem(found)
         solution, verdicts = solve_and_compare(problem)
     except (FileProblem, NoSolution) as error:
-        kind = "refused" if isinstance(error, FileProblem) else "no solution"
-        place = "" if error.diagnostics and error.diagnostics[0].mark.line else "no place: "
-        return Outcome(kind, place + ", ".join(sorted({d.code for d in error.diagnostics})))
+        return _failed("refused" if isinstance(error, FileProblem) else "no solution", error.diagnostics)
     except Undecided as error:
-        return Outcome("undecided", str(error))
-    data = solution_data(solution, verdicts, 12, None)
+        return Outcome(UNDECIDED, str(error))
+    answers = json.dumps(solution_data(solution, verdicts, 12, None)["answers"], default=str, sort_keys=True)
+    if other_than is not None and answers != other_than:
+        return Outcome(SOLVED, "", answers)
     page = members("formats")["markdown"]().render(narrate(solution, Voice(12)))
-    answers: Any = data["answers"]
-    return Outcome("solved", "", json.dumps(answers, default=str, sort_keys=True), page)
+    return Outcome(SOLVED, "", answers, page)
 
 
-def judged(mutant: Mutant, base: Outcome, ended: Any) -> tuple[str, str]:
+def judged(mutant: Mutant, base: Outcome, outcome: Outcome) -> tuple[str, str]:
     """The outcome of a mutant in a word or two, and what more there is to say."""
-    if ended.verdict != "ok":
-        return (FAULT if ended.verdict in ("fault", "crashed") else "undecided"), str(ended.result)
-    outcome: Outcome = ended.result
-    if outcome.kind != "solved":
+    if outcome.kind != SOLVED:
         return outcome.kind, outcome.detail
     if outcome.answers != base.answers:
         return "another answer", ""
@@ -338,63 +144,203 @@ def judged(mutant: Mutant, base: Outcome, ended: Any) -> tuple[str, str]:
     return mutant.reason or UNCHANGED, ""
 
 
-def offends(outcome: str, detail: str) -> bool:
-    """Is it a fault, a change that nothing notices, or a refusal without a place?"""
-    return outcome in (UNCHANGED, FAULT) or detail.startswith("no place")
+# --- one file ---------------------------------------------------------------------------------------------------------
+
+
+class FileRun:
+    """The mutants of one file, in a process of its own."""
+
+    def __init__(self, file: str, limit: float) -> None:
+        self.file, self.limit = file, limit
+        _, root, wrong = nodes.read_file(file)
+        assert root is not None, wrong
+        self.root = root
+        self._base: Outcome | None = None
+
+    def judged(self, mutant: Mutant) -> tuple[str, str]:
+        """What came of a mutant; `undecided` also where the file itself has no solution."""
+        outcome, detail = self._judged(mutant)
+        if outcome != UNCHANGED or not mutant.contrary:
+            return outcome, detail
+        other, detail = self._judged(replace(mutant, new=mutant.contrary))
+        return (other, detail) if other in (UNCHANGED, FAULT) else ("implied", detail)
+
+    def _judged(self, mutant: Mutant) -> tuple[str, str]:
+        try:
+            problem = read(self.file, self.root, mutant)
+        except Exception as error:
+            return FAULT, f"{type(error).__name__}: {error}"
+        if isinstance(problem, Outcome):
+            return judged(mutant, problem, problem)
+        if self.base.kind != SOLVED:
+            return UNDECIDED, f"the file itself: {self.base.kind} {self.base.detail}"
+        return self._in_a_child(mutant, problem)
+
+    @property
+    def base(self) -> Outcome:
+        """The file itself, worked out as soon as a mutant is not refused; its children remember all of it."""
+        if self._base is None:
+            problem = read(self.file, self.root, None)
+            self._base = problem if isinstance(problem, Outcome) else solved(problem)
+            gc.collect()
+            gc.freeze()
+        return self._base
+
+    def _in_a_child(self, mutant: Mutant, problem: Problem) -> tuple[str, str]:
+        ours, theirs = os.pipe()
+        child = os.fork()
+        if child == 0:
+            os.close(ours)
+            _serve(theirs, problem, mutant, self.base, self.limit)
+        os.close(theirs)
+        told = b""
+        end = time.monotonic() + WAITING * self.limit
+        while select.select([ours], [], [], max(0.0, end - time.monotonic()))[0]:
+            part = os.read(ours, 1 << 16)
+            if not part:
+                break
+            told += part
+        else:
+            os.kill(child, signal.SIGKILL)
+        os.close(ours)
+        _, status = os.waitpid(child, 0)
+        if told and not status:
+            outcome: tuple[str, str] = pickle.loads(told)
+            return outcome
+        if os.WIFSIGNALED(status) and os.WTERMSIG(status) in (signal.SIGXCPU, signal.SIGKILL):
+            return UNDECIDED, f"not decided within {self.limit:g} s"
+        return FAULT, f"the process ended with status {status}"
+
+
+def _serve(pipe: int, problem: Problem, mutant: Mutant, base: Outcome, limit: float) -> None:
+    """The life of a child: one mutant, within its limits."""
+    status = 1
+    try:
+        _, most = resource.getrlimit(resource.RLIMIT_AS)
+        resource.setrlimit(resource.RLIMIT_AS, (MEMORY if most == resource.RLIM_INFINITY else min(MEMORY, most), most))
+        resource.setrlimit(resource.RLIMIT_CPU, (max(1, round(limit)), resource.RLIM_INFINITY))
+        try:
+            found = judged(mutant, base, solved(problem, base.answers))
+        except MemoryError:
+            found = UNDECIDED, "more than 2 GB of memory"
+        except Exception as error:
+            found = FAULT, f"{type(error).__name__}: {error}"
+        os.write(pipe, pickle.dumps((found[0], found[1][:4000])))
+        status = 0
+    finally:
+        os._exit(status)
+
+
+# --- all files --------------------------------------------------------------------------------------------------------
 
 
 def run(
-    files: Sequence[str], kinds: Sequence[str], sample: int | None, seed: int, jobs: int, limit: float
-) -> list[tuple[Mutant, str, str]]:
-    """Every mutant of a sample with its outcome."""
+    files: Sequence[str],
+    kinds: Sequence[str],
+    sample: int | None,
+    seed: int,
+    results: Path,
+    *,
+    jobs: int = 1,
+    limit: float = 20,
+) -> list[Judged]:
+    """Every mutant of a sample with its outcome. `results`: the file of outcomes, to which those that lack go."""
     known = [m for file in files for m in mutants(file) if m.kind in kinds]
     if sample is not None and sample < len(known):
         known = sorted(random.Random(seed).sample(known, sample), key=known.index)
-    needed = sorted({m.file for m in known})
-    ended = Supervisor(solved, jobs, 3 * limit, _unseen).run([(file, None) for file in needed])
-    base = {file: e.result for file, e in zip(needed, ended, strict=True) if e.verdict == "ok"}
-    tried = [m for m in known if m.file in base and base[m.file].kind == "solved"]
-    if left := sorted(set(needed) - {m.file for m in tried}):
-        sys.stderr.write(f"not solved within the limit, left out: {', '.join(left)}\n")
-    results = Supervisor(solved, jobs, limit, _unseen).run([(m.file, m) for m in tried])
-    found = [(m, *judged(m, base[m.file], e)) for m, e in zip(tried, results, strict=True)]
-    implied = [i for i, (m, outcome, _) in enumerate(found) if outcome == UNCHANGED and m.contrary]
-    against = [replace(found[i][0], new=found[i][0].contrary) for i in implied]
-    ends = Supervisor(solved, jobs, limit, _unseen).run([(m.file, m) for m in against])
-    for i, m, end in zip(implied, against, ends, strict=True):
-        outcome, detail = judged(m, base[m.file], end)
-        found[i] = (m, outcome, detail) if outcome in (UNCHANGED, FAULT) else (m, "implied", detail)
-    return found
+    digests = {file: hashlib.sha256(Path(file).read_bytes()).hexdigest()[:12] for file in files}
+    wanted = {(m.file, digests[m.file], m.kind, m.place, m.what): m for m in known}
+    done = {j.key for j in judged_before(results) if not j.offends}
+    left = [m for key, m in wanted.items() if key not in done]
+    _import_all()
+    running: set[int] = set()
+    for own in _tasks(left):
+        if len(running) == jobs:
+            running.discard(os.wait()[0])
+        child = os.fork()
+        if child == 0:
+            _serve_file(own, digests[own[0].file], limit, results)
+        running.add(child)
+    while running:
+        running.discard(os.wait()[0])
+    return [j for j in judged_before(results) if j.key in wanted]
 
 
-def _unseen(_done: int) -> None:
-    """Nobody looks at the progress."""
+def judged_before(results: Path) -> list[Judged]:
+    """The lines of a file of outcomes; of a mutant that was judged several times the last."""
+    lines = results.read_text(encoding="utf-8").splitlines() if results.exists() else []
+    found = {j.key: j for j in (Judged(**json.loads(line)) for line in lines)}
+    return list(found.values())
+
+
+def _tasks(left: Iterable[Mutant]) -> Iterator[list[Mutant]]:
+    """The mutants of one file and one kind after the other."""
+    groups: dict[tuple[int, str], list[Mutant]] = {}
+    for m in left:
+        groups.setdefault((GROUPS[m.kind], m.file), []).append(m)
+    yield from (groups[key] for key in sorted(groups))
+
+
+def _serve_file(own: Sequence[Mutant], digest: str, limit: float, results: Path) -> None:
+    """The life of the process of a file."""
+    try:
+        task = FileRun(own[0].file, limit)
+        with results.open("a", encoding="utf-8") as out:
+            for m in own:
+                began = time.monotonic()
+                outcome, detail = task.judged(m)
+                seconds = round(time.monotonic() - began, 3)
+                line = Judged(m.file, digest, m.kind, m.place, m.what, outcome, detail, seconds)
+                out.write(json.dumps(asdict(line)) + "\n")
+                out.flush()
+    finally:
+        os._exit(0)
+
+
+def _import_all() -> None:
+    """Children of this process need not import anything."""
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+    for module in pkgutil.walk_packages(planar_cli.__path__, "planar_cli."):
+        if not module.name.endswith("__main__"):
+            importlib.import_module(module.name)
 
 
 def main() -> None:
     """Run, count, and list the offenders."""
-    parser = argparse.ArgumentParser(description=__doc__)
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--kind", action="append", choices=KINDS, help="only these kinds of mutants")
     parser.add_argument("--files", nargs="+", default=["problems"], help="files and folders")
     parser.add_argument("--largest", type=int, default=256_000, help="leave out files of more bytes")
     parser.add_argument("--sample", type=int, help="so many mutants, drawn by the seed")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--jobs", type=int, default=2)
-    parser.add_argument("--limit", type=float, default=20, help="seconds a mutant")
+    parser.add_argument("--limit", type=float, default=20, help="seconds of processor time a mutant")
+    parser.add_argument("--results", type=Path, help="a file of outcomes, to which those that lack are added")
+    parser.add_argument("--count", action="store_true", help="count what the file of outcomes holds, run nothing")
     wanted = parser.parse_args()
     files = sorted({str(f) for p in map(Path, wanted.files) for f in ([p] if p.is_file() else p.rglob("*.yaml"))})
     files = [file for file in files if Path(file).stat().st_size <= wanted.largest]
     kinds = wanted.kind or KINDS
-    results = run(files, kinds, wanted.sample, wanted.seed, wanted.jobs, wanted.limit)
-    counts = Counter((m.kind, outcome) for m, outcome, _ in results)
+    with tempfile.TemporaryDirectory() as folder:
+        results = wanted.results or Path(folder) / "results.jsonl"
+        if wanted.count:
+            found = [j for j in judged_before(results) if j.kind in kinds]
+        else:
+            found = run(files, kinds, wanted.sample, wanted.seed, results, jobs=wanted.jobs, limit=wanted.limit)
+    told(found)
+
+
+def told(found: Sequence[Judged]) -> None:
+    """The counts by kind, and the offenders."""
+    counts = Counter((j.kind, j.outcome) for j in found)
     outcomes = sorted({outcome for _, outcome in counts})
-    print(f"{len(results)} mutants of {len({m.file for m, _, _ in results})} files")
+    print(f"{len(found)} mutants of {len({j.file for j in found})} files")
     print("".join(f"{cell:>16}" for cell in ("", *outcomes)))
-    for kind in kinds:
+    for kind in KINDS:
         print("".join(f"{cell!s:>16}" for cell in (kind, *(counts[kind, o] for o in outcomes))))
-    for mutant, outcome, detail in results:
-        if offends(outcome, detail):
-            print(f"{mutant.file}:{mutant.place} {mutant.kind} {outcome} {detail}: {mutant.what}")
+    for j in found:
+        if j.offends:
+            print(f"{j.file}:{j.place} {j.kind} {j.outcome} {j.detail}: {j.what}")
 
 
 if __name__ == "__main__":

@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 import random
+from pathlib import Path
 
+import mutants
 import mutations
 import pytest
 from conftest import ROOT
+
+from planar_cli.problem import nodes
 
 FILES = (
     "friction/crate-pulled",
@@ -19,20 +23,55 @@ FILES = (
 SAMPLE = 60
 
 
-def offenders(results: list[tuple[mutations.Mutant, str, str]]) -> list[str]:
-    return [f"{m.file}:{m.place} {m.what}: {how} {why}" for m, how, why in results if mutations.offends(how, why)]
+def offenders(results: list[mutations.Judged]) -> list[str]:
+    return [f"{j.file}:{j.place} {j.what}: {j.outcome} {j.detail}" for j in results if j.offends]
 
 
-def test_a_sample_of_mutants() -> None:
+def test_a_sample_of_mutants(tmp_path: Path) -> None:
     files = [str(ROOT / "problems" / f"{name}.yaml") for name in FILES]
-    results = mutations.run(files, mutations.KINDS, SAMPLE, 1, 1, 60)
-    assert len(results) == SAMPLE
-    assert offenders(results) == []
+    results = tmp_path / "results.jsonl"
+    judged = mutations.run(files, mutants.KINDS, SAMPLE, 1, results)
+    assert len(judged) == SAMPLE
+    assert offenders(judged) == []
+
+
+def test_a_run_goes_on_where_it_broke_off(tmp_path: Path) -> None:
+    results = tmp_path / "results.jsonl"
+    files = [str(ROOT / "problems" / f"{FILES[0]}.yaml")]
+    whole = mutations.run(files, ["unit", "name"], None, 1, results)
+    lines = results.read_text().splitlines()
+    offender = lines[0].replace('"outcome": "refused"', '"outcome": "fault"')
+    results.write_text("\n".join([offender, *lines[1:-1]]) + "\n")
+    again = mutations.run(files, ["unit", "name"], None, 1, results)
+    assert {(j.key, j.outcome) for j in again} == {(j.key, j.outcome) for j in whole}
+    # One that was left and one that offended were judged, no other.
+    assert len(results.read_text().splitlines()) == len(lines) + 1
+
+
+def test_what_comes_of_a_child(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A fault is told with its name, one that takes too long is killed."""
+    file = str(ROOT / "problems" / f"{FILES[0]}.yaml")
+    (mutant, *_) = [m for m in mutants.mutants(file) if m.kind == "number"]
+    task = mutations.FileRun(file, 1)
+    assert task.base.kind == mutations.SOLVED
+
+    def fails(*_: object) -> mutations.Outcome:
+        raise KeyError("x")
+
+    monkeypatch.setattr(mutations, "solved", fails)
+    assert task.judged(mutant) == (mutations.FAULT, "KeyError: 'x'")
+
+    def never_ends(*_: object) -> mutations.Outcome:
+        while True:
+            pass
+
+    monkeypatch.setattr(mutations, "solved", never_ends)
+    assert task.judged(mutant)[0] == mutations.UNDECIDED
 
 
 def test_every_kind_of_change_is_made() -> None:
-    made = [m for name in FILES for m in mutations.mutants(str(ROOT / "problems" / f"{name}.yaml"))]
-    assert {m.kind for m in made} == set(mutations.KINDS)
+    made = [m for name in FILES for m in mutants.mutants(str(ROOT / "problems" / f"{name}.yaml"))]
+    assert {m.kind for m in made} == set(mutants.KINDS)
     assert all(m.new != "" and m.what for m in made)
 
 
@@ -54,16 +93,19 @@ FAULTS = {
 def test_mutants_that_ended_in_a_fault(where: str) -> None:
     name, _, place = where.partition(":")
     file, (what, codes) = str(ROOT / "problems" / name), FAULTS[where]
-    (mutant,) = [m for m in mutations.mutants(file) if m.place == place and what in m.what]
-    outcome = mutations.solved((file, mutant))
+    (mutant,) = [m for m in mutants.mutants(file) if m.place == place and what in m.what]
+    _, root, _ = nodes.read_file(file)
+    assert root is not None
+    read = mutations.read(file, root, mutant)
+    outcome = read if isinstance(read, mutations.Outcome) else mutations.solved(read)
     assert outcome.kind in ("refused", "no solution")
     assert outcome.detail == codes
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", range(4))
-def test_more_mutants(seed: int) -> None:
+def test_more_mutants(seed: int, tmp_path: Path) -> None:
     files = sorted(str(p) for p in (ROOT / "problems").rglob("*.yaml") if p.stat().st_size < 1200)
-    results = mutations.run(random.Random(seed).sample(files, 40), mutations.KINDS, 200, seed, 2, 60)
-    faults = [r for r in results if r[1] == mutations.FAULT]
-    assert offenders(faults) == []
+    some, results = random.Random(seed).sample(files, 40), tmp_path / "results.jsonl"
+    judged = mutations.run(some, mutants.KINDS, 200, seed, results, jobs=2, limit=60)
+    assert offenders([j for j in judged if j.outcome == mutations.FAULT]) == []

@@ -1,0 +1,248 @@
+"""Mutants of problem files: one statement, number, sign, key, unit or name is changed at a time."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+
+from planar_cli.problem import nodes
+from planar_cli.problem.nodes import Mapping, Node, Scalar
+from planar_cli.problem.tokens import ParseError, Token, tokenize
+from planar_cli.problem.words import QUANTITIES
+from planar_cli.units import UnitError, parse_unit
+
+Path_ = tuple[int, ...]
+"""Where a node is: by the numbers of the children (of a mapping: of its pairs) from the root."""
+
+KINDS = ("statement", "number", "sign", "key", "unit", "name")
+TEXTS = frozenset(("title", "text", "source", "note", "tolerance", "variants", "figure", "method"))
+"""What is only told, or what tells how to solve; names and the figures of answers are no part of the mechanics."""
+STATEMENTS = frozenset(("motion", "instant", "assume", "joints", "loads", "relaxed_at"))
+NAMED = frozenset(("given", "symbols", "unknowns", "coordinates", "points", "surfaces", "bodies", "states"))
+SIZES = frozenset("particle rod disk ring sphere sector plate center radius hub width height points".split())
+OTHER_MODES = {"stick": "slip", "slip": "stick", "taut": "slack", "slack": "taut", "apart": "stick", "tip": "stick"}
+A_NAME = "a name"
+OFF = "1.07"
+
+
+@dataclass(frozen=True, slots=True)
+class Mutant:
+    """One change of one file: `at` the node, `new` the text in its place (None: the node goes), `key`: of its key."""
+
+    file: str
+    kind: str
+    at: Path_
+    key: bool
+    new: str | None
+    place: str
+    what: str
+    reason: str = ""
+    """Why its page may be that of the file: one of the words above; "": there is none."""
+    contrary: str | None = None
+    """What says the contrary of the statement that goes: a statement that follows from others is checked by them."""
+
+
+def mutants(file: str) -> list[Mutant]:
+    """All mutants of a file, in its order."""
+    _, root, wrong = nodes.read_file(file)
+    assert isinstance(root, Mapping), wrong
+    return list(_Walk(file, root).mutants())
+
+
+class _Walk:
+    """All nodes of a file, with the keys that lead to them."""
+
+    def __init__(self, file: str, root: Mapping) -> None:
+        self.file, self.root = file, root
+        self.names: dict[str, list[str]] = {}
+        self.uses: dict[str, set[str]] = {}
+        """Where each name of `given` is used: "drawn", "given:name" or something else."""
+        self._note(root, ())
+        for section in (root, *_cases(root)):
+            for key, value in section.pairs:
+                if key.text in NAMED and isinstance(value, Mapping):
+                    known = self.names.setdefault(key.text, [])
+                    known.extend(name for name in _keys(value) if name not in known)
+
+    def _note(self, node: Node, keys: tuple[str, ...]) -> None:
+        """Gather where names are used."""
+        if isinstance(node, Mapping):
+            for key, value in node.pairs:
+                self._note(value, (*keys, key.text))
+        elif isinstance(node, Scalar):
+            own = keys[2:] if keys[:1] == ("cases",) else keys
+            if not own or own[0] in TEXTS | {"answers"}:
+                return
+            use = f"given:{own[1]}" if own[0] == "given" and len(own) > 1 else _reason(keys) or own[0]
+            for word in re.findall(r"[A-Za-z]\w*", node.text):
+                self.uses.setdefault(word, set()).add(use)
+        else:
+            for item in node.items:
+                self._note(item, keys)
+
+    def only_drawn(self, name: str, above: frozenset[str] = frozenset()) -> bool:
+        """Is a name used for places and sizes alone, itself or by way of other names?"""
+        uses = self.uses.get(name, set())
+        further = {use.removeprefix("given:") for use in uses if use.startswith("given:")} - above
+        rest = {use for use in uses if not use.startswith("given:")}
+        return rest <= {"drawn"} and all(self.only_drawn(other, above | {name}) for other in further)
+
+    def mutants(self) -> Iterator[Mutant]:
+        yield from self._inside(self.root, (), ())
+
+    def _inside(self, node: Node, at: Path_, keys: tuple[str, ...]) -> Iterator[Mutant]:
+        if isinstance(node, Scalar):
+            if not node.quoted or keys[:1] != ("answers",):
+                yield from self._scalar(node, at, keys)
+        elif isinstance(node, Mapping):
+            for i, (key, value) in enumerate(node.pairs):
+                if key.text in TEXTS and (not keys or keys[0] == "cases"):
+                    continue
+                place = f"{key.mark.line}:{key.mark.column}"
+                name = key.text + key.text[-1]
+                reason = A_NAME if keys and keys[-1] in NAMED | {"find", "cases"} else ""
+                yield Mutant(self.file, "key", (*at, i), True, name, place, f"{key.text} -> {name}", reason)
+                yield from self._inside(value, (*at, i), (*keys, key.text))
+        else:
+            for i, item in enumerate(node.items):
+                if _are_statements(keys):
+                    place = f"{item.mark.line}:{item.mark.column}"
+                    what, other = f"without {_said(item)}", _contrary(item)
+                    reason = _reason((*keys, ""))
+                    yield Mutant(self.file, "statement", (*at, i), False, None, place, what, reason, other)
+                yield from self._inside(item, (*at, i), keys)
+
+    def _scalar(self, node: Scalar, at: Path_, keys: tuple[str, ...]) -> Iterator[Mutant]:
+        try:
+            tokens = tokenize(node.text, node.mark)
+        except ParseError:
+            return
+        if keys[:1] == ("answers",) or keys[0] in TEXTS:
+            return
+        for i, token in enumerate(tokens):
+            for kind, new, start in self._changed(tokens, i, node, keys):
+                text = node.text[:start] + new + node.text[token.end :]
+                place = f"{node.mark.line}:{node.mark.column + node.quoted + token.start}"
+                # A bound rejects what lies beyond it, and may do so wherever it stands on this side.
+                other = _contrary(node) if "<" in node.text or ">" in node.text.replace("->", "") else None
+                if kind == "name" and other is None and _are_statements(keys):
+                    # The new statement may say the same in other words.
+                    other = _contrary(replace(node, text=text))
+                reason = _reason(keys) or self._reason_of(kind, keys, node.text, start)
+                yield Mutant(self.file, kind, at, False, text, place, f"{node.text} -> {text}", reason, other)
+
+    def _reason_of(self, kind: str, keys: tuple[str, ...], text: str, start: int) -> str:
+        """Why a number may change nothing, by what its name is for or by how it stands there."""
+        own = keys[2:] if keys[0] == "cases" else keys
+        if own[0] == "given" and len(own) > 1 and self.only_drawn(own[1]):
+            return "drawn"
+        if kind == "sign" and (own[-1] == "along" or re.search(r"cos\([^()]*(\([^()]*)?$", text[:start])):
+            return "even"
+        return ""
+
+    def _changed(
+        self, tokens: Sequence[Token], i: int, node: Scalar, keys: tuple[str, ...]
+    ) -> Iterator[tuple[str, str, int]]:
+        """Kind of change, what stands instead of token `i`, and from where on it stands there."""
+        token, before = tokens[i], tokens[i - 1] if i else None
+        if token.kind == "number" and not _is_label(tokens, i, keys) and float(token.text):
+            yield "number", f"{float(token.text) * float(OFF):.6g}", token.start
+            if not (before and before.text == "^"):
+                yield "sign", f"(-{token.text})" if before else f"-{token.text}", token.start
+        if token.kind != "name":
+            return
+        unit = (before and (before.kind == "number" or before.text in (")", "in"))) or _declares(keys)
+        if unit and token.text not in ("is", "at", "just") and (other := _other_unit(token.text)):
+            yield "unit", other, token.start
+            return
+        if tokens[i + 1].text == "(" and token.text in QUANTITIES:
+            return
+        for names in self.names.values():
+            if token.text in names and len(names) > 1:
+                yield "name", names[(names.index(token.text) + 1) % len(names)], token.start
+
+
+def _reason(keys: tuple[str, ...]) -> str:
+    """Why a number or name below these keys may change nothing."""
+    own = keys[2:] if keys[0] == "cases" else keys
+    if own[:1] in (("points",), ("surfaces",)) or own[-1] in SIZES:
+        return "drawn"
+    return {"find": "asked", "assume": "assumed"}.get(own[0], "")
+
+
+def _keys(node: Mapping) -> list[str]:
+    return [key.text for key, _ in node.pairs]
+
+
+def _cases(root: Mapping) -> list[Mapping]:
+    cases = root.get("cases")
+    return [] if not isinstance(cases, Mapping) else [v for _, v in cases.pairs if isinstance(v, Mapping)]
+
+
+def _are_statements(keys: tuple[str, ...]) -> bool:
+    """Is a list below these keys one of statements? In a state, in a case, or in a section of its own."""
+    return keys[-1] in STATEMENTS or (len(keys) > 1 and keys[-2] == "states")
+
+
+def _declares(keys: tuple[str, ...]) -> bool:
+    return len(keys) > 1 and keys[-2] in ("symbols", "unknowns", "coordinates")
+
+
+def _is_label(tokens: Sequence[Token], i: int, keys: tuple[str, ...]) -> bool:
+    """A state may be called by a number."""
+    beside = {tokens[i - 1].text if i else "", tokens[i + 1].text}
+    return keys[-1] == "during" or bool(beside & {"@", "->", "during", "after"}) or _declares(keys)
+
+
+def _other_unit(text: str) -> str | None:
+    try:
+        dimension = parse_unit(text).dimension
+    except UnitError:
+        return None
+    return "kg" if dimension != parse_unit("kg").dimension else "m"
+
+
+def _contrary(node: Node) -> str | None:
+    """A statement that is false where this one is true."""
+    if not isinstance(node, Scalar):
+        return None
+    if rest := re.fullmatch(r"(\w+) at rest", node.text):
+        return f"v({rest[1]}).x > 0"
+    if "mode(" in node.text:
+        return re.sub("|".join(OTHER_MODES), lambda found: OTHER_MODES[found[0]], node.text)
+    for sign, other in (("<=", ">"), (">=", "<"), ("<", ">"), (">", "<"), ("=", ">"), ("largest", "smallest")):
+        if sign in node.text:
+            return node.text.replace(sign, other)
+    return None
+
+
+def _said(node: Node) -> str:
+    match node:
+        case Scalar():
+            return node.text
+        case Mapping():
+            return "{" + ", ".join(f"{k.text}: {_said(v)}" for k, v in node.pairs) + "}"
+    return "[" + ", ".join(_said(item) for item in node.items) + "]"
+
+
+def mutated(node: Node, at: Path_, mutant: Mutant) -> Node | None:
+    """The tree with the change at a path below `node`; None: nothing is left of it."""
+    if isinstance(node, Mapping):
+        pairs = list(node.pairs)
+        key, value = pairs[at[0]]
+        if len(at) == 1 and mutant.key:
+            pairs[at[0]] = (replace(key, text=mutant.new or ""), value)
+        else:
+            rest = mutated(value, at[1:], mutant)
+            pairs[at[0] : at[0] + 1] = [] if rest is None else [(key, rest)]
+        return replace(node, pairs=tuple(pairs))
+    if isinstance(node, Scalar):
+        return None if mutant.new is None else replace(node, text=mutant.new)
+    items = list(node.items)
+    if len(at) == 1 and mutant.new is None:
+        del items[at[0]]
+    else:
+        rest = mutated(items[at[0]], at[1:], mutant)
+        items[at[0] : at[0] + 1] = [] if rest is None else [rest]
+    return replace(node, items=tuple(items)) if items else None
