@@ -6,6 +6,9 @@ import pytest
 from conftest import ROOT
 from worked import worked
 
+from planar_cli.formats.terminal import Terminal
+from planar_cli.homework.checking import solve_and_compare
+from planar_cli.problem.structure import load_text
 from planar_cli.report.blocks import Equation, Math
 from planar_cli.report.narrate import narrate, phrases_of
 from planar_cli.report.notation import plain
@@ -31,3 +34,33 @@ def test_an_equation_is_not_its_own_solution() -> None:
         b for b in lines if len(b.sides) > 2 and isinstance(b.sides[0], Math) and plain(b.sides[0].expr) == "v_G,2"
     ]
     assert [b.number for b in closed] == [None]
+
+
+TRACK = """
+title: Car on a circular track, whose acceleration grows with its speed
+symbols: {R: m, b: m/s^2, c: m/s^2}
+assume: [c > b]
+points: {O: [0, 0], C: [R, 0]}
+surfaces: {track: {center: O, radius: R}}
+bodies: {car: {particle: C}}
+joints:
+  - guide: {point: C, along: track}
+motion: [a(car).across(C/O) = b]
+states:
+  start: [t = 0, at rest]
+  then: [a(car).mag = c]
+find: {t_c: t @ then, v_c: v(car).mag @ then, s_c: path_length(car) @ start->then}
+answers: {t_c: (R^2*(c^2 - b^2))^(1/4)/b, v_c: (R^2*(c^2 - b^2))^(1/4), s_c: R*sqrt(c^2 - b^2)/(2*b)}
+"""
+
+
+def test_a_power_of_the_unknown() -> None:
+    """v^4/R^2 = c^2 - b^2: a root in letters, and no datum of the file."""
+    problem, wrong = load_text(TRACK)
+    assert problem is not None, wrong
+    _, verdicts = solve_and_compare(problem)
+    assert [v.agrees for v in verdicts] == [True] * 3
+    numbers = TRACK.replace("symbols: {R: m, b: m/s^2, c: m/s^2}", "given: {R: 90 m, b: 2 m/s^2, c: 2.5 m/s^2}")
+    problem, wrong = load_text(numbers.partition("answers")[0])
+    assert problem is not None, wrong
+    assert "given: v_C,then" not in Terminal(110).render(narrate(solve_and_compare(problem)[0]))

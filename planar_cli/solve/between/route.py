@@ -313,7 +313,7 @@ class Router:
         else:
             results = self._by_squares(pool, left) or [Result(x, None, self.value(x)) for x in derivation.unknowns]
         datum = len(derivation.equations) == 1 and derivation.equations[0].kind in DATA and not derivation.needs
-        return DerivedStep(derivation, tuple(results), datum)
+        return DerivedStep(derivation, tuple(results), datum and not _is_high(derivation))
 
     def _by_squares(self, pool: list[sp.Expr], left: list[sp.Symbol]) -> list[Result]:
         """Two equations in letters from which the square of one unknown goes; empty: it does not."""
@@ -348,6 +348,12 @@ class Router:
         taken = next((r for r in roots if abs(r.value - truth) <= near), None)
         formula = None if taken is None else taken.expression
         return Result(x, formula, truth, tuple(roots))
+
+
+def _is_high(derivation: Derivation) -> bool:
+    """Is it of more than a square? Then it is not what the file says of its unknown, but follows from that."""
+    residual, x = derivation.equations[0].residual, derivation.unknowns[0]
+    return bool(residual.is_polynomial(x)) and sp.degree(residual, x) > 2
 
 
 def _square(residual: sp.Expr, x: sp.Symbol) -> tuple[sp.Expr, sp.Expr] | None:

@@ -27,7 +27,7 @@ TINY = Decimal("1e-25")
 EDGE_STEPS = 40
 KEPT = 2_000
 """So many polynomials are remembered: what lies on several branches of a motion is solved on each."""
-_SINE, _COSINE = sp.Dummy("s"), sp.Dummy("c")
+_SINE, _COSINE, _POWER = sp.Dummy("s"), sp.Dummy("c"), sp.Dummy("p")
 
 
 @record
@@ -102,7 +102,7 @@ def _distinct(roots: list[Root], angle: bool) -> list[Root]:
 
 
 def _closed(numerator: sp.Expr, x: sp.Symbol, value: Valuation) -> list[sp.Expr]:
-    """Closed forms: linear, quadratic, a pure power, or A cos x + B sin x = C."""
+    """Closed forms: linear, quadratic, the same in a power of x, or A cos x + B sin x = C."""
     if numerator.is_polynomial(x):
         terms = [(m, c) for m, c in _powers(numerator, x) if c.is_number or not value.vanishes(c)]
         if not terms:
@@ -123,7 +123,9 @@ def _closed(numerator: sp.Expr, x: sp.Symbol, value: Valuation) -> list[sp.Expr]
             a, b, c = by[2], by.get(1, sp.S.Zero), by.get(0, sp.S.Zero)
             root = sp.sqrt(b**2 - 4 * a * c)
             return [*zero, (-b + root) / (2 * a), (-b - root) / (2 * a)]
-        return []
+        step = math.gcd(*by)
+        power = sp.Add(*(c * _POWER ** (m // step) for m, c in terms)) if step > 1 else sp.S.Zero
+        return [*zero, *(r for base in _closed(power, _POWER, value) for r in _of_power(base, step, value))]
     flat = _in_sine_and_cosine(numerator, x)
     if flat.has(x):
         return _of_one_angle(numerator, x, value)
@@ -144,6 +146,15 @@ def _closed(numerator: sp.Expr, x: sp.Symbol, value: Valuation) -> list[sp.Expr]
         return [first, -first]
     lead, swing = sp.atan2(b, a), sp.acos(-k / sp.sqrt(a**2 + b**2))
     return [lead + swing, lead - swing]
+
+
+def _of_power(base: sp.Expr, degree: int, value: Valuation) -> list[sp.Expr]:
+    """The real x whose power of that degree is `base`."""
+    size = _real(base, value)
+    if size is None or (degree % 2 == 0 and size < 0):
+        return []
+    root = sp.root(-base, degree) if size < 0 else sp.root(base, degree)
+    return [root, -root] if degree % 2 == 0 else [-root if size < 0 else root]
 
 
 @lru_cache(maxsize=KEPT)
