@@ -408,3 +408,39 @@ def test_critical_damping() -> None:
     m, k = sp.symbols("m k", positive=True)
     assert letters is not None
     assert sp.simplify(letters[0] - 2 * sp.sqrt(k * m)) == 0
+
+
+def test_no_coefficient_that_is_surely_negative() -> None:
+    """Where c = 2 √(k m) is excluded, c = -2 √(k m) is no answer, in letters either."""
+    with pytest.raises(NoSolution, match="no position of equilibrium"):
+        solve(CLOSER.format(known="symbols: {m: kg, k: N/m}\nassume: [c < sqrt(k*m)]"))
+
+
+HINGED_BAR = """
+title: Hinged bar that just does not oscillate
+plane: vertical
+symbols: {m: kg, L: m, k: N/m, h: m}
+unknowns: {l_0: m, c: N*s/m}
+coordinates: {theta: rad}
+points:
+  A: [0, 0]
+  B: {from: A, distance: L, angle: theta}
+  D: {midpoint: [A, B]}
+  S: [L, h]
+  E: [L/2, -h]
+bodies: {AB: {rod: [A, B], mass: m, points: [D]}}
+joints:
+  - pin: {at: A, between: [ground, AB]}
+loads:
+  - spring: {between: [S, B], stiffness: k, natural_length: l_0}
+  - damper: {between: [E, D], coefficient: c}
+states: {rest: [equilibrium, theta = 0, frequency(rest) = 0]}
+find: {c: c}
+"""
+
+
+def test_a_stated_place_is_put_into_the_period_before_it_is_solved() -> None:
+    """m L²/3 θ̈ + c L²/4 θ̇ + k L² θ = 0; in a general position this has roots of roots that no one can expand."""
+    (c,) = solve(HINGED_BAR)["c"].expressions or ()
+    k, m = sp.symbols("k m", positive=True)
+    assert sp.simplify(c - 8 * sp.sqrt(k * m / 3)) == 0

@@ -205,6 +205,7 @@ def _branches(
     natural = course.natural(unknowns)
     chain = Chain(unknowns, {}, dict.fromkeys(angles), base, symbolic, possible, natural=natural)
     found = [b for b in chain.branches(equations) if not b.left]
+    found = [b for b in found if not any(s in b.formulas and b.formulas[s].is_negative for s in sizes)]
     proper = [b for b in found if all(b.values.get(s, Decimal(0)) >= 0 for s in sizes)]
     # With letters the signs are those of their draws: they only tell one root from another.
     found = proper or (found if course.problem.symbols else [])

@@ -10,16 +10,18 @@ stability. SI units.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Container, Iterable, Iterator, Mapping
 from dataclasses import replace
+from typing import Any
 
 import mpmath
 import sympy as sp
 
 from planar_cli.equation.exact import DIGITS, Sample, Unvalued, Valuation
+from planar_cli.equation.form import Nonlinear, linear_form
 from planar_cli.equation.plain import derivative, identically_zero, simplified
 from planar_cli.errors import Diagnostic, FileProblem, Mark, NoSolution, NoValue, Undecided
-from planar_cli.problem.expression import Quantity
+from planar_cli.problem.expression import Quantity, Statement
 from planar_cli.problem.walk import walk
 from planar_cli.records import record
 from planar_cli.solve.between.trace import Verdict
@@ -69,8 +71,10 @@ class Oscillation:
         return sp.sqrt(self.square) / (2 * sp.pi)
 
 
-def linearised(regime: Regime, stop: Stop) -> Oscillation:
-    """The equations of motion of a regime, linearised about an equilibrium. FileProblem: there is nothing to swing."""
+def linearised(regime: Regime, stop: Stop, places: Mapping[sp.Symbol, sp.Expr]) -> Oscillation:
+    """The equations of motion of a regime, linearised about an equilibrium. `places`: coordinates that are known there.
+    FileProblem: there is nothing to swing.
+    """
     speeds = regime.free
     if not speeds:
         text = f"state {stop.name}: nothing is free to move, so nothing can oscillate"
@@ -84,7 +88,7 @@ def linearised(regime: Regime, stop: Stop) -> Oscillation:
 
     def at_rest(expr: sp.Expr) -> sp.Expr:
         # Places are put in before anything is simplified: there most terms vanish.
-        return stop.at(expr.xreplace(still))
+        return stop.at(expr.xreplace({**still, **places}))
 
     stiffness = [[at_rest(-_slope(law, u, rates)) for u in speeds] for law in laws]
     damping = [[at_rest(-derivative(law, u)) for u in speeds] for law in laws]
@@ -96,6 +100,25 @@ def linearised(regime: Regime, stop: Stop) -> Oscillation:
 
     own = tuple(speeds[j] for j in kept), tuple(laws[j] for j in kept)
     return Oscillation(stop, regime, *own, of_kept(stiffness), of_kept(damping))
+
+
+def _stated_places(
+    regime: Regime, raw: Iterable[tuple[Statement, tuple[Any, ...]]], known: Container[sp.Symbol]
+) -> dict[sp.Symbol, sp.Expr]:
+    """The coordinates that relations of a state tell one by one. `raw`: the relations in the general position."""
+    own = {c.symbol for c in regime.coordinates}
+    told: dict[sp.Symbol, sp.Expr] = {}
+    for _, parts in raw:
+        try:
+            form = linear_form(parts[1], own) if parts[0] == "=" else None
+        except Nonlinear:
+            continue
+        if form is None or len(form.terms) != 1:
+            continue
+        ((coordinate, factor),) = form.terms.items()
+        if factor.is_number and all(s in known for s in form.constant.free_symbols):
+            told.setdefault(coordinate, -form.constant / factor)
+    return told
 
 
 def _turns_only(regime: Regime, u: sp.Symbol) -> bool:
@@ -124,8 +147,12 @@ def _demand_steady(law: sp.Expr, drift: dict[sp.Symbol, sp.Expr], regime: Regime
 # --- quantities about states -----------------------------------------------------------------------------------------
 
 
-def oscillations_asked(course: RegimeSequence) -> dict[str, Oscillation]:
-    """The oscillations that period(s), frequency(s) or stable(s) ask about, by state."""
+def oscillations_asked(
+    course: RegimeSequence, raw: Mapping[str, Iterable[tuple[Statement, tuple[Any, ...]]]]
+) -> dict[str, Oscillation]:
+    """The oscillations that period(s), frequency(s) or stable(s) ask about, by state. `raw`: what the equilibrium
+    states say, in the general position.
+    """
     found: dict[str, Oscillation] = {}
     for q in _asked(course):
         name = q.things[0]
@@ -133,7 +160,8 @@ def oscillations_asked(course: RegimeSequence) -> dict[str, Oscillation]:
             text = f"{q.word}({name}): state {name} is no equilibrium"
             raise FileProblem([Diagnostic(q.mark, "PL631", text, f"write `{name}: [equilibrium, …]` in `states`")])
         if name not in found:
-            found[name] = linearised(course.readers[name].regime, course.stops[name])
+            regime, known = course.readers[name].regime, course.given().values
+            found[name] = linearised(regime, course.stops[name], _stated_places(regime, raw[name], known))
     return found
 
 

@@ -95,7 +95,7 @@ def stated_motion(motion: RegimeSequence) -> StatedMotion:
     placed = {s.name: readers[s.name].demands(stops[s.name], always[s.name]) for s in states}
     blows = _blows(motion, placed)
     between.close(motion.regimes)
-    swings = oscillations_asked(motion)
+    swings = oscillations_asked(motion, beside)
     motion.told.update(periods(motion, swings))
     if spanned:
         tell_spans(motion, spanned, blows, raw)
