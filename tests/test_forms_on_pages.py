@@ -1,6 +1,10 @@
-"""Forms of formulas as a person writes them: minus signs inside differences, times between two states."""
+"""Forms of formulas as a person writes them: minus signs inside differences, times between two states; which unknown
+is carried through the others; what an extreme rests on.
+"""
 
 from __future__ import annotations
+
+import re
 
 import pytest
 import sympy as sp
@@ -10,6 +14,7 @@ from planar_cli.problem.structure import load_text
 from planar_cli.report.durations import over_durations
 from planar_cli.report.narrate import narrate
 from planar_cli.report.notation import plain
+from planar_cli.solve.instant.pivots import easiest
 from planar_cli.solve.run import solve_problem
 
 NAMES = m, g, k, mu, v, x, phi = sp.symbols("m g k mu v x phi")
@@ -57,10 +62,66 @@ find: {t: t @ 2, v: v(P).y @ 2, later: t @ 3, x: x(P) @ 3 - x(P) @ 2}
 """
 
 
-def test_a_root_is_left_out_by_what_rules_it_out() -> None:
-    problem, _ = load_text(THROWN)
+def page_of(text: str) -> str:
+    problem, _ = load_text(text)
     assert problem is not None
-    page = Terminal(width=110).render(narrate(solve_problem(problem)))
+    return Terminal(width=110).render(narrate(solve_problem(problem)))
+
+
+def test_a_root_is_left_out_by_what_rules_it_out() -> None:
+    page = page_of(THROWN)
     assert "the positive root, as t_2 > 0" in page
     assert "the negative root, as it moves downward there" in page
     assert "not -" not in page
+
+
+def test_what_others_are_divided_by_least_is_carried() -> None:
+    a, alpha, length = sp.symbols("a alpha l")
+    relation, moments = a - length * alpha * sp.sin(phi), m * a * length * sp.sin(phi) + m * alpha - g
+    found = easiest([relation, moments], [alpha, a], [a])
+    assert (found.unknowns, found.letters, found.equations) == ((a, alpha), (alpha,), (0, 1))
+
+
+YO_YO = """
+title: Disk that unwinds from a cord
+plane: vertical
+given: {m: 2 kg, r: 0.1 m}
+points: {G: [0, 0], T: [r, 0], H: [r, 1 m]}
+bodies: {disk: {disk: G, radius: r, mass: m}}
+joints:
+  - rope: {path: [H, T on disk], name: cord}
+instant: [at rest]
+find: {a: a(G).y, T: tension(cord)}
+"""
+
+
+def test_an_equation_that_gives_an_unknown_is_put_into_the_next() -> None:
+    page = page_of(YO_YO)
+    assert re.search(r"\(1\) in \(\d\): +α = ", page)
+    assert "together" not in page
+
+
+HAULED = """
+title: Least force on a floor
+plane: vertical
+symbols: {m: kg, mu: 1}
+unknowns: {P: N, alpha: deg}
+points: {C: [0, 0]}
+surfaces: {floor: {through: C, angle: 0 deg}}
+bodies: {crate: {particle: C, mass: m}}
+joints:
+  - contact: {between: [crate, floor], at: C, mu: mu}
+loads:
+  - force: {body: crate, magnitude: P, angle: alpha}
+instant: [v(crate).x > 0, a(crate).x = 0, P is smallest]
+find: {alpha: alpha}
+"""
+
+
+def test_an_extreme_stands_behind_the_equations_that_it_rests_on() -> None:
+    page = page_of(HAULED)
+    assert "Kinematic analysis" not in page
+    assert "Newton's second law." in page
+    sums, extreme = page.index("ΣF_x"), page.index("its derivative with respect to α is zero:")
+    assert sums < extreme < page.index("Solving the equations")
+    assert re.search(r"\(3\)  μ cos α - sin α = 0", page)

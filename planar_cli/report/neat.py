@@ -81,7 +81,8 @@ class Neat:
         sums = set(_sums(term))
         if not sums and not any(isinstance(p, sp.Abs) for p in sp.preorder_traversal(term)):
             return term
-        flat = simplified(term) if any(map(_is_nested, sums)) else term
+        nested = any(map(_is_nested, sums)) or any(map(_holds_fraction, _below(term)))
+        flat = simplified(term) if nested else term
         forms = dict.fromkeys((term, flat, *(self._put_together(f) for f in {flat: 0, term: 0})))
         return min(forms, key=self._effort) if len(forms) > 1 else term
 
@@ -237,6 +238,17 @@ def _is_nested(total: sp.Expr) -> bool:
     """Does a sum stand under a fraction stroke inside a sum?"""
     parts = sp.preorder_traversal(total)
     return any(p.is_Pow and p.base.is_Add and p.exp.is_Integer and p.exp.is_negative for p in parts)
+
+
+def _below(term: sp.Expr) -> Iterator[sp.Expr]:
+    """The sums by which a term is divided."""
+    return (f.base for f in sp.Mul.make_args(term) if f.is_Pow and f.exp == -1 and f.base.is_Add)
+
+
+def _holds_fraction(total: sp.Expr) -> bool:
+    """Is a term of a sum divided by letters?"""
+    factors = (f for t in total.args for f in sp.Mul.make_args(t))
+    return any(f.is_Pow and f.exp.is_Integer and f.exp.is_negative for f in factors)
 
 
 def _square_root(total: sp.Expr) -> sp.Expr | None:

@@ -14,6 +14,7 @@ from planar_cli.report.in_numbers import Sides, in_numbers, solved_for
 from planar_cli.report.page_units import coherent_unit
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.algebra import Line as SolvedLine
+from planar_cli.solve.instant.algebra import SolvedBlock
 from planar_cli.solve.instant.stages import Stage
 from planar_cli.solve.instant.written import Explicit, Written
 from planar_cli.units import ACCELERATION, ENERGY, FORCE, VELOCITY, Dimension, pretty_unit
@@ -107,6 +108,22 @@ class NumericTelling:
             return []
         found = solved_for(x.symbol, (left, right), unknowns, self.phrases)
         return [] if found is None else [found]
+
+    def inserted(self, block: SolvedBlock, stage: Stage) -> tuple[Printed, list[Math]] | None:
+        """The last equation of a block when the others are put into it, in its one letter; and the numbers that give
+        this. None: there are more letters, or numbers alone do not tell it.
+        """
+        if len(block.letters) != 1 or self.phrases.symbolic:
+            return None
+        (letter,), w = block.letters, block.equations[-1]
+        formulas = {x.symbol: x.formula for x in block.lines if x.letters}
+        explicit = {s: e for s, e in stage.algebra.explicit.items() if e.free_symbols & stage.algebra.unknowns}
+        left, right = (s.xreplace(explicit).xreplace(formulas) / self._length(w) for s in (w.left, w.right))
+        found = in_numbers(left, right, (letter,), self.phrases, self._dimension(w, stage), apart=True)
+        solved = solved_for(letter, (left, right), (letter,), self.phrases)
+        if found is None or solved is None:
+            return None
+        return ((found.left, found.right), _unit_note(found, self.phrases)), [solved]
 
     @staticmethod
     def _data(stage: Stage) -> set[sp.Symbol]:

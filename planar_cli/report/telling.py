@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
 
 import sympy as sp
 
@@ -12,23 +11,24 @@ from planar_cli.report.actions import moment_words, perpendicular
 from planar_cli.report.asked import AskedTelling
 from planar_cli.report.assumed import assumption_notes
 from planar_cli.report.at_rest import speeds_matter
-from planar_cli.report.blocks import Block, Equation, Heading, Line, Math, Name, Paragraph, line
+from planar_cli.report.blocks import Block, Equation, Heading, Line, Name, Paragraph, line
 from planar_cli.report.forces import centre_of, force_rows
 from planar_cli.report.geometry import constructed, places
 from planar_cli.report.inertias import by_size
 from planar_cli.report.names import GREEK
 from planar_cli.report.numeric import NumericTelling, vanishing
-from planar_cli.report.results import numbered, other_roots
+from planar_cli.report.solving import SolvingTelling, is_given, is_written
 from planar_cli.report.spoken import spoken
 from planar_cli.report.vectors import VectorTelling
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.algebra import Line as SolvedLine
-from planar_cli.solve.instant.algebra import SolvedBlock
 from planar_cli.solve.instant.stages import Stage
 from planar_cli.solve.instant.used import used_blocks
 from planar_cli.solve.instant.written import Explicit, Written
 from planar_cli.solve.solution import InstantSolution
 
+OF_FORCES = ("limit", "extreme")
+"""Relations of these sources rest on the equations of forces."""
 LONG_FORMULA = 16
 """A named intermediate with a longer formula is given by its value alone, except in a lesson."""
 
@@ -57,14 +57,12 @@ class Telling:
         self.principle = instant.instant.principle
         self._numbers: dict[tuple[int, int], int] = {}
         self._premised: set[str] = set()
-        self._merged: set[tuple[int, int]] = set()
         self._constructed = {} if phrases.symbolic else constructed(self.scene, self.stages)
-        self._valued: set[sp.Symbol] = set()
-        self._together: dict[sp.Symbol, tuple[int, ...]] = {}
         nothing = {z for s in self.stages for z in vanishing(s)}
         self.vectors = VectorTelling(instant.trial, phrases, nothing, instant.open_speeds)
         self.asked = AskedTelling(instant, phrases, self.vectors)
         self.numeric = NumericTelling(phrases, self.stages)
+        self.solving = SolvingTelling(instant, phrases, self.numeric, self.number)
 
     def number(self, stage: Stage, own: int) -> int:
         """The printed number of an equation or line of a stage."""
@@ -93,10 +91,13 @@ class Telling:
             blocks.append(self._step("Kinetic analysis", self.principle.diagram))
             blocks += force_rows(self.instant, last, self.phrases, self.principle.inertia_as_force)
             blocks += self._definitions("kg")
-            blocks += self._equations([w for b in last.blocks for w in b.equations if w.law != "relation"], last)
-        if last is not None and any(not self._is_given(b) for b in last.blocks):
-            blocks.append(self._step("Solving the equations", self._count(last)))
-            blocks += self._solving(last)
+            written = [w for b in last.blocks for w in b.equations]
+            blocks += self._equations([w for w in written if w.source == "limit"], last)
+            blocks += self._equations([w for w in written if w.law != "relation"], last)
+            blocks += self._equations([w for w in written if w.source == "extreme"], last)
+        if last is not None and any(not is_given(b) for b in last.blocks):
+            blocks.append(self._step("Solving the equations", self.solving.count(last)))
+            blocks += self.solving.blocks(last)
         return blocks
 
     def _centres(self, stage: Stage) -> Iterator[Block]:
@@ -134,7 +135,7 @@ class Telling:
                 hidden = longer(expr, LONG_FORMULA) and self.audience == "exam" and not self.phrases.symbolic
                 if hidden and any(symbol in symbols for symbols in self._constructed.values()):
                     continue
-                sides = (self.phrases.math(symbol), value) if hidden else self._chain(symbol, expr, value)
+                sides = (self.phrases.math(symbol), value) if hidden else self.solving.chain(symbol, expr, value)
                 if sized := by_size(symbol, self.scene, self.phrases, not self.phrases.symbolic):
                     sides = (sides[0], *sized, *(() if self.phrases.symbolic else (value,)))
                 blocks.append(Equation(sides, None, line(ledger.titles[symbol] + ":")))
@@ -158,19 +159,6 @@ class Telling:
         turning = (b for b in w.bodies if accelerations[b].angular not in (0, *vanishing(stage)))
         return {s for b in turning for s in sp.sympify(self.scene.bodies[b].inertia).free_symbols}
 
-    def _chain(self, symbol: sp.Symbol, expr: sp.Expr, value: Any) -> tuple[Any, ...]:
-        """symbol = formula = numbers = value."""
-        sides: list[Any] = [self.phrases.math(symbol)]
-        if not expr.is_number and self.numeric.readable(expr):
-            sides.append(self.phrases.math(expr))
-            if not expr.is_Symbol:
-                sides += self.phrases.substituted(expr, value)
-        if not self.phrases.symbolic:
-            sides.append(value)
-        elif expr.is_number:
-            sides.append(self.phrases.math(expr))
-        return tuple(sides)
-
     def _kinematics(self, stages: list[Stage], last: Stage | None, kinetic: bool) -> list[Block]:
         blocks: list[Block] = []
         trial = self.instant.trial
@@ -182,10 +170,14 @@ class Telling:
             if written:
                 blocks.append(Paragraph(line("Velocities:")))
                 blocks += self._equations(written, stage)
-                blocks += self._solving(stage)
+                blocks += self.solving.blocks(stage)
         if last is None:
             return blocks
         relations = [w for b in last.blocks for w in b.equations if w.law == "relation"]
+        if kinetic:
+            relations = [w for w in relations if w.source not in OF_FORCES]
+        extremes = [w for w in relations if w.source == "extreme"]
+        relations = [*(w for w in relations if w.source != "extreme"), *extremes]
         if relations and stages:
             blocks.append(Paragraph(line("Accelerations:")))
         blocks += self._equations(relations, last)
@@ -237,8 +229,10 @@ class Telling:
             words = [*self.asked.coriolis(*frame), *words]
         line_of = next((x for b in stage.blocks for x in b.lines if x.equations == (w.number,)), None)
         if line_of is not None and not self.numeric.put_whole(w, stage) and self._solves_itself(w, line_of, stage):
-            self._merged.add((id(stage.algebra), w.number))
-            chain = self._chain(line_of.symbol, line_of.formula, self.phrases.shown(line_of.symbol, line_of.value))
+            self.solving.merged.add((id(stage.algebra), w.number))
+            chain = self.solving.chain(
+                line_of.symbol, line_of.formula, self.phrases.shown(line_of.symbol, line_of.value)
+            )
             return [*words, Equation(chain, number)]
         turned = all(e.could_extract_minus_sign() for e in (w.left, w.right))
         sides, note = self.numeric.sides(w, stage, (-w.left, -w.right) if turned else (w.left, w.right))
@@ -246,9 +240,7 @@ class Telling:
 
     def _solves_itself(self, w: Written, found: SolvedLine, stage: Stage) -> bool:
         """Does a relation already stand as unknown = formula, all of which is known by then?"""
-        solved = (found.symbol, self.phrases.neat(found.formula))
-        either = (self.phrases.writer.sides(s * w.left, s * w.right) for s in (1, -1))
-        if found.letters or solved not in either:
+        if found.letters or not is_written(w, found, self.phrases):
             return False
         return not (found.formula.free_symbols & stage.algebra.unknowns) and self.numeric.readable(found.formula)
 
@@ -275,7 +267,7 @@ class Telling:
     def _relation_words(self, w: Written) -> str:
         if w.source == "given":
             return f"Given: {w.words or w.lead}"
-        if w.source == "limit":
+        if w.source in OF_FORCES:
             return f"{_begun(w.lead)}:"
         if w.source == "closure":
             joint = next((j for j in self.system.tree.closures if j.joint == w.lead), None)
@@ -288,96 +280,6 @@ class Telling:
                 return f"{joint.place} is a point of {joint.mover} and of {base}; {w.words}:"
         words = w.words.removeprefix(w.lead).removeprefix(", ")
         return f"{_begun(w.lead)}{', ' + words if words and w.source != 'row' else ''}:"
-
-    # --- step 3 ------------------------------------------------------------------------------------------------------
-
-    @staticmethod
-    def _is_given(block: SolvedBlock) -> bool:
-        """Is the block nothing but a datum of the file?"""
-        return all(w.given for w in block.equations)
-
-    def _count(self, stage: Stage) -> Line:
-        blocks = [b for b in stage.blocks if not self._is_given(b)]
-        equations = sum(len(b.equations) for b in blocks)
-        unknowns = [u for b in blocks for u in b.unknowns]
-        parts: list[Any] = [
-            f"{equations} equation{'s' if equations != 1 else ''}, "
-            f"{len(unknowns)} unknown{'s' if len(unknowns) != 1 else ''}: ",
-        ]
-        for i, u in enumerate(unknowns):
-            parts += [", " if i else "", Math(u)]
-        return line(*parts)
-
-    def _solving(self, stage: Stage) -> list[Block]:
-        return [x for block in stage.blocks if not self._is_given(block) for x in self._block(block, stage)]
-
-    def _block(self, block: SolvedBlock, stage: Stage) -> list[Block]:
-        blocks: list[Block] = []
-        lines = block.lines
-        if any(not self.numeric.readable(x.formula) for x in lines) or self._in_numbers(block, stage):
-            blocks = self._put_in(block, stage)
-            lines = tuple(x for x in lines if not x.letters)
-            if len(block.unknowns) > 1:
-                self._name_together(block, lines, stage)
-        elif len(block.unknowns) > 1:
-            numbers = ", ".join(f"({self.number(stage, w.number)})" for w in block.equations)
-            parts: list[Any] = [f"{numbers} together"]
-            if block.letters:
-                parts.append(", in terms of ")
-                for i, s in enumerate(block.letters):
-                    parts += [", " if i else "", Math(s)]
-            blocks.append(Paragraph(line(*parts, ":")))
-        merged = {n for algebra, n in self._merged if algebra == id(stage.algebra)}
-        return [*blocks, *(b for x in lines if not merged >= set(x.equations) for b in self._line(x, stage))]
-
-    def _name_together(self, block: SolvedBlock, lines: tuple[SolvedLine, ...], stage: Stage) -> None:
-        """The first result of several equations bears the numbers of all; so does one that its own does not hold."""
-        numbers = tuple(w.number for w in block.equations)
-        held = {w.number: w.residual.xreplace(stage.algebra.explicit).free_symbols for w in block.equations}
-        for i, x in enumerate(lines):
-            if i == 0 or not any(x.symbol in held.get(n, ()) for n in x.equations):
-                self._together[x.symbol] = numbers
-
-    def _in_numbers(self, block: SolvedBlock, stage: Stage) -> bool:
-        return any(self.numeric.put_whole(w, stage) for w in block.equations)
-
-    def _put_in(self, block: SolvedBlock, stage: Stage) -> list[Block]:
-        """The equations of a block with the numbers put in, those that were not printed so."""
-        found: list[Block] = []
-        for w in block.equations:
-            equation = self.numeric.put_in(w, stage, block.unknowns)
-            if equation is not None:
-                sides, note = equation
-                found.append(Equation(sides, None, line(f"({self.number(stage, w.number)}) in numbers:"), note))
-        return found
-
-    def _line(self, x: SolvedLine, stage: Stage) -> list[Block]:
-        numbers = x.equations
-        if x.symbol in self._together:
-            numbers = tuple(dict.fromkeys((*x.equations, *self._together[x.symbol])))
-        lead = line(numbered([self.number(stage, n) for n in numbers]) + ":")
-        if x.letters:
-            return [Equation((self.phrases.math(x.symbol), self.phrases.math(x.formula)), None, lead)]
-        shown = self.phrases.shown(x.symbol, x.value)
-        put = any(
-            w.number in x.equations and self.numeric.put_whole(w, stage) for b in stage.blocks for w in b.equations
-        )
-        sides = self._chain(x.symbol, x.formula, shown)
-        if put:
-            sides = (self.phrases.math(x.symbol), *self.numeric.solution(x, stage), shown)
-        return [
-            *(() if put else self._values_of(sides, x, stage)),
-            Equation(sides, None, lead),
-            *other_roots(self.instant, x, self.phrases),
-        ]
-
-    def _values_of(self, sides: tuple[Any, ...], x: SolvedLine, stage: Stage) -> Iterator[Block]:
-        """The values of named accelerations that are put into a formula, those that were not told before."""
-        if self.phrases.symbolic or len(sides) < 3:
-            return
-        for symbol in sorted(x.formula.free_symbols & set(stage.algebra.explicit) - self._valued, key=lambda s: s.name):
-            self._valued.add(symbol)
-            yield Equation(self._chain(symbol, stage.algebra.explicit[symbol], self.phrases.shown(symbol)))
 
 
 def _begun(words: str) -> str:

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import sympy as sp
 
 from planar_cli.errors import Diagnostic, NoSolution
-from planar_cli.solve.instant.stationary_point import eliminated
+from planar_cli.solve.instant.stationary_point import eliminated, unchanged
 from planar_cli.solve.regimes.equations import Equation
 
 PLAIN = ("given", "drawn", "start", "turn", "motion", "link", "loop", "handed", "q(t)", "v(t)")
@@ -30,8 +30,7 @@ def stationary(
         text = f"{like.words}: no equation bounds it, only inequalities may"
         hint = "state the limit itself: `N(P) = 0` where contact is just kept, `v(P).mag = 0` where it just arrives"
         raise NoSolution([Diagnostic(like.mark, "PL623", text, hint)])
-    free = ", ".join(x.name for x in letters if x in kept and "__" not in x.name)
-    change = f"does not change with a small change of {free}" if free else "is stationary"
-    words = f"{like.words}, so it {change}"
+    free = [x.name for x in letters if x in kept and "__" not in x.name]
+    words = f"{like.words}, so {unchanged(free)}"
     found = [Equation(p, "link", "what is left when the others are put in", like.stop) for p in related]
     return [*found, Equation(condition, "extreme", words, like.stop, mark=like.mark)]

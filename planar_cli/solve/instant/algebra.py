@@ -16,6 +16,7 @@ from planar_cli.equation.factoring import factored
 from planar_cli.equation.form import Nonlinear, linear_form
 from planar_cli.equation.plain import longer, tidy
 from planar_cli.records import record
+from planar_cli.solve.instant.pivots import easiest
 from planar_cli.solve.instant.plan import Block
 from planar_cli.solve.instant.written import Written
 
@@ -25,8 +26,8 @@ FEW_LETTERS = 5
 """With so few letters the exact coefficients of a block stay short enough to be written out."""
 MOST_FORMULAS = 3
 """So many numeric equations at most are solved together in formulas; more of them in numbers."""
-SHORT = 6
-"""A coefficient of at most so many operations stays a formula while a block is solved."""
+SHORT, LONGER = 6, 14
+"""A coefficient of at most so many operations stays a formula while a block is solved; where there is one letter."""
 
 
 @record
@@ -79,7 +80,10 @@ class Algebra:
         if len(order) == 1:
             lines = [self._single(written[0], order[0])]
         else:
-            lines = self._together([self.in_unknowns(w, order) for w in written], written, order, letters)
+            residuals = [self.in_unknowns(w, order) for w in written]
+            easy = easiest(residuals, order, letters)
+            written, order, letters = tuple(written[i] for i in easy.equations), easy.unknowns, easy.letters
+            lines = self._together([residuals[i] for i in easy.equations], written, order, letters)
         for line in lines:
             if not line.letters:
                 self.value = (
@@ -173,9 +177,11 @@ class Algebra:
                 return self._by_names(residuals, written, order, letters)
         lines: list[Line] = []
         inside: dict[sp.Symbol, sp.Expr] = {}
+        own: dict[sp.Symbol, sp.Expr] = {}
         chained = order[: len(order) - len(letters)]
         for residual, equation, x in zip(residuals, written, chained, strict=False):
             formula = self._in_letters(self._solve_for(residual.xreplace(inside), x), letters)
+            own[x] = self._solve_for(residual, x) if residual.free_symbols & inside.keys() else formula
             inside[x] = formula
             lines.append(
                 Line(x, formula, None, (equation.number,), tuple(s for s in letters if s in formula.free_symbols))
@@ -185,15 +191,11 @@ class Algebra:
         numbers = tuple(e.number for e in written[len(chained) :])
         found = [Line(s, solved[s], self.value(solved[s]), numbers) for s in letters]
         self.value = self.value.extended({x.symbol: x.value for x in found if x.value is not None})
-        back = [
-            Line(
-                x.symbol,
-                tidy(x.formula.xreplace(solved)) if self.symbolic else x.formula,
-                self.value(x.formula),
-                x.equations,
-            )
-            for x in lines
-        ]
+        back = []
+        for x in lines:
+            number = self.value(x.formula)
+            self.value = self.value.extended({x.symbol: number})
+            back.append(Line(x.symbol, own[x.symbol], number, x.equations))
         return [*[x for x in lines if x.letters], *found, *back]
 
     def _in_letters(self, expr: sp.Expr, letters: tuple[sp.Symbol, ...]) -> sp.Expr:
@@ -202,7 +204,8 @@ class Algebra:
         if self.symbolic:
             return sp.Add(tidy(form.constant), *(tidy(c) * x for x, c in form.terms.items()))
         whole = [tidy(e) for e in (form.constant, *form.terms.values())]
-        short = all(not longer(e, SHORT) for e in whole)
+        most = LONGER if len(letters) == 1 else SHORT
+        short = all(not longer(e, most) for e in whole)
         constant, *coefficients = whole if short else [self._plain(e) for e in whole]
         return sp.Add(constant, *(c * x for c, x in zip(coefficients, form.terms, strict=True)))
 

@@ -21,7 +21,7 @@ from planar_cli.errors import NoValue, Undecided
 from planar_cli.problem.expression import Extreme
 from planar_cli.records import record
 from planar_cli.solve.instant.seeker import Seeker, Sought
-from planar_cli.solve.instant.stationary_point import eliminated
+from planar_cli.solve.instant.stationary_point import eliminated, unchanged
 
 
 @record
@@ -97,12 +97,13 @@ def stationary_of(seeker: Seeker, extreme: Extreme, side: sp.Expr) -> Stationary
     except Undecided:
         return None
     factors = [f for f in sp.Mul.make_args(factored(condition)) if f.free_symbols & set(letters)]
+    factors = [f for f in factors if not (f.is_Pow and f.exp.is_negative)]
     slope = sp.Mul(*factors)
     if not slope.free_symbols & sought:
         return None
-    free = ", ".join(z.name for z in letters if z in sought)
-    words = f"{extreme.text}, so it does not change with a small change of {free}"
-    found = Condition("limit", words, slope, mark=extreme.mark)
+    free = [z.name for z in letters if z in sought]
+    words = f"{extreme.text}, so {unchanged(free)}"
+    found = Condition("extreme", words, slope, mark=extreme.mark)
     return Stationary(found, slope, tuple(related), objective, tuple(letters))
 
 

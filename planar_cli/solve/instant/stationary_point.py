@@ -6,7 +6,7 @@ of the slopes of the equations left and of the quantity, taken for the unknowns 
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 import sympy as sp
 
@@ -18,6 +18,13 @@ from planar_cli.errors import Undecided
 
 MOST = 4
 LONGEST = 400
+
+
+def unchanged(free: Sequence[str]) -> str:
+    """What an extreme means for the unknowns on which it depends."""
+    if len(free) == 1:
+        return f"its derivative with respect to {free[0]} is zero"
+    return f"it does not change with a small change of {', '.join(free)}" if free else "it is stationary"
 
 
 def eliminated(

@@ -1,0 +1,188 @@
+"""The last step of an instant: what the equations give, one unknown after the other."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.report.blocks import Block, Equation, Line, Math, Paragraph, line
+from planar_cli.report.numeric import NumericTelling
+from planar_cli.report.results import numbered, other_roots
+from planar_cli.report.words import Phrases
+from planar_cli.solve.instant.algebra import Line as SolvedLine
+from planar_cli.solve.instant.algebra import SolvedBlock
+from planar_cli.solve.instant.stages import Stage
+from planar_cli.solve.instant.written import Written
+from planar_cli.solve.solution import InstantSolution
+
+
+class SolvingTelling:
+    """Tells how the unknowns of a stage follow. `number`: the printed number of an equation or line of a stage;
+    `merged`: equations that were told together with their solution, by algebra and number.
+    """
+
+    def __init__(
+        self,
+        instant: InstantSolution,
+        phrases: Phrases,
+        numeric: NumericTelling,
+        number: Callable[[Stage, int], int],
+    ) -> None:
+        self.instant, self.phrases, self.numeric, self.number = instant, phrases, numeric, number
+        self.merged: set[tuple[int, int]] = set()
+        self._valued: set[sp.Symbol] = set()
+        self._together: dict[sp.Symbol, tuple[int, ...]] = {}
+        self._inserted: dict[sp.Symbol, tuple[int, ...]] = {}
+
+    def chain(self, symbol: sp.Symbol, expr: sp.Expr, value: Any) -> tuple[Any, ...]:
+        """symbol = formula = numbers = value."""
+        sides: list[Any] = [self.phrases.math(symbol)]
+        if not expr.is_number and self.numeric.readable(expr):
+            sides.append(self.phrases.math(expr))
+            if not expr.is_Symbol:
+                sides += self.phrases.substituted(expr, value)
+        if not self.phrases.symbolic:
+            sides.append(value)
+        elif expr.is_number:
+            sides.append(self.phrases.math(expr))
+        return tuple(sides)
+
+    def count(self, stage: Stage) -> Line:
+        """How many equations there are, and which unknowns."""
+        blocks = [b for b in stage.blocks if not is_given(b)]
+        equations = sum(len(b.equations) for b in blocks)
+        unknowns = [u for b in blocks for u in b.unknowns]
+        parts: list[Any] = [
+            f"{equations} equation{'s' if equations != 1 else ''}, "
+            f"{len(unknowns)} unknown{'s' if len(unknowns) != 1 else ''}: ",
+        ]
+        for i, u in enumerate(unknowns):
+            parts += [", " if i else "", Math(u)]
+        return line(*parts)
+
+    def blocks(self, stage: Stage) -> list[Block]:
+        """The lines that give the unknowns of a stage, one after the other."""
+        return [x for block in stage.blocks if not is_given(block) for x in self._block(block, stage)]
+
+    def _block(self, block: SolvedBlock, stage: Stage) -> list[Block]:
+        blocks: list[Block] = []
+        lines = [x for x in block.lines if x.letters or not self._is_repeated(x, block)]
+        if any(not self.numeric.readable(x.formula) for x in lines) or self._in_numbers(block, stage):
+            blocks = self._put_in(block, stage)
+            lines = [x for x in lines if not x.letters]
+            if len(block.unknowns) > 1:
+                self._name_together(block, lines, stage)
+                if inserted := self._last_in_numbers(block, stage):
+                    blocks += inserted
+                    lines = [x for x in lines if x.symbol not in block.letters]
+        elif self._put_into(block):
+            lines = [x for x in lines if not x.letters]
+        elif len(block.unknowns) > 1:
+            numbers = ", ".join(f"({self.number(stage, w.number)})" for w in block.equations)
+            parts: list[Any] = [f"{numbers} together"]
+            if block.letters:
+                parts.append(", in terms of ")
+                for i, s in enumerate(block.letters):
+                    parts += [", " if i else "", Math(s)]
+            blocks.append(Paragraph(line(*parts, ":")))
+        merged = {n for algebra, n in self.merged if algebra == id(stage.algebra)}
+        return [*blocks, *(b for x in lines if not merged >= set(x.equations) for b in self._line(x, stage))]
+
+    def _is_repeated(self, x: SolvedLine, block: SolvedBlock) -> bool:
+        """Does a result without numbers stand as a line, or as an equation, before?"""
+        if not self.phrases.symbolic or x.letters:
+            return False
+        if any(y.letters and (y.symbol, y.formula) == (x.symbol, x.formula) for y in block.lines):
+            return True
+        own = [w for w in block.equations if w.number in x.equations]
+        return len(block.unknowns) > 1 and any(is_written(w, x, self.phrases) for w in own)
+
+    def _last_in_numbers(self, block: SolvedBlock, stage: Stage) -> list[Block]:
+        """The one letter of a block from its last equation, into which the others are put."""
+        found = self.numeric.inserted(block, stage)
+        if found is None:
+            return []
+        (sides, note), solved = found
+        (x,) = (x for x in block.lines if x.symbol in block.letters)
+        *put, last = (self.number(stage, w.number) for w in block.equations)
+        lead = line(f"{numbered(put)} in ({last}):")
+        value = self.phrases.shown(x.symbol, x.value)
+        return [Equation(sides, None, lead, note), Equation((self.phrases.math(x.symbol), *solved, value))]
+
+    def _put_into(self, block: SolvedBlock) -> bool:
+        """Do the lines in letters all stand already as equations, so that they are put into the last ones?"""
+        written = {w.number: w for w in block.equations}
+        carried = [x for x in block.lines if x.letters]
+        if not all(x.equations and is_written(written[x.equations[0]], x, self.phrases) for x in carried):
+            return False
+        if carried:
+            result = next(x for x in block.lines if x.symbol in block.letters)
+            self._inserted[result.symbol] = tuple(x.equations[0] for x in carried)
+        return bool(carried)
+
+    def _name_together(self, block: SolvedBlock, lines: Sequence[SolvedLine], stage: Stage) -> None:
+        """The first result of several equations bears the numbers of all; so does one that its own does not hold."""
+        numbers = tuple(w.number for w in block.equations)
+        held = {w.number: w.residual.xreplace(stage.algebra.explicit).free_symbols for w in block.equations}
+        for i, x in enumerate(lines):
+            if i == 0 or not any(x.symbol in held.get(n, ()) for n in x.equations):
+                self._together[x.symbol] = numbers
+
+    def _in_numbers(self, block: SolvedBlock, stage: Stage) -> bool:
+        return any(self.numeric.put_whole(w, stage) for w in block.equations)
+
+    def _put_in(self, block: SolvedBlock, stage: Stage) -> list[Block]:
+        """The equations of a block with the numbers put in, those that were not printed so."""
+        found: list[Block] = []
+        for w in block.equations:
+            bare = w.residual.free_symbols <= stage.algebra.unknowns
+            equation = None if bare else self.numeric.put_in(w, stage, block.unknowns)
+            if equation is not None:
+                sides, note = equation
+                found.append(Equation(sides, None, line(f"({self.number(stage, w.number)}) in numbers:"), note))
+        return found
+
+    def _line(self, x: SolvedLine, stage: Stage) -> list[Block]:
+        numbers = x.equations
+        if x.symbol in self._together:
+            numbers = tuple(dict.fromkeys((*x.equations, *self._together[x.symbol])))
+        lead = line(numbered([self.number(stage, n) for n in numbers]) + ":")
+        if x.symbol in self._inserted:
+            inserted = numbered([self.number(stage, n) for n in self._inserted[x.symbol]])
+            lead = line(f"{inserted} in ", *lead)
+        if x.letters:
+            return [Equation((self.phrases.math(x.symbol), self.phrases.math(x.formula)), None, lead)]
+        shown = self.phrases.shown(x.symbol, x.value)
+        put = any(
+            w.number in x.equations and self.numeric.put_whole(w, stage) for b in stage.blocks for w in b.equations
+        )
+        sides = self.chain(x.symbol, x.formula, shown)
+        if put:
+            sides = (self.phrases.math(x.symbol), *self.numeric.solution(x, stage), shown)
+        return [
+            *(() if put else self._values_of(sides, x, stage)),
+            Equation(sides, None, lead),
+            *other_roots(self.instant, x, self.phrases),
+        ]
+
+    def _values_of(self, sides: tuple[Any, ...], x: SolvedLine, stage: Stage) -> Iterator[Block]:
+        """The values of named accelerations that are put into a formula, those that were not told before."""
+        if self.phrases.symbolic or len(sides) < 3:
+            return
+        for symbol in sorted(x.formula.free_symbols & set(stage.algebra.explicit) - self._valued, key=lambda s: s.name):
+            self._valued.add(symbol)
+            yield Equation(self.chain(symbol, stage.algebra.explicit[symbol], self.phrases.shown(symbol)))
+
+
+def is_given(block: SolvedBlock) -> bool:
+    """Is the block nothing but a datum of the file?"""
+    return all(w.given for w in block.equations)
+
+
+def is_written(w: Written, found: SolvedLine, phrases: Phrases) -> bool:
+    """Does an equation stand as unknown = formula?"""
+    solved = (found.symbol, phrases.neat(found.formula))
+    either = [phrases.writer.sides(s * w.left, s * w.right) for s in (1, -1)]
+    return any(solved in (sides, sides[::-1]) for sides in either)
