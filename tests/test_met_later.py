@@ -217,3 +217,60 @@ def test_a_rod_that_is_drawn_along_the_normal_strikes_with_its_side_once_it_has_
     w = arriving * (1 - 1.2 * 0.6) / 2.2
     v = 0.9 * (w + 0.6 * arriving)
     assert found == pytest.approx({"w": w, "d": v * v / (2 * 0.3 * G)})
+
+
+LOCKED = """
+title: Collar that slides out on a turning rod, is locked to it and goes round with it
+plane: horizontal
+points: {O: [0, 0], E: [1 m, 0], P: [0.2 m, 0]}
+bodies: {rod: {rod: [O, E], mass: 3 kg}, collar: {particle: P, mass: 1 kg}}
+joints:
+  - pin: {at: O, between: [ground, rod]}
+  - guide: {point: P, along: rod}
+  - weld: {at: P, between: [rod, collar], during: 2->4}
+loads:
+  - torque: {body: rod, moment: 2 N*m, during: 3->4}
+states:
+  1: [t = 0, omega(rod) = 6 rad/s, v(P/rod).mag = 0]
+  2: [r(P).mag = 0.8 m]
+  3: [just after 2]
+  4: [theta(rod) - theta(rod) @ 3 = 2 rad]
+find: {w: omega(rod) @ 3, end: omega(rod) @ 4, r: r(P).mag @ 4}
+"""
+
+
+@pytest.mark.parametrize("joint", ["weld", "pin"])
+def test_what_is_caught_on_a_moving_body_stays_where_it_was_then(joint: str) -> None:
+    """I + m r² goes from 1.04 to 1.64 kg m², and stays."""
+    w = 6 * 1.04 / 1.64
+    expected = {"w": w, "end": math.sqrt(w * w + 2 * 2 * 2 / 1.64), "r": 0.8}
+    assert _in_both(LOCKED.replace("weld", joint)) == pytest.approx(expected)
+
+
+CARRIER = """
+title: Block that strikes the end of the wagon on which it slides
+plane: vertical
+points: {B: [0, 0], E: [0.5 m, 0], G: [-0.5 m, -0.1 m]}
+surfaces:
+  deck: {through: B, angle: 0 deg, body: wagon}
+  stop: {through: E, angle: 90 deg, body: wagon}
+bodies:
+  block: {particle: B, mass: 3 kg}
+  wagon: {plate: G, width: 2 m, height: 0.2 m, mass: 30 kg, points: [E]}
+joints:
+  - guide: {body: wagon, along: 0 deg}
+  - contact: {between: [block, deck], mu: 0.2}
+  - impact: {between: [block, stop], restitution: 0.4, during: 1->2}
+states: {1: [x(block) = x(E)], 2: [just after 1], 3: [v(block/wagon).x = 0]}
+find: {v: v(block).x @ 2, u: v(wagon).x @ 2, d: x(E) @ 3 - x(block) @ 3}
+"""
+
+
+def test_what_strikes_an_edge_far_from_the_mass_centre_of_the_body_that_carries_it() -> None:
+    """(u' - v') = e (v - u); then the relative speed is braked by μ g (1 + m/M)."""
+    text = CARRIER.replace("states: {1", "states: {0: [t = 0, wagon at rest, v(block).x = 5 m/s], 1")
+    braking = 0.2 * G * 1.1
+    coming = math.sqrt(25 - 2 * braking * 0.5)
+    u = (15 + 3 * 0.4 * coming) / 33
+    expected = {"v": u - 0.4 * coming, "u": u, "d": (0.4 * coming) ** 2 / (2 * braking)}
+    assert _in_both(text) == pytest.approx(expected)

@@ -208,11 +208,14 @@ def _side(scene: Scene, a: Partner, b: Partner, normal: Vec, point: Vec) -> int:
         # With a coordinate of the file either may come from either side.
         told = scene.displacement is None or not sp.sympify(reach).free_symbols & {*scene.ledger.coordinates}
         return scene.sign(reach) if told else 0
-    for partner, other, sense in ((b, a, 1), (a, b, -1)):
+    pairs = ((b, a, 1), (a, b, -1))
+    for partner, other, sense in pairs:
         if partner.particle and partner.center is not None and other.line is not None:
             side = sign((partner.center - other.line[0]).dot(normal)) * sense
             if side:
                 return side
+    # A surface may lie anywhere on the body that carries it: what strikes it tells first.
+    for partner, _, sense in sorted(pairs, key=lambda pair: pair[0].name in scene.surfaces):
         if partner.body == GROUND:
             continue
         center = partner.center or scene.center(partner.body)

@@ -9,12 +9,32 @@ from typing import Any
 
 from planar_cli.problem.facts import Outline, center_of
 from planar_cli.problem.geometry import Vec
+from planar_cli.problem.outlines import Span
 from planar_cli.problem.residuals import Poses, Residual
+from planar_cli.problem.scene import GROUND
+from planar_cli.problem.setting import Setting
 
 
 def together(title: str, a: str, b: str, place: Vec) -> Residual:
     """The material points of two bodies that are drawn at one place stay together."""
     return Residual(title, lambda poses: poses.point(a, place) - poses.point(b, place))
+
+
+def joined(scene: Setting, title: str, during: Span, a: str, b: str, place: Vec, owner: str) -> Residual:
+    """A point stays where two bodies have it. A joint that acts for some time may catch it elsewhere than where it is
+    drawn: then the other body keeps it where it was when that began. `owner`: the body that the point belongs to.
+    """
+    other = a if owner == b else b
+    if during is None or owner not in (a, b) or other == GROUND or not scene.rigid(other):
+        return together(title, a, b, place)
+
+    axis = scene.direction(other)
+
+    def seen(poses: Poses) -> Vec:
+        reach, along = poses.point(owner, place) - poses.point(other, place), poses.direction(other, axis)
+        return Vec(poses.change(reach.dot(along)), poses.change(reach.dot(along.turned())))
+
+    return Residual(title, seen)
 
 
 def same_turn(title: str, a: str, b: str) -> Residual:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
-from planar_cli.joints._outline_residuals import same_turn, together
+from planar_cli.joints._outline_residuals import joined, same_turn
 from planar_cli.joints.base import Joint
 from planar_cli.problem.expression import Side
 from planar_cli.problem.facts import Facts, Joining, Law, Mode, Push, Row, Test, opposed
@@ -102,7 +102,10 @@ class Pin(Joint):
     def residuals(self, scene: Setting, mode: Mode) -> tuple[Residual, ...]:
         first, *others = (scene.carrier(b) for b in self.between)
         place = scene.point(self.at)
-        found = tuple(together(f"{self.name}: place on {first} and {b}", first, b, place) for b in others)
+        owner = scene.owner(self.at)
+        found = tuple(
+            joined(scene, f"{self.name}: place on {first} and {b}", self.during, first, b, place, owner) for b in others
+        )
         if mode.name != "stick":
             return found
         return (*found, *(same_turn(f"{self.name}: angle of {first} and {b}", first, b) for b in others))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
-from planar_cli.joints._outline_residuals import same_turn, together
+from planar_cli.joints._outline_residuals import joined, same_turn
 from planar_cli.joints.base import Joint
 from planar_cli.problem.facts import Facts, Joining, Mode, Push, opposed
 from planar_cli.problem.geometry import Vec
@@ -76,7 +76,7 @@ class Weld(Joint):
 
     def residuals(self, scene: Setting, mode: Mode) -> tuple[Residual, ...]:
         a, b = (scene.carrier(p) for p in self.between)
-        found = (together(f"{self.name}: place", a, b, scene.point(self.at)),)
+        found = (joined(scene, f"{self.name}: place", self.during, a, b, scene.point(self.at), scene.owner(self.at)),)
         if not (scene.rigid(a) and scene.rigid(b)):
             return found
         return (*found, same_turn(f"{self.name}: angle", a, b))

@@ -13,7 +13,7 @@ What can happen in a blow
   a joint's `during`   a joint that starts at the state before the blow takes hold of parts that move: a bullet that
                        stays in a block (`weld: {…, during: 1->3}`), a rod caught at its end (`pin: {at: A, between:
                        [ground, rod], during: 2->4}`), a rope that jerks taut, wheels that are suddenly geared
-                       (`rolling`). A ground pin catches the point where it is then. A joint that ends lets go
+                       (`rolling`). A pin or weld catches the point where it is then. A joint that ends lets go
   everything else      pins, guides, rolling, ropes and contacts that hold answer with impulses of their own. A contact
                        or a rope gives none by which it would pull or push: it parts, or goes slack. Friction of a
                        contact is at most mu times its normal impulse. Weights, springs and other finite forces have
