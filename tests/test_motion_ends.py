@@ -159,3 +159,27 @@ def test_a_resistance_that_does_not_vanish_at_rest_leads_to_rest_and_no_further(
     assert outcome.refused
     assert "does not vanish at rest" in outcome.words
     assert outcome.t == pytest.approx(2.0, rel=1e-8)
+
+
+KNOT = """\
+title: A knot without mass between two springs, both relaxed
+plane: vertical
+points: {U: [0, 0.6 m], J: [0, 0.3 m], P: [0, 0]}
+bodies: {knot: {particle: J}, block: {particle: P, mass: 5 kg}}
+joints:
+  - guide: {point: J, along: 90 deg}
+  - guide: {point: P, along: 90 deg}
+loads:
+  - spring: {between: [J, U], stiffness: 2 kN/m, natural_length: 0.3 m}
+  - spring: {between: [J, P], stiffness: 2 kN/m, natural_length: 0.3 m}
+instant: [at rest]
+"""
+
+
+def test_a_body_without_mass_that_loads_begin_to_drive(tmp_path: Path) -> None:
+    """Nothing drives it where the motion begins; it is no support, and stays nowhere."""
+    scene = tmp_path / "scene.yaml"
+    scene.write_text(KNOT, encoding="utf-8")
+    trajectory = simulated(scene, Settings(until=1.0)).run.trajectory
+    assert (trajectory.outcome.code, trajectory.outcome.joint) == ("PL702", "knot")
+    assert not trajectory.segments

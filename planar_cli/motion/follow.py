@@ -114,13 +114,13 @@ class Follower:
         if not self._blow(self.schedule.start) and self.outcome is None:
             self._settle("the motion begins")
         if self.outcome is None:
-            self._determined()
+            self._determined(self.y)
 
-    def _determined(self) -> None:
-        """Do forces tell how everything moves?"""
-        loose = self.automaton.undetermined(self.choice, self.t, self.y)
-        if loose:
-            self.outcome = endings.undetermined_at(loose, self.t)
+    def _determined(self, y: Sequence[float]) -> bool:
+        """Do forces tell how everything moves from here, also where it has come to the state `y`?"""
+        loose = self.automaton.undetermined(self.choice, self.t, y)
+        self.outcome = endings.undetermined_at(loose, self.t) if loose else None
+        return not loose
 
     def _blow(self, state: str) -> bool:
         """What strikes, takes hold or lets go when a state has been reached; False where nothing does."""
@@ -190,8 +190,9 @@ class Follower:
                 self._close(regime, taken[-1].t1, tuple(taken[-1].y1), taken)
             self.outcome = endings.stuck_at(stuck, self.t)
             return
-        self._close(regime, run.t1, tuple(run.y1), run.steps)
-        if self._unclear(None):
+        if self._determined(run.y1):
+            self._close(regime, run.t1, tuple(run.y1), run.steps)
+        if self.outcome is not None or self._unclear(None):
             return
         period = self.returning.period if self.returning is not None else None
         if self.outcome is None and (run.crossings or period is None):

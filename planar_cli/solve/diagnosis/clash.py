@@ -58,13 +58,38 @@ def clash(instant: Instant, trial: Trial, mark: Mark) -> Diagnostic:
     words = [*laws, *held, *(f"`{r.text}`" for r in given)]
     at = next((r.mark for r in given if r.mark != NOWHERE), mark)
     hint = "leave one of these out, or make its value an unknown" if given else "a support or a load may be missing"
-    light = [b for b in bodies if instant.scene.bodies[b].mass == 0]
-    if bodies and light == bodies and not given:
+    if not given and bodies and _light(instant, bodies):
         text = f"the forces on {listed(bodies)} cannot balance, and without mass nothing else can hold them"
         return Diagnostic(
-            _body_mark(instant, light[0], mark), "PL602", text, f"give {listed(light)} a mass, or a support"
+            _body_mark(instant, bodies[0], mark), "PL602", text, f"give {listed(bodies)} a mass, or a support"
         )
     return Diagnostic(at, "PL602", f"these contradict each other: {'; '.join(words or texts)}", hint)
+
+
+def off_balance(instant: Instant, trial: Trial) -> NoSolution | None:
+    """What to say where forces on bodies without mass balance in some positions only; None: nothing of that kind."""
+    if trial.objection == "velocities" or not _contradicted(trial):
+        return None
+    texts = sources(trial)
+    bodies, joints = _parts(instant, texts)
+    if not bodies or not _light(instant, bodies) or any(r.text in texts for r, _ in instant.statements.relations):
+        return None
+    names, balance = listed(bodies), "balances" if len(bodies) == 1 else "balance"
+    text = f"the loads on {names} balance in some positions only, and without mass forces tell no motion"
+    hint = (
+        f"give {names} a mass, write under `motion` the relation between places in which it {balance}, or put springs "
+        "in series into one, 1/k = 1/k_1 + 1/k_2"
+    )
+    return NoSolution([Diagnostic(_body_mark(instant, bodies[0], NOWHERE), "PL602", text, hint)])
+
+
+def _contradicted(trial: Trial) -> bool:
+    return any(o.solved.conflict is not None for o in trial.outcomes)
+
+
+def _light(instant: Instant, bodies: list[str]) -> bool:
+    """Do all of them have no mass?"""
+    return all(instant.scene.bodies[b].mass == 0 for b in bodies)
 
 
 def _body_mark(instant: Instant, name: str, otherwise: Mark) -> Mark:

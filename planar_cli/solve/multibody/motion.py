@@ -177,12 +177,16 @@ class Multibody:
 
     def _loads(self) -> Slopes:
         """Loads of the file, weights, and what drives a prescribed motion (pushes that no joint exerts)."""
-        total = self.push(self.system.wrenches)
         drivers = [p for p in self.system.pushes if p.joint not in self.system.modes]
-        more = [self.push(d.actions, self.worked.pushes[d.name]) for d in drivers]
-        for part in (*more, *self.known.values()):
-            for i, c in part.items():
-                total[i] = total.get(i, ZERO) + c
+        parts = [self.push([w]) for w in self.system.wrenches]
+        parts += [self.push(d.actions, self.worked.pushes[d.name]) for d in drivers]
+        parts += self.known.values()
+        total: Slopes = {}
+        for i in set().union(*parts):
+            own = [part[i] for part in parts if i in part]
+            # Loads in balance leave their rounding, which a body without mass would be asked to take.
+            if abs(found := sum(own, ZERO)) > NOTHING * max(map(abs, own)):
+                total[i] = found
         return total
 
     # --- equations ---------------------------------------------------------------------------------------------------
@@ -256,8 +260,8 @@ class Multibody:
         self.drawn()
         digits = self._compare(self._accelerations(PARTS[:2]), self._driven())
         digits = min(digits, self._compare(self._accelerations(PARTS[2:])))
-        for group in (self._joint_forces(PARTS[:2]), self._joint_forces(PARTS[2:])):
-            digits = min(digits, self._compare(group))
+        digits = min(digits, self._compare(self._joint_forces(PARTS[:2])))
+        digits = min(digits, self._compare(self._joint_forces(PARTS[2:]), self._turned()))
         return Agreement(velocities, digits, tuple(self.notes))
 
     def _driven(self) -> Decimal:
@@ -266,6 +270,17 @@ class Multibody:
         forces = [(self.value(bodies[w.body].mass), w.force) for w in self.system.wrenches if w.force is not None]
         pulls = (abs(self.value(e)) / mass for mass, force in forces if mass for e in (force.x, force.y))
         return max(pulls, default=ZERO)
+
+    def _turned(self) -> Decimal:
+        """The largest moment about a mass centre that a reaction could have with its force and its arm [N m]."""
+        largest = ZERO
+        for push in self.system.pushes:
+            for a in push.actions:
+                if a.body in self.places and a.force is not None:
+                    arm = Vec(self.value(a.point.x), self.value(a.point.y)) - self.places[a.body].center
+                    unit = max(abs(self.value(e)) for e in (a.force.x, a.force.y))
+                    largest = max(largest, max(abs(arm.x), abs(arm.y)) * unit * abs(self.worked.pushes[push.name]))
+        return largest
 
     def _compare(self, group: list[tuple[str, Decimal, Line]], driven: Decimal = ZERO) -> int:
         """The digits to which quantities of one dimension agree. `driven`: beside which some of them may cancel."""

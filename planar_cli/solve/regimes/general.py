@@ -21,6 +21,7 @@ from planar_cli.errors import Undecided
 from planar_cli.problem.ordinary import Scales
 from planar_cli.problem.scene import Problem
 from planar_cli.records import changing
+from planar_cli.solve.diagnosis.clash import off_balance
 from planar_cli.solve.diagnosis.placed import placed_by_nothing
 from planar_cli.solve.instant.finish import Finisher, unreached
 from planar_cli.solve.instant.instant import Instant, Trial
@@ -229,7 +230,7 @@ def _general(
     trial = instant.try_choice(choice, valuations, given=given)
     if _contradicts(trial) and instant.add_drivers():
         trial = instant.try_choice(choice, valuations, given=given)
-    if _contradicts(trial) and (lack := placed_by_nothing(instant)) is not None:
+    if _contradicts(trial) and (lack := placed_by_nothing(instant) or off_balance(instant, trial)) is not None:
         raise lack
     quantities = trial.system.quantities() if trial.outcomes else trial.system.quantities_of(trial.system.first, None)
     coordinates = (*_user_coordinates(instant, made), *displacement.coordinates)
