@@ -24,6 +24,7 @@ from planar_cli.solve.between.by_numbers import ByNumbers
 from planar_cli.solve.between.chain import Step
 from planar_cli.solve.between.closed import closed_roots
 from planar_cli.solve.between.derivation import Derivation, DerivedStep, Edge, Route, each_once
+from planar_cli.solve.between.one_by_one import one_by_one, without_factors
 from planar_cli.solve.between.trace import Result
 from planar_cli.solve.instant.elimination import Pending, alone, subtracted
 from planar_cli.solve.multibody.linear import solve
@@ -59,6 +60,7 @@ class Router:
         self.followed, self.natural = followed, natural or {}
         self.plain = self._plain(equations)
         self._residuals: dict[sp.Expr, sp.Expr] = {}
+        equations = [without_factors(e, value) for e in equations]
         self.equations = [e for e in equations if self._inside(e) and self._true(e)]
 
     def residual(self, equation: Equation) -> sp.Expr:
@@ -129,7 +131,7 @@ class Router:
             self._collect(target, best, order)
         formulas: dict[sp.Symbol, sp.Expr] = dict(self.plain)
         steps = []
-        for derivation in each_once(order):
+        for derivation in one_by_one(each_once(order), self._inside, self._regular):
             step = self._work(derivation)
             if step is None:
                 continue
@@ -214,7 +216,7 @@ class Router:
         found: list[Edge] = []
         for step in self.blocks:
             unknowns = tuple(x for x in step.unknowns if x not in self.plain)
-            equations = tuple(e for e in step.equations if self._inside(e))
+            equations = tuple(without_factors(e, self.value) for e in step.equations if self._inside(e))
             if len(equations) == len(unknowns) > 1:
                 inside = frozenset().union(*(self._inside(e) for e in equations))
                 cost = sum(e.cost for e in equations) + TOGETHER * len(equations)

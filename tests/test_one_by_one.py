@@ -1,0 +1,27 @@
+"""Unknowns that follow together are told one after the other where their equations allow it, and none twice."""
+
+from __future__ import annotations
+
+from collections import Counter
+
+from conftest import PROBLEMS
+from worked import worked
+
+from planar_cli.formats.terminal import Terminal
+from planar_cli.report.narrate import narrate
+
+FILES = {p.stem: p for p in PROBLEMS}
+
+
+def test_no_unknown_is_found_twice() -> None:
+    """A block of three equations had given the angular velocity at state 1 again, which an earlier one had told."""
+    (part,) = worked(FILES["disk-that-screws-itself-up-a-slope"])[0].parts
+    found = Counter(r.unknown.name for step in part.motion.route.steps for r in step.results)
+    assert set(found.values()) == {1}
+
+
+def test_a_largest_speed_gives_its_place_first() -> None:
+    """The rate of v² is a product with v, which does not vanish: what is left has the place alone."""
+    text = " ".join(Terminal(200).render(narrate(worked(FILES["block-down-a-slope-onto-a-buffer"])[0])).split())
+    assert "s_fastest = m g sin β / k" in text
+    assert text.index("s_fastest = m g sin β") < text.index("T_fastest =")
