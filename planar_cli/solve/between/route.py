@@ -17,7 +17,6 @@ from decimal import Decimal
 import sympy as sp
 
 from planar_cli.equation.exact import Valuation
-from planar_cli.equation.expansion import expanded
 from planar_cli.equation.plain import by_name, derivative, letters, longer, simplified
 from planar_cli.errors import Undecided
 from planar_cli.solve.between.by_numbers import ByNumbers
@@ -25,6 +24,7 @@ from planar_cli.solve.between.chain import Step
 from planar_cli.solve.between.closed import closed_roots
 from planar_cli.solve.between.derivation import Derivation, DerivedStep, Edge, Route, each_once
 from planar_cli.solve.between.one_by_one import one_by_one, without_factors
+from planar_cli.solve.between.substitution import linear_step, square
 from planar_cli.solve.between.trace import Result
 from planar_cli.solve.instant.elimination import Pending, alone, subtracted
 from planar_cli.solve.multibody.linear import solve
@@ -299,7 +299,7 @@ class Router:
         left = list(derivation.unknowns)
         back: list[tuple[sp.Symbol, sp.Expr]] = []
         while len(pool) > 1:
-            step = _linear_step(pool, left, self.value, 60 if self.symbolic else LONG_POOL)
+            step = linear_step(pool, left, self.value, 60 if self.symbolic else LONG_POOL)
             if step is None:
                 break
             index, x, formula = step
@@ -331,7 +331,7 @@ class Router:
     def _square_put_in(self, pool: list[sp.Expr], left: list[sp.Symbol]) -> list[Result]:
         """The same where one unknown enters as its square alone: that is put into the other equation."""
         for x, (first, second) in itertools.product(left, (pool, pool[::-1])):
-            square, other = _square(first, x), _square(second, x)
+            square, other = square(first, x), square(second, x)
             if square is None or other is None or self.value.is_zero(square[1]):
                 continue
             (y,) = (s for s in left if s != x)
@@ -358,14 +358,6 @@ def _is_high(derivation: Derivation) -> bool:
     return bool(residual.is_polynomial(x)) and sp.degree(residual, x) > 2
 
 
-def _square(residual: sp.Expr, x: sp.Symbol) -> tuple[sp.Expr, sp.Expr] | None:
-    """What stands without x and with its square, if there is nothing else."""
-    if not residual.is_polynomial(x):
-        return None
-    found = {m[0]: c for m, c in sp.Poly(residual, x).terms()}
-    return (found.get(0, sp.S.Zero), found[2]) if {2} <= found.keys() <= {0, 2} else None
-
-
 def _determinant(rows: list[list[Decimal]]) -> Decimal:
     if len(rows) == 1:
         return rows[0][0]
@@ -378,24 +370,3 @@ def _determinant(rows: list[list[Decimal]]) -> Decimal:
 def _outer(residual: sp.Expr) -> set[sp.Symbol]:
     """Symbols outside of integrals."""
     return set().union(*(a.free_symbols for a in sp.Add.make_args(residual) if not a.has(sp.Integral)))
-
-
-def _linear_step(
-    pool: list[sp.Expr], left: list[sp.Symbol], value: Valuation, most: int
-) -> tuple[int, sp.Symbol, sp.Expr] | None:
-    """An equation that is linear in an unknown which it really contains; the shortest formula."""
-    found: list[tuple[int, int, sp.Symbol, sp.Expr]] = []
-    for x in left:
-        for index, residual in enumerate(pool):
-            rate = derivative(residual, x)
-            if rate == 0 or x in letters(rate):
-                continue
-            if value.known(rate) is None or value.is_zero(rate):
-                continue
-            formula = simplified(-(residual - rate * x).expand() / rate) if not longer(residual, most) else None
-            formula = -expanded(residual - rate * x) / rate if formula is None else formula
-            found.append((int(sp.count_ops(formula)), index, x, formula))
-    if not found:
-        return None
-    _, index, x, formula = min(found, key=lambda f: (f[0], f[2].name))
-    return index, x, formula

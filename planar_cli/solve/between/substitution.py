@@ -1,0 +1,38 @@
+"""What one equation gives to be put into the others: an unknown that enters linearly, or by its square alone."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from planar_cli.equation.exact import Valuation
+from planar_cli.equation.expansion import expanded
+from planar_cli.equation.plain import derivative, letters, longer, simplified
+
+
+def square(residual: sp.Expr, x: sp.Symbol) -> tuple[sp.Expr, sp.Expr] | None:
+    """What stands without x and with its square, if there is nothing else."""
+    if not residual.is_polynomial(x):
+        return None
+    found = {m[0]: c for m, c in sp.Poly(residual, x).terms()}
+    return (found.get(0, sp.S.Zero), found[2]) if {2} <= found.keys() <= {0, 2} else None
+
+
+def linear_step(
+    pool: list[sp.Expr], left: list[sp.Symbol], value: Valuation, most: int
+) -> tuple[int, sp.Symbol, sp.Expr] | None:
+    """An equation that is linear in an unknown which it really contains; the shortest formula."""
+    found: list[tuple[int, int, sp.Symbol, sp.Expr]] = []
+    for x in left:
+        for index, residual in enumerate(pool):
+            rate = derivative(residual, x)
+            if rate == 0 or x in letters(rate):
+                continue
+            if value.known(rate) is None or value.is_zero(rate):
+                continue
+            formula = simplified(-(residual - rate * x).expand() / rate) if not longer(residual, most) else None
+            formula = -expanded(residual - rate * x) / rate if formula is None else formula
+            found.append((int(sp.count_ops(formula)), index, x, formula))
+    if not found:
+        return None
+    _, index, x, formula = min(found, key=lambda f: (f[0], f[2].name))
+    return index, x, formula
