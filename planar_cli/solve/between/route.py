@@ -331,11 +331,11 @@ class Router:
     def _square_put_in(self, pool: list[sp.Expr], left: list[sp.Symbol]) -> list[Result]:
         """The same where one unknown enters as its square alone: that is put into the other equation."""
         for x, (first, second) in itertools.product(left, (pool, pool[::-1])):
-            square, other = square(first, x), square(second, x)
-            if square is None or other is None or self.value.is_zero(square[1]):
+            own, other = square(first, x), square(second, x)
+            if own is None or other is None or self.value.is_zero(own[1]):
                 continue
             (y,) = (s for s in left if s != x)
-            found = self._single(simplified(other[0] - other[1] * square[0] / square[1]), y)
+            found = self._single(simplified(other[0] - other[1] * own[0] / own[1]), y)
             if found.formula is not None:
                 return [found, self._single(first, x)]
         return []
