@@ -71,7 +71,7 @@ def off_balance(instant: Instant, trial: Trial) -> NoSolution | None:
     if trial.objection == "velocities" or not _contradicted(trial):
         return None
     texts = sources(trial)
-    bodies, joints = _parts(instant, texts)
+    bodies, _ = _parts(instant, texts)
     if not bodies or not _light(instant, bodies) or any(r.text in texts for r, _ in instant.statements.relations):
         return None
     names, balance = listed(bodies), "balances" if len(bodies) == 1 else "balance"
