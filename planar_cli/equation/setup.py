@@ -27,15 +27,22 @@ from planar_cli.units import PURE, Unit, default_unit, parse_unit
 
 @record
 class Earlier:
-    """A find of an earlier case: its exact value (or a rational close to sixty digits) and its unit."""
+    """A find of an earlier case: its exact value (or a rational close to sixty digits; a formula in letters of the
+    file) and its unit.
+    """
 
     value: sp.Expr
     unit: str
 
 
-def numbers_of(earlier: Mapping[str, Earlier]) -> dict[str, float]:
-    """Numbers of earlier finds [SI]; those in letters have none."""
-    return {name: float(known.value) for name, known in earlier.items() if known.value.is_number}
+def numbers_of(earlier: Mapping[str, Earlier], letters: Mapping[str, float] | None = None) -> dict[str, float]:
+    """Numbers of earlier finds [SI]; those in letters have none without those of the letters."""
+    own = letters or {}
+    formulas = {name: known.value for name, known in earlier.items()}
+    put = {
+        n: f.xreplace({s: sp.Float(own[s.name]) for s in f.free_symbols if s.name in own}) for n, f in formulas.items()
+    }
+    return {name: float(value) for name, value in put.items() if not value.free_symbols}
 
 
 @record
@@ -105,8 +112,6 @@ class Setup:
     # --- names -------------------------------------------------------------------------------------------------------
 
     def _names(self) -> None:
-        for name, known in self.earlier.items():
-            self.ledger.known(name, known.value, known.unit)
         time = self.ledger.time()
         self.motions[time] = (sp.S.One, sp.S.Zero)
         for symbol in self.problem.symbols:
@@ -121,6 +126,11 @@ class Setup:
                 self.ledger.fresh(f"{symbol.name}_dot", f"{per}/s", role=Role(RoleKind.SPEED, made)),
                 self.ledger.fresh(f"{symbol.name}_ddot", f"{per}/s^2", role=Role(RoleKind.ACCELERATION, made)),
             )
+        for name, known in self.earlier.items():
+            letters = {s.name for s in known.value.free_symbols}
+            if "g" in letters and "g" not in self.ledger.symbols:
+                self._gravity()
+            self.ledger.known(name, known.value, known.unit)
         for symbol in self.problem.given:
             self._know(symbol)
 

@@ -14,6 +14,7 @@ import sympy as sp
 
 from planar_cli.base_units import base_units
 from planar_cli.equation.ledger import display
+from planar_cli.equation.setup import Earlier, numbers_of
 from planar_cli.errors import Diagnostic, FileProblem, Mark, NoSolution, NoValue
 from planar_cli.motion.unstable import growth_note
 from planar_cli.problem.expression import Equilibrium, JustAfter, Name, Quantity, Relation, Side
@@ -76,7 +77,7 @@ class Seen:
     """When."""
 
 
-def confirmation(problem: Problem, part: PartSolution, earlier: Mapping[str, float]) -> Confirmation:
+def confirmation(problem: Problem, part: PartSolution, earlier: Mapping[str, Earlier]) -> Confirmation:
     """What following the motion says of answers that were found otherwise. Disagreement: it gives other ones.
 
     `earlier`: finds of earlier cases, as `case.find`.
@@ -106,13 +107,13 @@ def _confirmed(
     found: tuple[Found, ...],
     trace: MotionTrace,
     instance: Instance,
-    earlier: Mapping[str, float],
+    earlier: Mapping[str, Earlier],
     run: Run | None,
 ) -> Confirmation:
     """The same for one choice of numbers for the letters. `run`: the motion, where it has been followed already."""
     taken = instance.taken
     asked = closed(problem, taken)
-    values = {**earlier, **taken.letters}
+    values = {**numbers_of(earlier, taken.letters), **taken.letters}
     times = None if problem.states[1:] else BEGINNING
     settings = Settings(
         most_steps=most_steps(asked, taken),

@@ -64,17 +64,24 @@ def solve_problem(problem: Problem, method: str | None = None) -> Solution:
     if problem.find:
         parts.append(whatever_kinetic(_part, problem, "", units, {}))
     for case in problem.cases:
-        part = whatever_kinetic(_part, case.problem, case.name, units, earlier)
+        letters = {s.name for s in case.problem.symbols} | {"g"} - {s.name for s in case.problem.given}
+        fit = {n: e for n, e in earlier.items() if {s.name for s in e.value.free_symbols} <= letters}
+        part = whatever_kinetic(_part, case.problem, case.name, units, fit)
         parts.append(part)
         for found in part.found:
-            if found.values is not None and len(found.values) == 1:
-                exact = (
-                    found.expressions[0]
-                    if found.expressions and not found.expressions[0].free_symbols
-                    else sp.Rational(str(found.values[0]))
-                )
+            if (exact := _exact(found)) is not None:
                 earlier[f"{case.name}.{found.name}"] = Earlier(exact, found.unit.text)
     return Solution(problem, tuple(parts), {"solve": time.perf_counter() - started})
+
+
+def _exact(found: Found) -> sp.Expr | None:
+    """The one number that is found, exact where it can be; in letters its formula; None: it is neither."""
+    formula = found.expressions[0] if found.expressions and len(found.expressions) == 1 else None
+    if found.values is None:
+        return formula if found.kind == "number" else None
+    if len(found.values) != 1:
+        return None
+    return sp.Rational(str(found.values[0])) if formula is None or formula.free_symbols else formula
 
 
 def _by(problem: Problem, method: str | None) -> Problem:
@@ -90,7 +97,7 @@ def _part(problem: Problem, case: str, units: dict[str, str], earlier: dict[str,
     numbers = numbers_of(earlier)
     demand_stated(problem, earlier)
     if not problem.states[1:]:
-        return _confirmed(problem, _derived(problem, case, units, earlier), numbers)
+        return _confirmed(problem, _derived(problem, case, units, earlier), earlier)
     from planar_cli.solve.followed import (
         SOME_STEPS,
         can_be_followed,
@@ -116,7 +123,7 @@ def _part(problem: Problem, case: str, units: dict[str, str], earlier: dict[str,
         raise
     except (Undecided, NoSolution) as error:
         if problem.unknowns:
-            return _confirmed(problem, _shot(problem, case, units, earlier, error), numbers)
+            return _confirmed(problem, _shot(problem, case, units, earlier, error), earlier)
         # Where the modes change in ways that no equation tells, as from blow to blow, it is only followed. And that no
         # motion comes to a state does not stand against one that does.
         by_steps = isinstance(error, Undecided) or told_by_modes(problem) or _steps_may_tell(error)
@@ -127,12 +134,12 @@ def _part(problem: Problem, case: str, units: dict[str, str], earlier: dict[str,
             raise
         return part
     try:
-        return _confirmed(problem, derived, numbers)
+        return _confirmed(problem, derived, earlier)
     except Disagreement as error:
         if not problem.unknowns:
             raise
         # The equations are those of modes that do not happen: a constant that is open kept it from being followed.
-        return _confirmed(problem, _shot(problem, case, units, earlier, error), numbers)
+        return _confirmed(problem, _shot(problem, case, units, earlier, error), earlier)
 
 
 def _steps_may_tell(error: NoSolution) -> bool:
@@ -162,7 +169,7 @@ def _shot(
         return part
 
 
-def _confirmed(problem: Problem, part: PartSolution, earlier: Mapping[str, float]) -> PartSolution:
+def _confirmed(problem: Problem, part: PartSolution, earlier: Mapping[str, Earlier]) -> PartSolution:
     """The part with what following its motion says. Disagreement: it gives other answers."""
     if part.motion is None:
         return part

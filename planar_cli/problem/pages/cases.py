@@ -14,6 +14,7 @@ put what differs into the cases.
         find: {alpha_heavier: alpha(spool)}
 
 The file's own `find` is answered for the file as it stands, a case's for the file with its changes. A later case may
-use an earlier case's find as `case.find`. The finds of all cases stand side by side, so their names differ. A file
+use an earlier case's find as `case.find`, also a formula, in letters that it has too. The finds of all cases stand side
+by side, so their names differ. A file
 that asks nothing itself may be incomplete; then its cases complete it.
 """

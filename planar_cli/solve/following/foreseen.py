@@ -21,7 +21,8 @@ def foreseen(problem: Problem, workshop: Workshop) -> Traced | None:
     """The motion; None: the file does not tell all of it."""
     if problem.unknowns or not problem.states[1:]:
         return None
-    return as_told(problem, {**numbers_of(workshop.earlier), **_letters(problem, workshop)})
+    letters = _letters(problem, workshop)
+    return as_told(problem, {**numbers_of(workshop.earlier, letters), **letters})
 
 
 def _letters(problem: Problem, workshop: Workshop) -> dict[str, float]:

@@ -247,7 +247,8 @@ def _values(course: StatedMotion, problem: Problem, value: Valuation) -> dict[st
     names += ["g"] if problem.symbols else []
     symbols = {n: course.ledger.symbols[n] for n in names if n in course.ledger.symbols}
     numbers = {n: number for n, s in symbols.items() if (number := value.known(s)) is not None}
-    return {**numbers_of(course.workshop.earlier), **{n: float(v) for n, v in numbers.items()}}
+    own = {n: float(v) for n, v in numbers.items()}
+    return {**numbers_of(course.workshop.earlier, own), **own}
 
 
 def _speeds(
