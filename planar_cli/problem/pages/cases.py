@@ -15,6 +15,5 @@ put what differs into the cases.
 
 The file's own `find` is answered for the file as it stands, a case's for the file with its changes. A later case may
 use an earlier case's find as `case.find`, also a formula, in letters that it has too. The finds of all cases stand side
-by side, so their names differ. A file
-that asks nothing itself may be incomplete; then its cases complete it.
+by side, so their names differ. A file that asks nothing itself may be incomplete; then its cases complete it.
 """
