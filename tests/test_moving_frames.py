@@ -6,7 +6,7 @@ import math
 import re
 
 import pytest
-from answered import first
+from answered import first, solve
 
 from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.structure import load_text
@@ -89,3 +89,44 @@ def test_seen_from_a_point_that_moves(text: str, truth: dict[str, float], words:
     page = re.sub(r"\s+", " ", Terminal(width=110).render(narrate(solution)))
     assert all(w in page for w in words)
     assert "numerical" not in page
+
+
+BOWL = """
+title: Bead let go at the rim of a bowl on a cart that is free to move
+plane: vertical
+given: {m: 1 kg, M: 3 kg, R: 0.5 m}
+points: {O: [0, R], P: [R, R], G: [0, 0]}
+surfaces: {bowl: {center: O, radius: R, body: cart}, floor: {through: [0, 0], angle: 0 deg}}
+bodies: {cart: {points: [O], center: G, mass: M}, bead: {particle: P, mass: m}}
+joints:
+  - guide: {body: cart, along: floor}
+  - contact: {between: [bead, bowl], at: P, mu: 0}
+states: {1: [at rest], 2: [y(bead) = 0]}
+find: {w: v(bead/cart).mag @ 2, N: N(P) @ 2}
+"""
+FIXED = """
+title: Bead let go at the rim of a bowl
+plane: vertical
+given: {m: 1 kg, R: 0.5 m}
+points: {O: [0, R], P: [R, R]}
+surfaces: {bowl: {center: O, radius: R}}
+bodies: {bead: {particle: P, mass: m}}
+joints:
+  - contact: {between: [bead, bowl], at: P, mu: 0}
+states: {1: [at rest], 2: [y(bead) is smallest]}
+find: {w: v(bead).mag @ 2, N: N(P) @ 2}
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "w2"),
+    [
+        # w² = 2 g R (M + m)/M, and N = m g + m w²/R, as the cart has no acceleration there.
+        (BOWL, 2 * 9.81 * 0.5 * 4 / 3),
+        (FIXED, 2 * 9.81 * 0.5),
+    ],
+)
+def test_from_the_height_of_the_centre_it_presses_inside(text: str, w2: float) -> None:
+    answers = solve(text)
+    assert first(answers["w"]) == pytest.approx(math.sqrt(w2))
+    assert first(answers["N"]) == pytest.approx(9.81 + w2 / 0.5)

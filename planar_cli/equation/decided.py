@@ -25,7 +25,8 @@ FEW = 12
 
 class Decided:
     """The part of a scene that decides. `sides`: on which sides places are, |x|, from which distances are measured;
-    `sided`: those that were asked for, each with its sign and the place.
+    `sided`: those that were asked for, each with its sign and the place;
+    `facings`: on which sides of circles contacts are looked at first, as drawn.
     """
 
     problem: Problem
@@ -34,13 +35,14 @@ class Decided:
     points: dict[str, Vec]
     sides: Mapping[str, int]
     sided: dict[str, tuple[int, sp.Expr]]
+    facings: Mapping[str, int]
 
     def undecided(self) -> None:
         """Nothing is decided yet."""
         self._valuations: tuple[Valuation, ...] | None = None
         self._decided: dict[Any, int] = {}
         self._supposes = False
-        self.sides, self.sided = {}, {}
+        self.sides, self.sided, self.facings = {}, {}, {}
 
     if TYPE_CHECKING:
 

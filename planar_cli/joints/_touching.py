@@ -67,7 +67,7 @@ class Touching:
         tangent = self.base.tangent or Vec(1, 0)
         left = tangent.turned()
         self.left = left
-        self._face(self._outward(left))
+        self._face((scene.faced(self.name) if self.either_side else 0) or self._outward(left))
         demand_above(self.base, self.normal, contact.between, contact.at, scene, contact.mark)
         self.words = f"{self.mover.body} at {contact.at}"
 
@@ -79,11 +79,13 @@ class Touching:
 
     @property
     def either_side(self) -> bool:
-        """A particle drawn on a fixed circle may be inside or outside: the side on which it presses counts."""
+        """A particle drawn on a circle, fixed or on a body, may be inside or outside: the side on which it presses
+        counts.
+        """
         return (
             self.base.kind == "arc"
             and self.base.center is not None
-            and self.base.body == "ground"
+            and self.base.body not in self.contact.between
             and self.mover.kind == "corner"
             and not self.scene.rigid(self.mover.body)
         )
@@ -138,11 +140,13 @@ class Touching:
     def _outward(self, left: Vec) -> int:
         """+1 when the mover is on the left of the base's tangent.
 
-        By their shapes, else by the mover's mass centre, else by its partner's, else upward.
+        By their shapes, else by the mover's mass centre, else by its partner's, else upward. A particle as high as the
+        centre of a circle is inside: where nothing presses it will press there, and not outside.
         """
         scene, place = self.scene, self.place
         shapes, center = away(self.mover, self.base, place, scene), scene.center(self.mover.body) - place
-        for towards in (shapes, center, self._away_from_base(), Vec(0, 1), scene.middle() - place):
+        inward = self.base.center - place if self.either_side and self.base.center is not None else Vec(0, 0)
+        for towards in (shapes, center, self._away_from_base(), Vec(0, 1), inward, scene.middle() - place):
             side = scene.sign(towards.dot(left))
             if side:
                 return side

@@ -159,7 +159,8 @@ class Sentinel:
             t, value = _minimum(lambda t: sign * self._value(step, i, t), a.t, b.t, -self.bands[i])
             if value < -self.bands[i]:
                 return [self._crossing(step, i, a.t, t, sign)]
-            if value <= self.bands[i] and sign in (before, after):
+            # Of an event more than rounding separates a touch from a miss: what the integration leaves.
+            if value <= (self.bands[i] if guard else TOGETHER * self.watch.scales[i]) and sign in (before, after):
                 return [Crossing(i, t, step.at(t), "grazes")]
         if before == 0 and after == sign:
             # Zero was reached exactly at this instant, and is left to the same side again.

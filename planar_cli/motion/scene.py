@@ -175,6 +175,10 @@ class MovingScene(Carried):
         """On which side a contact presses that the drawing leaves open; 0: not known."""
         return self._sides.get(joint, 0)
 
+    def faced(self, joint: str) -> int:
+        """What presses is known, or it is as drawn."""
+        return 0
+
     def heaviness(self, body: str) -> Term:
         """m g of a body, also in a horizontal plane, where it presses on what it lies on."""
         return self.mass(body) * self.constants.gravity(self.sides)

@@ -80,6 +80,9 @@ class Setting(Protocol):
     def pressed(self, joint: str) -> int:
         """On which side a contact presses that the drawing leaves open (Mode.side); 0: not known."""
 
+    def faced(self, joint: str) -> int:
+        """On which side such a contact is looked at first as drawn; 0: this is the drawing."""
+
     def root(self, square: Any) -> Any: ...
     def steady(self, direction: Vec) -> Vec | None:
         """A direction written with what moves, without it where it stays the same however things move."""

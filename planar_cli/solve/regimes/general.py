@@ -208,6 +208,7 @@ def _general(
     course = Course(displacement, ranges(drawn, displacement), projector, loose, near)
     setup = Setup(problem, Statements.of(always, ()), earlier, True, course)
     setup.scene.sides = sides
+    setup.scene.facings = {joint.name: side for joint, modes in drawn.modes if (side := modes[0].side)}
     instant = Instant(setup)
     system = instant.system(choice)
     held = held_places(instant.setup, system.quantities_of(system.first, None))
