@@ -48,6 +48,10 @@ class Decided:
 
         def value(self, side: Side) -> sp.Expr: ...
 
+    def faced(self, joint: str) -> int:
+        """The side on which a contact is first looked at, as drawn (Mode.side); 0: this is the drawing."""
+        return self.facings.get(joint, 0)
+
     def redraw(self, holds: Callable[[Valuation], bool]) -> bool:
         """Take draws for which this holds as well. False: none was found among a few."""
         found = self.ledger.valuations(lambda v: self._agrees(v) and holds(v), FEW)

@@ -341,10 +341,6 @@ class Scene(Decided):
         """Nothing is known of it at one instant."""
         return 0
 
-    def faced(self, joint: str) -> int:
-        """The side on which a contact is first looked at, as drawn (Mode.side); 0: this is the drawing."""
-        return self.facings.get(joint, 0)
-
     def heaviness(self, body: str) -> sp.Expr:
         """m g of a body, also in a horizontal plane, where it presses on what it lies on."""
         return self.bodies[body].mass * self.ledger.symbols["g"]
