@@ -67,5 +67,5 @@ def test_a_formula_in_what_is_no_letter_any_more() -> None:
     text = STONE.replace("    given: {u: 2*first.v_1}\n", "    given: {u: 2*first.v_1, h: 3 m}\n")
     problem, wrong = load_text(text.partition("answers")[0])
     assert problem is not None, wrong
-    with pytest.raises(FileProblem, match="first.v_1 has no value here"):
+    with pytest.raises(FileProblem, match=r"first\.v_1 has no value here"):
         solve_and_compare(problem)
