@@ -57,6 +57,21 @@ def test_a_sample_in_other_worlds(name: str, world: World) -> None:
     assert_scaled(ROOT / "problems" / f"{name}.yaml", world)
 
 
+@pytest.mark.parametrize(
+    ("name", "world"),
+    [
+        # What is left of two loads that cancel, over a small mass, is no acceleration.
+        ("car-of-constant-power", (-6, -6, -6)),
+        # A law of motion with the square of a small speed.
+        ("dog-that-runs-at-a-cyclist", (-6, 3, 5)),
+        # The hyperbolic cosine of fifteen thousand times a root of the time.
+        ("sledge-up-a-slope-in-air", (-6, -6, -6)),
+    ],
+)
+def test_numbers_that_only_other_worlds_have(name: str, world: World) -> None:
+    assert_scaled(ROOT / "problems" / "motion" / f"{name}.yaml", world)
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("world", [(-6, 3, 5), (6, -6, -6), (-6, -6, -6), (6, 6, 6), (0, 0, 6), (0, 0, -6)])
 @pytest.mark.parametrize("path", PROBLEMS, ids=lambda p: f"{p.parent.name}-{p.stem}")

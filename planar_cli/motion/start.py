@@ -115,8 +115,7 @@ class _Search:
         """
         zeros, numbers = self.zeros, range(self.half)
         _, drawn = self.model.reference
-        off = [r for r, v in zip(relations, self._values_at(relations, drawn), strict=True) if abs(v) > AGREES * r.size]
-        unfit = any(abs(v) > AGREES * j.size for v, j in zip(self._values_at(joints, drawn), joints, strict=True))
+        off, unfit = zeros.unmet(relations, drawn), zeros.unmet(joints, drawn)
         if not off or unfit or not self._moves_points(drawn):
             return
         found = zeros.state
@@ -127,7 +126,7 @@ class _Search:
         ]
         zeros.state = list(drawn)
         reached = zeros.solved([*joints, *told], numbers)
-        wrong = [r for r, v in zip(relations, zeros.values(relations), strict=True) if abs(v) > AGREES * r.size]
+        wrong = zeros.unmet(relations, zeros.state)
         zeros.state = found
         if reached and wrong:
             text = f"`{wrong[0].text}` does not hold in the drawn position"
@@ -141,15 +140,8 @@ class _Search:
         scene, scale = self.model.scene, self.model.scales.length
         spots = [scene.point(name) for name in points_of(scene.problem)]
         terms = [self.model.graph.of(part) for spot in spots for part in (spot.x, spot.y)]
-        equations = [Equation(term, scale, "", NOWHERE) for term in terms]
-        there, here = self._values_at(equations, drawn), self.zeros.values(equations)
+        there, here = (self.zeros.at(terms, state) for state in (drawn, self.zeros.state))
         return any(abs(a - b) > AGREES * scale for a, b in zip(there, here, strict=True))
-
-    def _values_at(self, equations: Sequence[Equation], state: Sequence[float]) -> list[float]:
-        found, self.zeros.state = self.zeros.state, list(state)
-        values = self.zeros.values(equations)
-        self.zeros.state = found
-        return values
 
     def _open_terms(self) -> list[Term]:
         """The places that nothing tells: coordinates, particles that are free, and how far a wheel has turned of which
@@ -186,19 +178,22 @@ class _Search:
         found = []
         for relation in self.said:
             found += [
-                Equation(residual, self._size(residual, level), relation.text, relation.mark)
+                Equation(residual, self._size(residual, level) or 1.0, relation.text, relation.mark)
                 for residual in relation.residuals
                 if self.model.asked.level(residual) == level
             ]
         return found
 
     def _size(self, term: Term, level: int) -> float:
-        """How much a term changes when the state changes by its scales."""
+        """How much a term changes when usual places or velocities change by their scales."""
         first = level * self.half
         variables = self.layout.state[first : first + self.half]
         slopes = coefficients(term, {v: first + i for i, v in enumerate(variables)}, self.layout)
-        parts = [abs(t.value) * self.zeros.sizes[i] for i, t in slopes.items() if math.isfinite(t.value)]
-        return max(parts, default=0.0) or 1.0
+        usual = [*self.zeros.state[: self.half], *self.zeros.sizes[self.half :]]
+        values = self.zeros.at(list(slopes.values()), usual)
+        return max(
+            (abs(v) * self.zeros.sizes[i] for i, v in zip(slopes, values, strict=True) if math.isfinite(v)), default=0.0
+        )
 
     # --- velocities --------------------------------------------------------------------------------------------------
 
@@ -288,6 +283,9 @@ class _Search:
         assert constraint.rate is not None
         turns = all(self.layout.slots[i].kind == "theta" for i in constraint.row)
         size = (1.0 if turns else self.model.scales.length) / self.model.scales.time
+        if not constraint.joint:
+            # A law of the file may hold squares of speeds.
+            size = self._size(constraint.rate, VELOCITIES) or size
         return Equation(constraint.rate, size, constraint.title, NOWHERE)
 
     def _resting(self, rest: AtRest) -> list[Equation]:

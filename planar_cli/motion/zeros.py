@@ -90,12 +90,22 @@ class Zeros:
         return False
 
     def values(self, equations: Sequence[Equation]) -> list[float]:
-        terms = tuple(e.term for e in equations)
+        return self.at([e.term for e in equations], self.state)
+
+    def unmet(self, equations: Sequence[Equation], state: Sequence[float]) -> list[Equation]:
+        """Those that do not hold in a state."""
+        values = self.at([e.term for e in equations], state)
+        return [e for e, v in zip(equations, values, strict=True) if abs(v) > AGREES * e.size]
+
+    def at(self, terms: Sequence[Term], state: Sequence[float]) -> list[float]:
+        """Terms in a state; not numbers where one of them has no value, as at a guess: another one is tried."""
+        found, self.state = self.state, list(state)
         try:
-            return self.numbers(terms)
+            return self.numbers(tuple(terms))
         except (ZeroDivisionError, ValueError):
-            # A guess at which something has no value: another one is tried.
             return [math.nan] * len(terms)
+        finally:
+            self.state = found
 
     def numbers(self, terms: tuple[Term, ...]) -> list[float]:
         """Terms at the state at hand."""

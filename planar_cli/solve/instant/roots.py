@@ -14,6 +14,8 @@ from functools import lru_cache
 
 import mpmath
 import sympy as sp
+from sympy.functions.elementary.hyperbolic import HyperbolicFunction
+from sympy.functions.elementary.trigonometric import TrigonometricFunction
 
 from planar_cli.equation.cancelling import cancelled
 from planar_cli.equation.common_factors import together
@@ -27,6 +29,8 @@ TINY = Decimal("1e-25")
 EDGE_STEPS = 40
 KEPT = 2_000
 """So many polynomials are remembered: what lies on several branches of a motion is solved on each."""
+MOST_TURNS = 24
+"""Sines of so many times an angle are written out in those of the angle."""
 _SINE, _COSINE, _POWER = sp.Dummy("s"), sp.Dummy("c"), sp.Dummy("p")
 
 
@@ -166,7 +170,21 @@ def _powers(expr: sp.Expr, x: sp.Symbol) -> tuple[tuple[int, sp.Expr], ...]:
 @lru_cache(maxsize=KEPT)
 def _in_sine_and_cosine(expr: sp.Expr, x: sp.Symbol) -> sp.Expr:
     """An expression in letters for the sine and the cosine of an angle."""
-    return sp.expand_trig(expr).subs({sp.sin(x): _SINE, sp.cos(x): _COSINE})
+    return _opened(expr).subs({sp.sin(x): _SINE, sp.cos(x): _COSINE})
+
+
+def _opened(expr: sp.Expr) -> sp.Expr:
+    """Functions of sums and multiples of angles by those of single ones. Of a thousand times an angle this would be a
+    polynomial of that degree: it stays as it is.
+    """
+    functions = expr.atoms(TrigonometricFunction, HyperbolicFunction)
+    often = [f for f in functions if any(_is_many(a.as_coeff_Mul()[0]) for a in sp.Add.make_args(f.args[0]))]
+    held = {f: sp.Dummy("f", real=True) for f in sorted(often, key=sp.default_sort_key)}
+    return sp.expand_trig(expr.xreplace(held)).xreplace({d: f for f, d in held.items()})
+
+
+def _is_many(times: sp.Expr) -> bool:
+    return bool(times.is_Integer and abs(times) > MOST_TURNS)
 
 
 def _of_one_angle(numerator: sp.Expr, x: sp.Symbol, value: Valuation) -> list[sp.Expr]:
@@ -241,11 +259,9 @@ def _polynomial_roots(poly: sp.Poly) -> list[Decimal]:
 def _half_angle(numbers: sp.Expr, x: sp.Symbol) -> list[Decimal] | None:
     """Roots of an equation in sin x and cos x by u = tan(x/2)."""
     s, c, u = sp.Dummy("s"), sp.Dummy("c"), sp.Dummy("u")
-    flat = sp.expand_trig(
-        numbers.rewrite(sp.cos).subs(sp.tan(x), sp.sin(x) / sp.cos(x))
-        if numbers.has(sp.tan)
-        else sp.expand_trig(numbers)
-    )
+    if numbers.has(sp.tan):
+        numbers = numbers.rewrite(sp.cos).subs(sp.tan(x), sp.sin(x) / sp.cos(x))
+    flat = _opened(numbers)
     flat = sp.fraction(together(flat.subs({sp.sin(x): s, sp.cos(x): c})))[0]
     if flat.has(x) or not flat.is_polynomial(s, c):
         return None

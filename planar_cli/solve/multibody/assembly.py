@@ -11,7 +11,7 @@ from dataclasses import field
 from decimal import Decimal
 from typing import Any
 
-from planar_cli.equation.exact import ZERO, Valuation
+from planar_cli.equation.exact import CERTAIN, ZERO, Valuation
 from planar_cli.problem.facts import Joining, Pull, Push, Row, Wrench
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
@@ -215,4 +215,10 @@ class Assembly:
         moment = (at - self.centers[body]).cross(f) + self.value(couple)
         for row, c in zip(rows[body], (f.x, f.y, moment), strict=True):
             if c:
-                row[column] = row.get(column, ZERO) + c
+                row[column] = _cancelled(row.get(column, ZERO), c)
+
+
+def _cancelled(one: Decimal, other: Decimal) -> Decimal:
+    """A sum of loads; zero where only their last digits are left, which a small mass makes large."""
+    total = one + other
+    return ZERO if abs(total) <= CERTAIN * max(abs(one), abs(other)) else total
