@@ -383,7 +383,7 @@ def _common(
     reader: Follower, equations: list[Demand], stop: Stop, segment: FollowedSegment, until: float
 ) -> float | None:
     """When all relations of a state hold on a stretch before it."""
-    if not equations or until <= segment.t0:
+    if until <= segment.t0 or not equations or not reader.can_read(equations, stop, segment):
         return None
     gs = [reader.along(d.residual, stop, segment) for d in equations]
     try:

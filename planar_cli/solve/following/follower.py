@@ -7,7 +7,7 @@ several roots happens; the equations of the motion then give the same values in 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from decimal import Decimal
 
@@ -33,7 +33,7 @@ from planar_cli.solve.regimes.after import asked_after
 from planar_cli.solve.regimes.directions import ways_at
 from planar_cli.solve.regimes.mode_sequence import fixed_time
 from planar_cli.solve.regimes.regime import Regime, number_function
-from planar_cli.solve.regimes.timeline import Stop
+from planar_cli.solve.regimes.timeline import Demand, Stop
 
 
 class Follower:
@@ -328,6 +328,12 @@ class Follower:
         """Numbers of everything that does not vary along a segment: also of states before it."""
         before = {**self.done.tends, **self.done.values}
         return self.value.extended({s: Decimal(repr(v)) for s, v in before.items() if math.isfinite(v)})
+
+    @staticmethod
+    def can_read(demands: Sequence[Demand], stop: Stop, segment: FollowedSegment) -> bool:
+        """Are all coordinates of a state that these relations hold among those of a segment?"""
+        absent = set(stop.letters.values()) - {stop.letters[s] for s in segment.regime.letters}
+        return all(absent.isdisjoint(d.residual.free_symbols) for d in demands)
 
     def along(self, expr: sp.Expr, stop: Stop, segment: FollowedSegment) -> Callable[[float], float]:
         """A formula of a state as a function of time along a segment."""
