@@ -9,7 +9,9 @@ import sympy as sp
 from answered import assert_close, solve
 
 from planar_cli.equation.exact import PI, Valuation
+from planar_cli.equation.jets import Jet, magnitude
 from planar_cli.errors import NoSolution
+from planar_cli.problem.geometry import Vec
 
 PHI, PSI = sp.Symbol("phi", real=True), sp.Symbol("psi", real=True)
 
@@ -99,3 +101,10 @@ def test_functions_that_sympy_writes_itself(function: type[sp.Expr], other: type
     angle = sp.atan(sp.Rational(10, 3)) / 2
     value = Valuation({})
     assert abs(value(function(angle, evaluate=False)) * value(other(angle, evaluate=False)) - 1) < Decimal("1e-50")
+
+
+def test_the_rate_of_a_distance_along_a_line() -> None:
+    """|x| has the second derivative sign(x) ẍ; where x = 0 it has none, and no formula stands for that."""
+    x, v, a = sp.symbols("x v a", real=True)
+    distance = magnitude(Vec(Jet(x, v, a), Jet(sp.S.Zero)))
+    assert (distance.rate, distance.second) == (sp.sign(x) * v, sp.sign(x) * a)

@@ -446,30 +446,6 @@ def test_a_stated_place_is_put_into_the_period_before_it_is_solved() -> None:
     assert sp.simplify(c - 8 * sp.sqrt(k * m / 3)) == 0
 
 
-IN_SERIES = """
-title: Two springs in series, with the balance of the knot between them
-plane: vertical
-given: {m: 5 kg, k_1: 2 kN/m, k_2: 1 kN/m, l: 0.3 m}
-coordinates: {y: m, s: m}
-points: {U: [0, 1 m], J: [0, s], P: [0, y]}
-bodies: {knot: {particle: J}, block: {particle: P, mass: m}}
-joints:
-  - guide: {point: J, along: 90 deg}
-  - guide: {point: P, along: 90 deg}
-loads:
-  - spring: {between: [J, U], stiffness: k_1, natural_length: l}
-  - spring: {between: [J, P], stiffness: k_2, natural_length: l}
-motion: [k_1*(1 m - s - l) = k_2*(s - y - l)]
-states: {rest: [equilibrium]}
-find: {w: frequency(rest) in rad/s}
-"""
-
-
-def test_springs_in_series() -> None:
-    """1/k = 1/k_1 + 1/k_2; the balance of the knot is no more than rounding for the second road."""
-    assert number(solve(IN_SERIES)["w"]) == pytest.approx(math.sqrt(2000 / 3 / 5))
-
-
 LIGHT_LEVER = """
 title: Light lever that a spring holds against a force
 plane: vertical

@@ -11,6 +11,7 @@ from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.plain import derivative
 from planar_cli.problem.geometry import Vec
 from planar_cli.records import record
 
@@ -74,8 +75,8 @@ class Jet:
 def _slopes(function: Any) -> tuple[sp.Dummy, tuple[sp.Expr, sp.Expr]]:
     """A variable, and the first and second derivative of a function of it."""
     x = sp.Dummy("x", real=True)
-    f = function(x)
-    return x, (sp.diff(f, x), sp.diff(f, x, 2))
+    first = derivative(function(x), x)
+    return x, (first, derivative(first, x))
 
 
 def constant(value: Any) -> Jet:

@@ -112,6 +112,9 @@ def derivative(expr: sp.Expr, x: sp.Symbol) -> sp.Expr:
         return expr * (derivative(expr.base, x) * expr.exp / expr.base)
     if isinstance(expr, sp.sin | sp.cos | sp.tan | sp.exp | sp.log):
         return expr.fdiff(1) * derivative(expr.args[0], x)
+    if isinstance(expr, sp.sign):
+        # It steps where its argument vanishes: there |s| has no second derivative, and beside it none but zero.
+        return sp.S.Zero
     return sp.diff(expr, x)
 
 
