@@ -45,9 +45,18 @@ def ask_spans(course: RegimeSequence) -> dict[sp.Symbol, SpanQuantity]:
             for other in readers:
                 if id(other.regime) in moving and id(other.regime) not in rates:
                     rates[id(other.regime)] = rates_of(q, other)
-                    other.exprs += rates[id(other.regime)]
+                    other.exprs += rates[id(other.regime)] if _takes_time(course, q.at) else ()
             found[symbol] = SpanQuantity(q, rates)
     return found
+
+
+def _takes_time(course: RegimeSequence, span: tuple[str, str]) -> bool:
+    """Does a span hold more than blows? Over these alone nothing is integrated."""
+    order = {s.name: i for i, s in enumerate(course.states)}
+    since, until = (order.get(name) for name in span)
+    if since is None or until is None or since >= until:
+        return True
+    return any(stretch.blow is None for stretch in course.modes.stretches[since:until])
 
 
 def tell_spans(
