@@ -25,3 +25,10 @@ def test_a_largest_speed_gives_its_place_first() -> None:
     text = " ".join(Terminal(200).render(narrate(worked(FILES["block-down-a-slope-onto-a-buffer"])[0])).split())
     assert "s_fastest = m g sin β / k" in text
     assert text.index("s_fastest = m g sin β") < text.index("T_fastest =")
+
+
+def test_no_law_of_motion_for_the_impulse_of_a_blow() -> None:
+    """Over a blow alone nothing is integrated: the reactions of the motion after it are not asked."""
+    text = " ".join(Terminal(200).render(narrate(worked(FILES["wheel-over-a-kerb"])[0])).split())
+    assert "J_Kx" in text
+    assert "Newton" not in text
