@@ -2,16 +2,23 @@
 
 from __future__ import annotations
 
+from decimal import Decimal
+
 import pytest
+import sympy as sp
 from conftest import ROOT
 from worked import worked
 
+from planar_cli.equation.exact import Valuation
 from planar_cli.formats.terminal import Terminal
 from planar_cli.homework.checking import solve_and_compare
 from planar_cli.problem.structure import load_text
 from planar_cli.report.blocks import Equation, Math
 from planar_cli.report.narrate import narrate, phrases_of
 from planar_cli.report.notation import plain
+from planar_cli.solve.between.closed import closed_roots
+
+X = sp.Symbol("x", real=True)
 
 
 @pytest.mark.parametrize("name", ["impact/billiard-ball", "motion/throw-up-a-slope", "motion/pendulum-from-rest"])
@@ -34,6 +41,48 @@ def test_an_equation_is_not_its_own_solution() -> None:
         b for b in lines if len(b.sides) > 2 and isinstance(b.sides[0], Math) and plain(b.sides[0].expr) == "v_G,2"
     ]
     assert [b.number for b in closed] == [None]
+
+
+TUBE = """
+title: Ball that leaves a rotating tube
+plane: horizontal
+symbols: {m: kg, l: m, r_0: m, w: rad/s}
+assume: [r_0 < l]
+points: {O: [0, 0], A: [l, 0], P: [r_0, 0]}
+bodies: {tube: {rod: [O, A]}, ball: {particle: P, mass: m}}
+joints:
+  - pin: {at: O, between: [ground, tube]}
+  - guide: {point: P, along: tube}
+motion: [omega(tube) = w]
+states:
+  start: [t = 0, v(ball/tube).mag = 0]
+  exit: [r(ball).mag = l]
+find: {v_r: v(ball).r @ exit, t_e: t @ exit}
+answers: {v_r: w*sqrt(l^2 - r_0^2), t_e: log((l + sqrt(l^2 - r_0^2))/r_0)/w}
+"""
+
+
+def test_a_time_under_a_hyperbolic_cosine() -> None:
+    problem, wrong = load_text(TUBE)
+    assert problem is not None, wrong
+    solution, verdicts = solve_and_compare(problem)
+    assert [v.agrees for v in verdicts] == [True, True]
+    assert "arcosh(" in Terminal(110).render(narrate(solution))
+
+
+@pytest.mark.parametrize(
+    ("residual", "roots"),
+    [
+        (2 * sp.cosh(X) - 5, [-1.5668, 1.5668]),
+        (4 * sp.tanh(X) - 2, [0.5493]),
+        (sp.cosh(X) + 2 * sp.sinh(X) - 4, [1.0247]),
+        (sp.cosh(X) - sp.Rational(1, 2), []),
+    ],
+)
+def test_hyperbolic_functions(residual: sp.Expr, roots: list[float]) -> None:
+    found = closed_roots(residual, X, Valuation({}), Decimal(1), True)
+    assert [float(r.value) for r in found] == pytest.approx(roots, abs=1e-4)
+    assert all(r.expression is not None for r in found)
 
 
 TRACK = """

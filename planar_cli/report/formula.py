@@ -134,9 +134,8 @@ _NAMES_OF_NUMBERS = {sympy.pi: "π", sympy.E: "e", sympy.oo: "∞", sympy.I: "i"
 _RELATIONS = {"==": "=", "!=": "≠", "<": "<", "<=": "≤", ">": ">", ">=": "≥"}
 _ANGULAR = frozenset({"sin", "cos", "tan", "cot", "sec", "csc"})
 _FUNCTIONS = {
-    "asin": "arcsin",
-    "acos": "arccos",
-    "atan": "arctan",
+    **{f"a{f}": f"arc{f}" for f in ("sin", "cos", "tan")},
+    **{f"a{f}h": f"ar{f}h" for f in ("sin", "cos", "tan")},
     "atan2": "atan2",
     "log": "ln",
     "Max": "max",

@@ -31,9 +31,7 @@ from planar_cli.report.numbers import superscript
 from planar_cli.report.turned import turned
 
 _SIMPLE_NUMERAL = re.compile(r"[0-9.]+°?|[πe∞]")
-_LATEX_FUNCTIONS = frozenset(
-    {"sin", "cos", "tan", "cot", "sec", "csc", "arcsin", "arccos", "arctan", "ln", "exp", "max", "min"}
-)
+_LATEX_FUNCTIONS = frozenset("sin cos tan cot sec csc arcsin arccos arctan sinh cosh tanh ln exp max min".split())
 
 
 def plain(expr: Any, values: Values | None = None) -> str:

@@ -1,11 +1,13 @@
 """Closed roots of one equation of a motion: polynomial, or with the unknown in one angle, one exponential, one root.
 
-A cos u + B sin u = C:  u = ... + 2 n pi          a e^(ku) + b = 0:  u = ln(-b/a)/k
+A cos u + B sin u = C:  u = ... + 2 n pi          a e^(ku) + b = 0:  u = ln(-b/a)/k          cosh u = a:  u = ± arcosh a
 """
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from decimal import Decimal
+from typing import Any
 
 import sympy as sp
 from sympy.simplify.fu import TR8
@@ -20,6 +22,7 @@ from planar_cli.solve.instant.roots import Root, real_roots
 
 TURNS = 3
 LONGEST = 60
+HYPERBOLIC = (sp.cosh, sp.sinh, sp.tanh)
 
 
 def closed_roots(residual: sp.Expr, x: sp.Symbol, value: Valuation, truth: Decimal, symbolic: bool) -> list[Root]:
@@ -54,13 +57,15 @@ def _of_factor(numerator: sp.Expr, x: sp.Symbol, value: Valuation, truth: Decima
     if numerator.is_polynomial(x):
         return real_roots(numerator, x, value, symbolic, False)
     kernels = _kernels(numerator, x)
+    if len(kernels) > 1 and all(isinstance(k, HYPERBOLIC) for k in kernels):
+        return _of_exponentials(numerator, x, kernels, value, symbolic)
     if len(kernels) > 1:
         numerator = _summed(numerator)
         kernels = _kernels(numerator, x)
     if len(kernels) != 1:
         return []
     kernel = kernels.pop()
-    if isinstance(kernel, sp.exp | sp.log):
+    if isinstance(kernel, (sp.exp, sp.log, *HYPERBOLIC)):
         return _one_function(numerator, x, kernel, value, symbolic)
     if isinstance(kernel, sp.Pow):
         return _rooted(numerator, x, kernel, value, symbolic)
@@ -86,14 +91,14 @@ def _without_tangents(numerator: sp.Expr, x: sp.Symbol) -> sp.Expr:
 
 
 def _kernels(expr: sp.Expr, x: sp.Symbol) -> set[sp.Expr]:
-    """What hides x: arguments of sines and cosines, exponentials, logarithms, roots. Multiples of one argument are
-    reduced to the smallest.
+    """What hides x: arguments of sines and cosines, exponentials, hyperbolic functions, logarithms, roots. Multiples of
+    one argument are reduced to the smallest.
     """
     found: set[sp.Expr] = set()
     for atom in expr.atoms(sp.sin, sp.cos, sp.tan):
         if x in atom.free_symbols:
             found.add(expanded(atom.args[0]))
-    for atom in expr.atoms(sp.exp, sp.log):
+    for atom in expr.atoms(sp.exp, sp.log, *HYPERBOLIC):
         if x in atom.free_symbols:
             found.add(atom)
     for atom in expr.atoms(sp.Pow):
@@ -103,19 +108,43 @@ def _kernels(expr: sp.Expr, x: sp.Symbol) -> set[sp.Expr]:
 
 
 def _one_function(numerator: sp.Expr, x: sp.Symbol, kernel: sp.Expr, value: Valuation, symbolic: bool) -> list[Root]:
-    """One exponential or logarithm: its value first, then x."""
+    """One exponential, hyperbolic function or logarithm: its value first, then x."""
     y = sp.Dummy("y", real=True)
     flat = numerator.xreplace({kernel: y})
     flat = flat if x not in flat.free_symbols else sp.expand(flat, log=False).subs(kernel, y)
     if x in flat.free_symbols or not flat.is_polynomial(y):
         return []
-    inverse = sp.log if isinstance(kernel, sp.exp) else sp.exp
-    found: list[Root] = []
-    for root in real_roots(flat, y, value, symbolic, False):
-        if root.expression is None or (inverse is sp.log and root.value <= 0):
-            continue
-        found += real_roots(kernel.args[0] - inverse(root.expression), x, value, symbolic, False)
-    return found
+    return [
+        found
+        for root in real_roots(flat, y, value, symbolic, False)
+        if root.expression is not None
+        for inside in _undone(kernel.func, root.expression, root.value)
+        for found in real_roots(kernel.args[0] - inside, x, value, symbolic, False)
+    ]
+
+
+def _undone(function: Any, found: sp.Expr, number: Decimal) -> list[sp.Expr]:
+    """All that a function makes `found` of; none outside of its range."""
+    if function is sp.cosh:
+        return [sp.acosh(found), -sp.acosh(found)] if number >= 1 else []
+    if function is sp.tanh:
+        return [sp.atanh(found)] if abs(number) < 1 else []
+    if function is sp.exp:
+        return [sp.log(found)] if number > 0 else []
+    return [sp.asinh(found) if function is sp.sinh else sp.exp(found)]
+
+
+def _of_exponentials(
+    numerator: sp.Expr, x: sp.Symbol, kernels: Collection[sp.Expr], value: Valuation, symbolic: bool
+) -> list[Root]:
+    """Hyperbolic functions of one argument: a polynomial in its exponential."""
+    argument, *others = {expanded(k.args[0]) for k in kernels}
+    if others:
+        return []
+    e = sp.exp(argument)
+    own = {sp.cosh: (e + 1 / e) / 2, sp.sinh: (e - 1 / e) / 2, sp.tanh: (e**2 - 1) / (e**2 + 1)}
+    flat = expanded(sp.fraction(together(numerator.xreplace({k: own[k.func] for k in kernels})))[0] * e ** len(kernels))
+    return _one_function(flat, x, e, value, symbolic)
 
 
 def _rooted(numerator: sp.Expr, x: sp.Symbol, kernel: sp.Pow, value: Valuation, symbolic: bool) -> list[Root]:
