@@ -77,7 +77,7 @@ class Outcome:
 
 @dataclass(frozen=True, slots=True)
 class Judged:
-    """A line of the results. `digest`: of the file as it was."""
+    """A line of the results. `digest`: of the file as it was; `seconds`: of processor time."""
 
     file: str
     digest: str
@@ -155,6 +155,8 @@ class FileRun:
         _, root, wrong = nodes.read_file(file)
         assert root is not None, wrong
         self.root = root
+        self.seconds = 0.0
+        """Processor time of all children."""
         self._base: Outcome | None = None
 
     def judged(self, mutant: Mutant) -> tuple[str, str]:
@@ -203,7 +205,8 @@ class FileRun:
         else:
             os.kill(child, signal.SIGKILL)
         os.close(ours)
-        _, status = os.waitpid(child, 0)
+        _, status, used = os.wait4(child, 0)
+        self.seconds += used.ru_utime + used.ru_stime
         if told and not status:
             outcome: tuple[str, str] = pickle.loads(told)
             return outcome
@@ -287,9 +290,9 @@ def _serve_file(own: Sequence[Mutant], digest: str, limit: float, results: Path)
         task = FileRun(own[0].file, limit)
         with results.open("a", encoding="utf-8") as out:
             for m in own:
-                began = time.monotonic()
+                before = task.seconds + time.process_time()
                 outcome, detail = task.judged(m)
-                seconds = round(time.monotonic() - began, 3)
+                seconds = round(task.seconds + time.process_time() - before, 3)
                 line = Judged(m.file, digest, m.kind, m.place, m.what, outcome, detail, seconds)
                 out.write(json.dumps(asdict(line)) + "\n")
                 out.flush()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from answered import first, solve
 from conftest import ROOT
 from pinned import chain, four_bars, model_of
 
@@ -91,3 +92,21 @@ def test_an_open_chain_keeps_its_joints_inside_a_step_at_any_tolerance() -> None
         for k in range(5):
             t = step.t0 + k / 5 * (step.t1 - step.t0)
             assert max(map(abs, regime.residuals(t, step.at(t)))) < 1e-14
+
+
+def test_wheels_of_one_size_under_a_belt() -> None:
+    """Their places cancel in the relation of the belt: how far the other has turned does not rest on them."""
+    found = solve("""
+points: {A: [0, 0], B: [0.8 m, 0]}
+bodies: {one: {disk: A, radius: 0.2 m}, other: {disk: B, radius: 0.2 m}}
+joints:
+  - pin: {at: A, between: [ground, one]}
+  - pin: {at: B, between: [ground, other]}
+  - belt: {between: [one, other]}
+motion: [alpha(one) = 3 rad/s^2]
+states:
+  1: [t = 0, at rest]
+  2: [t = 5 s]
+find: {w: omega(other) @ 2}
+""")
+    assert first(found["w"]) == pytest.approx(15)

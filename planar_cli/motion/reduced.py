@@ -75,9 +75,11 @@ def _solves(constraint: Constraint, i: int) -> bool:
 
 def _solution(layout: Layout, constraint: Constraint, i: int, found: Mapping[int, Term]) -> Term:
     assert constraint.place is not None
-    coordinates = layout.coordinates
+    coordinates, number = layout.coordinates, layout.graph.number
     by = {coordinates[j]: found[j] for j in constraint.row if j in found}
-    rest = replaced(constraint.place, {**by, coordinates[i]: layout.graph.number(0.0)})
+    # What cancels in the relation, as the places of wheels of one size under a belt do, may have any value.
+    by |= {q: number(layout.drawn[j]) for j, q in enumerate(coordinates) if j not in constraint.row}
+    rest = replaced(constraint.place, {**by, coordinates[i]: number(0.0)})
     return rest * (-1.0 / constraint.row[i].value)
 
 

@@ -346,7 +346,7 @@ def _hint(course: MotionEquations, followed: Followed, stop: Stop, value: Valuat
     outcome = followed.run.trajectory.outcome if followed.run is not None else None
     if outcome is not None and outcome.kind == "repeats":
         found.append(outcome.words)
-    return "; ".join(found)
+    return "; ".join(dict.fromkeys(found))
 
 
 def _reader(course: MotionEquations, followed: Followed, value: Valuation) -> Follower:
