@@ -18,6 +18,7 @@ from planar_cli.problem.expression import Extreme, Name, Quantity, Relation, Sta
 from planar_cli.problem.scene import Problem, State, Symbol
 from planar_cli.problem.walk import walk
 from planar_cli.records import record
+from planar_cli.simulate.measures import modes_of
 from planar_cli.simulate.run import Run, Settings, followed, prepared
 from planar_cli.simulate.timetable import Timetable, chooses, is_time, mode_of
 from planar_cli.units import PURE, parse_unit
@@ -40,6 +41,8 @@ PROBES = 5
 """For so many values of it."""
 ROUNDS, CLOSE = 80, 1e-13
 """A root is enclosed in so many steps at most, up to this part of its size."""
+SHORT = 1e-3
+"""By this part of the way to it a secant stops short of the edge of what is reached, if it must."""
 HOLDS = 1e-7
 """At a root the relation is off by less than this part of its scale; a jump through zero is none."""
 SAME = 1e-7
@@ -69,7 +72,7 @@ def shooting(problem: Problem, known: Mapping[str, float]) -> tuple[float, ...] 
     if not shots or any(chooses(problem, state) for state in problem.states):
         return None
     unknown = problem.unknowns[0]
-    for values in _values(problem, unknown, known):
+    for values in values_tried(problem, unknown, known):
         found: list[float] = []
         least = min(abs(v) for v in values if v)
         # A root may be one of a relation only that is left out of one of the states: each is tried.
@@ -90,7 +93,7 @@ def has_no_effect(problem: Problem, known: Mapping[str, float]) -> bool:
     shots = list(_shots(problem)) if len(problem.unknowns) == 1 and not problem.symbols else []
     if not shots:
         return False
-    values = next(_values(problem, problem.unknowns[0], known))
+    values = next(values_tried(problem, problem.unknowns[0], known))
     tried = [values[k * (len(values) - 1) // (PROBES + 1)] for k in range(1, PROBES + 1)]
     # Of a spring, say, that pushes only while it is compressed two of them might leave everything at rest.
     probes = [p for v in tried if (p := _sides(shots[0].problem, {**known, problem.unknowns[0].name: v}))]
@@ -106,12 +109,12 @@ def _sides(problem: Problem, values: Mapping[str, float]) -> list[float] | None:
     """How long the motion lasts that misses a state, and by how much the relations of its states are off as it ends;
     None: there is no such motion.
     """
-    run = _run(problem, values, PROBED)
+    run = motion_with(problem, values, PROBED)
     if run is None or all(s.name in run.measures.moments for s in problem.states):
         return None
-    telling = [r for s in problem.states[1:] for r in _telling(s)]
-    relations = [r for r in telling if isinstance(r, Relation) and mode_of(r) is None]
-    if len(relations) < len(telling):
+    told = [r for s in problem.states[1:] for r in telling(s)]
+    relations = [r for r in told if isinstance(r, Relation) and mode_of(r) is None]
+    if len(relations) < len(told):
         # A mode is no number that could be compared.
         return None
     others = {q.at for r in relations for q in walk(r) if isinstance(q, Quantity) and q.at is not None}
@@ -125,14 +128,14 @@ def _sides(problem: Problem, values: Mapping[str, float]) -> list[float] | None:
 
 def _shots(problem: Problem) -> Iterator[Shot]:
     """The relation that is one too many for a motion with known constants, in every way of telling its state."""
-    much = [(s, n) for s in problem.states[1:] if (n := len(_telling(s)) - 1) > 0]
+    much = [(s, n) for s in problem.states[1:] if (n := len(telling(s)) - 1) > 0]
     if [n for _, n in much] != [1]:
         return
     ((state, _),) = much
     if any(isinstance(r, Extreme) for r in state.relations):
         # What is largest there is so beside motions with other values, not of one that is followed.
         return
-    for relation in _telling(state):
+    for relation in telling(state):
         if not isinstance(relation, Relation) or is_time(relation) or mode_of(relation) is not None:
             continue
         less = replace(state, relations=tuple(r for r in state.relations if r is not relation))
@@ -140,12 +143,12 @@ def _shots(problem: Problem) -> Iterator[Shot]:
         yield Shot(replace(problem, states=states), state.name, relation)
 
 
-def _telling(state: State) -> list[Statement]:
+def telling(state: State) -> list[Statement]:
     """The statements of which each would tell when a state is."""
     return [s for s in state.relations if not isinstance(s, Relation) or s.operator == "="]
 
 
-def _values(problem: Problem, unknown: Symbol, known: Mapping[str, float]) -> Iterator[list[float]]:
+def values_tried(problem: Problem, unknown: Symbol, known: Mapping[str, float]) -> Iterator[list[float]]:
     """Where the constant is looked for, in SI units: positive values, then negative ones; an angle all round."""
     unit = parse_unit(unknown.unit or "1")
     if unit.angle and unit.dimension == PURE:
@@ -165,9 +168,9 @@ def _values(problem: Problem, unknown: Symbol, known: Mapping[str, float]) -> It
 
 def _missed(shot: Shot, name: str, known: Mapping[str, float]) -> Missed:
     def missed(value: float) -> float | None:
-        run = _run(shot.problem, {**known, name: value})
+        run = motion_with(shot.problem, {**known, name: value})
         moment = None if run is None else run.measures.moments.get(shot.state)
-        if run is None or moment is None:
+        if run is None or moment is None or _acts_no_more(shot.left, moment.regime):
             return None
         scale = Timetable(run.problem, run.measures).scale(shot.left.left, shot.left.right)
         off = run.measures.gap(shot.left, moment.regime)(moment.t, moment.y)
@@ -176,7 +179,14 @@ def _missed(shot: Shot, name: str, known: Mapping[str, float]) -> Missed:
     return missed
 
 
-def _run(problem: Problem, values: Mapping[str, float], times: float = TIMES) -> Run | None:
+def _acts_no_more(relation: Relation, regime: Regime) -> bool:
+    """Does it speak of the force at a joint that has come apart? That it is zero there tells nothing."""
+    forces = (q for q in walk(relation) if isinstance(q, Quantity) and q.word in ("N", "tension"))
+    modes = modes_of(regime)
+    return any(modes.get(q.things[0]) in ("apart", "slack") for q in forces)
+
+
+def motion_with(problem: Problem, values: Mapping[str, float], times: float = TIMES) -> Run | None:
     """The motion with these numbers; None: with them there is none."""
     settings = Settings(values=values, tolerance=TOLERANCE, estimate=False, times=times, most_steps=STEPS)
     try:
@@ -187,7 +197,7 @@ def _run(problem: Problem, values: Mapping[str, float], times: float = TIMES) ->
 
 def _passes(problem: Problem, values: Mapping[str, float]) -> bool:
     """Does the motion pass all states of the file?"""
-    run = _run(problem, values)
+    run = motion_with(problem, values)
     return run is not None and all(s.name in run.measures.moments for s in problem.states)
 
 
@@ -200,6 +210,8 @@ def _roots(missed: Missed, values: Sequence[float]) -> Iterator[float]:
     for low, high in pairwise(found):
         ends = _reached(missed, low, high)
         root = None if ends is None else _enclosed(missed, *ends)
+        if root is None and ends is not None and None in (low[1], high[1]):
+            root = _at_edge(missed, *(ends if low[1] is None else ends[::-1]))
         if root is not None:
             yield root
 
@@ -224,6 +236,29 @@ def _edge(missed: Missed, lost: float, reached: Shown) -> Shown:
         else:
             reached = middle, f
     return reached
+
+
+def _at_edge(missed: Missed, edge: Shown, inner: Shown) -> float | None:
+    """The root where the state ceases to be reached, as where a contact is only just kept: the relation tends to it
+    from one side alone, so it is approached by secants that stop a little before it. None: there is no such root.
+    """
+    (x, f), (y, g) = edge, inner
+    for _ in range(ROUNDS):
+        if abs(f) <= TOLERANCE:
+            return x
+        if f * g <= 0 or abs(f) >= abs(g):
+            return None
+        root = x - f * (x - y) / (f - g)
+        stop, share = root, 0.0
+        h = missed(stop)
+        while h is None and share < 1.0:
+            share = 2 * share or SHORT
+            stop = root + share * (x - root)
+            h = missed(stop)
+        if h is None:
+            return x if abs(f) <= HOLDS else None
+        (y, g), (x, f) = (x, f), (stop, h)
+    return x if abs(f) <= HOLDS else None
 
 
 def _enclosed(missed: Missed, low: Shown, high: Shown) -> float | None:

@@ -14,6 +14,7 @@ from planar_cli.problem.not_negative import limits_of_friction
 from planar_cli.problem.scene import Problem, Symbol
 from planar_cli.simulate.shooting import has_no_effect, shooting
 from planar_cli.simulate.shooting_at_several import shooting_at_several
+from planar_cli.simulate.shooting_of_extremes import Best, best_value
 from planar_cli.solve.followed import can_be_followed, followed_part
 from planar_cli.solve.solved_problem import PartSolution
 from planar_cli.units import parse_unit
@@ -31,10 +32,13 @@ def root_of(problem: Problem, earlier: Mapping[str, Earlier], error: Undecided |
         return _roots_of_several(problem, earlier, error)
     try:
         idle = has_no_effect(problem, numbers_of(earlier))
-        roots = None if idle else shooting(problem, numbers_of(earlier))
+        best = None if idle else best_value(problem, numbers_of(earlier))
+        roots = None if idle or best is not None else shooting(problem, numbers_of(earlier))
     except PlanarError:
         # What keeps the motion from being followed is not what is wrong with the file.
-        idle, roots = False, None
+        idle, roots, best = False, None, None
+    if best is not None:
+        return _chosen(problem, best)
     if idle:
         unknown = problem.unknowns[0]
         text = f"{unknown.name} is open: what the states say is the same whatever it is"
@@ -55,6 +59,17 @@ def root_of(problem: Problem, earlier: Mapping[str, Earlier], error: Undecided |
     if len(roots) > 1:
         raise _ambiguous(problem, [{unknown.name: root} for root in roots])
     return {unknown.name: roots[0]}
+
+
+def _chosen(problem: Problem, best: Best) -> dict[str, float]:
+    """The number with which something is largest or smallest, unless that is where a state is only just reached."""
+    unknown = problem.unknowns[0]
+    if best.state:
+        number = _number(unknown, best.value, problem.us, 3)
+        text = f"beyond about {number} the state {best.state} is not reached; what is best there is no matter of slopes"
+        hint = "state what ceases to hold there, such as `N(P) = 0` of a contact that is only just kept"
+        raise NoSolution([Diagnostic(unknown.mark, OPEN, text, hint)])
+    return {unknown.name: best.value}
 
 
 def _roots_of_several(
@@ -81,11 +96,11 @@ def _ambiguous(problem: Problem, found: Sequence[Mapping[str, float]]) -> NoSolu
     return NoSolution([Diagnostic(problem.unknowns[0].mark, "PL635", text, hint)])
 
 
-def _number(unknown: Symbol, value: float, us: bool) -> str:
+def _number(unknown: Symbol, value: float, us: bool, figures: int = 6) -> str:
     """A constant with its value in its own unit."""
     unit = parse_unit(unknown.unit or "1")
     measure = "" if unit.text == "1" else f" {unit.text}"
-    return f"{unknown.name} = {display(Decimal(repr(value)), unit, us):.6g}{measure}"
+    return f"{unknown.name} = {display(Decimal(repr(value)), unit, us):.{figures}g}{measure}"
 
 
 def _of_extreme(problem: Problem) -> Undecided | None:
