@@ -14,6 +14,7 @@ from planar_cli.problem.facts import Test
 from planar_cli.report.another_equation import another_equation
 from planar_cli.report.blocks import Check, Line, Math, Name, Relation, line
 from planar_cli.report.power_check import power_check
+from planar_cli.report.velocity_check import velocity_check
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.instant import Trial
 from planar_cli.solve.instant.worked import unknowns_of
@@ -36,9 +37,10 @@ def check_blocks(instant: InstantSolution, phrases: Phrases, single: bool) -> li
     heavy = bool(instant.trial.outcomes) and not phrases.symbolic and any(b.mass != 0 for b in bodies)
     presses, limits = (_presses(instant, phrases), _friction(instant, phrases)) if heavy else ([], [])
     told = [*presses, *limits, *(line(text) for text in instant.checks.get("told", ()))]
-    if single and not limits and (other := another_equation(instant, phrases) or power_check(instant, phrases)):
-        told.append(other)
-    return [Check(phrase) for phrase in told]
+    if single and not limits:
+        others = (check(instant, phrases) for check in (another_equation, power_check, velocity_check))
+        told += [next(filter(None, others), ())]
+    return [Check(phrase) for phrase in told if phrase]
 
 
 def road_blocks(part: PartSolution) -> list[Check]:

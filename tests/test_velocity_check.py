@@ -1,0 +1,49 @@
+"""Velocities of one instant are checked by the instantaneous centre, a second point, or polar coordinates."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+from conftest import PROBLEMS
+from worked import worked
+
+from planar_cli.formats.terminal import Terminal
+from planar_cli.report.narrate import narrate
+
+FILES = {p.stem: p for p in PROBLEMS}
+
+
+def _page(stem: str) -> str:
+    return " ".join(Terminal(200).render(narrate(worked(FILES[stem])[0])).split())
+
+
+@pytest.mark.parametrize("stem", ["four-bar", "slider-crank-offset", "instantaneous-centre"])
+def test_both_points_turn_about_the_centre(stem: str) -> None:
+    found = re.findall(r"v_\w/I\w = ([\d.]+)/([\d.]+) = ([\d.]+) rad/s", _page(stem))
+    assert len(found) == 2
+    for speed, arm, spin in found:
+        assert float(speed) / float(arm) == pytest.approx(float(spin), rel=2e-3)
+    assert found[0][2] == found[1][2]
+
+
+def test_the_difference_of_two_velocities() -> None:
+    found = re.search(r"\(v_C - v_P\)/PC = \((\S+) ([+-]) (\S+)\)/(\S+) = (\S+) rad/s", _page("planetary-gear"))
+    assert found is not None
+    first, sign, last, arm, spin = found.groups()
+    assert (float(first) + float(sign + last)) / float(arm) == pytest.approx(float(spin), rel=2e-3)
+
+
+@pytest.mark.parametrize("stem", ["quick-return", "ex-2-09"])
+def test_polar_coordinates_about_the_pin(stem: str) -> None:
+    found = re.search(
+        r"= √\((\S+)² \+ \((\S+) · (\S+)\)²\) = (\S+) m/s; v_\w = ω r about \w = (\S+) · (\S+) = ", _page(stem)
+    )
+    assert found is not None
+    relative, spin, arm, speed, other, radius = (float(x) for x in found.groups())
+    assert (relative**2 + (spin * arm) ** 2) ** 0.5 == pytest.approx(speed, rel=2e-3)
+    assert other * radius == pytest.approx(speed, rel=2e-3)
+
+
+def test_none_of_a_body_on_a_fixed_pin() -> None:
+    assert "instantaneous centre of" not in _page("half-disk-swinging")
