@@ -23,6 +23,7 @@ from planar_cli.report.blocks import (
     Paragraph,
     line,
 )
+from planar_cli.report.blow_check import blow_check
 from planar_cli.report.checks import check_blocks, program_blocks, road_blocks
 from planar_cli.report.closed import with_closed_forms
 from planar_cli.report.directions import with_tangents
@@ -30,6 +31,7 @@ from planar_cli.report.discussion import discussion_lines
 from planar_cli.report.effects import effect_notes
 from planar_cli.report.energy_check import energy_check
 from planar_cli.report.inertias import with_inertias
+from planar_cli.report.law_check import law_check
 from planar_cli.report.names import plain_name
 from planar_cli.report.opening import changed_notes, opening_notes
 from planar_cli.report.passages import tale_blocks
@@ -151,8 +153,9 @@ def part_blocks(part: PartSolution, voice: Voice, why: str | None, told: set[tup
     heard = [instant for instant in part.instants if not instant.quiet]
     checks = [b for instant in heard for b in check_blocks(instant, phrases_of(instant, figures), part.motion is None)]
     blocks += [b for i, b in enumerate(checks) if b not in checks[:i]]
-    if part.motion is not None and why is None and (told_energy := energy_check(part.motion, settled)):
-        blocks.append(Check(told_energy))
+    if part.motion is not None and why is None:
+        others = (check(part.motion, settled) for check in (energy_check, blow_check, law_check))
+        blocks += [Check(told) for told in (next(filter(None, others), ()),) if told]
     blocks += [*road_blocks(part), *(program_blocks(part) if voice.verbose else ())]
     tested = any(mode.tests for instant in part.instants for mode in instant.trial.system.modes.values())
     if not tested and part.motion is None and part.tale is None:

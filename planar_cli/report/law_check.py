@@ -1,0 +1,196 @@
+"""A check that a person can make of a stretch of a motion, from the law of a coordinate alone.
+
+    mean speed of x:  (0 + 25)/2 · 12.5 = 156.2 m,  x_2 - x_1 = 156.2 m                          constant acceleration
+    ÿ = g constant:   2 · 9.81 · 3 = 58.86 m²/s²,  v_2² - v_1² = 58.86 m²/s²
+    θ̈ = -g sin θ/l:   Simpson's rule, ∫ θ̈ dθ = 0.5236 (8.496 + 4 · 4.905 + 0)/3 ...          the law at three places
+
+It rests neither on the integral in closed form nor on a balance of energy by which the motion was found.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from decimal import Decimal
+
+import sympy as sp
+
+from planar_cli.equation.exact import ZERO, Sample, Unvalued
+from planar_cli.equation.plain import longer
+from planar_cli.records import record
+from planar_cli.report.blocks import Inline, Line, Math, Name, Text, Value, line
+from planar_cli.report.clean import is_clean
+from planar_cli.report.sums import ROUNDING, agree
+from planar_cli.report.words import Phrases
+from planar_cli.solve.between.stretches import Law, Stretch
+from planar_cli.solve.between.trace import MotionTrace
+from planar_cli.units import LENGTH, pretty_unit
+
+COARSE = Decimal("0.005")
+"""In parts of the result: where Simpson's rule is off by more, three places are too few to check anything."""
+SHORT = 14
+"""A law of more operations is not written out."""
+
+
+@record
+class _Check:
+    told: Line
+    error: Decimal
+    """Of Simpson's rule, in parts of the result; of what is exact 0."""
+
+
+def law_check(motion: MotionTrace, phrases: Phrases) -> Line:
+    """The best of the stretches; empty where no coordinate has such a law, with ends whose values are on the page."""
+    if motion.symbolic or (isinstance(motion.value, Sample) and motion.value.drawn):
+        return ()
+    found = {r.unknown for leg in motion.route.steps for r in leg.results} | set(motion.route.plain)
+    relations = [e for leg in motion.route.steps for e in leg.relations]
+    checks: list[_Check] = []
+    for stretch in motion.stretches:
+        kinds = {e.kind for e in relations if e.stop == stretch.stop and e.since == stretch.since}
+        for law in stretch.laws:
+            try:
+                checks += _Ends(stretch, law, found, phrases).checks(kinds)
+            except Unvalued:
+                continue
+    return min(checks, key=lambda c: c.error).told if checks else ()
+
+
+class _Ends:
+    """A coordinate at both ends of a stretch. `found`: what has its value on the page."""
+
+    def __init__(self, stretch: Stretch, law: Law, found: set[sp.Symbol], phrases: Phrases) -> None:
+        self.law, self.phrases = law, phrases
+        self.running = {"q": law.coordinate.symbol, "v": law.v, "t": stretch.time}
+        plain = law.order == 2 and law.speed is not None and law.factor == 1 and law.coordinate.extra == 0
+        self.letters: dict[str, tuple[sp.Symbol, sp.Symbol]] = {}
+        for name, general in (("q", law.coordinate.symbol), ("t", stretch.time), ("v", law.speed if plain else None)):
+            one, other = (ends.get(general) if general is not None else None for ends in stretch.ends)
+            if one is not None and other is not None and None not in map(phrases.value.known, (one, other)):
+                self.letters[name] = (one, other)
+        self.told = {n for n, both in self.letters.items() if all(s in found or phrases.value(s) == 0 for s in both)}
+
+    def checks(self, kinds: set[str]) -> Iterator[_Check]:
+        """`kinds`: of the relations by which the page goes over the stretch."""
+        f, order = self.law.f, self.law.order
+        depends = {n for n, s in self.running.items() if f.has(s)}
+        if order == 2 and not depends:
+            yield from self._constant(kinds)
+        elif order == 2 and depends == {"q"} and "v" in self.told:
+            yield from self._simpson("q", f, "v", squared=True)
+        elif order == 2 and depends == {"t"}:
+            yield from self._simpson("t", f, "v")
+        elif order == 2 and depends == {"v"} and "t" in self.told:
+            yield from self._simpson("v", 1 / f, "t")
+        elif order == 1 and depends == {"t"}:
+            yield from self._simpson("t", f, "q")
+        elif order == 1 and depends == {"q"}:
+            yield from self._simpson("q", 1 / f, "t")
+
+    def _constant(self, kinds: set[str]) -> Iterator[_Check]:
+        """The mean speed times the time, or 2 a Δq."""
+        a = self.phrases.certain(self.law.f)
+        if a == 0 or "v" not in self.told or "q" not in self.letters:
+            return
+        (v, u), (q, p) = self._values("v"), self._values("q")
+        if {"t", "q"} <= self.told:
+            t, s = self._values("t")
+            if agree([(v + u) / 2 * (s - t)], [p - q]):
+                mean = line("(", self._bare(v, "v"), *self._plus(u, "v"), ")/2 · ", self._bare(s - t, "t"))
+                words = f"mean speed of {self.law.coordinate.words}: "
+                yield _Check(line(words, *mean, " = ", self._value(p - q, "q"), "; ", *self._difference("q")), ZERO)
+        elif "v(q)" not in kinds and agree([2 * a * (p - q)], [u * u, -v * v]):
+            product = line("2 · ", *self._factor(a, "a"), " · ", *self._factor(p - q, "q"))
+            sides = line(*product, " = ", self._value(2 * a * (p - q), "v", 2), "; ", *self._difference("v", 2))
+            yield _Check(line(*self._law(), " is constant, 2 a Δ", Name(self._letter("q")), " = ", *sides), ZERO)
+
+    def _simpson(self, over: str, rate: sp.Expr, of: str, squared: bool = False) -> Iterator[_Check]:
+        """The integral of a rate by its values at three places, against what it must come to."""
+        if not {over, of} <= self.told:
+            return
+        (start, end), (one, other) = self._values(over), self._values(of)
+        change = (other * other - one * one) / 2 if squared else other - one
+        places = (start, (start + end) / 2, end)
+        at = self.running[over]
+        first, half, last = rates = [self.phrases.value(rate.xreplace({at: sp.Rational(str(p))})) for p in places]
+        if change == 0 or not all(r.is_finite() for r in rates):
+            return
+        total = (end - start) * (first + 4 * half + last) / 6
+        error = abs(total / change - 1)
+        if error > COARSE:
+            return
+        per = "a" if self.law.order == 2 else "v"
+        shown = [1 / r if over != "t" and not squared else r for r in rates]
+        three = line(*(p for r in shown for p in (", ", self._bare(r, per))))[1:]
+        unit = Text(f" {pretty_unit(self._unit(per))} at the start, half-way and the end")
+        result = self._value(total, "v", 2) if squared else self._value(total, of)
+        integral = self._integral(over, squared)
+        sides = line(*integral, " by Simpson's rule from ", *three, unit, f" {_sign(error)} ", result, "; ")
+        ends = self._difference(of, 2, half=True) if squared else self._difference(of)
+        yield _Check(line(*sides, *ends), error)
+
+    # --- pieces ------------------------------------------------------------------------------------------------------
+
+    def _values(self, name: str) -> tuple[Decimal, Decimal]:
+        one, other = self.letters[name]
+        return self.phrases.certain(one), self.phrases.certain(other)
+
+    def _letter(self, name: str) -> str:
+        """The name of the coordinate, of its rate or of the rate of that."""
+        q: str = self.law.coordinate.symbol.name
+        return {"q": q, "v": f"{q}_dot", "a": f"{q}_ddot", "t": "t"}[name]
+
+    def _law(self) -> Line:
+        """q̈ = f, in letters where these are few."""
+        name = Name(self._letter("a" if self.law.order == 2 else "v"))
+        clean = (
+            not longer(self.law.f, SHORT)
+            and not self.law.f.has(self.law.v)
+            and is_clean(self.phrases.ledger, self.law.f)
+        )
+        return line(name, *((" = ", self.phrases.math(self.law.f)) if clean and not self.law.f.is_number else ()))
+
+    def _integral(self, over: str, squared: bool) -> Line:
+        """What Simpson's rule is taken of."""
+        rate = self._letter("a" if self.law.order == 2 else "v")
+        if over == "t" or squared:
+            given = line(", ", *self._law(), ",") if len(self._law()) > 1 else ()
+            return line("∫ ", Name(rate), " d", Name(self._letter(over)), *given)
+        return line("∫ d", Name(self._letter(over)), "/", Name(rate))
+
+    def _unit(self, kind: str, power: int = 1) -> str:
+        if kind == "t":
+            return "s"
+        own = "rad" if self.law.coordinate.unit == "rad" else "ft" if self.phrases.ledger.us else "m"
+        seconds = {"q": 0, "v": 1, "a": 2}[kind] * power
+        return own + (f"^{power}" if power > 1 else "") + {0: "", 1: "/s"}.get(seconds, f"/s^{seconds}")
+
+    def _number(self, value: Decimal, kind: str, power: int = 1) -> Decimal:
+        length = kind != "t" and self.law.coordinate.unit != "rad"
+        return value * self.phrases.of_dimension(Decimal(1), LENGTH).number ** power if length else value
+
+    def _bare(self, value: Decimal, kind: str) -> Value:
+        return Value(self._number(value, kind), "1", self.phrases.figures)
+
+    def _value(self, value: Decimal, kind: str, power: int = 1) -> Value:
+        return Value(self._number(value, kind, power), self._unit(kind, power), self.phrases.figures)
+
+    def _plus(self, value: Decimal, kind: str) -> Line:
+        return line(" - " if value < 0 else " + ", self._bare(abs(value), kind))
+
+    def _factor(self, value: Decimal, kind: str) -> Line:
+        shown = self._bare(value, kind)
+        return line("(", shown, ")") if value < 0 else line(shown)
+
+    def _difference(self, name: str, power: int = 1, half: bool = False) -> Line:
+        """x_2 - x_1, or of squares, with its value; what is zero is left out."""
+        (one, other), (a, b) = self._values(name), self.letters[name]
+        change = other**power - one**power
+        parts: list[Inline | str] = [Math(b**power)] if other else []
+        if one:
+            parts += [" - " if parts else "-", Math(a**power)]
+        told = line("(", *parts, ")/2") if half and len(parts) > 1 else line(*parts, "/2") if half else line(*parts)
+        return line(*told, " = ", self._value(change / 2 if half else change, name, power))
+
+
+def _sign(error: Decimal) -> str:
+    return "=" if error <= ROUNDING else "≈"
