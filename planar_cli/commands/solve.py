@@ -72,7 +72,12 @@ FIGURES = click.IntRange(1, LARGEST_FIGURES)
 @click.option("--why", metavar="NAME", help="Only what the answer NAME rests on.")
 @click.option("--figures", type=FIGURES, default=4, show_default=True, help="Significant figures of numbers.")
 @click.option("--digits", type=FIGURES, help=f"As --figures: so many certain digits, at most {LARGEST_FIGURES}.")
-@click.option("--audience", type=click.Choice(["exam", "lesson"]), default="exam", help="Short, or with every line.")
+@click.option(
+    "--audience",
+    type=click.Choice(["exam", "student", "lesson"]),
+    default="student",
+    help="As short as a key, worked out, or with words on each step.",
+)
 @click.option("--effects", is_flag=True, help="Also which effects the scene has, and which it lacks.")
 @click.option("--verbose", is_flag=True, help="Also what was compared, with digits, and the effects.")
 @click.option("--timeout", type=click.FloatRange(0), default=60, show_default=True, help="Seconds a problem; 0: none.")

@@ -8,7 +8,7 @@ import sympy as sp
 
 from planar_cli.calculus.linear_laws import EQUATION
 from planar_cli.report.blocks import Line, Math, line
-from planar_cli.solve.between.stretches import Law
+from planar_cli.solve.between.trace import Law
 
 ROOT = sp.Symbol("lambda")
 _WHAT_IS_ZERO = re.compile(r", (?:c|ω²) [=<] 0")

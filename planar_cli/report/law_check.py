@@ -19,10 +19,10 @@ from planar_cli.equation.plain import longer
 from planar_cli.records import record
 from planar_cli.report.blocks import Inline, Line, Math, Name, Text, Value, line
 from planar_cli.report.clean import is_clean
+from planar_cli.report.energies import STATE
 from planar_cli.report.sums import ROUNDING, agree
 from planar_cli.report.words import Phrases
-from planar_cli.solve.between.stretches import Law, Stretch
-from planar_cli.solve.between.trace import MotionTrace
+from planar_cli.solve.between.trace import Law, MotionTrace
 from planar_cli.units import LENGTH, pretty_unit
 
 COARSE = Decimal("0.005")
@@ -40,38 +40,51 @@ class _Check:
 
 def law_check(motion: MotionTrace, phrases: Phrases) -> Line:
     """The best of the stretches; empty where no coordinate has such a law, with ends whose values are on the page."""
-    if motion.symbolic or (isinstance(motion.value, Sample) and motion.value.drawn):
-        return ()
-    found = {r.unknown for leg in motion.route.steps for r in leg.results} | set(motion.route.plain)
     relations = [e for leg in motion.route.steps for e in leg.relations]
     checks: list[_Check] = []
-    for stretch in motion.stretches:
-        kinds = {e.kind for e in relations if e.stop == stretch.stop and e.since == stretch.since}
-        for law in stretch.laws:
+    for since, stop, laws in motion.stretches:
+        kinds = {e.kind for e in relations if (e.since, e.stop) == (since, stop)}
+        for law in laws:
             try:
-                checks += _Ends(stretch, law, found, phrases).checks(kinds)
+                checks += _Ends(motion, (since, stop), law, phrases).checks(kinds)
             except Unvalued:
                 continue
     return min(checks, key=lambda c: c.error).told if checks else ()
 
 
 class _Ends:
-    """A coordinate at both ends of a stretch. `found`: what has its value on the page."""
+    """A coordinate at both ends of a stretch."""
 
-    def __init__(self, stretch: Stretch, law: Law, found: set[sp.Symbol], phrases: Phrases) -> None:
-        self.law, self.phrases = law, phrases
-        self.running = {"q": law.coordinate.symbol, "v": law.v, "t": stretch.time}
-        plain = law.order == 2 and law.speed is not None and law.factor == 1 and law.coordinate.extra == 0
+    def __init__(self, motion: MotionTrace, states: tuple[str, str], law: Law, phrases: Phrases) -> None:
+        self.law, self.phrases, self.plain = law, phrases, motion.route.plain
+        self.certain = not motion.symbolic and not (isinstance(motion.value, Sample) and motion.value.drawn)
+        self.running = {"q": law.coordinate.symbol, "v": law.v, "t": phrases.ledger.symbols["t"]}
+        straight = law.order == 2 and law.speed is not None and law.factor == 1 and law.coordinate.extra == 0
+        own = {(general, s.name.rpartition(STATE)[2]): s for s, general in motion.general.items()}
+        found = {r.unknown for leg in motion.route.steps for r in leg.results} | set(motion.route.plain)
         self.letters: dict[str, tuple[sp.Symbol, sp.Symbol]] = {}
-        for name, general in (("q", law.coordinate.symbol), ("t", stretch.time), ("v", law.speed if plain else None)):
-            one, other = (ends.get(general) if general is not None else None for ends in stretch.ends)
-            if one is not None and other is not None and None not in map(phrases.value.known, (one, other)):
+        self.told: set[str] = set()
+        """What has its values on the page."""
+        for name, general in {**self.running, "v": law.speed if straight else None}.items():
+            one, other = (own.get((general, state)) for state in states)
+            if one is not None and other is not None and self._has_numbers(one, other):
                 self.letters[name] = (one, other)
-        self.told = {n for n, both in self.letters.items() if all(s in found or phrases.value(s) == 0 for s in both)}
+                self.told |= {name} if all(s in found or phrases.value(s) == 0 for s in (one, other)) else set()
+
+    def _has_numbers(self, *exprs: sp.Expr) -> bool:
+        """Have they numbers that rest on none that was drawn for a letter?"""
+        known = [self.phrases.value.known(e) for e in exprs]
+        settled = (
+            x == 0 or self.certain or self.phrases.has_numbers(self.plain.get(e, e))
+            for e, x in zip(exprs, known, strict=True)
+        )
+        return None not in known and all(settled)
 
     def checks(self, kinds: set[str]) -> Iterator[_Check]:
         """`kinds`: of the relations by which the page goes over the stretch."""
         f, order = self.law.f, self.law.order
+        if not self.phrases.has_numbers(f.xreplace(dict.fromkeys(self.running.values(), sp.S.One))):
+            return
         depends = {n for n, s in self.running.items() if f.has(s)}
         if order == 2 and not depends:
             yield from self._constant(kinds)

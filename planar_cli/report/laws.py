@@ -11,7 +11,7 @@ from planar_cli.report.blocks import Block, Equation, Line, Math, Paragraph, lin
 from planar_cli.report.clean import dimension_of, is_clean
 from planar_cli.report.put_in import partly
 from planar_cli.report.words import Phrases
-from planar_cli.solve.between.stretches import Law
+from planar_cli.solve.between.trace import Law
 
 FEW = 12
 """A law of more operations is told with its numbers."""

@@ -30,6 +30,7 @@ from planar_cli.report.directions import with_tangents
 from planar_cli.report.discussion import discussion_lines
 from planar_cli.report.effects import effect_notes
 from planar_cli.report.energy_check import energy_check
+from planar_cli.report.exam import key_blocks
 from planar_cli.report.inertias import with_inertias
 from planar_cli.report.law_check import law_check
 from planar_cli.report.names import plain_name
@@ -49,12 +50,13 @@ if TYPE_CHECKING:
 
 @record
 class Voice:
-    """How a page speaks. `figures`: significant figures; `audience`: exam (short) or lesson (with the text and every
-    line); `effects`: which effects the scene has, and lacks; `verbose`: what the program compared, with digits.
+    """How a page speaks. `figures`: significant figures; `audience`: student (the worked solution), exam (as short as
+    a key) or lesson (with the text, every line, and what each step is for); `effects`: which effects the scene has, and
+    lacks; `verbose`: what the program compared, with digits.
     """
 
     figures: int = 4
-    audience: str = "exam"
+    audience: str = "student"
     effects: bool = False
     verbose: bool = False
 
@@ -87,12 +89,15 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
             case = next(c.problem for c in problem.cases if c.name == part.case)
             mine = next((phrases_of(i, voice.figures) for i in part.instants), None)
             blocks += () if why is not None else changed_notes(problem, case, own, (first, mine), voice.figures)
-        blocks += own if voice.audience == "lesson" else told_once(own, blocks)
+        own = own if voice.audience == "lesson" else told_once(own, blocks)
+        blocks += key_blocks(own) if voice.audience == "exam" else own
     if voice.audience == "lesson":
         from planar_cli.report.lessons import with_lessons
 
         blocks = with_lessons(blocks)
-    opening = () if why is not None else opening_notes(problem, blocks, first, voice.figures)
+    opening = () if why is not None else tuple(opening_notes(problem, blocks, first, voice.figures))
+    if voice.audience == "exam":
+        opening = tuple(n for n in opening if n.kind == "Principle")
     return Document(problem.title or problem.file, (*texts, *opening, *(b for b in blocks if not _says_nothing(b))))
 
 

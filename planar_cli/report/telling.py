@@ -132,7 +132,7 @@ class Telling:
             ):
                 self.vectors.named.add(symbol)
                 value = self.phrases.shown(symbol)
-                hidden = longer(expr, LONG_FORMULA) and self.audience == "exam" and not self.phrases.symbolic
+                hidden = longer(expr, LONG_FORMULA) and self.audience != "lesson" and not self.phrases.symbolic
                 if hidden and any(symbol in symbols for symbols in self._constructed.values()):
                     continue
                 sides = (self.phrases.math(symbol), value) if hidden else self.solving.chain(symbol, expr, value)

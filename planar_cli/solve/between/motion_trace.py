@@ -19,7 +19,6 @@ from planar_cli.solve.between.needed import asked_at, laws_of_motion, wanted_of
 from planar_cli.solve.between.oscillation import Oscillation, roots_of, stability
 from planar_cli.solve.between.solved_motion import SolvedMotion
 from planar_cli.solve.between.stated_motion import StatedMotion
-from planar_cli.solve.between.stretches import Stretch
 from planar_cli.solve.between.taken import taken_of
 from planar_cli.solve.between.trace import (
     BalanceTrace,
@@ -76,7 +75,11 @@ def motion_trace(
         spans=found.spans,
         oscillations=tuple(_oscillation(o, found.value) for o in found.oscillations),
         regimes=tuple(_regime(found, i, () if whole else routes) for i in instants),
-        stretches=tuple(_stretches(course)),
+        stretches=tuple(
+            (a.name, b.name, course.laws[k].laws)
+            for k, (a, b) in enumerate(pairwise(course.states))
+            if not course.is_impulsive(k)
+        ),
         unused=tuple(_unused(course, route)),
         checks=found.checks,
         presumed=presumed,
@@ -95,13 +98,6 @@ def _unused(course: StatedMotion, route: Route) -> Iterator[BalanceTrace]:
             b = e.source
             if isinstance(b, StateBalance) and b.law.letter:
                 yield BalanceTrace(b.law, b.since.name, b.stop.name, b.before, b.after, b.brought, b.amounts)
-
-
-def _stretches(course: StatedMotion) -> Iterator[Stretch]:
-    for k, (a, b) in enumerate(pairwise(course.states)):
-        if not course.is_impulsive(k):
-            one, other = (course.stops[s.name] for s in (a, b))
-            yield Stretch(a.name, b.name, course.laws[k].laws, (one.letters, other.letters), one.time)
 
 
 def _corners(found: SolvedMotion) -> tuple[str, ...]:
