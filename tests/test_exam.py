@@ -13,6 +13,8 @@ from planar_cli.report.blocks import Answer, Equation, Forces, Paragraph
 from planar_cli.report.narrate import Voice, narrate
 
 STEMS = ("double-pulley", "ex-2-09", "ex-4-10", "ladder-sliding", "puck-hits-a-free-rod", "ex-1-02")
+LONG = 25
+"""A page of fewer lines is hardly more than its results."""
 FILES = [p for p in PROBLEMS if p.stem in STEMS]
 
 
@@ -22,7 +24,8 @@ def test_short_with_all_results(path: Path) -> None:
     key = narrate(worked(path)[0], Voice(audience="exam"))
     assert not [b for b in key.blocks if isinstance(b, Forces | Paragraph)]
     assert [b for b in key.blocks if isinstance(b, Answer)] == [b for b in page.blocks if isinstance(b, Answer)]
-    assert len(Terminal().render(key).splitlines()) < 0.75 * len(Terminal().render(page).splitlines())
+    short, long = (len(Terminal().render(x).splitlines()) for x in (key, page))
+    assert short < (0.75 * long if long > LONG else long)
 
 
 @pytest.mark.parametrize("path", FILES, ids=name_of)
