@@ -8,7 +8,10 @@ from pathlib import Path
 import pytest
 
 from planar_cli.errors import NoSolution
+from planar_cli.formats.terminal import Terminal
 from planar_cli.homework.checking import read
+from planar_cli.problem.structure import load_text
+from planar_cli.report.narrate import narrate
 from planar_cli.solve.run import solve_problem
 
 CURVE = """
@@ -101,3 +104,26 @@ def test_a_mass_that_cancels_is_no_letter_of_a_root(tmp_path: Path) -> None:
     # a² = g² sin²(40°) + (v²/l)²
     across = 9.81 * sin(radians(40))
     assert answer(BOB, tmp_path) == pytest.approx((1.5 * (144 - across**2) ** 0.5) ** 0.5)
+
+
+SKIER = """
+title: Skier on a parabola
+points: {A: [10 m, 5 m]}
+surfaces: {hill: {y: x^2/(20 m)}}
+bodies: {skier: {particle: A}}
+joints:
+  - guide: {point: A, along: hill}
+instant: [v(skier).mag = 6 m/s, v(skier).x < 0, a(skier).t = 2 m/s^2]
+find: {phi: v(skier).angle in deg, rho: rho(skier), a: a(skier).mag, a_n: a(skier).n}
+"""
+
+
+def test_a_particle_that_has_another_name_than_its_point() -> None:
+    """Its acceleration along and across the curve; the radius once, and no 1 = 1."""
+    problem, wrong = load_text(SKIER)
+    assert problem is not None, wrong
+    page = Terminal(width=110).render(narrate(solve_problem(problem)))
+    assert page.count("ρ = 20 √2 = 28.28 m") == 1
+    assert "a_A = a_At e_t + v_A²/ρ e_n = [-2.314, -0.5142] m/s²" in page
+    assert "a_n = v_A²/ρ = 1.273 m/s²" in page
+    assert "tan φ = 1\n" in page

@@ -15,6 +15,7 @@ import sympy as sp
 from planar_cli.equation.factoring import factored
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.problem.expression import Quantity
+from planar_cli.problem.facts import Path
 from planar_cli.problem.geometry import Vec
 from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Value, line
 from planar_cli.report.clean import is_clean
@@ -59,6 +60,8 @@ class AskedTelling:
             what = raw.find.found.what
             if isinstance(what, Quantity) and self._has_vectors(answer, what):
                 yield from self._moving(answer, what)
+            elif isinstance(what, Quantity) and (radius := list(self._asked_radius(answer, what))):
+                yield from radius
             else:
                 yield from self._formula(answer)
 
@@ -192,7 +195,9 @@ class AskedTelling:
         """v_P = v_A + ω × r_P/A = [x, y]."""
         level = "velocity" if word == "v" else "acceleration"
         if point not in self.scene.points:
-            yield from self._body_point(point, self.scene.center(point), centre_of(self.scene, point), level)
+            own = centre_of(self.scene, point)
+            yield from self._on_path(point, own, level)
+            yield from self._body_point(point, self.scene.center(point), own, level)
             return
         place = self.scene.point(point)
         yield from self._on_path(self.scene.owner(point), point, level)
@@ -203,30 +208,53 @@ class AskedTelling:
 
     def _on_path(self, body: str, place: str, level: str) -> Iterator[Block]:
         """Of a particle on a curved path: v = v e_t, a = a_t e_t + v²/ρ e_n."""
-        edge = self.vectors.edges.get(body)
-        path = edge.joining.path if edge is not None and edge.joining is not None else None
-        if edge is None or path is None or path.curvature == 0 or edge.parent != "ground" or edge.slide is None:
+        edge, path = self.vectors.edges.get(body), self._curved(body)
+        if edge is None or path is None or edge.slide is None:
             return
         motion, at = self.vectors.motion, self.scene.center(body)
-        bend = self.phrases.value.known(path.curvature)
-        if level == "velocity" or bend is None or edge.slide_rate is None:
+        if level == "velocity" or edge.slide_rate is None or f"{level} {place}" in self._told:
             return
-        normal = path.tangent.turned() if bend > 0 else -path.tangent.turned()
+        normal = path.tangent.turned() if self.phrases.value(path.curvature) > 0 else -path.tangent.turned()
         speed = self.phrases.math(edge.slide**2)
         parts = line(self.phrases.math(edge.slide_rate), " ", Name("e_t"), " + ", speed, "/ρ ", Name("e_n"))
         note = line(
             Name("e_t"), " = ", *self._vector(path.tangent, PURE), ", ", Name("e_n"), " = ", *self._vector(normal, PURE)
         )
-        radius = abs(1 / path.curvature) if self.phrases.symbolic else 1 / path.curvature * (1 if bend > 0 else -1)
-        shown = self.phrases.math(radius)
+        radius = list(self._radius(path, place, note))
+        yield from radius
+        sides = (line(Name(f"a_{place}")), parts)
+        yield from self._once(f"{level} {place}", sides, motion.acceleration(at, body), level, () if radius else note)
+
+    def _curved(self, body: str) -> Path | None:
+        """The fixed curve along which a particle moves; None: it is straight there, or there is none."""
+        edge = self.vectors.edges.get(body)
+        path = edge.joining.path if edge is not None and edge.joining is not None else None
+        if edge is None or path is None or path.curvature == 0 or edge.parent != "ground":
+            return None
+        return None if self.phrases.value.known(path.curvature) is None else path
+
+    def _radius(self, path: Path, place: str, note: Line = ()) -> Iterator[Block]:
+        """ρ of the path of a particle, once; nothing where the file gives it by that letter."""
+        if f"ρ {place}" in self._told:
+            return
+        self._told.add(f"ρ {place}")
+        sense = 1 if self.phrases.value(path.curvature) > 0 else -1
+        radius = abs(1 / path.curvature) if self.phrases.symbolic else sense / path.curvature
         value = () if self.phrases.symbolic else (self.phrases.of_dimension(self.phrases.value(radius), LENGTH),)
+        if radius.is_Symbol and plain_name(radius.name) == "ρ":
+            return
         clean = self.phrases.symbolic or is_clean(self.phrases.ledger, radius)
-        yield Equation(
-            (line("ρ"), *((shown,) if clean and not longer(radius, LONGEST) else ()), *value), None, note=note
-        )
-        yield from self._once(
-            f"{level} {place}", (line(Name(f"a_{place}")), parts), motion.acceleration(at, body), level
-        )
+        shown = (self.phrases.math(radius),) if clean and not longer(radius, LONGEST) else ()
+        yield Equation((line("ρ"), *shown, *value), None, note=note)
+
+    def _asked_radius(self, answer: Found, q: Quantity) -> Iterator[Block]:
+        """The same where it is asked for by that letter."""
+        if q.word != "rho" or plain_name(answer.name) != "ρ" or answer.unit.text not in ("m", "ft"):
+            return
+        body = q.things[0] if q.things[0] in self.scene.bodies else self.scene.owner(q.things[0])
+        path = self._curved(body)
+        if path is not None:
+            yield from self._radius(path, centre_of(self.scene, body))
 
     def _body_point(self, body: str, at: Vec, place: str, level: str) -> Iterator[Block]:
         """The equation of a point of a body with its value, after those of the points on which it rests."""
@@ -292,7 +320,9 @@ class AskedTelling:
         values, vector = self._values(answer, 0), self._parts(q)
         if vector is None or len(q.parts) > 1 or q.parts[-1].kind not in (*AXES, "mag"):
             told = {"angle": "its direction", "t": "along the path", "n": "across the path"}.get(q.parts[-1].kind, "")
-            yield Equation((line(Name(answer.name)), *values), None, note=line(told) if told else ())
+            across = self._across(q) if len(q.parts) == 1 else ()
+            chain = (line(Name(answer.name)), *((across,) if across else ()), *values)
+            yield Equation(chain, None, note=line(told) if told else ())
             return
         numbers = [self.phrases.of_dimension(v, self._dimension(q)) for v in vector]
         texts = {sp.Symbol(f"{NUMBER}{i}", real=True): _text(n) for i, n in enumerate(numbers)}
@@ -313,6 +343,14 @@ class AskedTelling:
             sides.append(Math(sp.Add(*parts, evaluate=False), texts))
         note = line("the component of ", Name(name), f" {told}") if own else ()
         yield Equation((*sides, *values), None, note=note)
+
+    def _across(self, q: Quantity) -> Line:
+        """v²/ρ, where that is asked of a particle on a fixed curve; else nothing."""
+        body = q.things[0] if q.things[0] in self.scene.bodies else self.scene.owner(q.things[0])
+        edge = self.vectors.edges.get(body)
+        if q.word != "a" or q.parts[-1].kind != "n" or len(q.things) > 1 or self._curved(body) is None or edge is None:
+            return ()
+        return () if edge.slide is None else line(self.phrases.math(edge.slide**2), "/ρ")
 
     def _axis(self, q: Quantity) -> list[Decimal]:
         """The unit vector along which a component is taken."""

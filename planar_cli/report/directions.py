@@ -48,7 +48,8 @@ def _told(equation: Equation) -> Iterator[Block]:
     else:
         told = Value(Decimal(number), "1", value.figures)
         tangent = line("tan ", sides[0])
-        yield replace(equation, sides=(tangent, *(q for q in shown if q is not None), told), note=())
+        plain = [q for q in shown if q is not None and not q.expr.doit().is_Rational]
+        yield replace(equation, sides=(tangent, *plain, told), note=())
         arc = Math(sp.atan(RATIO), {RATIO: significant(told.number, told.figures)})
         turn = "" if abs(value.number) < RIGHT else " + 180°" if value.number > 0 else " - 180°"
         yield Equation((sides[0], line(arc, turn), value), note=equation.note)
