@@ -15,7 +15,7 @@ from planar_cli.report.narrate import narrate
 @pytest.mark.parametrize(
     ("name", "words"),
     [
-        ("textbook/ex-1-07", "no damping: two imaginary roots of λ² + k/m = 0:"),
+        ("textbook/ex-1-07", "simple harmonic motion with ω_0² = k/m:"),
         ("momentum/gun-on-rails", "under-damped: two complex roots of λ² + c λ/M + k/M = 0, x of G:"),
         ("oscillations/damped-block-three-ways", "critically damped: a double root of λ² + 2 λ √(k/m) + k/m = 0:"),
         ("oscillations/damped-block-three-ways", "over-damped: two real roots of λ² + c λ/m + k/m = 0:"),

@@ -15,6 +15,7 @@ from worked import worked
 
 from planar_cli.equation.counting import operations
 from planar_cli.equation.ledger import display
+from planar_cli.formats.terminal import Terminal
 from planar_cli.report.blocks import Block, Equation, Heading, Math, Paragraph, Text, Value, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.motion import MotionTelling, motion_phrases
@@ -192,3 +193,13 @@ def _size(number: Decimal, unit: Unit) -> str:
     """The size of a number in SI units, as it is printed to some digits."""
     size = abs(float(number)) * float(unit.factor) * float(sp.pi) ** unit.pi_power
     return f"{size:.8g}" if size > TINY else "0"
+
+
+def test_what_is_zero_goes_and_an_extreme_is_told_by_what_vanishes() -> None:
+    """A block let go on a spring: its speed is no factor where it is largest, and no letter where it is zero."""
+    solution, _ = worked(ROOT / "problems" / "oscillations" / "block-hung-on-a-spring.yaml")
+    page = " ".join(Terminal(width=110).render(narrate(solution)).split())
+    assert "(4) m g + k l_0 = k s_fastest" in page
+    assert "0.9624 - 0.4812 = ṡ_fastest² in J" in page
+    assert "s_lowest = 2 m g/k + l_0 =" in page
+    assert "simple harmonic motion with ω_0² = k/m:" in page

@@ -21,8 +21,8 @@ from planar_cli.solve.between.trace import BalanceTrace, Impact, ImpactEquation
 from planar_cli.units import ANGULAR_MOMENTUM, ENERGY, IMPULSE, Dimension
 
 LONGEST, MOST_NAMED = 60, 8
-SHORT = 36
-"""A longer equation is told with its numbers, where it has some."""
+SHORT, FEW = 36, 12
+"""A longer equation is told with its numbers, where it has some; one whose parts were told with theirs."""
 AT_ONCE = "each with its own restitution: Newton's law at every contact. One after the other they would end otherwise."
 FINITE = "the impulse of weights, springs and other finite forces is negligible"
 
@@ -37,6 +37,8 @@ class BetweenTelling:
     """In which is told what rests on no letter without a number."""
     unknowns: Collection[sp.Symbol] = ()
     """What the equation at hand is solved for."""
+    long: bool = False
+    """Is its solution a long formula?"""
     told: set[str] = field(default_factory=set)
     stretches: set[tuple[sp.Symbol, sp.Expr]] = field(default_factory=set)
     """Those of springs that were told."""
@@ -109,12 +111,21 @@ class BetweenTelling:
         """An equation in letters where that is short and hides no unit; else with its numbers put in. `parts`: of its
         left side, which were told one by one.
         """
-        short = not longer(left - right, SHORT) and is_clean(self.phrases.ledger, left, right, dimension=dimension)
+        most = (0 if self.long else FEW) if parts and self._is_plain(left - right) else SHORT
+        short = not longer(left - right, most) and is_clean(self.phrases.ledger, left, right, dimension=dimension)
         found = None if short else put_in(parts or left, right, self.unknowns, self.numeric, dimension)
         if found is None:
             return Equation((self.phrases.math(left), self.phrases.math(right)), number, lead)
         self.counted.add(number)
         return Equation((found.left, found.right), number, lead, found.note)
+
+    def _is_plain(self, residual: sp.Expr) -> bool:
+        """Does one unknown alone stand in it, as itself or as its square?"""
+        unknown, *more = residual.free_symbols & set(self.unknowns) or (None,)
+        if unknown is None or more:
+            return False
+        once, twice = sp.diff(residual, unknown), sp.diff(residual, unknown, 2)
+        return unknown not in twice.free_symbols and (twice == 0 or simplified(once - twice * unknown) == 0)
 
     @staticmethod
     def _heading(b: BalanceTrace) -> Line:

@@ -7,10 +7,12 @@ import re
 import sympy as sp
 
 from planar_cli.calculus.linear_laws import EQUATION
-from planar_cli.report.blocks import Line, Math, line
+from planar_cli.equation.plain import simplified
+from planar_cli.report.blocks import Line, Math, Name, line
 from planar_cli.solve.between.trace import Law
 
 ROOT = sp.Symbol("lambda")
+UNDAMPED = "no damping"
 _WHAT_IS_ZERO = re.compile(r", (?:c|ω²) [=<] 0")
 
 
@@ -23,6 +25,9 @@ def with_coefficients(words: str, law: Law | None) -> Line:
     damping, stiffness = -sp.diff(law.f, law.v), -sp.diff(law.f, q)
     if (damping + stiffness).free_symbols & {q, law.v}:
         return line(words)
+    if before.startswith(UNDAMPED):
+        square = line(Name("omega_0"), "² = ", Math(simplified(stiffness)))
+        return line("simple harmonic motion with ", *square, _WHAT_IS_ZERO.sub("", after))
     before = before.replace("the roots 0 and -c of", "0 and another root of")
     terms = [*(ROOT * t for t in sp.Add.make_args(damping)), *sp.Add.make_args(stiffness)]
     return line(before, Math(ROOT**2), *map(_with_sign, terms), " = 0", _WHAT_IS_ZERO.sub("", after))

@@ -4,16 +4,20 @@ in the other sense, a place on the other side of the start. Where nothing of mec
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterator
 from decimal import Decimal
 from typing import Any
 
 import sympy as sp
 
 from planar_cli.equation.ledger import Kind
-from planar_cli.report.blocks import Line, Math, Name, line
+from planar_cli.report.blocks import Block, Line, Math, Name, Paragraph, line
+from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import MotionTrace, Result
 
+SAME, TINY = Decimal("1e-9"), Decimal("1e-30")
+"""Roots that differ by less, in parts of themselves and at all, are the same."""
+MOST_ROOTS = 4
 SENSES = {
     "omega": ("it turns counterclockwise there", "it turns clockwise there"),
     "x": ("it moves to the right there", "it moves to the left there"),
@@ -21,26 +25,28 @@ SENSES = {
 }
 
 
-def rejected(
-    found: MotionTrace, r: Result, others: list[Decimal], shown: Sequence[Any], told: Collection[sp.Symbol]
-) -> Line:
-    """Which root of a letter is taken, and why; nothing where only their size tells them apart. `others`: the roots
-    that were not taken, `shown`: the first of them in print.
+def rejected(found: MotionTrace, r: Result, phrases: Phrases, told: Collection[sp.Symbol]) -> Iterator[Block]:
+    """Which root of a letter is taken, and why; nothing where only their size tells them apart. `told`: letters that
+    the page gives.
     """
-    why = reason(found, r, others, told)
-    kind = found.ledger.roles[found.general[r.unknown]].kind
-    opposite = len(others) == 1 and others[0] * r.value < 0
+    left = [x for x in r.roots if abs(x.value - r.value) > abs(r.value) * SAME + TINY]
+    others = [x.value for x in left]
+    why = reason(found, r, others, told) if left else ()
     if not why:
-        return ()
-    if opposite and kind in (Kind.TIME, Kind.SPEED):
-        return line(f"the {'positive' if r.value > 0 else 'negative'} root, as ", why)
-    if kind is Kind.TIME:
+        return
+    kind = found.ledger.roles[found.general[r.unknown]].kind
+    if len(others) == 1 and others[0] * r.value < 0 and kind in (Kind.TIME, Kind.SPEED):
+        yield Paragraph(line(f"the {'positive' if r.value > 0 else 'negative'} root, as ", *why))
+    elif kind is Kind.TIME:
         later = any(v > r.value for v in others)
-        return why if later else line("the root for which ", why)
-    parts: list[Any] = ["not "]
-    for i, root in enumerate(shown):
-        parts += [", " if i else "", root]
-    return line(*parts, ": ", why)
+        yield Paragraph(why if later else line("the root for which ", *why))
+    else:
+        parts: list[Any] = ["not "]
+        for i, root in enumerate(left[:MOST_ROOTS]):
+            letters = phrases.symbolic and root.expression is not None
+            parts += [", " if i else ""]
+            parts.append(phrases.math(root.expression) if letters else phrases.shown(r.unknown, root.value))
+        yield Paragraph(line(*parts, ": ", *why))
 
 
 def reason(found: MotionTrace, r: Result, others: list[Decimal], told: Collection[sp.Symbol]) -> Line:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
-from decimal import Decimal
 from typing import Any
 
 import sympy as sp
@@ -28,6 +27,7 @@ from planar_cli.report.oscillation import oscillation_blocks, periods_told
 from planar_cli.report.put_in import in_known, put_in
 from planar_cli.report.span_integrals import SpanTelling
 from planar_cli.report.words import Phrases
+from planar_cli.report.zeros import without_zeros
 from planar_cli.solve.between.trace import (
     IN_THE_END,
     BalanceTrace,
@@ -39,12 +39,13 @@ from planar_cli.solve.between.trace import (
     RouteTrace,
 )
 
-MOST_ROOTS = 4
 WORK, MOMENTUM = "work and energy", "impulse and momentum"
 LONGEST, SHORT, PLAIN = 90, 36, 12
 """A longer formula is told by its value alone, after its equation in numbers: of letters, of what has numbers, and of
 what mixes letters and numbers with units.
 """
+FEW = 16
+"""A longer solution of a balance of energies is told by numbers, where these were told one by one."""
 MOST_SHOWN = 60
 """Of more operations an equation in numbers is told in letters alone."""
 
@@ -131,7 +132,7 @@ class MotionTelling:
         for i, leg in enumerate(legs):
             if not leg.is_datum:
                 self._open = {x for later in legs[i:] for x in later.unknowns}
-                yield from self._leg(leg, route)
+                yield from self._leg(*without_zeros(leg, route, legs[:i]))
 
     def _needed(self, route: RouteTrace) -> list[RouteStep]:
         """The legs that the wanted letters rest on."""
@@ -271,6 +272,7 @@ class MotionTelling:
     def _relation(self, e: Relation, leg: RouteStep, route: RouteTrace) -> Iterator[Block]:
         if e.source is not None:
             self.between.plain, self.between.unknowns = route.plain, leg.unknowns
+            self.between.long = any(r.formula is not None and longer(r.formula, FEW) for r in leg.results)
             yield from self.between.blocks(e.source, self._number())
             return
         yield from self._law(e)
@@ -302,7 +304,9 @@ class MotionTelling:
         if e.span is not None and e.span.explicit is not None and not e.span.unevaluated:
             own = self._letter(e)
             if own in route.plain:
-                return self.phrases.math(e.span.explicit.xreplace(route.plain)), self.phrases.math(route.plain[own])
+                explicit = e.span.explicit.xreplace(route.plain)
+                explicit = explicit if own in self.found.route.plain else _neat(explicit)
+                return self.phrases.math(explicit), self.phrases.math(route.plain[own])
         if e.span is not None and e.span.unevaluated:
             left = plain_integral(e.span.left, e, route, self.general) if e.span.left is not None else residual
             right = plain_integral(e.span.right, e, route, self.general) if e.span.right is not None else sp.S.Zero
@@ -365,19 +369,10 @@ class MotionTelling:
 
     def _others(self, r: Result) -> Iterator[Block]:
         """Roots that do not belong to this motion, each with the reason."""
-        left = [x for x in r.roots if abs(x.value - r.value) > abs(r.value) * Decimal("1e-9") + Decimal("1e-30")]
-        if not left or r.unknown not in self.general:
-            return
-        symbolic = self.phrases.symbolic and r.unknown not in self.found.route.settled
-        shown = [
-            self.phrases.math(root.expression)
-            if symbolic and root.expression is not None
-            else self.phrases.shown(r.unknown, root.value)
-            for root in left[:MOST_ROOTS]
-        ]
-        told = {x for leg in self._needed(self.found.route) for x in leg.unknowns}
-        if said := rejected(self.found, r, [x.value for x in left], shown, told):
-            yield Paragraph(said)
+        if r.unknown in self.general:
+            phrases = self.numeric if r.unknown in self.found.route.settled else self.phrases
+            told = {x for leg in self._needed(self.found.route) for x in leg.unknowns}
+            yield from rejected(self.found, r, phrases, told)
 
     def _letter(self, e: Relation) -> sp.Symbol | None:
         """The letter that a relation between states gives, by its kind."""

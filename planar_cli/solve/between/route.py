@@ -62,6 +62,7 @@ class Router:
         self._residuals: dict[sp.Expr, sp.Expr] = {}
         equations = [without_factors(e, value) for e in equations]
         self.equations = [e for e in equations if self._inside(e) and self._true(e)]
+        self._zeros: dict[sp.Symbol, sp.Expr] = {}
 
     def residual(self, equation: Equation) -> sp.Expr:
         """With zeros and names of the file put in."""
@@ -137,6 +138,7 @@ class Router:
                 continue
             steps.append(step)
             told = [] if derivation.equations[0].kind == "followed" else step.results
+            self._zeros |= {r.unknown: r.formula for r in told if r.formula == 0}
             formulas |= {r.unknown: r.formula for r in told if r.formula is not None}
         return Route(tuple(steps), formulas, self.plain)
 
@@ -295,7 +297,7 @@ class Router:
 
     def _work(self, derivation: Derivation) -> DerivedStep | None:
         """Solve in symbols; of several roots the one with the known value."""
-        pool = [self.residual(e) for e in derivation.equations]
+        pool = [self._without_zeros(self.residual(e), derivation.unknowns) for e in derivation.equations]
         left = list(derivation.unknowns)
         back: list[tuple[sp.Symbol, sp.Expr]] = []
         while len(pool) > 1:
@@ -316,6 +318,14 @@ class Router:
             results = self._by_squares(pool, left) or [Result(x, None, self.value(x)) for x in derivation.unknowns]
         datum = len(derivation.equations) == 1 and derivation.equations[0].kind in DATA and not derivation.needs
         return DerivedStep(derivation, tuple(results), datum and not _is_high(derivation))
+
+    def _without_zeros(self, residual: sp.Expr, unknowns: Sequence[sp.Symbol]) -> sp.Expr:
+        """An equation without letters that were found to be zero, where it still tells its unknowns."""
+        if residual.has(sp.Integral):
+            return residual
+        found = residual.xreplace(self._zeros)
+        lost = (residual.free_symbols - found.free_symbols) & set(unknowns)
+        return residual if lost or found.has(sp.nan, sp.zoo) else found
 
     def _by_squares(self, pool: list[sp.Expr], left: list[sp.Symbol]) -> list[Result]:
         """Two equations in letters from which the square of one unknown goes; empty: it does not."""
