@@ -344,4 +344,4 @@ class Problem:
 
     def called(self, joint: str) -> str:
         """How the joint of that name is called in a sentence."""
-        return next(j.called for j in self.joints if j.name == joint)
+        return next((j.called for j in self.joints if j.name == joint), joint)

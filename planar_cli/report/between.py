@@ -21,7 +21,7 @@ from planar_cli.solve.between.trace import BalanceTrace, Impact, ImpactEquation
 from planar_cli.units import ANGULAR_MOMENTUM, ENERGY, IMPULSE, Dimension
 
 LONGEST, MOST_NAMED = 60, 8
-SHORT, FEW = 36, 12
+SHORT, FEW = 36, 16
 """A longer equation is told with its numbers, where it has some; one whose parts were told with theirs."""
 AT_ONCE = "each with its own restitution: Newton's law at every contact. One after the other they would end otherwise."
 FINITE = "the impulse of weights, springs and other finite forces is negligible"

@@ -44,7 +44,7 @@ LONGEST, SHORT, PLAIN = 90, 36, 12
 """A longer formula is told by its value alone, after its equation in numbers: of letters, of what has numbers, and of
 what mixes letters and numbers with units.
 """
-FEW = 16
+FEW = 20
 """A longer solution of a balance of energies is told by numbers, where these were told one by one."""
 MOST_SHOWN = 60
 """Of more operations an equation in numbers is told in letters alone."""

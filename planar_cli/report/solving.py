@@ -102,10 +102,10 @@ class SolvingTelling:
     def _last_in_numbers(self, block: SolvedBlock, stage: Stage) -> list[Block]:
         """The one letter of a block from its last equation, into which the others are put."""
         found = self.numeric.inserted(block, stage)
-        if found is None:
+        x = next((x for x in block.lines if x.symbol in block.letters), None)
+        if found is None or x is None:
             return []
         (sides, note), solved = found
-        (x,) = (x for x in block.lines if x.symbol in block.letters)
         *put, last = (self.number(stage, w.number) for w in block.equations)
         lead = line(f"{numbered(put)} in ({last}):")
         value = self.phrases.shown(x.symbol, x.value)
@@ -115,12 +115,14 @@ class SolvingTelling:
         """Do the lines in letters all stand already as equations, so that they are put into the last ones?"""
         written = {w.number: w for w in block.equations}
         carried = [x for x in block.lines if x.letters]
-        if not all(x.equations and is_written(written[x.equations[0]], x, self.phrases) for x in carried):
+        own = [written[x.equations[0]] for x in carried if x.equations and x.equations[0] in written]
+        result = next((x for x in block.lines if x.symbol in block.letters and not x.letters), None)
+        if result is None or not carried or len(own) < len(carried):
             return False
-        if carried:
-            result = next(x for x in block.lines if x.symbol in block.letters)
-            self._inserted[result.symbol] = tuple(x.equations[0] for x in carried)
-        return bool(carried)
+        if not all(is_written(w, x, self.phrases) for w, x in zip(own, carried, strict=True)):
+            return False
+        self._inserted[result.symbol] = tuple(w.number for w in own)
+        return True
 
     def _name_together(self, block: SolvedBlock, lines: Sequence[SolvedLine], stage: Stage) -> None:
         """The first result of several equations bears the numbers of all; so does one that its own does not hold."""
