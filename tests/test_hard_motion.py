@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import math
 from decimal import Decimal, localcontext
+from types import SimpleNamespace
 
 import mpmath
 import pytest
 from answered import assert_close, number, solve
 
 from planar_cli.errors import PlanarError
+from planar_cli.motion.unstable import growth
 
 # --- dead centres: √(l² - r² sin²) cancels ---------------------------------------------------------------------------
 
@@ -115,6 +118,23 @@ def test_a_pendulum_upright_stays_there() -> None:
     """sin(π) of a float is 1.2e-16, and a step method falls after 12 or 17 s, as its tolerance will have it."""
     states = "states:\n  start: [t = 0, theta = 180 deg, at rest]\n  low: [theta = 0]\n"
     assert falls(f"{PENDULUM}{states}find: {{falls: reached(low)}}\n") in ("false", "equilibrium")
+
+
+class Edge:
+    """x'' = x, beside a number that has no value elsewhere."""
+
+    @staticmethod
+    def project(_: float, y: list[float]) -> list[float]:
+        return [*y[:2], y[2] if y[2] == 0 else math.nan]
+
+    @staticmethod
+    def rates(_: float, y: list[float]) -> list[float]:
+        return [y[1], y[0], y[2]]
+
+
+def test_deviations_that_have_no_value_are_none() -> None:
+    rate = growth(SimpleNamespace(scale=[1.0] * 3, time_scale=1.0), Edge, 0.0, [0.0] * 3)
+    assert rate == pytest.approx(1)
 
 
 def falls(text: str) -> str:

@@ -5,6 +5,7 @@ Small deviations follow δ' = A δ, hence δ ~ exp(λ t): unstable where λ > 0,
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 
 from planar_cli.motion.automaton import Automaton, Regime
@@ -24,7 +25,11 @@ def growth(automaton: Automaton, regime: Regime, t: float, y: Sequence[float]) -
     # It takes as long to import as many a motion takes to follow, and few end in an equilibrium.
     import numpy as np
 
-    places, rates = (np.array(rows).T for rows in zip(*_deviations(automaton.scale, regime, t, y), strict=True))
+    # Beside a place where the joints end, a deviation may have no value.
+    found = [(p, r) for p, r in _deviations(automaton.scale, regime, t, y) if all(map(math.isfinite, (*p, *r)))]
+    if not found:
+        return 0.0
+    places, rates = (np.array(rows).T for rows in zip(*found, strict=True))
     basis, sizes, shares = np.linalg.svd(places)
     count = int(np.sum(sizes > DEPENDENT))
     matrix = basis[:, :count].T @ rates @ shares[:count].T / sizes[:count]
