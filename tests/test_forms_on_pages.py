@@ -125,3 +125,30 @@ def test_an_extreme_stands_behind_the_equations_that_it_rests_on() -> None:
     sums, extreme = page.index("ΣF_x"), page.index("its derivative with respect to α is zero:")
     assert sums < extreme < page.index("Solving the equations")
     assert re.search(r"\(3\)  μ cos α - sin α = 0", page)
+
+
+BRAKED_DRUM = """
+title: Drum braked by a block, its place in numbers and its radius by name
+plane: vertical
+given: {R: 200 mm, I: 3 kg*m^2, P: 150 N, mu: 0.35}
+points: {A: [0, 50 mm], B: [800 mm, 50 mm], D: [300 mm, 0], O: [300 mm, -200 mm]}
+bodies:
+  drum: {disk: O, radius: R, mass: 60 kg, inertia: I}
+  lever: {points: [A, B, D]}
+joints:
+  - pin: {at: O, between: [ground, drum]}
+  - pin: {at: A, between: [ground, lever]}
+  - contact: {between: [lever, drum], at: D, mu_k: mu}
+loads:
+  - force: {body: lever, at: B, magnitude: P, angle: -90 deg}
+states: {1: [t = 0, omega(drum) = 20 rad/s cw], 2: [omega(drum) = 0]}
+find: {t: t @ 2}
+"""
+
+
+def test_arms_of_a_rim_are_lengths() -> None:
+    """Not 1/(25 R), which has the value of the arm 0.2 m, and not its dimension."""
+    problem, _ = load_text(BRAKED_DRUM)
+    assert problem is not None
+    page = Terminal(200).render(narrate(solve_problem(problem)))
+    assert "1/5 μ N_D = I α" in page

@@ -9,7 +9,9 @@ from conftest import PROBLEMS
 from worked import worked
 
 from planar_cli.formats.terminal import Terminal
+from planar_cli.problem.structure import load_text
 from planar_cli.report.narrate import narrate
+from planar_cli.solve.run import solve_problem
 
 FILES = {p.stem: p for p in PROBLEMS}
 MOVING = r"power: Σ F v = (.*?) W; dT/dt = Σ \(m a v \+ I α ω\) = (.*?) W"
@@ -47,3 +49,25 @@ def test_none_in_letters_without_forces_or_in_equilibrium(stem: str) -> None:
     page = _page(stem)
     assert not re.search(MOVING, page)
     assert not re.search(FROM_REST, page)
+
+
+SLIDING = """
+title: Crate that slides to the right, nobody says how fast
+plane: vertical
+points: {C: [0, 0]}
+bodies: {crate: {particle: C, mass: 20 kg}}
+joints:
+  - contact: {between: [crate, ground], at: C, mu_k: 0.3}
+loads:
+  - force: {body: crate, magnitude: 100 N, angle: 0 deg}
+instant: [v(crate).x > 0]
+find: {a: a(crate).x}
+"""
+
+
+def test_none_with_a_speed_that_stands_for_a_direction() -> None:
+    problem, _ = load_text(SLIDING)
+    assert problem is not None
+    page = Terminal(200).render(narrate(solve_problem(problem)))
+    assert "checked by" in page
+    assert "power" not in page

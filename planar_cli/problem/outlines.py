@@ -179,7 +179,8 @@ def _rim(scene: Outlined, body: str, shape: Round | Sector, point: Vec) -> Outli
         if side is not None:
             radius = scene.value(side)
             if scene.are_same(out.dot(out), radius * radius):
-                return Outline("arc", body, (out / radius).turned(), 1 / radius, center, _center(shape))
+                # Places in numbers and a radius by name: their quotient is no unit vector to the eye.
+                return Outline("arc", body, (out / scene.length(out)).turned(), 1 / radius, center, _center(shape))
     return None
 
 

@@ -19,6 +19,7 @@ from planar_cli.report.blocks import Line, line
 from planar_cli.report.page_units import coherent_unit
 from planar_cli.report.sums import agree, chain, counting
 from planar_cli.report.words import Phrases
+from planar_cli.solve.instant.by_direction import has_speed_of_ours
 from planar_cli.solve.solution import InstantSolution
 from planar_cli.units import ENERGY, POWER
 
@@ -30,7 +31,9 @@ Moving = Callable[[Vec, str], Vec]
 
 
 def power_check(instant: InstantSolution, phrases: Phrases) -> Line:
-    """Empty where nothing moves, where forces do work that have no value on the page, or where the sums are long."""
+    """Empty where nothing moves or the file tells no more than a direction of it, where forces do work that have no value
+    on the page, or where the sums are long.
+    """
     system = instant.trial.system
     motion = system.motion
     if phrases.symbolic or not instant.trial.outcomes or motion is None or system.reactions is None:
@@ -39,7 +42,7 @@ def power_check(instant: InstantSolution, phrases: Phrases) -> Line:
     bodies = system.scene.bodies.values()
     if not any(w.law in ("force", "moment") for w in written) or any(b.varies for b in bodies):
         return ()
-    if any(w.law not in ("force", "moment", "relation") for w in written):
+    if any(w.law not in ("force", "moment", "relation") for w in written) or has_speed_of_ours(system.statements):
         return ()
     try:
         still = all(

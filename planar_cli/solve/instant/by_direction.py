@@ -50,6 +50,12 @@ def _as_speed(relation: Relation, speed: Fraction) -> Relation:
     return replace(relation, operator="=", right=right)
 
 
+def has_speed_of_ours(statements: Statements) -> bool:
+    """Does a relation have a speed that only stands for a direction?"""
+    rights = (r.right for r, _ in statements.relations)
+    return any(isinstance(s, Binary) and isinstance(s.right, Number) and s.right.value in SPEEDS for s in rights)
+
+
 def with_statements(instant: Instant, statements: Statements) -> Instant:
     """The instant with other statements."""
     setup = instant.setup
