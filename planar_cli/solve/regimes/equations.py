@@ -17,7 +17,7 @@ from planar_cli.equation.displacement import Coordinate
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.expansion import expanded
 from planar_cli.equation.ledger import Kind
-from planar_cli.equation.plain import identically_zero, letters, longer, replaced, simplified
+from planar_cli.equation.plain import derivative, identically_zero, letters, longer, replaced, simplified
 from planar_cli.errors import NOWHERE, Mark
 from planar_cli.problem.expression import Name
 from planar_cli.records import record
@@ -179,6 +179,7 @@ def _second_order(
         other = link.coordinate.symbol
         if other in letters(f) and set(link.factors) == {symbol} and link.drift == 0:
             f = f.subs(other, start[other] + link.factors[symbol] * (symbol - start[symbol]))
+    f = replaced(f, _timed(regime))
     v = sp.Dummy("v", real=True)
     f = replaced(f, {u: v / factor})
     f = f if longer(f, LONGEST) else simplified(f)
@@ -188,6 +189,22 @@ def _second_order(
     if any(roles[s].kind is Kind.ACCELERATION for s in letters(f) if s in roles):
         return None
     return Law(c, 2, f, v, u, factor, _effort(regime, f))
+
+
+def _timed(regime: Regime) -> dict[sp.Symbol, sp.Expr]:
+    """Coordinates that `motion` gives as functions of time, such as that of a shaken base."""
+    own, varying = {c.symbol for c in regime.coordinates}, set(regime.letters)
+    found: dict[sp.Symbol, sp.Expr] = {}
+    for constraint in regime.general.constraints:
+        inside = constraint.residual.free_symbols & own
+        if constraint.kind != "motion" or len(inside) != 1:
+            continue
+        (symbol,) = inside
+        slope = derivative(constraint.residual, symbol)
+        place = simplified(symbol - constraint.residual / slope) if not slope.free_symbols & varying else symbol
+        if place.free_symbols & varying <= {regime.time}:
+            found[symbol] = place
+    return found
 
 
 def _effort(regime: Regime, f: sp.Expr) -> float:
