@@ -31,8 +31,8 @@ Moving = Callable[[Vec, str], Vec]
 
 
 def power_check(instant: InstantSolution, phrases: Phrases) -> Line:
-    """Empty where nothing moves or the file tells no more than a direction of it, where forces do work that have no value
-    on the page, or where the sums are long.
+    """Empty where nothing moves or no more is told than a direction, where forces do work that have no value on the
+    page, or where the sums are long.
     """
     system = instant.trial.system
     motion = system.motion
