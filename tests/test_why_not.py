@@ -7,7 +7,7 @@ from decimal import Decimal
 import pytest
 from answered import assert_close, solve
 
-from planar_cli.errors import Diagnostic, NoSolution
+from planar_cli.errors import Diagnostic, FileProblem, NoSolution
 from planar_cli.problem.structure import load_text
 
 UNUSED = """
@@ -149,3 +149,68 @@ def test_a_free_particle_whose_place_is_open() -> None:
     (why,) = wrong
     assert (why.code, why.mark.line) == ("PL521", 7)
     assert why.message == "P is free, and lies on track: where it lies at first is open"
+
+
+WALL = """
+title: Ball thrown against a wall
+plane: vertical
+unknowns: {e: 1}
+points: {W: [5 m, 0]}
+surfaces: {wall: {through: W, angle: 90 deg}}
+bodies: {ball: {particle: [0, 2 m], mass: 0.3 kg}}
+joints:
+  - impact: {between: [ball, wall], restitution: e}
+states:
+  1: [v(ball).x = 10 m/s, v(ball).y = 4 m/s]
+  2: [x(ball) = 5 m]
+  3: [just after 2]
+  4: [y(ball) = 0, x(ball) = 6 m]
+find: {e: e}
+"""
+BOX = """
+title: Box that falls flat
+plane: vertical
+points: {G: [0, 1.1 m], A: [-0.2 m, 1 m]}
+surfaces: {floor: {through: [0, 0], angle: 0 deg}}
+bodies: {box: {plate: G, width: 0.4 m, height: 0.2 m, mass: 2 kg, points: [A]}}
+joints:
+  - contact: {between: [box, floor], at: A, mu: 0.3}
+states: {1: [at rest], 2: [y(A) = 0]}
+find: {v: v(box).y @ 2}
+"""
+GROOVE = """
+title: Pin in a groove
+given: {b: 0.2 m}
+points: {O: [0, 0], E: [1 m, 0], P: [0.6 m, 0]}
+surfaces: {groove: {r: b*(2 + cos(theta))}}
+bodies: {arm: {points: [O, E]}, pin: {particle: P}}
+joints:
+  - pin: {at: O, between: [ground, arm]}
+  - guide: {point: pin, along: arm}
+  - guide: {point: pin, along: groove}
+motion: [omega(arm) = 2 rad/s]
+instant: [v(pin).mag is largest]
+find: {v: v(pin).mag}
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "code", "message", "hint"),
+    [
+        (
+            WALL,
+            "PL619",
+            "the coefficient of restitution -0.1503: they would pass through each other",
+            "between 0 and 1",
+        ),
+        (BOX, "PL521", "the point of contact is not on floor as drawn", "`during: 2->3`"),
+        (GROOVE, "PL613", "v(pin).mag is what the places as drawn make it", "under `coordinates`"),
+    ],
+)
+def test_what_to_write(text: str, code: str, message: str, hint: str) -> None:
+    with pytest.raises((NoSolution, FileProblem)) as caught:
+        solve(text)
+    (why,) = caught.value.diagnostics
+    assert why.code == code
+    assert message in why.message
+    assert hint in why.hint

@@ -18,6 +18,7 @@ from planar_cli.problem.setting import Setting
 from planar_cli.records import record
 
 Span = tuple[str, str] | None
+LATER = "where they meet only later, let it begin there: `during: 2->3`, from the state in which they do"
 """The states between which a joint acts; None: always."""
 
 
@@ -127,7 +128,7 @@ def _surface(scene: Outlined, surface: Surface, point: Vec, mark: Mark) -> Outli
     if isinstance(shape, Line):
         tangent = scene.surface_direction(surface)
         off = (point - scene.carried(body, shape.through)).cross(tangent)
-        _demand_on(scene.is_zero(scene.as_drawn(off)), surface, mark, "let the line go `through:` it")
+        _demand_on(scene.is_zero(scene.as_drawn(off)), surface, mark, f"let the line go `through:` it; {LATER}")
         return Outline("straight", body, tangent, drift=_drift(scene, surface, tangent), floor=surface.inferred)
     if isinstance(shape, Circle):
         center, radius = scene.carried(body, shape.center), scene.value(shape.radius)
@@ -148,7 +149,7 @@ def _surface(scene: Outlined, surface: Surface, point: Vec, mark: Mark) -> Outli
 
 def _demand_on(fits: bool, surface: Surface, mark: Mark, hint: str) -> None:
     if not fits:
-        raise refuse(mark, "PL521", f"the point of contact is not on {surface.name}", hint)
+        raise refuse(mark, "PL521", f"the point of contact is not on {surface.name} as drawn", hint)
 
 
 def _drift(scene: Outlined, surface: Surface, tangent: Vec) -> Vec | None:

@@ -32,6 +32,11 @@ def not_found(instant: Instant, trial: Trial, objections: list[str], loose: list
     hanging = [o for o in said if LOOSE in o]
     if extremes and not said:
         wanted = extremes[0].text.split(" is ")[0]
+        problem = instant.scene.problem
+        if not problem.unknowns and not problem.coordinates:
+            text = f"{wanted} is what the places as drawn make it: nothing is open that could make it more or less"
+            hint = "write the points with an angle or a length under `coordinates`, or ask for it in a state on the way"
+            return Diagnostic(extremes[0].mark, "PL613", text, hint)
         text = (
             f"{wanted} has no extreme value: no contact, rope or guide reaches its limit, however far {wanted} is taken"
         )

@@ -48,6 +48,7 @@ from planar_cli.solve.following.starts import (
 )
 from planar_cli.solve.following.stillness import hanging, resting, unturned
 from planar_cli.solve.following.traced import Traced
+from planar_cli.solve.impulsive.checks import demand_restitutions
 from planar_cli.solve.principled import principle_of
 from planar_cli.solve.regimes.first_modes import first_modes
 from planar_cli.solve.regimes.mode_sequence import ModeSequence
@@ -290,9 +291,7 @@ class ModeSearch(ModeChoice):
     # --- a start that is sought --------------------------------------------------------------------------------------
 
     def _sought(self, course: MotionEquations, finds: tuple[AskedFind, ...]) -> SolvedMotion | ModeSequence:
-        """All branches of the equations; the first that, followed from its start, happens so. One in which a state at a
-        given time is the first of its kind goes before those that pass such a state earlier.
-        """
+        """All branches of the equations; of those that happen so the first that passes no state before its time."""
         known = beginning(course)
         try:
             other = self._changed(course, known.followed)
@@ -356,6 +355,7 @@ class ModeSearch(ModeChoice):
 
     def _none_fits(self, course: MotionEquations, branches: list[Branch], far: Far) -> ModeSequence:
         """Other modes where in these no motion passes through the states. NoSolution: all have been tried."""
+        demand_restitutions(course.blows.values(), [course.base().extended(b.values) for b in branches])
         clashing = None if branches else clash(course, course.equations)
         wrong = clashing if clashing is not None and course.sought() else missing(course) or clashing
         text = "no motion passes through these states"

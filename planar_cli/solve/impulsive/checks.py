@@ -6,7 +6,7 @@ The second road takes every body by itself, with all joints and impulses togethe
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from decimal import Decimal
 
 import sympy as sp
@@ -14,6 +14,7 @@ import sympy as sp
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.equation.motion import Twist
 from planar_cli.errors import Diagnostic, NoSolution, NoValue
+from planar_cli.joints.base import Joint
 from planar_cli.problem.geometry import Vec
 from planar_cli.solve.between.solved_motion import SolvedMotion
 from planar_cli.solve.diagnosis.words import short
@@ -74,14 +75,34 @@ def _demand_restitution(blow: Blow, trial: Trial, here: Valuation, name: str) ->
         number = here(sp.sympify(ratio))
         if -SAME <= number <= 1 + SAME:
             continue
-        found = f"the data of {name} make the coefficient of restitution {short(number)}"
-        why = "bodies do not part faster than they approached" if number > 1 else "they would pass through each other"
-        hint = "correct the speeds or masses: it lies between 0 and 1"
-        if number < 0:
-            hint += "; what one body shoots through gets an unknown `impulse` instead, and the other its opposite"
-        wrong.append(Diagnostic(joint.mark, "PL619", f"{found}: {why}", hint))
+        wrong.append(_no_restitution(joint, name, number))
     if wrong:
         raise NoSolution(wrong)
+
+
+def demand_restitutions(blows: Iterable[Blow], values: Sequence[Valuation]) -> None:
+    """NoSolution: whichever of these values constants have, a coefficient of restitution is none."""
+    wrong = [next((d for blow in blows for d in _without_restitution(blow, value)), None) for value in values]
+    if wrong and wrong[0] is not None and all(d is not None for d in wrong):
+        raise NoSolution([wrong[0]])
+
+
+def _without_restitution(blow: Blow, value: Valuation) -> Iterator[Diagnostic]:
+    name = f"the blow from {blow.since.name} to {blow.stop.name}"
+    for joint in blow.struck.joints if not _symbolic(blow) else ():
+        ratio = joint.restitutes(blow.scene) if joint.strikes else None
+        number = None if ratio is None else value.known(sp.sympify(ratio))
+        if number is not None and not -SAME <= number <= 1 + SAME:
+            yield _no_restitution(joint, name, number)
+
+
+def _no_restitution(joint: Joint, name: str, number: Decimal) -> Diagnostic:
+    found = f"the data of {name} make the coefficient of restitution {short(number)}"
+    why = "bodies do not part faster than they approached" if number > 1 else "they would pass through each other"
+    hint = "correct the speeds or masses: it lies between 0 and 1"
+    if number < 0:
+        hint += "; what one body shoots through gets an unknown `impulse` instead, and the other its opposite"
+    return Diagnostic(joint.mark, "PL619", f"{found}: {why}", hint)
 
 
 def _symbolic(blow: Blow) -> bool:
