@@ -140,17 +140,16 @@ def part_blocks(part: PartSolution, voice: Voice, why: str | None, told: set[tup
         from planar_cli.report.motion import motion_phrases, settled_phrases
 
         phrases = motion_phrases(part.motion, figures)
-        moving = list(_motion_blocks(part, part.motion, voice, why, steps, count))
+    whole = _tale(part, phrases, steps + 1, whole=True)
+    blocks += whole
+    if part.motion is not None:
+        moving = list(_motion_blocks(part, part.motion, voice, why, steps + bool(whole), count))
         settled = settled_phrases(part.motion, phrases)
         if part.instants and why is None:
             scene = part.instants[-1].instant.scene
             moving = with_inertias(moving, part.motion, scene, settled, blocks)
-        blocks += moving
-    if part.tale is not None:
-        if part.tale.passages:
-            whole = part.tale.whole
-            blocks.append(Heading("STEP 1", "Kinematic analysis") if whole else Heading("", "Places and curves"))
-        blocks += tale_blocks(part.tale, phrases)
+        blocks += () if part.tale is not None and part.tale.valued else moving
+    blocks += _tale(part, phrases, 0, whole=False)
     blocks = with_closed_forms(blocks, part, phrases)
     for found in part.found:
         if why is None or found.name == why:
@@ -166,6 +165,14 @@ def part_blocks(part: PartSolution, voice: Voice, why: str | None, told: set[tup
     if not tested and part.motion is None and part.tale is None:
         blocks += [Note("Discussion", remark) for remark in discussion_lines(part.found, phrases)]
     return blocks
+
+
+def _tale(part: PartSolution, phrases: Phrases, step: int, whole: bool) -> list[Block]:
+    """Places over time and curves under a heading, if they are told by themselves (`whole`) or beside a motion."""
+    if part.tale is None or part.tale.whole != whole or not part.tale.passages:
+        return []
+    heading = Heading(f"STEP {step}", "Kinematic analysis") if whole else Heading("", "Places and curves")
+    return [heading, *tale_blocks(part.tale, phrases)]
 
 
 def _instant_blocks(

@@ -21,7 +21,16 @@ def tale_blocks(tale: Tale, phrases: Phrases) -> Iterator[Block]:
 
 def _row(row: Row, phrases: Phrases) -> Equation:
     lead = line(*_named(row.words), ":") if row.words else ()
-    return Equation(tuple(phrases.math(side) for side in sides_of(row)), None, lead)
+    sides: list[Any] = [phrases.math(side) for side in sides_of(row)]
+    if row.value is not None:
+        in_numbers = (
+            phrases.numbers(sides_of(row)[-1], row.sizes, turns=False)
+            if row.sizes and not sides_of(row)[-1].is_Symbol
+            else None
+        )
+        sides = sides[:1] if sides_of(row)[-1].is_number else [*sides, *([in_numbers] if in_numbers else [])]
+        sides.append(phrases.of_dimension(row.value, row.dimension, row.angle))
+    return Equation(tuple(sides), None, lead)
 
 
 def _named(words: str) -> list[Any]:

@@ -69,7 +69,7 @@ def _part(
             raise undecided_at(problem.states[0].mark, text) from error
         raise lack or error from error
     curves = part.tale.passages if part.tale is not None else ()
-    tale = at_given_time(problem, solved.course.distinct_regimes(), curves)
+    tale = at_given_time(problem, solved, curves)
     return part if tale is None else replace(part, tale=tale)
 
 

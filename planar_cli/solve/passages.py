@@ -2,19 +2,30 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from dataclasses import field
+from decimal import Decimal
 from typing import Any
 
 import sympy as sp
 
 from planar_cli.records import record
+from planar_cli.units import PURE, Dimension
 
 
 @record
 class Row:
-    """Words before a line, and the line: an equation, its sides one after the other, or a formula."""
+    """Words before a line, and the line: an equation, its sides one after the other, or a formula. `value`: of its last
+    side at the instant that is asked for, in base units of `dimension`; an `angle` has none. `sizes`: those of the
+    letters in that side.
+    """
 
     words: str
     line: Any
+    value: Decimal | None = None
+    dimension: Dimension = PURE
+    angle: bool = False
+    sizes: Mapping[sp.Symbol, Decimal] = field(default_factory=dict)
 
 
 def sides_of(row: Row) -> tuple[Any, ...]:
@@ -34,10 +45,13 @@ class Passage:
 
 @record
 class Tale:
-    """What a part tells by itself. `whole`: its instants need no telling of their own, but for their checks."""
+    """What a part tells by itself. `whole`: its instants need no telling of their own, but for their checks. `valued`:
+    nor does its motion, as all values at the instant that is asked for stand in it.
+    """
 
     passages: tuple[Passage, ...]
     whole: bool = True
+    valued: bool = False
 
 
 def told_function(function: Any) -> Row:

@@ -6,7 +6,7 @@ Forces come from the equations of the general position.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import field
 from decimal import Decimal
 from typing import Any
@@ -28,7 +28,8 @@ from planar_cli.problem.scene import Find, Polar, Problem
 from planar_cli.problem.walk import walk
 from planar_cli.records import changing
 from planar_cli.solve.between.agreement import balanced
-from planar_cli.solve.curves.kinematics import Story
+from planar_cli.solve.between.solved_motion import SolvedMotion
+from planar_cli.solve.curves.kinematics import Story, no_value, tells
 from planar_cli.solve.curves.paths import CurveReader
 from planar_cli.solve.instant.verify import Disagreement
 from planar_cli.solve.instant.worked import unknowns_of
@@ -113,11 +114,12 @@ def _values(find: Find, quantities: Quantities) -> tuple[sp.Expr, ...]:
 
 @changing
 class FormulaReader:
-    """Answers finds in one regime. `curves`: how the curves were found."""
+    """Answers finds in one regime. `value`: of a formula at the instant asked for; `curves`: how they were found."""
 
     problem: Problem
     units: Mapping[str, str]
     regime: Regime
+    value: Callable[[sp.Expr], Decimal | None] | None = None
     curves: list[Passage] = field(default_factory=list)
     compared: int = 0
     _quantities: Quantities | None = None
@@ -282,7 +284,8 @@ class FormulaReader:
         return (*told, *self.curves)
 
     def _places(self, finds: list[Find]) -> tuple[Passage, ...]:
-        story = Story(self.regime, self.quantities, self.functions, self.clean, not self.by_joints)
+        value = self.value or no_value
+        story = Story(self.regime, self.quantities, self.functions, self.clean, not self.by_joints, value)
         return story.passages(finds)
 
 
@@ -306,17 +309,44 @@ def _square_rooted(e: sp.Expr) -> sp.Expr:
     return root ** (2 * e.exp) if not any(_is_root(p) for p in root.atoms(sp.Pow)) else e
 
 
-def at_given_time(problem: Problem, regimes: Sequence[Regime], passages: tuple[Passage, ...]) -> Tale | None:
+def at_given_time(problem: Problem, solved: SolvedMotion, passages: tuple[Passage, ...]) -> Tale | None:
     """One instant of a motion that `motion` gives as short places over time: differentiated, then the time put in.
     `passages`: what is told of curves. None: it is no such motion.
     """
+    regimes = solved.course.distinct_regimes()
     if problem.states or len(regimes) != 1 or any(asks_forces(f) for f in problem.find):
         return None
-    reader = FormulaReader(problem, {}, regimes[0])
+    reader = FormulaReader(problem, {}, regimes[0], _values_in(solved, regimes[0]))
     if set(Functions(regimes[0], {}).find()) != set(regimes[0].rates) or reader.kinetic:
         return None
     when = " and ".join(s.text for s in problem.instant or () if isinstance(s, Relation))
     told = reader.passages()
     if any(longer(side, LONG_ROW) for p in told for row in p.rows for side in sides_of(row)):
         return None
+    finds = [f for f in problem.find if not is_curve(f.found.what)]
+    if (
+        _only_time(problem)
+        and finds
+        and all(row.value is not None for p in told for row in p.rows)
+        and all(tells(f) for f in finds)
+    ):
+        return Tale((Passage(f"Values are those at {when}.", ()), *told, *passages), valued=True)
     return Tale((*told, Passage(f"All this is taken at {when}.", ()), *passages))
+
+
+def _only_time(problem: Problem) -> bool:
+    """Is the time of the instant all that is stated of it?"""
+    stated = [s for s in problem.instant or () if isinstance(s, Relation)]
+    return len(stated) == 1 and isinstance(stated[0].left, Name) and stated[0].left.name == "t"
+
+
+def _values_in(solved: SolvedMotion, regime: Regime) -> Callable[[sp.Expr], Decimal | None]:
+    """Numbers of formulas in the time at the instant that is asked for; none where they hold letters without one."""
+    stop = list(solved.course.stops.values())[-1]
+    value = solved.value.extended({regime.time: solved.value(stop.t)})
+    open_letters = solved.course.parameters()
+
+    def number(expr: sp.Expr) -> Decimal | None:
+        return None if expr.free_symbols & open_letters else value.known(expr)
+
+    return number

@@ -7,10 +7,13 @@ all others in Cartesian ones.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import field
+from dataclasses import field, replace
+from decimal import Decimal
+from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.exact import Valuation
 from planar_cli.equation.jets import Jet, magnitude
 from planar_cli.equation.quantities import Quantities, direction_angle
 from planar_cli.problem.expression import Quantity
@@ -18,8 +21,9 @@ from planar_cli.problem.scene import GROUND, Find
 from planar_cli.problem.walk import walk
 from planar_cli.records import changing, record
 from planar_cli.solve.passages import Passage, Row, told_function
-from planar_cli.solve.regimes.functions import Functions, explained
+from planar_cli.solve.regimes.functions import Function, Functions, explained
 from planar_cli.solve.regimes.regime import Regime
+from planar_cli.units import LENGTH, PURE, TIME
 
 LEVELS = {"r": 0, "x": 0, "y": 0, "v": 1, "IC": 1, "coriolis": 1, "KE": 1, "momentum": 1, "H": 1, "a": 2, "rho": 2}
 ANGLES = {"theta": 0, "omega": 1, "alpha": 2}
@@ -33,12 +37,18 @@ HEADINGS = (
 DOTS = ("", "_dot", "_ddot")
 
 
+def no_value(_: sp.Expr) -> Decimal | None:
+    """Where no instant is asked for."""
+    return None
+
+
 @changing
 class Story:
     """Tells the places, velocities and accelerations of one regime on which finds rest.
 
-    `clean`: a formula of the regime as it is printed. `with_rates`: tell the rates of coordinates as well. `used`: what
-    has been told so far, in the coordinates.
+    `clean`: a formula of the regime as it is printed. `with_rates`: tell the rates of coordinates as well. `value`: of
+    such a formula at the instant that is asked for (None: no instant is). `used`: what has been told so far, in the
+    coordinates.
     """
 
     regime: Regime
@@ -46,29 +56,46 @@ class Story:
     functions: Functions
     clean: Callable[[sp.Expr], sp.Expr]
     with_rates: bool = True
+    value: Callable[[sp.Expr], Decimal | None] = no_value
     used: list[sp.Expr] = field(default_factory=list)
 
     def passages(self, finds: Iterable[Find]) -> tuple[Passage, ...]:
         """Everything on which these finds rest."""
         asked = list(_asked(finds))
         polar = _polar(asked)
-        around = [p for (point, origin), level in polar.items() for p in self._polar_passages(point, origin, level)]
+        around = [
+            p
+            for (point, origin), level in polar.items()
+            for p in self._polar_passages(point, origin, level, _magnitudes(asked, point))
+        ]
         rows: tuple[list[Row], list[Row], list[Row]] = ([], [], [])
         for (thing, angular), level in _wanted(asked, {point for point, _ in polar}).items():
             for name, jet in self._jets(thing, angular):
-                for n, row in enumerate(self._derivatives(name, jet, level)):
+                for n, row in enumerate(self._derivatives(name, jet, level, angular)):
                     if row is not None:
                         rows[n].append(row)
-        told = [told_function(f) for f in explained(self.functions.found, self.used)]
+        told = [self._function(f) for f in explained(self.functions.found, self.used)]
         known = {r.line.lhs for r in told}
         first = [*told, *(r for r in rows[0] if r.line.lhs not in known)]
         passages = [Passage(HEADINGS[0], tuple(first))]
         if self.with_rates and (around or any(rows[1:])):
             passages.append(Passage("Rates of the coordinates:", tuple(self._rates())))
         passages += [Passage(HEADINGS[n], tuple(rows[n])) for n in (1, 2)]
+        passages += [p for point in _along_paths(asked, polar) for p in self._path_passages(point, asked)]
         return tuple(p for p in (*passages, *around) if p.rows)
 
-    def _derivatives(self, name: str, jet: Jet, level: int) -> Iterator[Row | None]:
+    def _function(self, function: Function) -> Row:
+        """A coordinate as a function, with its value."""
+        row, unit = told_function(function), self.regime.general.instant.scene.ledger.units.get(function.symbol)
+        if unit is None:
+            return row
+        return replace(row, value=self.value(function.expr), dimension=unit.dimension, angle=unit.dimension == PURE)
+
+    def _row(self, sides: Any, expr: sp.Expr, n: int, angular: bool) -> Row:
+        """A line with its value: of a length or an angle that was differentiated n times."""
+        return Row("", sides, self.value(expr), (PURE if angular else LENGTH) / TIME**n, angular)
+
+    def _derivatives(self, name: str, jet: Jet, level: int, angular: bool) -> Iterator[Row | None]:
         """q, q̇, q̈ as rows; None where there is nothing to say."""
         closed = self.regime.closed(jet.value)
         self.used.append(closed)
@@ -77,7 +104,8 @@ class Story:
             if expr is None or (n and jet.rate == 0):
                 return
             formula, symbol = self.clean(expr), sp.Symbol(f"{stem}{DOTS[n]}", real=True)
-            yield None if formula == symbol else Row("", sp.Eq(symbol, formula, evaluate=False))
+            line = sp.Eq(symbol, formula, evaluate=False)
+            yield None if formula == symbol else self._row(line, formula, n, angular)
 
     def _jets(self, thing: str, angular: bool) -> Iterator[tuple[str, Jet]]:
         """The angle of a body, or x and y of a point that moves, with the names under which they are told."""
@@ -100,10 +128,46 @@ class Story:
             if symbol in inside and symbol not in self.functions.found and rate != dotted:
                 yield Row("", sp.Eq(dotted, rate, evaluate=False))
 
+    # --- along the path ----------------------------------------------------------------------------------------------
+
+    def _path_passages(self, point: str, asked: list[Use]) -> Iterator[Passage]:
+        """v = √(ẋ² + ẏ²), a_t = (ẋ ẍ + ẏ ÿ)/v, a_n = |ẋ ÿ - ẏ ẍ|/v, ρ = v²/a_n, as far as they are asked."""
+        place = self.quantities.place(point)
+        known = {
+            sp.Symbol(f"{axis}_{point}{dots}", real=True): self.value(self.clean(expr))
+            for axis, jet in (("x", place.x), ("y", place.y))
+            for dots, expr in zip(DOTS, (jet.value, jet.rate, jet.second), strict=True)
+            if expr is not None
+        }
+        sizes = {s: number for s, number in known.items() if number is not None}
+        dx, dy, ddx, ddy = (sp.Symbol(f"{axis}_{point}{d}", real=True) for d in DOTS[1:] for axis in "xy")
+        if not sizes.keys() >= {dx, dy} or sizes[dx] == sizes[dy] == 0:
+            return
+        v, a_t, a_n = (sp.Symbol(f"{name}", real=True) for name in (f"v_{point}", f"a_{point}_t", f"a_{point}_n"))
+        wanted = {kind for use in asked if use.quantity.things[0] == point for kind in _kinds(use)}
+        lines = {v: sp.sqrt(dx**2 + dy**2)}
+        if wanted - {"v"} and sizes.keys() >= {ddx, ddy}:
+            lines |= {sp.Symbol(f"a_{point}", real=True): sp.sqrt(ddx**2 + ddy**2)} if "a" in wanted else {}
+            lines |= {a_t: (dx * ddx + dy * ddy) / v} if "t" in wanted else {}
+            lines |= {a_n: sp.Abs(dx * ddy - dy * ddx) / v} if wanted & {"n", "rho"} else {}
+            lines |= {sp.Symbol(f"rho_{point}", real=True): v**2 / a_n} if "rho" in wanted else {}
+        told = []
+        for symbol, formula in lines.items():
+            value = Valuation(sizes).known(formula)
+            if value is None:
+                return
+            dimension = LENGTH if symbol.name.startswith("rho") else LENGTH / TIME ** (1 if symbol == v else 2)
+            own = {s: sizes[s] for s in formula.free_symbols}
+            told.append(Row("", (symbol, formula), value, dimension, False, own))
+            sizes[symbol] = value
+        yield Passage("Along the path:" if wanted - {"v", "a"} else "Magnitudes:", tuple(told))
+
     # --- polar coordinates -------------------------------------------------------------------------------------------
 
-    def _polar_passages(self, point: str, origin: str, level: int) -> Iterator[Passage]:
-        """r and θ with their derivatives; then v_r = ṙ, v_θ = r θ̇, a_r = r̈ - r θ̇², a_θ = r θ̈ + 2 ṙ θ̇."""
+    def _polar_passages(self, point: str, origin: str, level: int, whole: set[int]) -> Iterator[Passage]:
+        """r and θ with their derivatives; then v_r = ṙ, v_θ = r θ̇, a_r = r̈ - r θ̇², a_θ = r θ̈ + 2 ṙ θ̇. `whole`: of
+        the velocity (1), the acceleration (2) the magnitude is asked too.
+        """
         reach = self.quantities.place(point)
         if origin:
             reach = reach - self.quantities.place(origin)
@@ -115,31 +179,44 @@ class Story:
         r, dr, ddr, _, dtheta, ddtheta = (sp.Symbol(f"{q}_{point}{d}", real=True) for q in POLAR for d in DOTS)
         told: list[Row] = []
         if level >= 1:
-            told += self._components("v", point, (dr, r * dtheta), (size, angle))
+            told += self._components(1, point, (dr, r * dtheta), (size, angle))
         if level == 2:
             parts = (ddr - r * dtheta**2, r * ddtheta + 2 * dr * dtheta)
-            told += self._components("a", point, parts, (size, angle))
+            told += self._components(2, point, parts, (size, angle))
+        told += [row for n in sorted(whole) for row in self._magnitude(n, point, told)]
         yield Passage("Components along r and across it:", tuple(told))
+
+    def _magnitude(self, n: int, point: str, told: list[Row]) -> Iterator[Row]:
+        """The magnitude by both components, which are told."""
+        r, theta = (sp.Symbol(f"{' va'[n]}_{point}_{name}", real=True) for name in POLAR)
+        values = {row.line[0]: row.value for row in told if isinstance(row.line, tuple) and row.value is not None}
+        if r in values and theta in values:
+            size = (values[r] ** 2 + values[theta] ** 2).sqrt()
+            sides = (sp.Symbol(f"{' va'[n]}_{point}", real=True), sp.sqrt(r**2 + theta**2))
+            yield Row("", sides, size, LENGTH / TIME**n, False, {r: values[r], theta: values[theta]})
 
     def _polar_rows(self, point: str, size: Jet, angle: Jet, n: int) -> Iterator[Row]:
         for name, jet in zip(POLAR, (size, angle), strict=True):
             expr = (jet.value, jet.rate, jet.second)[n]
             self.used.append(self.regime.closed(jet.value))
             if expr is not None:
-                yield Row("", sp.Eq(sp.Symbol(f"{name}_{point}{DOTS[n]}", real=True), self.clean(expr), evaluate=False))
+                symbol, formula = sp.Symbol(f"{name}_{point}{DOTS[n]}", real=True), self.clean(expr)
+                yield self._row(sp.Eq(symbol, formula, evaluate=False), formula, n, name == "theta")
 
-    def _components(
-        self, letter: str, point: str, parts: tuple[sp.Expr, sp.Expr], jets: tuple[Jet, Jet]
-    ) -> Iterator[Row]:
-        """component = formula in polar coordinates = value."""
+    def _components(self, n: int, point: str, parts: tuple[sp.Expr, sp.Expr], jets: tuple[Jet, Jet]) -> Iterator[Row]:
+        """component = formula in polar coordinates = value, of the velocity (n = 1) or the acceleration (n = 2)."""
         inside = {
             sp.Symbol(f"{name}_{point}{dots}", real=True): expr
             for name, jet in zip(POLAR, jets, strict=True)
             for dots, expr in zip(DOTS, (jet.value, jet.rate, jet.second), strict=True)
         }
         for name, part in zip(POLAR, parts, strict=True):
-            symbol = sp.Symbol(f"{letter}_{point}_{name}", real=True)
-            yield Row("", (symbol, part, self.clean(part.xreplace(inside))))
+            symbol, formula = sp.Symbol(f"{' va'[n]}_{point}_{name}", real=True), self.clean(part.xreplace(inside))
+            row = self._row((symbol, part, formula), formula, n, False)
+            # The numbers of r and θ stand above: the formula in t says no more.
+            sizes = {s: self.value(self.clean(e)) for s, e in inside.items() if s in part.free_symbols}
+            known = {s: v for s, v in sizes.items() if v is not None}
+            yield row if row.value is None else replace(row, line=(symbol, part), sizes=known)
 
 
 @record
@@ -169,6 +246,37 @@ def _polar(asked: list[Use]) -> dict[tuple[str, str], int]:
             key = (things[0], "" if len(things) < 2 or things[1] == GROUND else things[1])
             found[key] = max(found.get(key, 0), use.level)
     return found
+
+
+def _kinds(use: Use) -> set[str]:
+    """What is asked of a point along its path: its speed (v), the size of its acceleration (a), t, n, rho."""
+    quantity, kinds = use.quantity, {p.kind for p in use.quantity.parts}
+    if quantity.word == "rho":
+        return {"rho"}
+    if quantity.word == "a":
+        return (kinds & {"t", "n"}) | ({"a"} if "mag" in kinds else set())
+    return {"v"} if quantity.word == "v" and "mag" in kinds else set()
+
+
+def _along_paths(asked: list[Use], polar: Iterable[tuple[str, str]]) -> list[str]:
+    """Points of which something along the path is asked and that are not told in polar coordinates."""
+    around = {point for point, _ in polar}
+    return list(dict.fromkeys(u.quantity.things[0] for u in asked if _kinds(u) and u.quantity.things[0] not in around))
+
+
+def tells(find: Find) -> bool:
+    """Has what is asked a line of its own here?"""
+    q = find.found.what
+    if not isinstance(q, Quantity) or q.word not in ("r", "v", "a", "rho", *ANGLES):
+        return False
+    kinds = {p.kind for p in q.parts}
+    return kinds <= {"x", "y"} or (kinds <= {"mag", "t", "n"} and q.word in ("v", "a")) or kinds <= set(POLAR)
+
+
+def _magnitudes(asked: list[Use], point: str) -> set[int]:
+    """Of a point's velocity (1) and acceleration (2) those of which the magnitude is asked."""
+    sizes = (u for u in asked if [p.kind for p in u.quantity.parts] == ["mag"] and u.quantity.things == (point,))
+    return {u.level for u in sizes if u.level}
 
 
 def _wanted(asked: list[Use], polar: set[str]) -> dict[tuple[str, bool], int]:

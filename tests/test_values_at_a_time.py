@@ -1,0 +1,62 @@
+"""An instant of a motion that is given over time: places differentiated, with their values at that instant."""
+
+from __future__ import annotations
+
+import pytest
+
+from planar_cli.formats.terminal import Terminal
+from planar_cli.problem.structure import load_text
+from planar_cli.report.narrate import narrate
+from planar_cli.solve.run import solve_problem
+
+POLAR = """\
+title: Pin in polar coordinates
+points: {O: [0, 0]}
+bodies: {P: {particle: free}}
+motion: [r(P/O).mag = 3 ft + 2 ft/s^2 * t^2, r(P/O).angle = 0.5 rad/s * t]
+instant: [t = 1 s]
+find: {v_theta: v(P/O).theta, a_r: a(P/O).r, speed: v(P).mag}
+"""
+PATH = """\
+title: Particle in the plane
+bodies: {P: {particle: free}}
+motion: [x(P) = 2 m/s * t, y(P) = 1 m/s^3 * t^3]
+instant: [t = 1 s]
+find: {a_t: a(P).t, a_n: a(P).n, rho: rho(P)}
+"""
+
+
+def _page(text: str) -> str:
+    problem, wrong = load_text(text)
+    assert problem is not None
+    assert not wrong
+    return " ".join(Terminal(200).render(narrate(solve_problem(problem))).split())
+
+
+@pytest.mark.parametrize(
+    ("text", "lines"),
+    [
+        (
+            POLAR,
+            (
+                "r_P = 3 + 2 t² = 5 ft",
+                "v_Pθ = r_P θ̇_P = 5 · 0.5 = 2.5 ft/s",
+                "a_Pr = r̈_P - r_P θ̇_P² = 4 - 5 · 0.5² = 2.75 ft/s²",
+                "v_P = √(v_Pr² + v_Pθ²) = √(4² + 2.5²) = 4.717 ft/s",
+            ),
+        ),
+        (
+            PATH,
+            (
+                " = 3 t² = 3 m/s",
+                "/3.606 = 4.992 m/s²",
+                "ρ_P = v_P²/a_Pn = 3.606²/3.328 = 3.906 m",
+            ),
+        ),
+    ],
+)
+def test_lines(text: str, lines: tuple[str, ...]) -> None:
+    page = _page(text)
+    for one in lines:
+        assert one in page
+    assert "Hence" not in page
