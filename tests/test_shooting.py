@@ -250,3 +250,37 @@ def test_a_force_that_just_vanishes_where_a_state_is_just_reached() -> None:
     problem, wrong = load_text(LOOP)
     assert problem is not None, wrong
     assert shooting(problem, {}) == pytest.approx((5.0945453794,), rel=1e-9)
+
+
+SPRING_LOOP = """
+title: Pellet that a spring just shoots round a loop
+plane: vertical
+given: {m: 2 kg, k: 2000 N/m, R: 0.6 m, l_0: 0.5 m}
+unknowns: {s: m}
+points: {O: [0, R], E: [0, 0], P: [-s, 0], Q: [-l_0, 0]}
+surfaces: {floor: {through: E, angle: 0 deg}, loop: {center: O, radius: R}}
+bodies: {pellet: {particle: P, mass: m}}
+joints:
+  - contact: {between: [pellet, floor], mu: 0, name: F, during: 1->2}
+  - contact: {between: [pellet, loop], mu: 0, name: L, during: 2->3}
+loads:
+  - spring: {between: [Q, P], stiffness: k, natural_length: l_0, name: spring}
+states: {1: [t = 0, at rest], 2: [x(pellet) = 0], 3: [y(pellet) = 2*R, N(L) = 0]}
+find: {s: s}
+"""
+
+
+def test_a_sought_constant_that_draws_the_start_sets_it_in_motion() -> None:
+    """With s left out of account it would begin at rest in equilibrium: k s²/2 = 5 m g R/2."""
+    values = _part(SPRING_LOOP.replace("name: spring", "during: 1->2")).found[0].values
+    assert values is not None
+    assert float(values[0]) == pytest.approx(sqrt(5 * 2 * G * 0.6 / 2000))
+
+
+def test_a_spring_that_acts_throughout_from_a_start_drawn_with_a_sought_constant() -> None:
+    """Where it is drawn is not known beforehand; k (δ_1² - δ_3²)/2 = 2 m g R + m v²/2, m v²/R = m g + k δ_3 sin φ."""
+    values = _part(SPRING_LOOP).found[0].values
+    assert values is not None
+    stretch, last = abs(0.5 - float(values[0])) - 0.5, 1.3 - 0.5
+    square = 0.6 * (2 * G + 2000 * last * 1.2 / 1.3) / 2
+    assert 2000 * (stretch**2 - last**2) == pytest.approx(4 * 2 * G * 0.6 + 2 * square)

@@ -155,7 +155,9 @@ class Decided:
             return expr if drawn > 0 else -expr
         plain = -expr if expr.could_extract_minus_sign() else expr
         key = f"|{plain}|"
-        way = self.sides.get(key) or (drawn if plain == expr else -drawn) or 1
+        # Numbers of a constant that is sought may lie on either side; what has been decided holds for all that ask.
+        earlier = self.sided.get(key, (0, plain))[0]
+        way = self.sides.get(key) or earlier or (drawn if plain == expr else -drawn) or 1
         self.sided[key] = way, plain
         return way * plain
 

@@ -74,7 +74,11 @@ def _led(course: MotionEquations, name: str) -> Places | None:
         inside = e.residual.free_symbols & set(own)
         if e.kind == "drawn" and len(inside) == 1:
             x = inside.pop()
-            drawn[x] = base(sp.expand(x - e.residual))
+            place = base.known(sp.expand(x - e.residual))
+            if place is None:
+                # It is drawn with a constant that is sought.
+                return None
+            drawn[x] = place
     if set(drawn) != set(own):
         return None
     known = base.extended(drawn)

@@ -185,9 +185,11 @@ def _place(
     """
     base = course.base() if isinstance(course, StatedMotion) else course.given()
     natural = course.natural(regime.letters)
+    sought = {s: n * anywhere(SAMPLES * k + number) for k, (s, n) in enumerate(course.natural(course.sought()).items())}
     here: dict[sp.Symbol, Decimal] = {regime.time: start.get(regime.time, Decimal(0))}
     for c in regime.coordinates:
-        drawn = None if c.drawn is None else base.known(c.drawn)
+        # What is drawn with a constant that is sought is where a number for it puts it.
+        drawn = None if c.drawn is None else base.extended(sought).known(c.drawn)
         here[c.symbol] = start.get(c.symbol, Decimal(0) if drawn is None else drawn)
     here |= {c.start: here[c.symbol] for c in regime.coordinates if c.drawn is None}
     way = -1 if number % 2 else 1
@@ -199,7 +201,6 @@ def _place(
         for i, u in enumerate(regime.free)
     }
     given |= dict.fromkeys(regime.general.resting, Decimal(0))
-    sought = {s: n * anywhere(SAMPLES * k + number) for k, (s, n) in enumerate(course.natural(course.sought()).items())}
     # Forces of modes get lines of their own as they are tried.
     base = regime.general.instant.scene.valuations[0].updated(base)
     value, given = base.extended({**sought, **here}), {**sought, **given}
