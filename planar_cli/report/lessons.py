@@ -1,166 +1,270 @@
-"""What a lesson says beside the solution: what each step is for, and which trap it avoids. It repeats no equation."""
+"""What a lesson says beside the solution: what each step of this page is for, and which trap it "
+"avoids; no equation.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 
 from planar_cli.records import record
-from planar_cli.report.blocks import Block, Equation, Heading, Inline, Line, Name, Note, Paragraph, Text, line
+from planar_cli.report.blocks import Block, Heading, Paragraph, Text, line
+from planar_cli.report.names import plain_name
+from planar_cli.report.uses import Uses
+
+KINEMATICS, KINETICS, SOLVING = "Kinematic analysis", "Kinetic analysis", "Solving the equations"
 
 
 @record
 class Lesson:
-    """Words about a step, told once on a page where `applies` to the blocks of the step."""
+    """Words about a step, told once on a page."""
 
-    step: str
-    """With this the heading of the step begins; empty: any step."""
-    applies: Callable[[Sequence[Block]], bool]
-    words: str
+    steps: tuple[str, ...]
+    """With one of these the heading of the step begins; empty: any step of a motion."""
+    words: Callable[[Uses], Iterator[str]]
 
 
-def with_lessons(blocks: Sequence[Block]) -> list[Block]:
-    """The page with the words of the lesson behind the headings of its steps, each once."""
+def with_lessons(blocks: Sequence[Block], uses: Uses, told: set[str]) -> list[Block]:
+    """The blocks of a part with the words of the lesson behind the headings of its steps. `told`: on "
+    "the page before.
+    """
     found: list[Block] = []
-    told: set[str] = set()
-    for heading, body in _steps(blocks):
-        if heading is not None:
-            found.append(heading)
-            found += [Paragraph(line(Text(words, "muted"))) for words in _words(heading, body) if words not in told]
-            told.update(_words(heading, body))
-        found += body
-    return found
-
-
-def _steps(blocks: Sequence[Block]) -> Iterator[tuple[Heading | None, list[Block]]]:
-    """Headings with what stands under them."""
-    heading: Heading | None = None
-    body: list[Block] = []
     for block in blocks:
-        if isinstance(block, Heading):
-            yield heading, body
-            heading, body = block, []
-        else:
-            body.append(block)
-    yield heading, body
-
-
-def _words(heading: Heading, body: Sequence[Block]) -> list[str]:
-    if not heading.label.startswith("STEP"):
-        return []
-    return [x.words for x in LESSONS if heading.text.startswith(x.step) and x.applies(body)]
-
-
-def _names(body: Sequence[Block]) -> set[str]:
-    """All names that stand in the equations and sentences of a step."""
-    found: set[str] = set()
-    for block in body:
-        lines: list[Inline | Line] = []
-        if isinstance(block, Equation):
-            lines = [*block.sides, block.lead, block.note]
-        elif isinstance(block, Paragraph | Note):
-            lines = [block.line]
-        for part in lines:
-            found |= {p.name for p in (part if isinstance(part, tuple) else (part,)) if isinstance(p, Name)}
+        found.append(block)
+        if isinstance(block, Heading) and block.label.startswith("STEP"):
+            new = [words for words in _words(block.text, uses) if words not in told]
+            told.update(new)
+            found += [Paragraph(line(Text(words, "muted"))) for words in new]
     return found
 
 
-def _texts(body: Sequence[Block]) -> str:
-    """The words of the sentences of a step."""
-    said = (p.text for b in body if isinstance(b, Paragraph) for p in b.line if isinstance(p, Text))
-    return " ".join(said)
+def _words(title: str, uses: Uses) -> list[str]:
+    of_motion = title not in (KINEMATICS, KINETICS, SOLVING)
+    own = [x for x in LESSONS if (title in x.steps if x.steps else of_motion)]
+    return [words for lesson in own for words in lesson.words(uses)]
 
 
-def _has(*names: str) -> Callable[[Sequence[Block]], bool]:
-    return lambda body: bool(set(names) & _names(body))
+def _listed(names: Collection[str]) -> str:
+    *first, last = dict.fromkeys(plain_name(n) for n in names)
+    return f"{', '.join(first)} and {last}" if first else last
 
 
-def _says(*words: str) -> Callable[[Sequence[Block]], bool]:
-    return lambda body: any(w in _texts(body) for w in words)
+# --- kinematics ------------------------------------------------------------------------------------------------------
 
 
-def _begins(start: str) -> Callable[[Sequence[Block]], bool]:
-    return lambda body: any(n.startswith(start) for n in _names(body))
+def _why_kinematics(uses: Uses) -> Iterator[str]:
+    if uses.kinetic:
+        yield (
+            "Motion comes before force: each relation between accelerations that is found here is one "
+            "unknown less later."
+        )
+    if uses.at_rest and uses.kinetic:
+        yield (
+            "Released from rest: all velocities are zero, and with them every normal and every Coriolis "
+            "acceleration. "
+            "The trap is to take the accelerations for zero too."
+        )
 
 
-def _always(body: Sequence[Block]) -> bool:
-    return bool(body)
+def _rolling(uses: Uses) -> Iterator[str]:
+    for mover, base, place in uses.rolling:
+        on = "the ground" if base == "ground" else base
+        yield (
+            f"{mover} rolls on {on}: at {place} the velocities of both agree, and the accelerations "
+            "along the contact. "
+            "The trap is to equate the accelerations across it: the point of contact is accelerated "
+            "towards the centre."
+        )
+
+
+def _sliding(uses: Uses) -> Iterator[str]:
+    for place, base in uses.sliding:
+        yield (
+            f"{place} slides along {base}, and {base} turns. To the acceleration of the point of {base} "
+            "under it and the "
+            "relative one comes a third part, twice the angular velocity times the relative velocity. "
+            "It is there even "
+            "where the point slides at a constant rate; to leave it out is the usual mistake."
+        )
+
+
+def _component(uses: Uses) -> Iterator[str]:
+    for place, unknown in uses.left_out:
+        at = f"At {place} the" if place else "The"
+        yield (
+            f"{at} component is taken in which {plain_name(unknown)} does not enter, so that one "
+            "equation has one unknown. "
+            "The trap is to let a link that moves as a whole circle about its other end: that holds of the relative "
+            "motion only."
+        )
+
+
+def _cords(uses: Uses) -> Iterator[str]:
+    if uses.cords:
+        yield (
+            f"{_listed(uses.cords)}: the length stays the same, so that what runs in at one end runs out "
+            "at the other. "
+            "The trap is the sign; only the components along the straight parts count."
+        )
+
+
+# --- kinetics --------------------------------------------------------------------------------------------------------
+
+
+def _why_kinetics(uses: Uses) -> Iterator[str]:
+    if uses.forces and not uses.inertial:
+        yield (
+            "Each body is drawn alone, with all forces that act on it on the left and what they amount "
+            "to on the right. "
+            "The trap is to draw mass times acceleration among the forces: it is what they come to, and no force."
+        )
+    if uses.inertial:
+        yield "Inertial forces are drawn against the accelerations; with them each body is in equilibrium."
+    if uses.singles:
+        yield "An equation for the whole, into which no reaction comes, leads straight to the accelerations."
+
+
+def _moments(uses: Uses) -> Iterator[str]:
+    for kind, words in (
+        ("pivot", PIVOT),
+        ("", ANYWHERE),
+        ("centre", CENTRE),
+    ):
+        points = [m.about for m in uses.moments if m.kind == kind]
+        if points and not uses.inertial:
+            yield words.format(_listed(points))
+
+
+PIVOT = (
+    "Moments about the fixed point {}: the reactions there drop out, and on the right stands the moment "
+    "of inertia about "
+    "that point. The trap is to count the moment of mass times acceleration once more: it is in that "
+    "moment of inertia."
+)
+ANYWHERE = (
+    "Moments about {}, through which unknown forces pass, so that these do not enter. The trap: on the "
+    "right mass times "
+    "acceleration of the mass centre has a moment about that point too; the angular acceleration alone is not enough."
+)
+CENTRE = (
+    "Moments about the mass centre {}: on the right the angular acceleration stands alone, but every reaction enters."
+)
+
+
+def _groups(uses: Uses) -> Iterator[str]:
+    if uses.groups:
+        yield (
+            f"{_listed(max(uses.groups, key=len))} are taken together: the forces between them cancel. "
+            "The trap is to leave "
+            "out on the right what one of them contributes."
+        )
+
+
+def _friction(uses: Uses) -> Iterator[str]:
+    if uses.sticking:
+        yield (
+            f"At {_listed(uses.sticking)} nothing slips: the friction is what the equations demand, and "
+            "is compared with "
+            "its limit afterwards. The trap is to take it for the coefficient times the normal force at once."
+        )
+    if uses.slipping:
+        yield (
+            f"At {_listed(uses.slipping)} the surfaces slip: the friction is the coefficient times the "
+            "normal force, and "
+            "acts on each body against its sliding over the other. The trap is the normal force: it is "
+            "seldom the weight."
+        )
+
+
+def _solving(uses: Uses) -> Iterator[str]:
+    if uses.together > 1:
+        yield (
+            "As many equations as unknowns. Where several hang together, all but one are put in terms "
+            "of that one; the "
+            "numbers come last, as a formula can be tested by its units and by simple cases."
+        )
+    else:
+        yield "The equations are taken in the order in which each has one unknown that is new."
+
+
+# --- motions ---------------------------------------------------------------------------------------------------------
+
+
+def _energies(uses: Uses) -> Iterator[str]:
+    if not uses.energies:
+        return
+    states = f"{uses.energies[0].since} and {uses.energies[0].stop}"
+    yield (
+        f"Between {states} neither time nor acceleration is needed: work and kinetic energy. Forces at "
+        "points at rest and "
+        "forces across the motion do no work. The trap is to forget the kinetic energy of a rotation."
+    )
+    if any("spring" in words for b in uses.energies for words, _ in b.brought):
+        yield (
+            "The work of a spring is that of its stretch squared at both ends. The trap is to square the difference."
+        )
+
+
+def _momenta(uses: Uses) -> Iterator[str]:
+    if uses.momenta:
+        kept = any(b.gain == 0 for b in uses.momenta)
+        yield (
+            "Momentum is taken of bodies, along a direction or about a point, where no unknown force has an impulse"
+            + (": there it stays as it is." if kept else ".")
+            + " The trap is to conclude that the kinetic energy stays too."
+        )
+
+
+def _blows(uses: Uses) -> Iterator[str]:
+    if uses.blows:
+        yield (
+            "A blow is so short that nothing changes its place meanwhile, and that weights and springs "
+            "have no impulse worth "
+            "naming; the reactions of supports have. The trap is to use the energy across it: a blow "
+            "takes some of it away."
+        )
+    if uses.restitution:
+        yield (
+            "The restitution compares velocities along the common normal only, of the points that "
+            "touch. The trap is to "
+            "take those of the mass centres."
+        )
+
+
+LAWS = {
+    "constant": "The acceleration is constant: of time, speed and place two relations tell the third.",
+    "v(t)": "The acceleration depends on the time: its integral over time is the change of speed.",
+    "q(t)": "The speed is known as a function of time: its integral is the way.",
+    "v(q)": "The time is not asked: over the way the acceleration changes the square of the speed.",
+    "t(v)": (
+        "The acceleration depends on the speed: the speed and its share of the law go to one side, time to the other."
+    ),
+    "q(v)": (
+        "The acceleration depends on the speed, and the time is not asked: the way is an integral over the speed."
+    ),
+    "t(q)": "The speed depends on the place: the time is the integral of the way divided by the speed.",
+}
+
+
+def _laws(uses: Uses) -> Iterator[str]:
+    told = [words for kind, words in LAWS.items() if kind in uses.laws]
+    if told:
+        yield " ".join(told) + " The trap is the limits: both integrals go from the same state to the same state."
+
+
+def _swings(uses: Uses) -> Iterator[str]:
+    if uses.swings:
+        yield (
+            "Near an equilibrium only the linear part of the force counts; its factor and the inertia "
+            "give the frequency. "
+            "The trap is to count the coordinate from elsewhere: the weight drops out only if it counts "
+            "from equilibrium."
+        )
 
 
 LESSONS = (
-    Lesson(
-        "Kinematic analysis",
-        _always,
-        "Motion comes before force: every joint relates velocities and accelerations, and each relation that is "
-        "found here is one unknown less later. Write the relation between two points of one body as a vector "
-        "equation first, and only then choose the component that leaves out what you do not know.",
-    ),
-    Lesson(
-        "Kinematic analysis",
-        _has("v_rel"),
-        "A point that slides on a turning body: its velocity is that of the point of the body under it plus the "
-        "relative velocity. In the acceleration a third part comes in, twice the angular velocity of the body "
-        "times the relative velocity. It is there even where the point slides at a constant rate; to leave it out"
-        " is the usual mistake.",
-    ),
-    Lesson(
-        "Kinematic analysis",
-        _says("rolls on", "does not slip"),
-        "Rolling without slipping makes the velocities at the contact equal, and the accelerations along it. The "
-        "accelerations across it are not equal: the point of contact of a rolling wheel is accelerated.",
-    ),
-    Lesson(
-        "Kinetic analysis",
-        _always,
-        "Each body is drawn alone with every force that acts on it, and beside it what these forces amount to: "
-        "the mass times the acceleration of the mass centre, and the moment of inertia times the angular "
-        "acceleration. The forces of a joint act on both of its bodies in opposite directions. Mass times "
-        "acceleration is no force.",
-    ),
-    Lesson(
-        "Kinetic analysis",
-        _begins("ΣM_"),
-        "Moments may be taken about any point, if the mass times acceleration at the mass centre is given its "
-        "moment about it too. A point in which unknown forces meet spares them. Only about the mass centre, or "
-        "about a fixed point with the moment of inertia about that point, is the angular acceleration all that "
-        "stands on the right.",
-    ),
-    Lesson(
-        "Kinetic analysis",
-        _begins("F_"),
-        "The friction of a contact that does not slip is an unknown that the equations give; it is compared with "
-        "its limit afterwards. Only where it slips is it the coefficient times the normal force, against the "
-        "slip.",
-    ),
-    Lesson(
-        "Solving the equations",
-        _always,
-        "Take the equations in the order in which each gives one new unknown. Keep the letters as long as they "
-        "stay short: a formula can be tested by its units and by simple cases, a number can not.",
-    ),
-    Lesson(
-        "",
-        _begins("T_"),
-        "Speeds at two places and no time asked: work and kinetic energy. Forces at points at rest, and forces "
-        "across the motion, do no work. A body that moves and turns has both parts of the kinetic energy.",
-    ),
-    Lesson(
-        "",
-        _says("momentum before"),
-        "A blow is so short that nothing changes its place meanwhile and that weights and springs have no impulse"
-        " worth naming; the reactions of supports have. Take angular momentum about a point through which the "
-        "unknown impulses pass.",
-    ),
-    Lesson(
-        "",
-        _says("constant acceleration", "constant angular acceleration"),
-        "The acceleration is constant, so that v = v₀ + a t, x = x₀ + v₀ t + a t²/2 and v² = v₀² + 2 a (x - x₀), of "
-        "which two are independent: take the one without what is neither given nor asked.",
-    ),
-    Lesson(
-        "",
-        _says("v dv = a", "dv = a dt", "ω dω = α dθ", "dω = α dt", "dv/a = dt"),
-        "The acceleration depends on time, on speed or on place: separate the variables accordingly, and take the"
-        " limits of both integrals at the same two states.",
-    ),
+    *(Lesson((KINEMATICS,), f) for f in (_why_kinematics, _rolling, _sliding, _component, _cords)),
+    *(Lesson((KINETICS,), f) for f in (_why_kinetics, _moments, _groups, _friction)),
+    Lesson((SOLVING,), _solving),
+    *(Lesson((), f) for f in (_energies, _momenta, _blows, _laws, _swings)),
 )
 """In the order in which they are told under one heading."""

@@ -40,6 +40,7 @@ from planar_cli.report.presumed import presumed_notes
 from planar_cli.report.repeats import told_once
 from planar_cli.report.telling import Telling
 from planar_cli.report.told_before import ToldBefore
+from planar_cli.report.uses import uses_of
 from planar_cli.report.words import Phrases
 from planar_cli.solve.solution import Found, InstantSolution
 from planar_cli.solve.solved_problem import PartSolution, Solution
@@ -77,6 +78,7 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
     if why is not None and not any(f.name == why for part in solution.parts for f in part.found):
         raise KeyError(why)
     told: set[tuple[str, ...]] = set()
+    lessons: set[str] = set()
     if surplus := unused(problem):
         blocks.append(Note("Not used", line(f"{', '.join(surplus)}: not needed here")))
     first = next((phrases_of(i, voice.figures) for part in solution.parts for i in part.instants), None)
@@ -89,13 +91,16 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
             case = next(c.problem for c in problem.cases if c.name == part.case)
             mine = next((phrases_of(i, voice.figures) for i in part.instants), None)
             blocks += () if why is not None else changed_notes(problem, case, own, (first, mine), voice.figures)
-        own = own if voice.audience == "lesson" else told_once(own, blocks)
-        blocks += key_blocks(own) if voice.audience == "exam" else own
-    if voice.audience == "lesson":
-        from planar_cli.report.lessons import with_lessons
+        if voice.audience == "lesson":
+            from planar_cli.report.lessons import with_lessons
 
-        blocks = with_lessons(blocks)
-    opening = () if why is not None else tuple(opening_notes(problem, blocks, first, voice.figures))
+            blocks += with_lessons(own, uses_of([part]), lessons)
+        else:
+            once = told_once(own, blocks)
+            blocks += key_blocks(once) if voice.audience == "exam" else once
+    opening = (
+        () if why is not None else tuple(opening_notes(problem, blocks, uses_of(solution.parts), first, voice.figures))
+    )
     if voice.audience == "exam":
         opening = tuple(n for n in opening if n.kind == "Principle")
     return Document(problem.title or problem.file, (*texts, *opening, *(b for b in blocks if not _says_nothing(b))))
