@@ -28,7 +28,9 @@ def stationary(
     related, aim, letters, condition = eliminated(plain, objective, unknowns, kept, sought)
     if not related and aim in (letters[0], letters[0] ** 2) and "__" not in letters[0].name:
         text = f"{like.words}: no equation bounds it, only inequalities may"
-        hint = "state the limit itself: `N(P) = 0` where contact is just kept, `v(P).mag = 0` where it just arrives"
+        hint = "state the limit itself: `N(P) = 0` where contact is just kept, `v(P).mag = 0` where it just arrives; "
+        hint += "or ask for it at one instant in a case before this one, `instant: [mode(C) = stick, mu is smallest]`, "
+        hint += "and give it in this one: `given: {mu: limit.mu}`"
         raise NoSolution([Diagnostic(like.mark, "PL623", text, hint)])
     free = [x.name for x in letters if x in kept and "__" not in x.name]
     words = f"{like.words}, so {unchanged(free)}"

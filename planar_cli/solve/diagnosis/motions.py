@@ -32,7 +32,7 @@ from planar_cli.solve.diagnosis.failures import explain_failure, singular_positi
 from planar_cli.solve.diagnosis.false_inequalities import false_inequality
 from planar_cli.solve.diagnosis.held_in_blows import what_to_write
 from planar_cli.solve.diagnosis.placed import driven_with
-from planar_cli.solve.diagnosis.words import in_unit, listed, unit_of
+from planar_cli.solve.diagnosis.words import has_magnitude, in_unit, listed, unit_of
 from planar_cli.solve.following.follower import Follower
 from planar_cli.solve.instant.instant import make_instant, search_modes
 from planar_cli.solve.multibody.linear import solve
@@ -239,10 +239,10 @@ def _quoted(texts: list[str]) -> str:
 
 
 def _apart(course: RegimeSequence, demand: Demand, number: Decimal) -> str:
-    """By how much the sides of a relation differ, in its own unit; "" for what is not written with two sides."""
+    """By how much the sides of a relation differ, in its own unit; "" for what has no two sides, or squares of them."""
     stated = (s for state in course.problem.states if state.name == demand.state for s in state.relations)
     relation = next((r for r in stated if isinstance(r, Relation) and r.mark == demand.mark), None)
-    if relation is None:
+    if relation is None or has_magnitude(relation):
         return ""
     unit = unit_of(course.regimes[0].general.instant, relation.left, relation.right)
     return f"the sides differ by {in_unit(abs(number), unit, course.problem.us)}"

@@ -13,9 +13,10 @@ from planar_cli.equation.motion import Edge
 from planar_cli.equation.setup import first_unit
 from planar_cli.equation.system import System
 from planar_cli.problem.dimensions import dimension_of
-from planar_cli.problem.expression import Number, Relation, Side
+from planar_cli.problem.expression import Number, Quantity, Relation, Side
 from planar_cli.problem.facts import Push
 from planar_cli.problem.scene import GROUND
+from planar_cli.problem.walk import walk
 from planar_cli.solve.instant.instant import Instant
 from planar_cli.units import Unit, parse_unit
 
@@ -183,3 +184,8 @@ def unknown_name(system: System, symbol: sp.Symbol) -> str:
         if system.symbols.get(push.name) == symbol:
             return push_name(system, push)
     return str(symbol.name)
+
+
+def has_magnitude(relation: Relation) -> bool:
+    """Is a magnitude in it? Then its residual is the difference of squares."""
+    return any(part.kind == "mag" for q in walk(relation) if isinstance(q, Quantity) for part in q.parts)
