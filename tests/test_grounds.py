@@ -86,6 +86,18 @@ def test_the_same_ground_for_an_impact() -> None:
     assert_close(solve(BOUNCE)["v"], 0.5 * (2 * 9.81 * 2) ** 0.5, 9)
 
 
+EDGE = """
+title: Falling bar that strikes an edge
+plane: vertical
+points: {A: [0, 0], B: [1 m, 0], P: [0.25 m, 0]}
+bodies: {bar: {rod: [A, B], mass: 2 kg}}
+joints:
+  - impact: {between: [bar, ground], at: P, normal: 90 deg, restitution: 0.5, during: 1->2}
+states: {1: [v(bar).x = 0, v(bar).y = -3 m/s, omega(bar) = 0], 2: [just after 1]}
+find: {w: omega(bar) @ 2}
+"""
+
+
 @pytest.mark.parametrize(
     ("text", "message"),
     [
@@ -100,6 +112,10 @@ def test_the_same_ground_for_an_impact() -> None:
         (
             BOUNCE.replace("  - contact: {between: [crate, ground], mu: 0.4}\n", ""),
             "the impact of ball and the ground: the file does not say where the ground is",
+        ),
+        (
+            EDGE,
+            "the impact of bar and the ground: a fixed edge at P is written as a particle",
         ),
     ],
 )

@@ -27,7 +27,7 @@ class Impact(Joint):
         particle may be drawn beside what it strikes. They meet where a particle is, where a round rim touches, or with
         the end of a rod or the corner of a plate that is nearest; `at` is checked. `normal` is the direction of the
         common normal, where the shapes leave it open (particles at one place, corners), and is checked where they do
-        not. `restitution` is the ratio of the speeds of
+        not. A fixed edge is a particle that is welded to the ground. `restitution` is the ratio of the speeds of
         separation and approach along it; left out, it is unknown, and something is stated of the velocities after it.
         `mu` adds a friction impulse; without it the impact is smooth. Several impacts in one blow happen at once, each
         with its own restitution: planar explain blows. After a plastic impact (`restitution: 0`) the bodies stay in

@@ -87,6 +87,9 @@ class _Reading:
         body = self.bodies.get(others[0]) if len(others) == 1 and len(striking.between) == 2 else None
         if body is None:
             return joint
+        if not self.surfaces and striking.at and striking.normal is not None:
+            self._refuse_edge(joint, body, striking.at)
+            return joint
         if not self.surfaces:
             self._refuse(joint, body, "", "the file does not say where the ground is")
             return joint
@@ -103,6 +106,15 @@ class _Reading:
             f"`between: [{body.name}, {floor}]{there}`"
         )
         self.report.add(joint.mark, "PL535", f"the {joint.kind} of {body.name} and the ground: {why}", hint)
+
+    def _refuse_edge(self, joint: Joint, body: Body, at: str) -> None:
+        """A fixed point that is struck along a stated normal is a body of its own, which the ground holds."""
+        text = f"the {joint.kind} of {body.name} and the ground: a fixed edge at {at} is written as a particle"
+        hint = (
+            f"`bodies: {{edge: {{particle: {at}}}}}`, `joints: - weld: {{at: {at}, between: [edge, ground]}}`, and "
+            f"`between: [{body.name}, edge]` here"
+        )
+        self.report.add(joint.mark, "PL535", text, hint)
 
     def _lowest(self, body: Body, mark: Mark) -> str:
         """The point with which a body stands on a floor: its name, or ""."""
