@@ -469,3 +469,33 @@ def test_equilibrium_of_a_light_lever() -> None:
     """
     n = 1 / (1 - 100 / (2 * 2000 * 0.5))
     assert number(solve(LIGHT_LEVER)["theta"]) == pytest.approx(math.asin((5 - n**2) / 4))
+
+
+SHAKEN = """
+title: Block on a spring whose other end is shaken
+plane: horizontal
+given: {m: 2 kg, k: 800 N/m, b: 10 mm, w: 15 rad/s, l: 300 mm}
+points: {B: [0, 0], P: [l, 0]}
+bodies: {base: {particle: B}, block: {particle: P, mass: m}}
+joints:
+  - guide: {point: P, along: 0 deg}
+  - guide: {point: B, along: 0 deg}
+loads:
+  - spring: {between: [B, P], stiffness: k, natural_length: l}
+motion: [x(B) = b*sin(w*t)]
+states: {1: [t = 0, block at rest], 2: [t = 0.5 s]}
+find: {x: x(P) @ 2 - l}
+"""
+
+
+def test_a_shaken_base_has_a_closed_form() -> None:
+    """x = b (sin wt - n sin w_0 t)/(1 - n²), n = w/w_0: the place of the base stands in the law as a function of t."""
+    problem, _ = load_text(SHAKEN)
+    assert problem is not None
+    solution = solve_problem(problem)
+    page = Terminal(200).render(narrate(solution))
+    assert "sin(w t_2)" in page
+    assert "numerically" not in page
+    n = 15 / 20
+    expected = 0.01 * (math.sin(7.5) - n * math.sin(10)) / (1 - n**2)
+    assert number(solution.parts[0].found[0]) == pytest.approx(expected)
