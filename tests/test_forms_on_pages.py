@@ -152,3 +152,25 @@ def test_arms_of_a_rim_are_lengths() -> None:
     assert problem is not None
     page = Terminal(200).render(narrate(solve_problem(problem)))
     assert "1/5 μ N_D = I α" in page
+
+
+def test_a_place_that_is_differentiated_loses_the_sine_of_all_its_terms() -> None:
+    page = page_of(PENDULUM)
+    assert "x_P = l sin θ differentiated, divided by cos θ:" in page
+    assert re.search(r"\(1\)  v_P = l θ̇", page)
+
+
+PENDULUM = """
+title: Pendulum
+plane: vertical
+given: {l: 2 m, m: 3 kg}
+coordinates: {theta: deg}
+points: {O: [0, 0], P: {from: O, distance: l, angle: theta - 90 deg}}
+bodies: {bob: {particle: P, mass: m}}
+joints:
+  - link: {between: [O, P], name: rod}
+states:
+  1: [theta = 40 deg, at rest]
+  2: [theta = 0]
+find: {S: tension(rod) @ 2}
+"""

@@ -126,8 +126,12 @@ class Terminal(Format[Row]):
         content = list(left)
         for place, side in enumerate(others):
             content += [Span(" "), Span((words(equation.relation) if place == 0 else "=") + FIRM, "math"), *side]
-        rows += fill(head, content, hang, self.width)
-        return self._with_aside(rows, spans(equation.note), columns.start + _BODY)
+        aside = spans(equation.note)
+        filled = fill(head, content, hang, self.width)
+        room = self.width - row_cells(aside) - _GAP
+        if aside and row_cells(filled[-1]) > room:
+            filled = fill(head, content, hang, room)
+        return self._with_aside([*rows, *filled], aside, columns.start + _BODY)
 
     def _with_aside(self, rows: list[Row], aside: list[Span], hang: int) -> list[Row]:
         """An aside at the right of the last row, or below where there is no room."""

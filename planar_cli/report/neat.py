@@ -49,15 +49,25 @@ class Neat:
         found = [s for s in expr.free_symbols if time is not None and s in roles and roles[s].of == time]
         return sorted(found, key=lambda s: (-(self.value.known(s) or 0), s.name))
 
-    def sides(self, left: sp.Expr, right: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
-        """Both sides of an equation, without the factors of all their terms that are surely positive."""
+    def sides(self, left: sp.Expr, right: sp.Expr, turns: bool = False) -> tuple[sp.Expr, sp.Expr]:
+        """Both sides of an equation, without the factors of all their terms that are surely positive. `turns`: nor
+        with sines and cosines, by which a relation that tells something may be divided.
+        """
         left, right = self(left), self(right)
-        terms = [t for side in (left, right) for t in sp.Add.make_args(side) if t != 0]
-        common = [f for f in sp.Mul.make_args(terms[0]) if self._is_positive(f)] if len(terms) > 1 else []
-        common = [f for f in common if all(f in sp.Mul.make_args(t) for t in terms[1:])]
+        common = self.shared(left, right, turns)
         if not common:
             return left, right
         return _without(left, common), _without(right, common)
+
+    def shared(self, left: sp.Expr, right: sp.Expr, turns: bool) -> list[sp.Expr]:
+        """The factors of all terms of both sides that are surely positive, and with `turns` sines and cosines."""
+        terms = [t for side in (left, right) for t in sp.Add.make_args(side) if t != 0]
+        found = (
+            [f for f in sp.Mul.make_args(terms[0]) if self._is_positive(f) or (turns and _turns(f))]
+            if len(terms) > 1
+            else []
+        )
+        return [f for f in found if all(f in sp.Mul.make_args(t) for t in terms[1:])]
 
     def _is_positive(self, factor: sp.Expr) -> bool:
         """Is a factor no number, and surely positive?"""
@@ -189,6 +199,11 @@ class _Letters:
             return expr
         args = [self.opened(a) for a in expr.args]
         return expr.func(*args, evaluate=False) if expr.is_Mul and len(args) == 2 else expr.func(*args)
+
+
+def _turns(factor: sp.Expr) -> bool:
+    """Is it a sine or cosine?"""
+    return isinstance(factor, sp.sin | sp.cos)
 
 
 def _size(inside: sp.Expr) -> sp.Expr:

@@ -24,6 +24,9 @@ NAMED, MOST = 16, 24
 LONGEST = 30
 """A solution with more operations is not written as a formula where its equation can have numbers instead."""
 
+DIFFERENTIATED = "coordinate"
+"""The source of a relation that comes from a place: it is divided by a sine or cosine of all its terms."""
+
 Printed = tuple[tuple[Any, ...], Line]
 """The sides of an equation and the note behind it."""
 
@@ -86,7 +89,7 @@ class NumericTelling:
                 self._put.add((id(stage.algebra), w.number))
                 return found
         if w.law == "relation":
-            sides = self.phrases.writer.sides(*sides)
+            sides = self.phrases.writer.sides(*sides, turns=w.source == DIFFERENTIATED)
         return tuple(self.phrases.math(s) for s in sides), ()
 
     def put_in(self, w: Written, stage: Stage, unknowns: Collection[sp.Symbol]) -> Printed | None:

@@ -8,7 +8,7 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.report.blocks import Block, Equation, Line, Math, Paragraph, line
-from planar_cli.report.numeric import NumericTelling
+from planar_cli.report.numeric import DIFFERENTIATED, NumericTelling
 from planar_cli.report.results import numbered, other_roots
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.algebra import Line as SolvedLine
@@ -186,5 +186,5 @@ def is_given(block: SolvedBlock) -> bool:
 def is_written(w: Written, found: SolvedLine, phrases: Phrases) -> bool:
     """Does an equation stand as unknown = formula?"""
     solved = (found.symbol, phrases.neat(found.formula))
-    either = [phrases.writer.sides(s * w.left, s * w.right) for s in (1, -1)]
+    either = [phrases.writer.sides(s * w.left, s * w.right, w.source == DIFFERENTIATED) for s in (1, -1)]
     return any(solved in (sides, sides[::-1]) for sides in either)

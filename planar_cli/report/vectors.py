@@ -56,7 +56,10 @@ class VectorTelling:
     def before(self, w: Written, level: str) -> list[Block] | None:
         """What stands before the component of a closing joint; None: its kind of relation has other words."""
         if w.source == "coordinate" and w.place in self.system.scene.formulas:
-            return [Paragraph(line(*self._differentiated(w, level), ":"))]
+            writer = self.phrases.writer
+            shared = [f for f in writer.shared(writer(w.left), writer(w.right), turns=True) if f.has(sp.sin, sp.cos)]
+            divided = line(", divided by ", self.phrases.math(sp.Mul(*shared))) if shared else ()
+            return [Paragraph(line(*self._differentiated(w, level), *divided, ":"))]
         joining = self._closure(w)
         if joining is None or self.system.motion is None or joining.drift is not None:
             return None
