@@ -11,6 +11,7 @@ import sympy as sp
 
 from planar_cli.formats.terminal import Terminal
 from planar_cli.problem.structure import load_text
+from planar_cli.report import blocks as doc
 from planar_cli.report.durations import over_durations
 from planar_cli.report.narrate import narrate
 from planar_cli.report.notation import plain
@@ -174,3 +175,10 @@ states:
   2: [theta = 0]
 find: {S: tension(rod) @ 2}
 """
+
+
+def test_a_unit_stays_beside_its_equation() -> None:
+    sides = tuple(doc.Math(sp.Symbol(letter * 30)) for letter in "abc")
+    document = doc.Document("Units", (doc.Equation(sides, None, (), doc.line("in kg m²/s²")),))
+    (last,) = Terminal(width=110).render(document).splitlines()[-1:]
+    assert re.fullmatch(r" +.*c{30} +in kg m²/s²", last)

@@ -36,7 +36,8 @@ _LARGEST_WIDTH = 120
 _BODY = 2
 _NUMBER = 4
 _NOTE_COLUMN = 56
-_GAP = 3
+_GAP, _UNIT = 3, 16
+"""What stands before an aside at least; an aside of no more columns is a unit, which stays beside its equation."""
 _LABEL = 9
 _KINETIC = "   =   "
 # Left sides are aligned at their relation signs unless that tears a short one too far from its lead.
@@ -129,7 +130,7 @@ class Terminal(Format[Row]):
         aside = spans(equation.note)
         filled = fill(head, content, hang, self.width)
         room = self.width - row_cells(aside) - _GAP
-        if aside and row_cells(filled[-1]) > room:
+        if 0 < row_cells(aside) <= _UNIT and row_cells(filled[-1]) > room:
             filled = fill(head, content, hang, room)
         return self._with_aside([*rows, *filled], aside, columns.start + _BODY)
 
