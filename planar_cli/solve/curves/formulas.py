@@ -14,6 +14,7 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.conditions import vector_or_jet
+from planar_cli.equation.exact import Valuation
 from planar_cli.equation.factoring import factored
 from planar_cli.equation.plain import longer, rounded_inside, simplified
 from planar_cli.equation.quantities import Quantities
@@ -29,6 +30,7 @@ from planar_cli.problem.walk import walk
 from planar_cli.records import changing
 from planar_cli.solve.between.agreement import balanced
 from planar_cli.solve.between.solved_motion import SolvedMotion
+from planar_cli.solve.curves.by_coordinates import by_coordinates
 from planar_cli.solve.curves.kinematics import Story, no_value, tells
 from planar_cli.solve.curves.paths import CurveReader
 from planar_cli.solve.instant.verify import Disagreement
@@ -283,6 +285,15 @@ class FormulaReader:
         told = () if self.kinetic or not finds else self._places(finds)
         return (*told, *self.curves)
 
+    def by_coordinates(self, value: Valuation) -> tuple[tuple[Passage, ...], frozenset[str]]:
+        """The same with the coordinates that are given over time as letters, and their names; empty: there are none."""
+        driven = by_coordinates(self.regime, value, lambda f: not longer(f, LONG_ROW) and self.value is not None)
+        if driven is None or self.curves:
+            return (), frozenset()
+        finds = [f for f in self.problem.find if not is_curve(f.found.what)]
+        story = Story(self.regime, self.quantities, self.functions, driven.clean, False, driven.known, driven)
+        return story.passages(finds), frozenset(q.name for q in driven.driven)
+
     def _places(self, finds: list[Find]) -> tuple[Passage, ...]:
         value = self.value or no_value
         story = Story(self.regime, self.quantities, self.functions, self.clean, not self.by_joints, value)
@@ -320,18 +331,26 @@ def at_given_time(problem: Problem, solved: SolvedMotion, passages: tuple[Passag
     if set(Functions(regimes[0], {}).find()) != set(regimes[0].rates) or reader.kinetic:
         return None
     when = " and ".join(s.text for s in problem.instant or () if isinstance(s, Relation))
-    told = reader.passages()
-    if any(longer(side, LONG_ROW) for p in told for row in p.rows for side in sides_of(row)):
+    told, names = reader.passages(), frozenset[str]()
+    if _is_long(told):
+        told, names = reader.by_coordinates(_at_instant(solved, regimes[0]))
+    if not told or _is_long(told):
         return None
     finds = [f for f in problem.find if not is_curve(f.found.what)]
-    if (
-        _only_time(problem)
-        and finds
-        and all(row.value is not None for p in told for row in p.rows)
-        and all(tells(f) for f in finds)
-    ):
+    valued = _only_time(problem) and all(row.value is not None for p in told for row in p.rows)
+    if valued and finds and all(tells(f, names, finds) for f in finds):
         return Tale((Passage(f"Values are those at {when}.", ()), *told, *passages), valued=True)
-    return Tale((*told, Passage(f"All this is taken at {when}.", ()), *passages))
+    return None if names else Tale((*told, Passage(f"All this is taken at {when}.", ()), *passages))
+
+
+def _is_long(told: tuple[Passage, ...]) -> bool:
+    return any(longer(side, LONG_ROW) for p in told for row in p.rows for side in sides_of(row))
+
+
+def _at_instant(solved: SolvedMotion, regime: Regime) -> Valuation:
+    """Numbers at the instant that is asked for."""
+    stop = list(solved.course.stops.values())[-1]
+    return solved.value.extended({regime.time: solved.value(stop.t)})
 
 
 def _only_time(problem: Problem) -> bool:
@@ -342,8 +361,7 @@ def _only_time(problem: Problem) -> bool:
 
 def _values_in(solved: SolvedMotion, regime: Regime) -> Callable[[sp.Expr], Decimal | None]:
     """Numbers of formulas in the time at the instant that is asked for; none where they hold letters without one."""
-    stop = list(solved.course.stops.values())[-1]
-    value = solved.value.extended({regime.time: solved.value(stop.t)})
+    value = _at_instant(solved, regime)
     open_letters = solved.course.parameters()
 
     def number(expr: sp.Expr) -> Decimal | None:

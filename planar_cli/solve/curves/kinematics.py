@@ -6,7 +6,7 @@ all others in Cartesian ones.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator
 from dataclasses import field, replace
 from decimal import Decimal
 from typing import Any
@@ -16,10 +16,11 @@ import sympy as sp
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.jets import Jet, magnitude
 from planar_cli.equation.quantities import Quantities, direction_angle
-from planar_cli.problem.expression import Quantity
+from planar_cli.problem.expression import Name, Quantity
 from planar_cli.problem.scene import GROUND, Find
 from planar_cli.problem.walk import walk
 from planar_cli.records import changing, record
+from planar_cli.solve.curves.by_coordinates import DOTS, ByCoordinates
 from planar_cli.solve.passages import Passage, Row, told_function
 from planar_cli.solve.regimes.functions import Function, Functions, explained
 from planar_cli.solve.regimes.regime import Regime
@@ -29,12 +30,12 @@ LEVELS = {"r": 0, "x": 0, "y": 0, "v": 1, "IC": 1, "coriolis": 1, "KE": 1, "mome
 ANGLES = {"theta": 0, "omega": 1, "alpha": 2}
 WITHOUT_POINT = ("KE", "momentum", "H")
 POLAR = ("r", "theta")
+GIVEN = "Given, and differentiated:"
 HEADINGS = (
     "Places:",
     "Velocities, the derivatives of the places:",
     "Accelerations, the derivatives of the velocities:",
 )
-DOTS = ("", "_dot", "_ddot")
 
 
 def no_value(_: sp.Expr) -> Decimal | None:
@@ -47,8 +48,8 @@ class Story:
     """Tells the places, velocities and accelerations of one regime on which finds rest.
 
     `clean`: a formula of the regime as it is printed. `with_rates`: tell the rates of coordinates as well. `value`: of
-    such a formula at the instant that is asked for (None: no instant is). `used`: what has been told so far, in the
-    coordinates.
+    such a formula at the instant that is asked for (None: no instant is). `driven`: coordinates over time that stay
+    letters. `used`: what has been told so far, in the coordinates.
     """
 
     regime: Regime
@@ -57,6 +58,7 @@ class Story:
     clean: Callable[[sp.Expr], sp.Expr]
     with_rates: bool = True
     value: Callable[[sp.Expr], Decimal | None] = no_value
+    driven: ByCoordinates | None = None
     used: list[sp.Expr] = field(default_factory=list)
 
     def passages(self, finds: Iterable[Find]) -> tuple[Passage, ...]:
@@ -77,7 +79,7 @@ class Story:
         told = [self._function(f) for f in explained(self.functions.found, self.used)]
         known = {r.line.lhs for r in told}
         first = [*told, *(r for r in rows[0] if r.line.lhs not in known)]
-        passages = [Passage(HEADINGS[0], tuple(first))]
+        passages = [Passage(GIVEN, tuple(self._given())), Passage(HEADINGS[0], tuple(first))]
         if self.with_rates and (around or any(rows[1:])):
             passages.append(Passage("Rates of the coordinates:", tuple(self._rates())))
         passages += [Passage(HEADINGS[n], tuple(rows[n])) for n in (1, 2)]
@@ -91,13 +93,26 @@ class Story:
             return row
         return replace(row, value=self.value(function.expr), dimension=unit.dimension, angle=unit.dimension == PURE)
 
+    def _given(self) -> Iterator[Row]:
+        """The coordinates that stay letters, and their rates."""
+        units = self.regime.general.instant.scene.ledger.units
+        for q, symbol, formula, n in self.driven.rows() if self.driven is not None else ():
+            angular = q not in units or units[q].dimension == PURE
+            yield self._row(sp.Eq(symbol, formula, evaluate=False), symbol, n, angular)
+
     def _row(self, sides: Any, expr: sp.Expr, n: int, angular: bool) -> Row:
         """A line with its value: of a length or an angle that was differentiated n times."""
-        return Row("", sides, self.value(expr), (PURE if angular else LENGTH) / TIME**n, angular)
+        found = {s: self.value(s) for s in expr.free_symbols} if self.driven is not None else {}
+        sizes = {s: number for s, number in found.items() if number is not None}
+        return Row("", sides, self.value(expr), (PURE if angular else LENGTH) / TIME**n, angular, sizes)
+
+    def _jet(self, jet: Jet) -> Jet:
+        """A place with its derivatives."""
+        return jet if self.driven is None else self.driven.jet(jet)
 
     def _derivatives(self, name: str, jet: Jet, level: int, angular: bool) -> Iterator[Row | None]:
         """q, q̇, q̈ as rows; None where there is nothing to say."""
-        closed = self.regime.closed(jet.value)
+        closed = self.regime.closed(jet.value) if self.driven is None else jet.value
         self.used.append(closed)
         stem = closed.name if isinstance(closed, sp.Symbol) and closed in self.regime.rates else name
         for n, expr in enumerate((closed, jet.rate, jet.second)[: level + 1]):
@@ -112,13 +127,13 @@ class Story:
         scene, motion = self.quantities.scene, self.quantities.motion
         if angular and thing in scene.bodies:
             rates = motion.velocities[thing].angular, motion.accelerations[thing].angular
-            yield f"theta_{thing}", Jet(scene.bodies[thing].theta, *rates)
+            yield f"theta_{thing}", self._jet(Jet(scene.bodies[thing].theta, *rates))
         elif thing in scene.points or thing in scene.bodies:
             place = self.quantities.place(thing)
             name = thing if thing in scene.points else scene.center_name(thing) or thing
             if any(j.rate is not None and j.rate != 0 for j in (place.x, place.y)):
-                yield f"x_{name}", place.x
-                yield f"y_{name}", place.y
+                yield f"x_{name}", self._jet(place.x)
+                yield f"y_{name}", self._jet(place.y)
 
     def _rates(self) -> Iterator[Row]:
         """q̇ = …, of the coordinates that stand in what is told and are no functions of time."""
@@ -135,7 +150,7 @@ class Story:
         place = self.quantities.place(point)
         known = {
             sp.Symbol(f"{axis}_{point}{dots}", real=True): self.value(self.clean(expr))
-            for axis, jet in (("x", place.x), ("y", place.y))
+            for axis, jet in (("x", self._jet(place.x)), ("y", self._jet(place.y)))
             for dots, expr in zip(DOTS, (jet.value, jet.rate, jet.second), strict=True)
             if expr is not None
         }
@@ -171,6 +186,7 @@ class Story:
         reach = self.quantities.place(point)
         if origin:
             reach = reach - self.quantities.place(origin)
+        reach = reach if self.driven is None else self.driven.vec(reach)
         size, angle = magnitude(reach), direction_angle(reach)
         rows = [row for n in range(level + 1) for row in self._polar_rows(point, size, angle, n)]
         yield Passage(
@@ -264,9 +280,13 @@ def _along_paths(asked: list[Use], polar: Iterable[tuple[str, str]]) -> list[str
     return list(dict.fromkeys(u.quantity.things[0] for u in asked if _kinds(u) and u.quantity.things[0] not in around))
 
 
-def tells(find: Find) -> bool:
-    """Has what is asked a line of its own here?"""
+def tells(find: Find, names: Collection[str], finds: Iterable[Find]) -> bool:
+    """Has what is asked a line of its own here? `names`: coordinates that are told; `finds`: all that is asked."""
     q = find.found.what
+    if isinstance(q, Name):
+        return q.name in names
+    if isinstance(q, Quantity) and q.word == "r" and {p.kind for p in q.parts} <= {"mag", "angle"} and q.parts:
+        return q.things in [(point, origin) for point, origin in _polar(list(_asked(finds)))]
     if not isinstance(q, Quantity) or q.word not in ("r", "v", "a", "rho", *ANGLES):
         return False
     kinds = {p.kind for p in q.parts}

@@ -184,8 +184,7 @@ def directed(expr: sp.Expr, value: Valuation) -> sp.Expr:
 
     def plain(e: sp.Expr) -> sp.Expr:
         y, x = e.args
-        for sine in sorted(y.atoms(sp.sin), key=str):
-            phi = sine.args[0]
+        for phi in sorted({f.args[0] for f in e.atoms(sp.sin, sp.cos, sp.tan)}, key=str):
             if identically_zero(y * sp.cos(phi) - x * sp.sin(phi)) and value(x * sp.cos(phi) + y * sp.sin(phi)) > 0:
                 return sp.sympify(phi)
         above, below = sp.fraction(simplified(y / x))
