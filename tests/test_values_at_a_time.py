@@ -17,6 +17,19 @@ motion: [r(P/O).mag = 3 ft + 2 ft/s^2 * t^2, r(P/O).angle = 0.5 rad/s * t]
 instant: [t = 1 s]
 find: {v_theta: v(P/O).theta, a_r: a(P/O).r, speed: v(P).mag}
 """
+ARM = """\
+title: Arm that drives a pin along a rod
+coordinates: {theta: rad}
+points: {O: [0, 0], B: {from: O, distance: 0.65 m, angle: theta}, P: {y: 500 mm, line: [O, theta]}}
+bodies: {arm: {rod: [O, B]}, collar: {particle: P}}
+joints:
+  - pin: {at: O, between: [ground, arm]}
+  - guide: {point: P, along: 0 deg, name: rod}
+  - guide: {point: P, along: arm, name: slot}
+motion: [theta = pi/2 + pi/6*sin(1.5 rad/s * t)]
+instant: [t = 5 s]
+find: {theta: theta in rad, r: r(P/O).mag, v_r: v(P/O).r, a_theta: a(P/O).theta}
+"""
 PATH = """\
 title: Particle in the plane
 bodies: {P: {particle: free}}
@@ -43,6 +56,15 @@ def _page(text: str) -> str:
                 "v_Pθ = r_P θ̇_P = 5 · 0.5 = 2.5 ft/s",
                 "a_Pr = r̈_P - r_P θ̇_P² = 4 - 5 · 0.5² = 2.75 ft/s²",
                 "v_P = √(v_Pr² + v_Pθ²) = √(4² + 2.5²) = 4.717 ft/s",
+            ),
+        ),
+        (
+            ARM,
+            (
+                "θ̇ = π/4 cos(3 t/2) = 0.2722 rad/s",
+                "r_P = 1/(2 sin θ) = 1/(2 sin(2.062)) = 0.5670 m",
+                "θ_P = θ = 2.062 rad",
+                "+ 2 · 0.08256 · 0.2722 = -0.5816 m/s²",
             ),
         ),
         (
