@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -49,6 +50,14 @@ def test_data_without_letters(stem: str, rows: list[str]) -> None:
     given = _given(stem)
     for row in rows:
         assert row in given
+
+
+@pytest.mark.parametrize(
+    ("stem", "times"), [("double-pulley", 1), ("mine-hoist-us-units", 1), ("ex-4-04", 0), ("four-bar", 0)]
+)
+def test_gravity_where_its_number_is_used(stem: str, times: int) -> None:
+    """Once, also where the file gives it."""
+    assert len(re.findall(r"\bg = ", _given(stem))) == times
 
 
 def test_what_no_equation_uses_is_not_given() -> None:

@@ -67,16 +67,18 @@ class Datum:
 @record
 class Mentioned:
     """What a page speaks of. `words`: all its names and their pieces; `kinetic`: does it tell energies, or forces that
-    accelerate something?
+    accelerate something? `counted`: the names for which it puts numbers into formulas.
     """
 
     words: frozenset[str]
     kinetic: bool
+    counted: frozenset[str] = frozenset()
 
 
 def mentioned(page: Iterable[Block]) -> Mentioned:
     """All pieces of names and words on a page."""
     found: set[str] = set()
+    counted: set[str] = set()
     kinetic = False
     for block in page:
         kinetic |= isinstance(block, Forces) and block.right != (Text("0"),)
@@ -89,7 +91,8 @@ def mentioned(page: Iterable[Block]) -> Mentioned:
                     kinetic |= name.startswith("T_")
                 case Math(expr):
                     found |= {p for s in expr.free_symbols for p in (s.name, *s.name.split("_"))}
-    return Mentioned(frozenset(found), kinetic)
+                    counted |= {s.name for s in piece.values or ()}
+    return Mentioned(frozenset(found), kinetic, frozenset(counted))
 
 
 def _pieces(value: object) -> Iterator[Inline]:

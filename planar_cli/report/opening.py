@@ -17,6 +17,7 @@ from planar_cli.report.words import Phrases
 
 MOST_GIVEN = 18
 """More data are in the file, and not on the page."""
+GRAVITY = "g"
 MOST_PIECES = 24
 """A formula of the file of more pieces is given by its value alone."""
 
@@ -51,7 +52,19 @@ def _rows(problem: Problem, seen: Mentioned, phrases: Phrases | None, figures: i
     """All that a file gives: its letters, then what has none."""
     letters = [d for s in problem.given if (d := _datum(s, phrases, figures))]
     numbers, *others = given_rows(problem, seen, figures)
-    return [[*letters, *(line(Name(s.name)) for s in problem.symbols), *numbers], *others]
+    return [
+        [*letters, *(line(Name(s.name)) for s in problem.symbols), *numbers, *_gravity(problem, seen, phrases)],
+        *others,
+    ]
+
+
+def _gravity(problem: Problem, seen: Mentioned, phrases: Phrases | None) -> Iterator[Line]:
+    """g, where the file does not give it and its number is put into a formula."""
+    if any(s.name == GRAVITY for s in problem.given):
+        return
+    own = phrases.ledger.symbols.get(GRAVITY) if phrases is not None else None
+    if phrases is not None and own is not None and GRAVITY in seen.counted and _has_number(own, phrases):
+        yield line(Name(GRAVITY), " = ", phrases.shown(own))
 
 
 def _given(rows: Sequence[Sequence[Line]]) -> Iterator[Note]:

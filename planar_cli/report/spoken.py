@@ -24,9 +24,11 @@ WORDS = {
 }
 RELATIVE = {"v": "the velocity", "a": "the acceleration"}
 PARTS = {"mag": "the size of ", "angle": "the direction of "}
+AXES = ("x", "y", "t", "n")
 SHORT = 2
 """A component clings to a name of so many letters."""
-_STATED = re.compile(r"([A-Za-zωα_]+)\((\w+(?:/\w+)?)\)(?:\.(x|y|mag|angle)\b)?(?: @ (\w+))?")
+_WAY = r"(?:along|across)\([^()]*\)"
+_STATED = re.compile(rf"([A-Za-zωα_]+)\((\w+(?:/\w+)?)\)(?:\.({_WAY}|(?:x|y|t|n|mag|angle)\b))?(?: @ (\w+))?")
 _POWER = str.maketrans("23", "²³")
 
 
@@ -36,31 +38,54 @@ def spoken(words: str, names: Collection[str]) -> Line:
     parts: list[str | Inline | Line] = []
     end = 0
     for match in _STATED.finditer(words):
-        said = _quantity(*match.groups())
+        word, thing, part, state = match.groups()
+        said = _quantity(word, thing, part, state, names)
         if said is not None:
             parts += [_plain(words[end : match.start()], names), said]
             end = match.end()
     return line(*parts, _plain(words[end:], names))
 
 
-def _quantity(word: str, thing: str, part: str | None, state: str | None) -> Line | None:
+def _quantity(word: str, thing: str, part: str | None, state: str | None, names: Collection[str]) -> Line | None:
     """One quantity of one thing; None: it is something else."""
     behind = f" in state {state}" if state else ""
     if (word, thing) == ("work", "all"):
         return line("the work of all forces", behind)
-    if word in WORDS and part is None:
-        return line(WORDS[word].format(thing.replace("/", " on ")), behind)
+    if word in WORDS and (part is None or "(" in part):
+        return line(*_way(part, names), WORDS[word].format(thing.replace("/", " on ")), behind)
     if word not in LETTERS:
         return None
     first, _, second = thing.partition("/")
-    if second and word in RELATIVE and part not in ("x", "y"):
-        return line(PARTS.get(part or "", ""), f"{RELATIVE[word]} of {first} relative to {second}", behind)
+    if second and word == "r":
+        return line(*_reach(first, second, part, names), behind)
+    if second and word in RELATIVE:
+        beside = f" along {part}" if part in ("x", "y") else ""
+        said = f"{RELATIVE[word]} of {first} relative to {second}{beside}"
+        return line(PARTS.get(part or "", ""), *_way(part, names), said, behind)
     if second:
         return None
     name = f"{LETTERS[word]}_{thing}"
+    if part in AXES:
+        name += part if len(thing) <= SHORT and part in ("x", "y") else f"_{part}"
+    return line(PARTS.get(part or "", ""), *_way(part, names), Name(name), behind)
+
+
+def _reach(end: str, start: str, part: str | None, names: Collection[str]) -> Line:
+    """What leads from one point to another: the difference of a coordinate, the distance, a component."""
     if part in ("x", "y"):
-        name += part if len(thing) <= SHORT else f"_{part}"
-    return line(PARTS.get(part or "", ""), Name(name), behind)
+        return line(Name(f"{part}_{end}"), " - ", Name(f"{part}_{start}"))
+    if part in ("mag", "angle"):
+        return line(f"the distance of {end} from {start}" if part == "mag" else f"the direction from {start} to {end}")
+    return line(*_way(part, names), Name(f"r_{end}/{start}"))
+
+
+def _way(part: str | None, names: Collection[str]) -> Line:
+    """The component along or across a body, or the direction of an angle."""
+    if part is None or "(" not in part:
+        return ()
+    side, where = part[:-1].split("(")
+    angle = where in names or not re.fullmatch(r"[^\W\d]\w*(?:/\w+)?", where)
+    return line("the component ", f"{side} the direction " if angle else f"{side} ", *_plain(where, names), " of ")
 
 
 def _plain(words: str, names: Collection[str]) -> Line:
