@@ -16,8 +16,10 @@ UNDAMPED = "no damping"
 _WHAT_IS_ZERO = re.compile(r", (?:c|ω²) [=<] 0")
 
 
-def with_coefficients(words: str, law: Law | None) -> Line:
-    """Words that name the general equation with that of the law: λ² + c λ/m + k/m = 0."""
+def with_coefficients(words: str, law: Law | None, time: sp.Symbol) -> Line:
+    """Words that name the general equation with that of the law: λ² + c λ/m + k/m = 0. What a force drives that varies
+    in `time` is no simple harmonic motion.
+    """
     before, found, after = words.partition(EQUATION)
     if not found or law is None or law.order != 2:
         return line(words)
@@ -25,7 +27,7 @@ def with_coefficients(words: str, law: Law | None) -> Line:
     damping, stiffness = -sp.diff(law.f, law.v), -sp.diff(law.f, q)
     if (damping + stiffness).free_symbols & {q, law.v}:
         return line(words)
-    if before.startswith(UNDAMPED):
+    if before.startswith(UNDAMPED) and time not in law.f.free_symbols:
         square = line(Name("omega_0"), "² = ", Math(simplified(stiffness)))
         return line("simple harmonic motion with ", *square, _WHAT_IS_ZERO.sub("", after))
     before = before.replace("the roots 0 and -c of", "0 and another root of")

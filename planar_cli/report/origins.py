@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 
 import sympy as sp
 
@@ -35,12 +35,12 @@ KEPT = {
 """What a joint keeps of places, by what follows its name in the title."""
 
 
-def head(e: Relation, names: Collection[str]) -> Line:
+def head(e: Relation, names: Mapping[str, sp.Symbol]) -> Line:
     """The heading of a relation. `names`: those of symbols, which are set as mathematics."""
     if e.span is not None:
         reach = f"From {e.since} to {e.stop}" if e.stop else f"From {e.since} on"
         words = calculus(e)
-        return line(f"{reach}, " if e.since else "", with_coefficients(words, e.law), ":")
+        return line(f"{reach}, " if e.since else "", with_coefficients(words, e.law, names["t"]), ":")
     if e.is_datum:
         words = turning(e.words) if e.kind == "turn" else e.words
         return spoken(f"At {e.stop}: {words}:" if e.stop else f"{words}:", names)
