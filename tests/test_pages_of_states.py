@@ -203,3 +203,11 @@ def test_what_is_zero_goes_and_an_extreme_is_told_by_what_vanishes() -> None:
     assert "T_1 + U = T_fastest: 0.9624 - 0.4812 = " in page
     assert "s_lowest = 2 m g/k + l_0 =" in page
     assert "simple harmonic motion with ω_0² = k/m:" in page
+
+
+def test_what_holds_throughout_has_its_line_and_its_way_once() -> None:
+    """The tension of a pendulum from the speed that was just found."""
+    solution, _ = worked(ROOT / "problems" / "oscillations" / "simple-pendulum.yaml")
+    page = " ".join(Terminal(width=110).render(narrate(solution)).split())
+    assert "S throughout the motion: S = m (g cos θ + l" in page
+    assert page.count("From 1 on, ") == 1

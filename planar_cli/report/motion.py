@@ -44,10 +44,8 @@ LONGEST, SHORT, PLAIN = 90, 36, 12
 """A longer formula is told by its value alone, after its equation in numbers: of letters, of what has numbers, and of
 what mixes letters and numbers with units.
 """
-FEW = 20
-"""A longer solution of a balance of energies is told by numbers, where these were told one by one."""
-MOST_SHOWN = 60
-"""Of more operations an equation in numbers is told in letters alone."""
+FEW, MOST_SHOWN = 20, 60
+"""Of more operations a balance of energies is solved in numbers; an equation in numbers is told in letters alone."""
 
 
 def motion_phrases(found: MotionTrace, figures: int) -> Phrases:
@@ -111,10 +109,18 @@ class MotionTelling:
             yield from oscillation_blocks(swing, self.found.value, self.phrases, self.phrases.symbolic, name)
         spans = SpanTelling(self._kinds.of, self.phrases, self.varying)
         yield from AskedTelling(self.found, self.phrases, self.numeric, self.wanted, spans).blocks()
-        for name, route in self.found.passing.items():
-            if any(not leg.is_datum for leg in route.steps):
-                yield Paragraph(line(Name(name), " throughout the motion:"))
-                yield from self._route(route)
+        routes = {n: r for n, r in self.found.passing.items() if any(not leg.is_datum for leg in r.steps)}
+        for i, (name, route) in enumerate(routes.items()):
+            yield Paragraph(line(Name(name), " throughout the motion:"))
+            yield from () if route in list(routes.values())[:i] else self._route(route)
+            yield from self._passing(name)
+
+    def _passing(self, name: str) -> Iterator[Block]:
+        """What holds throughout the motion, in the letters that were just told."""
+        for asked in self.found.requests:
+            (part, *more) = asked.parts
+            if asked.find.name == name and not more and not part.is_Symbol:
+                yield Equation((line(Name(name)), self.phrases.math(part)))
 
     # --- the route ---------------------------------------------------------------------------------------------------
 
