@@ -48,6 +48,13 @@ def test_simpsons_rule() -> None:
     assert float(time) == pytest.approx(float(other), rel=5e-3)
 
 
+def test_what_is_rounding_is_zero() -> None:
+    """A disk that is at rest in the end, and a spring without force in the first state."""
+    page = _page("block-between-two-springs")
+    assert "Simpson's rule from 0, " in page
+    assert "×10⁻" not in page
+
+
 def test_none_in_letters() -> None:
     page = _page("atwood-let-go")
     assert "mean speed" not in page

@@ -22,6 +22,7 @@ P, F, R, r, L, h, x, m, M, m_1, m_2, g, t, v, v_0, k, gyration, mu_k, N, inertia
     ("name", "text", "tex"),
     [
         ("m", "m", "m"),
+        ("limit.a_max", "a_max", r"a_{\mathrm{max}}"),
         ("alpha", "α", r"\alpha"),
         ("omega_AB", "ω_AB", r"\omega_{AB}"),
         ("mu_k", "μ_k", r"\mu_{k}"),

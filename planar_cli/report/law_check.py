@@ -124,7 +124,9 @@ class _Ends:
         change = (other * other - one * one) / 2 if squared else other - one
         places = (start, (start + end) / 2, end)
         at = self.running[over]
-        first, half, last = rates = [self.phrases.value(rate.xreplace({at: sp.Rational(str(p))})) for p in places]
+        found = [self.phrases.value(rate.xreplace({at: sp.Rational(str(p))})) for p in places]
+        largest = max(map(abs, found))
+        first, half, last = rates = [ZERO if abs(r) <= largest * ROUNDING else r for r in found]
         if change == 0 or not all(r.is_finite() for r in rates):
             return
         total = (end - start) * (first + 4 * half + last) / 6
@@ -201,7 +203,8 @@ class _Ends:
         parts: list[Inline | str] = [Math(b**power)] if other else []
         if one:
             parts += [" - " if parts else "-", Math(a**power)]
-        told = line("(", *parts, ")/2") if half and len(parts) > 1 else line(*parts, "/2") if half else line(*parts)
+        told = line("(", *parts, ")") if half and one and other else line(*parts)
+        told = line(*told, "/2") if half else told
         return line(*told, " = ", self._value(change / 2 if half else change, name, power))
 
 

@@ -2,7 +2,8 @@
 
 A name is a stem and pieces behind underscores; behind two underscores stands the state that it belongs to. Of a
 position, velocity or acceleration two pieces in capitals mean "relative to"; a component or an instant clings to the
-piece before it; other pieces are set off with a comma. A name that is a phrase stays as its author wrote it.
+piece before it; other pieces are set off with a comma. A name that is a phrase stays as its author wrote it. What an
+earlier case found, `limit.a_max`, reads as it did there: a_max.
 """
 
 from __future__ import annotations
@@ -46,6 +47,7 @@ GREEK = {
     "Omega": "Ω",
 }
 _WORD = re.compile(r"[a-z]{3,}")
+_OF_CASE = re.compile(r"^[^\W\d]\w*\.(?=[^\W\d])")
 _LATEX_OF = {letter: "\\" + word for word, letter in GREEK.items()}
 _RELATIVE = frozenset({"r", "v", "a", "omega", "alpha"})
 """What can be relative to something; J_N_C is an impulse of N at C."""
@@ -115,7 +117,7 @@ def stem(name: str) -> str:
 
 @lru_cache(maxsize=4096)
 def _parts(name: str) -> _Parts:
-    name, _, state = printable(name).partition("__")
+    name, _, state = _OF_CASE.sub("", printable(name)).partition("__")
     first, *pieces = name.split("_")
     words = len(pieces) > 1 and first not in GREEK and _WORD.fullmatch(first) and not {"prime", *_DOTS} & set(pieces)
     if not state and (words or _PREPOSITIONS & set(pieces[:-1])):
