@@ -53,3 +53,10 @@ def test_a_body_of_parts_beside_another_has_letters_of_its_own() -> None:
     page = _page("dumbbell-hit-by-a-ball")
     assert "m_C = 0.6 kg" in page
     assert "m_dumbbell" in page
+
+
+def test_what_turns_with_its_guide_is_turned_by_a_couple_of_it() -> None:
+    """The free-body diagram has it, as the kinetic one has I α; a body that does not turn needs none."""
+    page = _page("spheres-that-slide-out-to-stops")
+    assert "one: N_one ↖ at A, M_one ↺ =" in page
+    assert "M_rails" not in _page("gun-on-rails")

@@ -65,7 +65,9 @@ def centre_of(scene: Scene, body: str) -> str:
 
 
 def _acting(instant: InstantSolution, stage: Stage, body: str, phrases: Phrases) -> Line:
-    """What acts on a body; on a rigid one with where it acts. Couples of guides only where an equation has them."""
+    """What acts on a body; on a rigid one with where it acts. Couples of guides only where an equation has them, or
+    where what they guide turns.
+    """
     system = instant.trial.system
     used = {s for block in stage.blocks for w in block.equations for s in w.residual.free_symbols}
     rigid = instant.instant.scene.bodies[body].rigid
@@ -91,7 +93,8 @@ def _acting(instant: InstantSolution, stage: Stage, body: str, phrases: Phrases)
         if push.kind == "friction" and (idle or sp.sympify(expr).xreplace(gone) == 0):
             continue
         guide = any(j.kind == "guide" and j.name == push.joint for j in instant.instant.scene.problem.joints)
-        idle = guide and not expr.free_symbols & used
+        turning = any(_turns(instant, stage, a.body) != 0 for a in push.actions if a.body != GROUND)
+        idle = guide and not expr.free_symbols & used and not turning
         for a in (a for a in push.actions if a.body == body and (a.force is not None or not idle)):
             named = _at(instant, a.point, body) if push.kind == "tension" else f" at {push.place}"
             parts.append(_push(push, expr, a, phrases, named if rigid else ""))
@@ -187,15 +190,20 @@ def _inertia(
         for force, arrow in forces:
             told = _clean(force, stage, phrases, kinds[0])
             parts += [Text(",  ")] * bool(parts) + [*told, Text(f" {arrow}{at}")]
-    motion = instant.trial.system.motion
-    alpha = motion.accelerations[body].angular if motion and model.rigid else sp.S.Zero
-    alpha = sp.S.Zero if alpha in vanishing(stage) else alpha
+    alpha = _turns(instant, stage, body)
     if model.inertia != 0 and alpha != 0:
         parts += [Text(",  ")] * bool(parts) + [
             *_clean(model.inertia * alpha, stage, phrases, kinds[1]),
             Text(" ↻" if reversed_sense else " ↺"),
         ]
     return tuple(parts)
+
+
+def _turns(instant: InstantSolution, stage: Stage, body: str) -> sp.Expr:
+    """The angular acceleration of a body, or what it turns with just after a blow; zero where an equation says so."""
+    motion = instant.trial.system.motion
+    alpha = motion.accelerations[body].angular if motion and instant.instant.scene.bodies[body].rigid else sp.S.Zero
+    return sp.S.Zero if alpha in vanishing(stage) else sp.sympify(alpha)
 
 
 def _straight(instant: InstantSolution, body: str, phrases: Phrases) -> str:
