@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from textwrap import dedent
 from typing import Any
 
 import pytest
@@ -11,8 +12,10 @@ import sympy as sp
 from planar_cli.errors import FileProblem
 from planar_cli.formats.terminal import Terminal
 from planar_cli.homework.checking import read, solve_and_compare
+from planar_cli.problem.structure import load_text
 from planar_cli.report.json_document import solution_data
 from planar_cli.report.narrate import narrate
+from planar_cli.solve.run import solve_problem
 from planar_cli.solve.solved_problem import Solution
 
 WHEEL = """
@@ -165,3 +168,23 @@ def test_a_throw_without_its_start_has_no_path(tmp_path: Path) -> None:
         solved(tmp_path, text, "p: path(P)")
     assert error.value.diagnostics[0].code == "PL650"
     assert "states" in (error.value.diagnostics[0].hint or "")
+
+
+def test_a_dated_state_is_told_as_an_instant() -> None:
+    """Polar components with their numbers, and nothing in x and y that is called given."""
+    text = """
+        title: Slider on a telescoping arm
+        bodies: {B: {particle: free}}
+        motion:
+          - r(B).mag = 0.2 m + 0.04 m/s^2 * t^2
+          - r(B).angle = 0.2 rad/s * t + 0.02 rad/s^3 * t^3
+        states: {then: [t = 3 s]}
+        find: {v_theta: v(B).theta @ then, a_r: a(B).r @ then, a: a(B).mag @ then}
+    """
+    problem, wrong = load_text(dedent(text))
+    assert problem is not None, wrong
+    page = Terminal(width=110).render(narrate(solve_problem(problem)))
+    assert "v_Bθ = r_B θ̇_B = 0.56 · 0.74 = 0.4144 m/s" in page
+    assert "Values are those at t = 3 s" in page
+    assert "v_Bx" not in page
+    assert "STATE" not in page

@@ -226,7 +226,7 @@ def _motion_blocks(
 
     telling = MotionTelling(motion, motion_phrases(motion, voice.figures), count + 1, _letters(part, why))
     yield from telling.blocks(steps + 1)
-    if why is None:
+    if why is None and (part.tale is None or not part.tale.whole):
         yield from state_blocks(motion, voice.figures, voice.audience, steps + 1, telling.next - 1)
 
 

@@ -6,7 +6,7 @@ Forces come from the equations of the general position.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import field
 from decimal import Decimal
 from typing import Any
@@ -325,19 +325,22 @@ def at_given_time(problem: Problem, solved: SolvedMotion, passages: tuple[Passag
     `passages`: what is told of curves. None: it is no such motion.
     """
     regimes = solved.course.distinct_regimes()
-    if problem.states or len(regimes) != 1 or any(asks_forces(f) for f in problem.find):
+    statements = problem.states[0].relations if problem.states else problem.instant or ()
+    stated = [s for s in statements if isinstance(s, Relation)]
+    several = problem.states and (problem.states[1:] or not _is_date(stated) or len(statements) > 1)
+    if several or len(regimes) != 1 or any(asks_forces(f) for f in problem.find):
         return None
     reader = FormulaReader(problem, {}, regimes[0], _values_in(solved, regimes[0]))
     if set(Functions(regimes[0], {}).find()) != set(regimes[0].rates) or reader.kinetic:
         return None
-    when = " and ".join(s.text for s in problem.instant or () if isinstance(s, Relation))
+    when = " and ".join(s.text for s in stated)
     told, names = reader.passages(), frozenset[str]()
     if _is_long(told):
         told, names = reader.by_coordinates(_at_instant(solved, regimes[0]))
     if not told or _is_long(told):
         return None
     finds = [f for f in problem.find if not is_curve(f.found.what)]
-    valued = _only_time(problem) and all(row.value is not None for p in told for row in p.rows)
+    valued = _is_date(stated) and all(row.value is not None for p in told for row in p.rows)
     if valued and finds and all(tells(f, names, finds) for f in finds):
         return Tale((Passage(f"Values are those at {when}.", ()), *told, *passages), valued=True)
     return None if names else Tale((*told, Passage(f"All this is taken at {when}.", ()), *passages))
@@ -353,9 +356,8 @@ def _at_instant(solved: SolvedMotion, regime: Regime) -> Valuation:
     return solved.value.extended({regime.time: solved.value(stop.t)})
 
 
-def _only_time(problem: Problem) -> bool:
-    """Is the time of the instant all that is stated of it?"""
-    stated = [s for s in problem.instant or () if isinstance(s, Relation)]
+def _is_date(stated: Sequence[Relation]) -> bool:
+    """Is the time of an instant all that is stated of it?"""
     return len(stated) == 1 and isinstance(stated[0].left, Name) and stated[0].left.name == "t"
 
 
