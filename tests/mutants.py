@@ -137,6 +137,9 @@ class _Walk:
         own = keys[2:] if keys[0] == "cases" else keys
         if own[0] == "given" and len(own) > 1 and self.only_drawn(own[1]):
             return "drawn"
+        # Half a turn one way is half a turn the other way.
+        if kind == "sign" and text[start:].startswith("180 deg"):
+            return "even"
         if kind == "sign" and (own[-1] == "along" or re.search(r"cos\([^()]*(\([^()]*)?$", text[:start])):
             return "even"
         return ""

@@ -9,7 +9,7 @@ cancels stands in the equations). It may have the very same page for a reason:
     implied   a statement follows from others: its contrary is refused or changes something; so does that of a bound
     drawn     a place or size on which nothing rests: where a floor goes through, the radius of a disk on a pin; also
               told by a name
-    even      a sign that has no meaning: of an angle in a cosine, of the direction of a straight line
+    even      a sign that has no meaning: of an angle in a cosine, of the direction of a straight line, of half a turn
     assumed   what is only assumed of letters, and no answer rests on it
     asked     a find asks for another thing of the same value
     a name    a name that nothing else uses is spelt otherwise

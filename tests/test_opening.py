@@ -42,6 +42,7 @@ def test_letters_of_a_problem_in_letters() -> None:
         ("ladder-sliding", ["A(l cos β, 0), B(0, l sin β)", "μ = 0.2 at A, μ = 0.1 at B"]),
         ("pucks-at-an-angle", ["1: |v_A| = 5 m/s, direction of v_A = 0°, |v_B| = 2 m/s, direction of v_B = 150°"]),
         ("collar-on-rotating-rod", ["v_P/rod along OA = 0.6 m/s, a_P/rod along OA = -0.2 m/s²"]),
+        ("leaking-bucket", ["m = M - q t, speed of what leaves, relative to the body = 0"]),
         ("pipe-bend", ["v_A = 4 q/(ρ π d_A²) = 3.183 m/s"]),
     ],
 )

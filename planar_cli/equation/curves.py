@@ -11,6 +11,7 @@ from planar_cli.equation.displacement import Displacement
 from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.plain import identically_zero, simplified
 from planar_cli.equation.pose import HERE, Pose
+from planar_cli.errors import refuse
 from planar_cli.problem.expression import Side
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.outlines import Bend
@@ -68,8 +69,8 @@ def parameter(curve: Curve, pose: Pose, point: Vec, sign: Sign) -> sp.Expr:
     return direction_of(seen, sign) - pose.turn
 
 
-def bend_at(scene: CurveSetting, curve: Curve, pose: Pose, point: Vec) -> Bend:
-    """A curve where a point of it is now: what is drawn, carried along by its body."""
+def bend_at(scene: CurveSetting, surface: Surface, curve: Curve, pose: Pose, point: Vec) -> Bend:
+    """A curve where a point of it is now: what is drawn, carried along by its body. Refused at a cusp."""
     x, formula = curve_formula(scene, curve)
     at = parameter(curve, pose, point, scene.sign)
     f, first, second, third = (sp.diff(formula, x, n).subs(x, at) for n in range(4))
@@ -85,6 +86,9 @@ def bend_at(scene: CurveSetting, curve: Curve, pose: Pose, point: Vec) -> Bend:
         speed, cross = scene.length(Vec(first, f)), f**2 + 2 * first**2 - f * second
         more, gain = 2 * f * first + 3 * first * second - f * third, first * (f + second)
         tangent, place = radial * first + radial.turned() * f, pose.point(Vec(ZERO, ZERO)) + radial * f
+    if speed == 0:
+        text = f"{surface.name} comes to a point where something touches it, and has no direction there"
+        raise refuse(surface.mark, "PL521", text, "let it touch beside the cusp")
     # With s' = speed, s'' = gain/s', cross' = more: d(cross/s'³)/ds.
     sharpening = more / speed**4 - 3 * cross * gain / speed**6
     return Bend(place, tangent / speed, simplified(cross / speed**3), sharpening)

@@ -326,7 +326,7 @@ class Scene(Decided):
 
     def bend(self, surface: Surface, shape: Curve, point: Vec) -> Bend:
         """A curve where a point of it is now."""
-        return bend_at(self, shape, carrier_pose(self, surface), point)
+        return bend_at(self, surface, shape, carrier_pose(self, surface), point)
 
     def edges(self, body: str, point: Vec) -> list[Outline]:
         """The edges of a plate through a point."""

@@ -45,7 +45,7 @@ _SCENE = {
     "PL521": (
         "The point of contact is not on the surface. Let the line go through the point, or the circle have "
         "its distance as radius. What meets only later is joined from then on: `during: 2->3`, where state 2 is the "
-        "one in which they meet."
+        "one in which they meet. Where a curve comes to a point (a cusp) it has no direction, and nothing can touch it."
     ),
     "PL522": (
         "The point of contact is not on the rim or edge of the body: its distance from the centre is neither "

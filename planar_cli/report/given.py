@@ -205,8 +205,12 @@ def _of_member(member: Member, problem: Problem, figures: int) -> Iterator[Datum
     named = member.kind if member.name in own else f"{member.kind} {member.name}"
     place = f"at {member.name}" if member.name in own else f"of {member.name}"
     for spec in keys_of(type(member)):
-        for what, side in _sides(getattr(member, spec.name), spec, named):
+        value = getattr(member, spec.name)
+        for what, side in _sides(value, spec, named):
             yield from _datum(what, side, figures, place)
+        if isinstance(value, Flow) and spec.name == "leaves" and is_zero(value.speed):
+            # It exerts no force, so that nothing else speaks of it.
+            yield Datum(line("speed of what leaves, relative to the body"), line("0"), place)
 
 
 def _sides(value: object, spec: KeySpec, named: str) -> Iterator[tuple[Line | str, Side]]:

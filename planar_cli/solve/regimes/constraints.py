@@ -131,8 +131,8 @@ class GeneralPoses:
 
     def along_curve(self, curve: Outline, body: str, place: Vec) -> Vec:
         """The tangent of a curve where the body's point is."""
-        _, shape, pose = self._curve(curve)
-        return bend_at(self.scene, shape, pose, self.point(body, place)).tangent
+        surface, shape, pose = self._curve(curve)
+        return bend_at(self.scene, surface, shape, pose, self.point(body, place)).tangent
 
     def _curve(self, outline: Outline) -> tuple[Surface, Curve, Pose]:
         """The surface of an outline, its curve, and where its body is."""
