@@ -43,6 +43,7 @@ def test_letters_of_a_problem_in_letters() -> None:
         ("pucks-at-an-angle", ["1: |v_A| = 5 m/s, direction of v_A = 0°, |v_B| = 2 m/s, direction of v_B = 150°"]),
         ("collar-on-rotating-rod", ["v_P/rod along OA = 0.6 m/s, a_P/rod along OA = -0.2 m/s²"]),
         ("leaking-bucket", ["m = M - q t, speed of what leaves, relative to the body = 0"]),
+        ("car-on-a-circle", ["a_car,t = 1.5 m/s²"]),
         ("pipe-bend", ["v_A = 4 q/(ρ π d_A²) = 3.183 m/s"]),
     ],
 )

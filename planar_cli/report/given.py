@@ -118,7 +118,8 @@ def given_rows(problem: Problem, page: Mentioned, figures: int) -> tuple[tuple[L
         *(d for m in members_of(problem) for d in _of_member(m, problem, figures)),
     ]
     start = _at_first(problem, tuple(_start(problem, figures)))
-    return _listed(numbers), tuple(_points(problem, page, figures)), start
+    driven = tuple(_driven(problem, page, figures))
+    return _listed(numbers), tuple(_points(problem, page, figures)), driven, start
 
 
 def _at_first(problem: Problem, row: tuple[Line, ...]) -> tuple[Line, ...]:
@@ -306,6 +307,20 @@ def _start(problem: Problem, figures: int) -> Iterator[Line]:
         elif isinstance(relation, Relation) and relation.operator == "=" and _gives(relation, unknown):
             left, right = said(relation.left, figures), said(relation.right, figures)
             if left and right:
+                yield line(left, " = ", right)
+
+
+def _driven(problem: Problem, page: Mentioned, figures: int) -> Iterator[Line]:
+    """The numbers with which something is driven, where nothing else on the page speaks of it: the speed of a crank on
+    which the answer does not rest.
+    """
+    unknown = {s.name for s in problem.unknowns}
+    for relation in (law.statement for law in problem.motion):
+        if isinstance(relation, Relation) and relation.operator == "=" and _gives(relation, unknown):
+            left, right = said(relation.left, figures), said(relation.right, figures)
+            names = {p.name for p in _pieces(left) if isinstance(p, blocks.Name)}
+            number = number_of(relation.right) is not None and not is_zero(relation.right)
+            if left and right and number and page.words.isdisjoint(names):
                 yield line(left, " = ", right)
 
 
