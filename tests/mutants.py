@@ -171,6 +171,9 @@ def _reason(keys: tuple[str, ...]) -> str:
     own = keys[2:] if keys[0] == "cases" else keys
     if own[:1] in (("points",), ("surfaces",)) or own[-1] in SIZES:
         return "drawn"
+    if own[-2:] == ("weld", "at"):
+        # Two bodies that are one have the same motion wherever they are joined.
+        return "drawn"
     return {"find": "asked", "assume": "assumed"}.get(own[0], "")
 
 

@@ -86,6 +86,7 @@ FAULTS = {
     "motion/car-three-phases.yaml:17:3": ("brake ->", "PL405"),
     "particles/slider-spring-damper.yaml:15:11": ("without", "PL604"),
     "energy/cylinder-down-a-slope-and-on-along-a-floor.yaml:22:29": ("(-4) m", "PL621"),
+    "kinematics/disk-in-circular-track.yaml:17:52": ("rho(G) -> ", "PL637"),
     "kinematics/ball-in-a-forked-slot.yaml:11:20": ("P -> O", "PL521"),
     "energy/sledge-down-a-slope-and-out-over-level-snow.yaml:15:5": ("without {contact", "PL621"),
 }

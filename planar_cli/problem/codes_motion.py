@@ -74,6 +74,10 @@ _EQUILIBRIA = {
         "The file gives the static coefficient of friction alone. Whether something slides, and what holds as long as "
         "it does not, follows from it; what moves after it has slid depends on the kinetic coefficient."
     ),
+    "PL637": (
+        "What is asked is divided by something that is zero at this instant, such as the radius of curvature of the "
+        "path of a point that is at rest. Ask for it at another instant, or for another point."
+    ),
     "PL630": (
         "A state of equilibrium is solved on its own: free speeds and their rates vanish. Either no position does "
         "that, or several do; then say which is meant, by a coordinate or an inequality such as `x > 0`."

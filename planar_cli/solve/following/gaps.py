@@ -50,7 +50,8 @@ def just_parted(course: RegimeSequence) -> list[Equation]:
     found = []
     for parted in regime.general.parted:
         # What stands between bars keeps its sign until the gap has closed again.
-        bars = {a: a.args[0] if value(a.args[0]) >= 0 else -a.args[0] for a in parted.residual.atoms(sp.Abs)}
+        between = {a: a.args[0] for a in parted.residual.atoms(sp.Abs) if value.known(a.args[0]) is not None}
+        bars = {a: inside if value(inside) >= 0 else -inside for a, inside in between.items()}
         rate = regime.derivative(parted.residual.xreplace(bars))
         if rate != 0:
             words = f"{parted.words}, and has just touched"

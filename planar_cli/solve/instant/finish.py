@@ -258,6 +258,10 @@ class Finisher:
         unit = self.unit_of(find, what)
         closed = tuple(self.closed(e, stages) for e in exprs)
         symbolic = any(set(self.ledger.letters) & c.free_symbols for c in closed)
+        if any(e.has(sp.nan, sp.zoo) for e in (*exprs, *closed)):
+            hint = "ask for it where that is not zero: a point at rest has no path with a radius"
+            text = f"{find.name} has no value here: what it divides by is zero"
+            raise NoSolution([Diagnostic(find.mark, "PL637", text, hint)])
         values = None if symbolic else tuple(value.settled(e, c) for e, c in zip(exprs, closed, strict=True))
         short = all(not longer(c, CLOSED_OPS) and not rounded_inside(c) for c in closed)
         kind = "vector" if len(exprs) == 2 else "number"
