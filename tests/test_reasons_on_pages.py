@@ -58,7 +58,7 @@ def test_reasons_are_of_mechanics(name: str) -> None:
 )
 def test_rest_is_said_where_speeds_would_matter(name: str, said: bool) -> None:
     """A rod that turns would have ω² terms; what can only move along a line has none, nor what stays where it is."""
-    assert ("At rest: all velocities are zero" in _page(name)) is said
+    assert ("at rest: all velocities are zero" in _page(name)) is said
 
 
 def test_in_the_end_a_speed_no_longer_changes() -> None:

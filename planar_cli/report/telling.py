@@ -84,8 +84,9 @@ class Telling:
             *self._definitions("m"),
             *self._kinematics(velocity, last, kinetic),
         ]
-        if kinematics:
-            blocks.append(self._step("Kinematic analysis"))
+        resting = self._resting(last)
+        if kinematics or resting:
+            blocks.append(self._step("Kinematic analysis", resting))
         blocks += kinematics
         if kinetic and last is not None:
             blocks.append(self._step("Kinetic analysis", self.principle.diagram))
@@ -99,6 +100,13 @@ class Telling:
             blocks.append(self._step("Solving the equations", self.solving.count(last)))
             blocks += self.solving.blocks(last)
         return blocks
+
+    def _resting(self, last: Stage | None) -> str:
+        """What is said beside the heading of a position of rest, where a velocity would matter."""
+        trial, nothing = self.instant.trial, vanishing(last) if last is not None else ()
+        moving = any(v for t in trial.velocities[:1] for v in t.values.values())
+        rests = self.instant.instant.at_rest and not moving and bool(trial.velocities)
+        return "at rest: all velocities are zero" if rests and speeds_matter(self.system, nothing) else ""
 
     def _centres(self, stage: Stage) -> Iterator[Block]:
         """The acceleration of each mass centre that consists of several parts."""
@@ -161,10 +169,6 @@ class Telling:
 
     def _kinematics(self, stages: list[Stage], last: Stage | None, kinetic: bool) -> list[Block]:
         blocks: list[Block] = []
-        trial = self.instant.trial
-        rests = self.instant.instant.at_rest and not any(v for t in trial.velocities[:1] for v in t.values.values())
-        if rests and trial.velocities and speeds_matter(self.system, vanishing(last) if last is not None else ()):
-            blocks.append(Paragraph(line("At rest: all velocities are zero.")))
         for stage in stages:
             written = [w for b in stage.blocks for w in b.equations]
             if written:
