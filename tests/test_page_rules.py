@@ -62,18 +62,19 @@ def test_words_that_no_page_says(words: str) -> None:
 
 
 @pytest.mark.parametrize(("rule", "most"), [
-    pytest.param(unknowns_bare, 200, id="2: bare numbers"),
-    pytest.param(lambda page: phrases(page, KINEMATIC_WORDS), 90, id="3: words of kinematics"),
-    pytest.param(decimals, 560, id="4: decimals among letters"),
-    pytest.param(swallowed, 120, id="4: units swallowed"),
-    pytest.param(diagrams, 25, id="5: force lists"),
-    pytest.param(axes, 2, id="5: arrows of sums of forces"),
-    pytest.param(unused, 500, id="6: unused equations"),
-    pytest.param(repeated, 360, id="7: lines of an earlier case"),
-    pytest.param(renamed, 70, id="8: names and signs"),
+    pytest.param(unknowns_bare, 10.5, id="2: bare numbers"),
+    pytest.param(lambda page: phrases(page, KINEMATIC_WORDS), 23, id="3: words of kinematics"),
+    pytest.param(decimals, 47, id="4: decimals among letters"),
+    pytest.param(swallowed, 10.5, id="4: units swallowed"),
+    pytest.param(diagrams, 5, id="5: force lists"),
+    pytest.param(axes, 0.5, id="5: arrows of sums of forces"),
+    pytest.param(unused, 110, id="6: unused equations"),
+    pytest.param(repeated, 87, id="7: lines of an earlier case"),
+    pytest.param(renamed, 17, id="8: names and signs"),
 ])  # fmt: skip
-def test_rules_that_are_not_yet_kept(rule: Callable[[Page], Iterable[str]], most: int) -> None:
-    assert len(listed(rule)) <= most
+def test_rules_that_are_not_yet_kept(rule: Callable[[Page], Iterable[str]], most: float) -> None:
+    """`most`: places on a hundred pages; it may only fall."""
+    assert 100 * len(listed(rule)) <= most * len(ALL)
 
 
 @pytest.mark.parametrize(("several", "middle"), [(False, 40), (True, 60)])

@@ -19,6 +19,9 @@ def answer_block(found: Found, part: PartSolution, phrases: Phrases, told: Itera
     """The answer to a find. `told`: the blocks before it, whose letters it may name."""
     said = answer_line(found, phrases)
     relation = ":" if found.word or found.curve is not None else "="
+    if part.tale is not None and (letter := part.tale.letters.get(found.name)) is not None:
+        named = plain_name(found.name) == plain_name(letter.name)
+        return Answer(found.name, said if named else line(Math(letter), " = ", said), relation)
     asked = _asked(found, part)
     symbol, size = _symbol(asked)
     if symbol is None or symbol not in _solved(told) or asked in (found.expressions or ()):

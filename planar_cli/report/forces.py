@@ -14,6 +14,7 @@ from planar_cli.equation.scene import Scene
 from planar_cli.loads.base import Load
 from planar_cli.problem.acting import kind_of
 from planar_cli.problem.facts import Push, Wrench
+from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
 from planar_cli.report.blocks import Forces, Line, Math, Name, Text, Value, line
 from planar_cli.report.clean import is_clean
@@ -169,7 +170,8 @@ def _inertia(
     place, at = centre_of(instant.instant.scene, body), _centre(instant.instant.scene, body) if model.rigid else ""
     forces: list[tuple[sp.Expr, str]] = []
     still = vanishing(stage)
-    for direction, component in stage.accelerations.get(body, []) if model.mass != 0 else ():
+    components = stage.accelerations.get(body) or _about_fixed_point(instant, body)
+    for direction, component in components if model.mass != 0 else ():
         if sp.sympify(component).xreplace(dict.fromkeys(still, sp.S.Zero)) == 0:
             continue
         v = -direction if reversed_sense else direction
@@ -197,6 +199,22 @@ def _inertia(
             Text(" ↻" if reversed_sense else " ↺"),
         ]
     return tuple(parts)
+
+
+def _about_fixed_point(instant: InstantSolution, body: str) -> list[tuple[Vec, sp.Expr]]:
+    """α × r and -ω² r of the mass centre of a body of which a point rests, where no equation of the plan has them."""
+    scene, motion = instant.instant.scene, instant.trial.system.motion
+    model = scene.bodies[body]
+    if motion is None or not scene.rigid(body):
+        return []
+    for name, point in scene.points.items():
+        if body not in scene.owners.get(name, ()) or motion.acceleration(point, body) != Vec(sp.S.Zero, sp.S.Zero):
+            continue
+        arm = model.center - point
+        twist = motion.accelerations[body].angular, motion.velocities[body].angular
+        parts = [(Vec(-arm.y, arm.x), sp.sympify(twist[0])), (Vec(-arm.x, -arm.y), sp.sympify(twist[1]) ** 2)]
+        return [(way, part) for way, part in parts if instant.value.known(part) != 0]
+    return []
 
 
 def _turns(instant: InstantSolution, stage: Stage, body: str) -> sp.Expr:

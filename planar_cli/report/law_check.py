@@ -113,8 +113,9 @@ class _Ends:
                 yield _Check(line(words, *mean, " = ", self._value(p - q, "q"), "; ", *self._difference("q")), ZERO)
         elif "v(q)" not in kinds and agree([2 * a * (p - q)], [u * u, -v * v]):
             product = line("2 · ", *self._factor(a, "a"), " · ", *self._factor(p - q, "q"))
+            name = line("2 ", Name(self._letter("a")), " Δ", Name(self._letter("q")))
             sides = line(*product, " = ", self._value(2 * a * (p - q), "v", 2), "; ", *self._difference("v", 2))
-            yield _Check(line(*self._law(), " is constant, 2 a Δ", Name(self._letter("q")), " = ", *sides), ZERO)
+            yield _Check(line(*self._law(), " is constant, ", *name, " = ", *sides), ZERO)
 
     def _simpson(self, over: str, rate: sp.Expr, of: str, squared: bool = False) -> Iterator[_Check]:
         """The integral of a rate by its values at three places, against what it must come to."""

@@ -46,12 +46,14 @@ class Passage:
 @record
 class Tale:
     """What a part tells by itself. `whole`: its instants need no telling of their own, but for their checks. `valued`:
-    nor does its motion, as all values at the instant that is asked for stand in it.
+    nor does its motion, as all values at the instant that is asked for stand in it. `letters`: those of finds, by their
+    names.
     """
 
     passages: tuple[Passage, ...]
     whole: bool = True
     valued: bool = False
+    letters: Mapping[str, sp.Symbol] = field(default_factory=dict)
 
 
 def told_function(function: Any) -> Row:

@@ -31,7 +31,7 @@ from planar_cli.records import changing
 from planar_cli.solve.between.agreement import balanced
 from planar_cli.solve.between.solved_motion import SolvedMotion
 from planar_cli.solve.curves.by_coordinates import by_coordinates
-from planar_cli.solve.curves.kinematics import Story, no_value, tells
+from planar_cli.solve.curves.kinematics import Story, letter_of, no_value, tells
 from planar_cli.solve.curves.paths import CurveReader
 from planar_cli.solve.instant.verify import Disagreement
 from planar_cli.solve.instant.worked import unknowns_of
@@ -340,9 +340,10 @@ def at_given_time(problem: Problem, solved: SolvedMotion, passages: tuple[Passag
     if not told or _is_long(told):
         return None
     finds = [f for f in problem.find if not is_curve(f.found.what)]
+    letters = {f.name: letter for f in finds if (letter := letter_of(f)) is not None}
     valued = _is_date(stated) and all(row.value is not None for p in told for row in p.rows)
     if valued and finds and all(tells(f, names, finds) for f in finds):
-        return Tale((Passage(f"Values are those at {when}.", ()), *told, *passages), valued=True)
+        return Tale((Passage(f"Values are those at {when}.", ()), *told, *passages), True, True, letters)
     return None if names else Tale((*told, Passage(f"All this is taken at {when}.", ()), *passages))
 
 

@@ -293,6 +293,19 @@ def tells(find: Find, names: Collection[str], finds: Iterable[Find]) -> bool:
     return kinds <= {"x", "y"} or (kinds <= {"mag", "t", "n"} and q.word in ("v", "a")) or kinds <= set(POLAR)
 
 
+def letter_of(find: Find) -> sp.Symbol | None:
+    """The letter of a find that is one component or a magnitude; None: it is another thing."""
+    q = find.found.what
+    if not isinstance(q, Quantity) or len(q.parts) > 1 or q.word not in ("r", "v", "a", "rho"):
+        return None
+    kind, point = q.parts[0].kind if q.parts else "", q.things[0]
+    if kind in ("x", "y"):
+        return sp.Symbol(f"{kind}_{point}{DOTS[LEVELS[q.word]]}", real=True)
+    if kind in (*POLAR, "t", "n"):
+        return sp.Symbol(f"{q.word}_{point}_{kind}", real=True)
+    return sp.Symbol(f"{q.word}_{point}", real=True) if kind == "mag" or q.word == "rho" else None
+
+
 def _magnitudes(asked: list[Use], point: str) -> set[int]:
     """Of a point's velocity (1) and acceleration (2) those of which the magnitude is asked."""
     sizes = (u for u in asked if [p.kind for p in u.quantity.parts] == ["mag"] and u.quantity.things == (point,))
