@@ -29,7 +29,7 @@ def test_mean_speed() -> None:
 
 def test_energy_by_newton_where_the_acceleration_is_constant() -> None:
     found = re.search(
-        r"θ̈ = (.*?) is constant, 2 a Δθ = 2 · (\S+) · (\S+) = (\S+) rad²/s²; ω_2² = (\S+)", _page("yo-yo")
+        r"θ̈ = (.*?) is constant, 2 θ̈ Δθ = 2 · (\S+) · (\S+) = (\S+) rad²/s²; ω_2² = (\S+)", _page("yo-yo")
     )
     assert found is not None
     _, a, way, product, square = found.groups()
