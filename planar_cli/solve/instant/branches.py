@@ -44,6 +44,8 @@ class Brancher:
 
     def __init__(self, unknowns: tuple[sp.Symbol, ...], angles: frozenset[sp.Symbol], symbolic: bool) -> None:
         self.unknowns, self.angles, self.symbolic = unknowns, angles, symbolic
+        self.repeated: set[int] = set()
+        """The numbers of equations that came out as following from others of their block."""
 
     def run(self, algebra: Algebra, work: list[tuple[Block, tuple[Written, ...]]]) -> Iterator[Branch]:
         """All branches, depth first."""
@@ -107,9 +109,11 @@ class Brancher:
             if all(closes(p.residual, after.value) for p in pool):
                 yield after, (*lines, *back), ()
             return
-        pool = [p for p in pool if any(s in p.residual.free_symbols for s in left)]
-        if len(pool) < len(left):
+        told = [p for p in pool if any(s in p.residual.free_symbols for s in left)]
+        if len(told) < len(left):
+            self.repeated |= {max(p.numbers) for p in pool if p not in told and algebra.value.vanishes(p.residual)}
             return
+        pool = told
         own = alone(pool, left)
         step = eliminate(pool, left, letters, algebra.value) if len(pool) > 1 else None
         if step is not None:

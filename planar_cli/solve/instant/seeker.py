@@ -31,14 +31,18 @@ from planar_cli.solve.instant.candidates import Candidate
 from planar_cli.solve.instant.instant import Instant, Trial
 from planar_cli.solve.instant.numbers import Numbers
 from planar_cli.solve.instant.offers import Offers
-from planar_cli.solve.instant.plan import Plan, Planner
+from planar_cli.solve.instant.one_way import along_paths
+from planar_cli.solve.instant.plan import Block, Plan, Planner
 from planar_cli.solve.instant.stages import MOST, acceleration_unknowns, with_zeros
 from planar_cli.solve.instant.study import solve_velocities
 from planar_cli.solve.instant.verify import AGREE, residuals
 from planar_cli.solve.instant.worked import unknowns_of
 from planar_cli.solve.instant.write import Writer
+from planar_cli.solve.instant.written import Written
 from planar_cli.units import MASS, PURE
 
+MOST_LEFT_OUT = 4
+"""So many plans are made, each without what came out as a repetition in the one before."""
 LOOSE = "is open"
 """How the objection reads that a constant is not determined on which an assumption rests."""
 
@@ -109,7 +113,10 @@ class Seeker:
         names = {s.name for s in self.ledger.coordinates}
         places = stated(list(self.instant.statements.relations), quantities, quantities.evaluator, names, POSITION)
         velocities = [with_zeros(c, self.still) for c in self.system.velocity_conditions()]
-        return [*places, *velocities, *self.system.acceleration_conditions()]
+        accelerations = self.system.acceleration_conditions()
+        if set(self.ledger.coordinates) & set(self.ledger.sought):
+            velocities, accelerations = along_paths(velocities, accelerations, frozenset(self._speeds()))
+        return [*places, *velocities, *accelerations]
 
     def _linear(self) -> frozenset[sp.Symbol]:
         """The unknowns in which every equation is linear, whatever the others are."""
@@ -177,29 +184,57 @@ class Seeker:
             value = value.extended({s: Decimal(0) for s in idle})
 
     def branches(self, targets: set[sp.Symbol], limits: tuple[Condition, ...]) -> Iterator[Sought]:
-        """All branches of the plan for these targets; nothing when they are not determined."""
-        plan, numbers = self._plan(limits, targets, 1)
-        if plan is None:
-            plan, numbers = self._plan(limits, targets, MOST)
-        if plan is None:
-            return
-        writer = Writer(self.system, numbers)
-        work = [(b, tuple(writer.write(e) for e in b.equations)) for b in plan.blocks]
+        """All branches of the plan for these targets; nothing when they are not determined.
+
+        Away from a solution an equation may look like one of its own that follows from the others wherever they hold
+        (forces along a direction that turns with a position that is sought): when that comes out, the plan is made
+        without it.
+        """
+        left_out: tuple[Candidate, ...] = ()
+        for _ in range(MOST_LEFT_OUT):
+            plan, numbers = self._plan(limits, targets, 1, left_out)
+            if plan is None:
+                plan, numbers = self._plan(limits, targets, MOST, left_out)
+            if plan is None:
+                return
+            writer = Writer(self.system, numbers)
+            work = [(b, tuple(writer.write(e) for e in b.equations)) for b in plan.blocks]
+            brancher = Brancher(numbers.unknowns, self._angles(numbers), self.ledger.symbolic)
+            found = list(self._followed(brancher, work, plan, writer, numbers))
+            yield from found
+            told = [(w.number, e) for b, written in work for w, e in zip(written, b.equations, strict=True)]
+            repeated = tuple(e for number, e in told if number in brancher.repeated)
+            if found or not repeated:
+                return
+            left_out += repeated
+
+    def _angles(self, numbers: Numbers) -> frozenset[sp.Symbol]:
+        units = self.ledger.units
+        return frozenset(s for s in numbers.unknowns if units[s].angle and units[s].dimension == PURE)
+
+    def _followed(
+        self,
+        brancher: Brancher,
+        work: list[tuple[Block, tuple[Written, ...]]],
+        plan: Plan,
+        writer: Writer,
+        numbers: Numbers,
+    ) -> Iterator[Sought]:
         explicit = {line.symbol: line.expression for line in writer.lines}
         unknowns = frozenset(numbers.unknowns)
         algebra = Algebra(numbers.value.without(unknowns), explicit, self.ledger.symbolic, unknowns)
-        angles = frozenset(
-            s for s in numbers.unknowns if self.ledger.units[s].angle and self.ledger.units[s].dimension == PURE
-        )
         places = [s for s in self.ledger.coordinates if s in self.ledger.sought]
-        for branch in Brancher(numbers.unknowns, angles, self.ledger.symbolic).run(algebra, work):
+        for branch in brancher.run(algebra, work):
             # Where the position is not told, nothing can be tested; what divides by zero on the way tells nothing.
             solved = branch.algebra.value.values
             if all(s in solved for s in places) and all(v.is_finite() for v in solved.values()):
                 yield self._judge(branch, plan, writer, numbers.unknowns)
 
-    def _plan(self, limits: tuple[Condition, ...], targets: set[sp.Symbol], most: int) -> tuple[Plan | None, Numbers]:
+    def _plan(
+        self, limits: tuple[Condition, ...], targets: set[sp.Symbol], most: int, left_out: tuple[Candidate, ...] = ()
+    ) -> tuple[Plan | None, Numbers]:
         candidates, numbers = self.candidates(limits, targets, most)
+        candidates = [c for c in candidates if not any(_same(c, other) for other in left_out)]
         index = {x: j for j, x in enumerate(numbers.unknowns)}
         wanted = sum(1 << index[t] for t in targets if t in index)
         nonlinear = sum(1 << j for x, j in index.items() if x not in self.linear)
@@ -309,6 +344,11 @@ def _unfulfilled(trial: Trial, solved: dict[sp.Symbol, Decimal]) -> str:
     outcome = trial.outcomes[0]
     numbers = outcome.value.extended({**unknowns_of(trial.system, outcome), **solved})
     return "contradiction" if residuals(trial.system, numbers, outcome)[1] > AGREE else ""
+
+
+def _same(one: Candidate, other: Candidate) -> bool:
+    """Candidates are made anew for each plan: of the same bodies, with the same numbers."""
+    return (one.bodies, one.row) == (other.bodies, other.row)
 
 
 def at_the_limit(words: str) -> str:
