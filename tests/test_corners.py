@@ -130,7 +130,33 @@ def test_a_cord_that_takes_hold_with_a_jerk_needs_a_state() -> None:
 def test_numbers_that_break_an_equation_are_a_fault() -> None:
     """What is followed and what is written can only differ by a fault of the program: nothing is printed then."""
     x = sp.Symbol("x_3")
-    course: Any = SimpleNamespace(equations=(Equation(2 * x - 4, "motion", "the law of x", "3"),))
+    course: Any = SimpleNamespace(
+        equations=(Equation(2 * x - 4, "motion", "the law of x", "3"),),
+        stops={"3": SimpleNamespace(letters={x: x})},
+        ledger=SimpleNamespace(units={x: SimpleNamespace(dimension="length")}),
+    )
     demand_fulfilled(course, Valuation({x: Decimal(2)}), {x})
     with pytest.raises(Disagreement, match="the law of x"):
         demand_fulfilled(course, Valuation({x: Decimal("2.01")}), {x})
+
+
+ORBIT = """
+title: Satellite launched parallel to the surface
+plane: horizontal
+given: {R: 6370 km, h: 500 km, v_0: 36900 km/h}
+points: {O: [0, 0], S: [R + h, 0]}
+bodies: {satellite: {particle: S, mass: 1 kg}}
+loads:
+  - force: {body: satellite, magnitude: (1 kg)*g*R^2/r(S/O).mag^2, towards: O}
+states:
+  1: [t = 0, v(satellite).x = 0, v(satellite).y = v_0]
+  2: [r(S/O).mag is largest]
+find: {r_2: r(S/O).mag @ 2}
+"""
+
+
+def test_a_condition_of_which_every_term_vanishes_is_measured_by_its_letters() -> None:
+    """At the apogee x v_x + y v_y = 0, and so is each of the two products."""
+    near, speed = 6870e3, 36900 / 3.6
+    axis = 1 / (2 / near - speed**2 / (G * 6370e3**2))
+    assert first(solve(ORBIT)["r_2"]) == pytest.approx(2 * axis - near, rel=1e-6)

@@ -284,3 +284,32 @@ def test_a_spring_that_acts_throughout_from_a_start_drawn_with_a_sought_constant
     stretch, last = abs(0.5 - float(values[0])) - 0.5, 1.3 - 0.5
     square = 0.6 * (2 * G + 2000 * last * 1.2 / 1.3) / 2
     assert 2000 * (stretch**2 - last**2) == pytest.approx(4 * 2 * G * 0.6 + 2 * square)
+
+
+REBOUND = """
+title: Ball on a cord that rebounds from a block to 15 degrees
+plane: vertical
+unknowns: {e: 1}
+points: {O: [0, 1.2 m], A: {from: O, distance: 1.2 m, angle: -150 deg}, B: [0, 0]}
+surfaces: {floor: {through: B, angle: 0 deg}}
+bodies: {ball: {particle: A, mass: 1 kg}, block: {particle: B, mass: 2.5 kg}}
+joints:
+  - link: {between: [O, A], name: cord}
+  - contact: {between: [block, floor], at: B, mu: 0.3}
+  - impact: {between: [ball, block], normal: 0 deg, restitution: e}
+states:
+  1: [t = 0, at rest]
+  2: [x(ball) = 0]
+  3: [just after 2]
+  4: [ball at rest, r(A/O).angle = -105 deg]
+  5: [block at rest]
+find: {e: e, v: v(block).x @ 3}
+"""
+
+
+def test_a_trial_with_which_impacts_have_no_end_is_passed_over() -> None:
+    """With a coefficient of restitution below zero what strikes still approaches, again and again."""
+    arrives, leaves = sqrt(2 * G * 1.2 * 0.5), sqrt(2 * G * 1.2 * (1 - math.cos(math.radians(15))))
+    block = (arrives + leaves) / 2.5
+    (e,) = (float(v) for v in _part(REBOUND).found[0].values or ())
+    assert e == pytest.approx((block + leaves) / arrives, rel=1e-6)

@@ -118,8 +118,9 @@ def resolve(moment: Moment) -> Resolved | Outcome:
         y = transition.after
         # What slides after the impact slides in another direction.
         moment.automaton.note(moment.t, y)
+    joint = next((t.joints[0] for t in reversed(done) if t.joints), "")
     words = f"more than {MOST_IMPACTS} impacts follow each other at t = {moment.t:.9g} s"
-    return Outcome("endless", words, moment.t, done[-1].joints[0] if done[-1].joints else "", "PL709")
+    return Outcome("endless", words, moment.t, joint, "PL709")
 
 
 def _takes_hold(moment: Moment) -> str:
