@@ -23,6 +23,10 @@ OPEN = "PL623"
 """The diagnostic of a constant that seems to be open."""
 
 
+SEVERAL = "PL635"
+"""That of several that fit: the file must choose, and trial finds only one of them."""
+
+
 def root_of(problem: Problem, earlier: Mapping[str, Earlier], error: Undecided | NoSolution) -> dict[str, float]:
     """The numbers of the unknowns [SI] with which the motion passes all states, by their names.
 
@@ -32,7 +36,7 @@ def root_of(problem: Problem, earlier: Mapping[str, Earlier], error: Undecided |
         return _roots_of_several(problem, earlier, error)
     try:
         idle = has_no_effect(problem, numbers_of(earlier))
-        best = None if idle else best_value(problem, numbers_of(earlier))
+        best = None if idle or _says(error, SEVERAL) else best_value(problem, numbers_of(earlier))
         roots = None if idle or best is not None else shooting(problem, numbers_of(earlier))
     except PlanarError:
         # What keeps the motion from being followed is not what is wrong with the file.
@@ -59,6 +63,11 @@ def root_of(problem: Problem, earlier: Mapping[str, Earlier], error: Undecided |
     if len(roots) > 1:
         raise _ambiguous(problem, [{unknown.name: root} for root in roots])
     return {unknown.name: roots[0]}
+
+
+def _says(error: Undecided | NoSolution, code: str) -> bool:
+    """Is that what the equations told?"""
+    return isinstance(error, NoSolution) and any(d.code == code for d in error.diagnostics)
 
 
 def _chosen(problem: Problem, best: Best) -> dict[str, float]:
