@@ -313,3 +313,29 @@ def test_a_trial_with_which_impacts_have_no_end_is_passed_over() -> None:
     block = (arrives + leaves) / 2.5
     (e,) = (float(v) for v in _part(REBOUND).found[0].values or ())
     assert e == pytest.approx((block + leaves) / arrives, rel=1e-6)
+
+
+def test_a_constant_alone_is_confirmed_by_all_states() -> None:
+    """A find that is only the sought constant names no state: a motion that never passes the last ones gave 0.2611."""
+    part = _part("""
+title: Ball on a cord that rebounds from a block
+plane: vertical
+unknowns: {e: 1}
+points: {O: [0, 1.2 m], A: {from: O, distance: 1.2 m, angle: -150 deg}, B: [0, 0]}
+surfaces: {floor: {through: B, angle: 0 deg}}
+bodies: {ball: {particle: A, mass: 1 kg}, block: {particle: B, mass: 2.5 kg}}
+joints:
+  - link: {between: [O, A], name: cord}
+  - contact: {between: [block, floor], at: B, mu: 0.3}
+  - impact: {between: [ball, block], normal: 0 deg, restitution: e}
+states:
+  1: [t = 0, at rest]
+  2: [x(ball) = 0]
+  3: [just after 2]
+  4: [ball at rest, r(A/O).angle = -105 deg]
+  5: [block at rest]
+find: {e: e}
+""")
+    before, after = sqrt(2 * 9.81 * 0.6), sqrt(2 * 9.81 * 1.2 * (1 - math.cos(math.radians(15))))
+    (e,) = part.found[0].values or ()
+    assert float(e) == pytest.approx(((before + after) / 2.5 + after) / before)

@@ -6,13 +6,12 @@ of an open start. Letters have drawn numbers. Where one answer differs, nothing 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from decimal import Decimal
 
 import sympy as sp
 
-from planar_cli.base_units import base_units
 from planar_cli.equation.ledger import display
 from planar_cli.equation.setup import Earlier, numbers_of
 from planar_cli.errors import Diagnostic, FileProblem, Mark, NoSolution, NoValue
@@ -20,14 +19,15 @@ from planar_cli.motion.unstable import growth_note
 from planar_cli.problem.expression import Equilibrium, JustAfter, Name, Quantity, Relation, Side
 from planar_cli.problem.scene import Problem
 from planar_cli.problem.walk import is_endless, walk
-from planar_cli.records import record
 from planar_cli.simulate.answers import NOT_FOLLOWED, Answered
 from planar_cli.simulate.measures import Moment, names_of_states
 from planar_cli.simulate.run import BEGINNING, Run, Settings, Simulation, answered, simulate
 from planar_cli.simulate.timetable import Timetable
 from planar_cli.solve.between.trace import MotionTrace
+from planar_cli.solve.contradicted import DIFFERENT, HINT, Seen, disagreement
 from planar_cli.solve.diagnosis.left_open import demand_told
 from planar_cli.solve.followable import closed, end_of, most_steps, not_followed
+from planar_cli.solve.following.mode_search import AT_A_TOP
 from planar_cli.solve.instances import Instance, instances
 from planar_cli.solve.instant.verify import Disagreement
 from planar_cli.solve.solution import Found
@@ -45,7 +45,7 @@ TOUCHING = 3e-6
 """What comes and goes within this part of the time is one touch: the root of some roundings."""
 FAINT = 1e-9
 """Speeds below this part of their scale may be the rounding of rest."""
-DIFFERENT, AT_REST = "PL720", (0.0, 0.0, 0.0)
+AT_REST = (0.0, 0.0, 0.0)
 READ_OFF = "rests on a number that only the motion that was followed gives"
 NOT_ABLE = {
     "PL702": "the equations of motion do not tell how it goes on",
@@ -60,21 +60,6 @@ NOT_BEGUN = {
     "PL707": "outlines meet in ways that are not followed",
 }
 """The same of its beginning."""
-
-
-@record
-class Seen:
-    """One find, compared."""
-
-    name: str
-    why: str = ""
-    """Why it could not be compared."""
-    other: str = ""
-    """What following the motion gives, where that is something else."""
-    found: str = ""
-    """What was solved, then."""
-    where: str = ""
-    """When."""
 
 
 def confirmation(problem: Problem, part: PartSolution, earlier: Mapping[str, Earlier]) -> Confirmation:
@@ -146,7 +131,7 @@ def _confirmed(
         # With another velocity where the file tells none there are other answers.
         raise NoSolution(untold)
     if wrong:
-        raise _disagreement(problem, wrong, instance)
+        raise disagreement(problem, wrong, instance)
     same = frozenset(s.name for s in seen if not s.why)
     begun = " from rest, where no velocity is told" if untold else ""
     words = f"motion followed{begun} by independent facts: {len(same)} of {len(found)} answers agree" if same else ""
@@ -216,7 +201,7 @@ class _Compared:
         if kind or self.trace.is_read_off(f.find):
             return Seen(f.name, kind or READ_OFF)
         answer = self.answers[f.name]
-        missed = [s for s in self._states(what) if s not in self.moments]
+        missed = [s for s in self._states(what) or self._telling(what) if s not in self.moments]
         if missed and f.name not in self.alone:
             return self._missed(f, missed[0], answer)
         if f.word:
@@ -247,6 +232,15 @@ class _Compared:
             if isinstance(node, Quantity) and node.word == "reached":
                 names.add(node.argument.name if isinstance(node.argument, Name) else node.things[0])
         return [s.name for s in self.problem.states if s.name in names]
+
+    def _telling(self, what: Side | Relation) -> list[str]:
+        """The states that the solution passes, where a find rests on constants that they tell: beside the motion these
+        are taken from the solution, so that they agree with themselves even where it never passes the states.
+        """
+        sought = {u.name for u in self.problem.unknowns}
+        if not any(isinstance(node, Name) and node.name in sought for node in walk(what)):
+            return []
+        return [s.name for s in self.problem.states]
 
     def _numbers(self, f: Found) -> list[Decimal] | None:
         """The values of a find, of a formula in letters for the numbers that were drawn; None: it varies."""
@@ -310,6 +304,8 @@ class _Compared:
                 return words
             if name == state:
                 break
+        if AT_A_TOP in self.trace.checks:
+            return AT_A_TOP
         if body := nothing_drives(self.other.run.measures.model):
             return f"nothing drives {body}, so that no motion leads to state {state}"
         trajectory = self.other.run.trajectory
@@ -375,26 +371,9 @@ def _of_no_motion(f: Found) -> str:
 
 # --- what is said ----------------------------------------------------------------------------------------------------
 
-HINT = "please report it with the file; `planar simulate` prints the motion that was followed"
-
 
 def _shown(values: list[Decimal], unit: Unit, us: bool) -> str:
     """Numbers in a unit, to more digits than agree."""
     numbers = ", ".join(f"{float(display(v, unit, us)):.9g}" for v in values)
     text = numbers if len(values) == 1 else f"[{numbers}]"
     return f"{text} {unit.text}" if unit.text != "1" else text
-
-
-def _disagreement(problem: Problem, wrong: list[Seen], instance: Instance) -> Disagreement:
-    """The refusal, with both values of every find that differs."""
-    drawn = ", ".join(f"{s.name} = {instance.taken.letters[s.name]:.6g}" for s in problem.symbols)
-    diagnostics = tuple(_told(problem, wrong, f", for {drawn} ({base_units(problem.us)})" if drawn else ""))
-    return Disagreement("; ".join(f"{d.mark.file}:{d.mark.line}: {d.message}" for d in diagnostics), diagnostics)
-
-
-def _told(problem: Problem, wrong: list[Seen], drawn: str) -> Iterator[Diagnostic]:
-    marks = {f.name: f.mark for f in problem.find}
-    for s in wrong:
-        text = f"{s.name} is not confirmed: solved {s.found}, in the motion followed by independent facts {s.other}"
-        text += f"{drawn} ({s.where})" if s.where else drawn
-        yield Diagnostic(marks[s.name], DIFFERENT, text, HINT)

@@ -1,0 +1,45 @@
+"""Finds that a motion followed by independent facts contradicts, and the refusal that tells both values."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from planar_cli.base_units import base_units
+from planar_cli.errors import Diagnostic
+from planar_cli.problem.scene import Problem
+from planar_cli.records import record
+from planar_cli.solve.instances import Instance
+from planar_cli.solve.instant.verify import Disagreement
+
+DIFFERENT = "PL720"
+HINT = "please report it with the file; `planar simulate` prints the motion that was followed"
+
+
+@record
+class Seen:
+    """One find, compared."""
+
+    name: str
+    why: str = ""
+    """Why it could not be compared."""
+    other: str = ""
+    """What following the motion gives, where that is something else."""
+    found: str = ""
+    """What was solved, then."""
+    where: str = ""
+    """When."""
+
+
+def disagreement(problem: Problem, wrong: list[Seen], instance: Instance) -> Disagreement:
+    """The refusal, with both values of every find that differs."""
+    drawn = ", ".join(f"{s.name} = {instance.taken.letters[s.name]:.6g}" for s in problem.symbols)
+    diagnostics = tuple(_told(problem, wrong, f", for {drawn} ({base_units(problem.us)})" if drawn else ""))
+    return Disagreement("; ".join(f"{d.mark.file}:{d.mark.line}: {d.message}" for d in diagnostics), diagnostics)
+
+
+def _told(problem: Problem, wrong: list[Seen], drawn: str) -> Iterator[Diagnostic]:
+    marks = {f.name: f.mark for f in problem.find}
+    for s in wrong:
+        text = f"{s.name} is not confirmed: solved {s.found}, in the motion followed by independent facts {s.other}"
+        text += f"{drawn} ({s.where})" if s.where else drawn
+        yield Diagnostic(marks[s.name], DIFFERENT, text, HINT)
