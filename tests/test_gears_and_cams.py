@@ -100,7 +100,7 @@ def test_a_quantity_at_the_beginning_of_a_line_keeps_its_small_letter(tmp_path: 
     file = tmp_path / "cam.yaml"
     file.write_text(CAM.format(extreme="v(P).y is largest", asked="v(P)"), encoding="utf-8")
     shown = CliRunner().invoke(cli, ["solve", str(file)])
-    assert "\n  v_Py is largest, so it does not change" in shown.output
+    assert "\n  v_Py is largest, so its derivative" in shown.output
 
 
 SHAPER = """

@@ -25,7 +25,7 @@ def model_of(path: Path) -> Model | None:
     try:
         return Model(MovingScene(problem))
     except FileProblem as error:
-        if {d.code for d in error.diagnostics} - {"PL704", "PL705"}:
+        if {d.code for d in error.diagnostics} - {"PL504", "PL704", "PL705"}:
             raise
         return None
 

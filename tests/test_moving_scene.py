@@ -23,8 +23,8 @@ from planar_cli.problem.scene import Problem
 from planar_cli.problem.structure import load, load_text
 
 FILES = sorted((ROOT / "problems").rglob("*.yaml"))
-NO_NUMBER = {"PL704", "PL705"}
-"""Refusals of files whose letters or unknowns have no number."""
+NO_NUMBER = {"PL504", "PL704", "PL705"}
+"""Refusals of files whose letters or unknowns have no number, or have it in their cases alone."""
 
 
 def only_numbers_missing(error: FileProblem) -> None:

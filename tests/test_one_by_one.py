@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from collections import Counter
 
-from conftest import PROBLEMS
+import pytest
+from conftest import PROBLEMS, ROOT
 from worked import worked
 
 from planar_cli.formats.terminal import Terminal
+from planar_cli.problem.structure import load_text
 from planar_cli.report.narrate import narrate
+from planar_cli.solve.run import solve_problem
 
 FILES = {p.stem: p for p in PROBLEMS}
 
@@ -32,3 +35,13 @@ def test_no_law_of_motion_for_the_impulse_of_a_blow() -> None:
     text = " ".join(Terminal(200).render(narrate(worked(FILES["wheel-over-a-kerb"])[0])).split())
     assert "J_Kx" in text
     assert "Newton" not in text
+
+
+def test_an_impulse_that_is_unique_where_the_reactions_after_the_blow_are_not() -> None:
+    """Three parallel cranks hold a platform: along it each takes ω m l/6 of its own, across it nothing is unique."""
+    text = (ROOT / "tests" / "bad_solve" / "blow-on-three-cranks.yaml").read_text().replace("(A).y", "(A).x")
+    problem, wrong = load_text(text)
+    assert problem is not None, wrong
+    (part,) = solve_problem(problem).parts
+    found = {f.name: float((f.values or ())[0]) for f in part.found}
+    assert found == pytest.approx({"omega": -10, "kick": 10 / 6})
