@@ -213,7 +213,8 @@ def _about_fixed_point(instant: InstantSolution, body: str) -> list[tuple[Vec, s
         arm = model.center - point
         twist = motion.accelerations[body].angular, motion.velocities[body].angular
         parts = [(Vec(-arm.y, arm.x), sp.sympify(twist[0])), (Vec(-arm.x, -arm.y), sp.sympify(twist[1]) ** 2)]
-        return [(way, part) for way, part in parts if instant.value.known(part) != 0]
+        rests = all(instant.value.known(p) == 0 for p in (arm.x, arm.y))
+        return [] if rests else [(way, part) for way, part in parts if instant.value.known(part) != 0]
     return []
 
 
