@@ -14,13 +14,14 @@ from itertools import pairwise
 from planar_cli.base_units import in_base
 from planar_cli.errors import Diagnostic, FileProblem, Mark, NoSolution
 from planar_cli.motion.crossings import root
-from planar_cli.motion.model import Model
+from planar_cli.motion.model import Model, always
 from planar_cli.motion.scene import MovingScene
 from planar_cli.motion.source import compiled
 from planar_cli.motion.start import start_of
 from planar_cli.problem.check_dimensions import Kinds
 from planar_cli.problem.dimensions import dimension_of
 from planar_cli.problem.expression import Equilibrium, Statement
+from planar_cli.problem.order_of_states import struck_at_once
 from planar_cli.problem.scene import Problem, Symbol
 from planar_cli.problem.scope import Scope
 from planar_cli.units import LENGTH, parse_unit
@@ -99,7 +100,10 @@ class _Search:
 
     def _accelerated(self, value: float) -> float:
         scene = MovingScene(self.problem, {**self.values, self.sought.name: value})
-        model = Model(scene)
+        lasting = not struck_at_once(self.problem.states)
+        model = Model(
+            scene, lambda m: always(m) or (lasting and not m.strikes and self.problem.holds_at_first(m.during))
+        )
         try:
             start = start_of(model)
         except NoSolution:

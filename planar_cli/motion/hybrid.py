@@ -140,8 +140,7 @@ class HybridModel(Model):
 
     def _takes_hold(self, joint: Joint) -> bool:
         """Does it act only from a later state than the first on?"""
-        states = self.scene.problem.states
-        return joint.during is not None and bool(states) and joint.during[0] != states[0].name
+        return not self.scene.problem.holds_at_first(joint.during)
 
     def _sticks(self, joint: Joint, mode: Mode) -> bool:
         """Does it hold what slides in another mode?"""

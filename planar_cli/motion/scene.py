@@ -270,7 +270,7 @@ class MovingScene(Carried):
         between, normal = getattr(joint, "between", ()), getattr(joint, "normal", None)
         if len(between) != 2:
             return ()
-        later = joint.during is None or joint.during[0] != self.problem.states[0].name
+        later = joint.during is None or not self.problem.holds_at_first(joint.during)
         found = gaps_of(self, self.feet, between, None if normal is None else self.unit(normal), later)
         other = self.pressed(joint.name) < 0
         found = tuple(g.from_other_side() if other and not g.told else g for g in found)

@@ -25,8 +25,9 @@ from planar_cli.motion.source import Code, compiled
 from planar_cli.motion.start import start_of
 from planar_cli.motion.struck import Strikes, strikes_of
 from planar_cli.motion.terms import Term, evaluate, ordered
-from planar_cli.problem.expression import JustAfter, Law
+from planar_cli.problem.expression import Law
 from planar_cli.problem.facts import Mode
+from planar_cli.problem.order_of_states import struck_at_once
 from planar_cli.problem.scene import Problem
 
 STILL = 1e-9
@@ -216,6 +217,8 @@ class SceneStages:
         bodies = scene.problem.bodies
         self.heavy = any(b.mass is not None or b.weight is not None or b.any_mass for b in bodies)
         """Has anything mass?"""
+        self.before = [s.name for s in scene.problem.states if s.before]
+        """Equilibria that lie before the motion: what acts from there on acts as it begins."""
         self._made: dict[tuple[tuple[bool, ...], tuple[str, ...]], SceneAutomaton] = {}
 
     def begin(self, t: float, y: Sequence[float]) -> None:
@@ -246,15 +249,10 @@ class SceneStages:
 
     def start(self) -> Start:
         """Where the motion begins, by the first state or the instant of the file."""
-        reached = () if self._struck_at_once() else (self._first(),)
+        reached = () if struck_at_once(self.scene.problem.states) else (self._first(),)
         idle = self._idle(reached)
         found = start_of(Model(self.scene, lambda m: m not in idle))
         return Start(found.time, found.state, None, found.assumed)
-
-    def _struck_at_once(self) -> bool:
-        """Does the second state stand just after the first? Then what takes hold there has not held before."""
-        states = self.scene.problem.states[1:2]
-        return any(isinstance(r, JustAfter) and r.state == self._first() for s in states for r in s.relations)
 
     def _first(self) -> str:
         """The first state's name."""
@@ -310,9 +308,10 @@ class SceneStages:
         start, end = member.during
         if _strikes(member):
             return start in reached
+        begun = start in reached or start in self.before
         # A law that ends with the last state is the last that is known of what has no mass.
         lasts = isinstance(member, Law) and not self.heavy and end == self.scene.problem.states[-1].name
-        return start in reached and (lasts or end not in reached)
+        return begun and (lasts or end not in reached)
 
 
 def stages_of(

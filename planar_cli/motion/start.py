@@ -111,12 +111,14 @@ class _Search:
 
     def _demand_drawn(self, joints: Sequence[Equation], relations: Sequence[Equation]) -> None:
         """NoSolution where a relation holds only when what is drawn is moved: it chooses among the places of what is
-        written with coordinates or not drawn at all. A drawing that its own joints do not fit leaves the choice.
+        written with coordinates or not drawn at all. A drawing that its own joints do not fit leaves the choice, and
+        so does that of an equilibrium.
         """
         zeros, numbers = self.zeros, range(self.half)
         _, drawn = self.model.reference
         off, unfit = zeros.unmet(relations, drawn), zeros.unmet(joints, drawn)
-        if not off or unfit or not self._moves_points(drawn):
+        elsewhere = any(s.before for s in self.model.scene.problem.states)
+        if elsewhere or not off or unfit or not self._moves_points(drawn):
             return
         found = zeros.state
         free = self._open_terms()

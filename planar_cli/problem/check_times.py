@@ -132,10 +132,9 @@ def _endless_means(quantities: Iterable[Quantity], scope: Scope) -> Iterator[Dia
 
 def lengths_taken_up(scope: Scope) -> Iterator[Diagnostic]:
     """What joins two points from a later state on keeps the distance that they have there."""
-    states = scope.problem.states
     for joint in scope.problem.joints:
         length = getattr(joint, "length", None)
-        if length is None or joint.during is None or not states or joint.during[0] == states[0].name:
+        if length is None or joint.during is None or scope.problem.holds_at_first(joint.during):
             continue
         text = f"{joint.name} takes hold at state {joint.during[0]} and keeps the distance that its ends have then"
         hint = "leave `length` out; where the distance is sought, a relation of that state tells it"

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-from planar_cli.problem.expression import Binary, Function, Name, Negate, Quantity, Relation, Scaled, Side
+from planar_cli.problem.expression import Name, Quantity, Relation, Side
 from planar_cli.problem.scene import At, Body, Curve, Line, Particle, Point, Problem, Surface, TwoFacts
-from planar_cli.problem.walk import walk
+from planar_cli.problem.walk import changed, walk
 
 AXES = ("x", "y")
 
@@ -80,14 +80,4 @@ def _place(surface: Surface, told: dict[str, Side]) -> At | TwoFacts | None:
 
 def _with_x(formula: Side, x: Side) -> Side:
     """The formula of a curve with a value for its variable."""
-    match formula:
-        case Name(name="x"):
-            return x
-        case Binary(left=left, right=right):
-            return replace(formula, left=_with_x(left, x), right=_with_x(right, x))
-        case Negate(operand=operand) | Scaled(operand=operand):
-            return replace(formula, operand=_with_x(operand, x))
-        case Function(argument=argument):
-            return replace(formula, argument=_with_x(argument, x))
-        case _:
-            return formula
+    return changed(formula, lambda node: x if isinstance(node, Name) and node.name == "x" else None)

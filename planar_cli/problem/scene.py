@@ -275,6 +275,8 @@ class State:
     name: str
     relations: tuple[Statement, ...]
     mark: Mark
+    before: bool = False
+    """Is it an equilibrium that the file lists before the state with which the motion begins?"""
 
 
 @record
@@ -341,6 +343,13 @@ class Problem:
     idle: tuple[Joint, ...] = ()
     """Joints of the file that touch only before or after that time: where they would touch, a rim goes on all the same.
     """
+
+    def holds_at_first(self, during: tuple[str, str] | None) -> bool:
+        """Does what acts `during` a span act as the motion begins, though not before it alone?"""
+        if during is None or not self.states:
+            return True
+        first = self.states[0].name
+        return during[0] == first or (during[1] != first and any(s.before and s.name == during[0] for s in self.states))
 
     def called(self, joint: str) -> str:
         """How the joint of that name is called in a sentence."""

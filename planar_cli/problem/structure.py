@@ -17,8 +17,8 @@ from planar_cli.problem.checks import check
 from planar_cli.problem.customary import is_us
 from planar_cli.problem.fields import Fields
 from planar_cli.problem.grounds import Floor, with_floor
-from planar_cli.problem.in_time import in_time
 from planar_cli.problem.nodes import Mapping, Node, Scalar, read_file, read_text
+from planar_cli.problem.order_of_states import in_order
 from planar_cli.problem.placed_particles import with_placed_particles
 from planar_cli.problem.points_at_rest import RestingPoints
 from planar_cli.problem.read_bodies import read_bodies
@@ -176,7 +176,7 @@ def _read(file: str, whole: Fields) -> Problem:
         loads=loads,
         motion=sections.motion(whole),
         instant=resting.statements(sections.statements(whole, "instant")),
-        states=in_time(resting.states(sections.states(whole))),
+        states=resting.states(in_order(sections.states(whole))),
         find=sections.finds(whole),
         cases=(),
         answers=(),

@@ -92,11 +92,10 @@ def with_touching_points(
 
 def with_later_meetings(problem: Problem) -> Problem:
     """The problem, in which a rim touches an edge that it meets after the first state where it comes nearest to it."""
-    first = problem.states[0].name if problem.states else ""
     bodies = {b.name for b in problem.bodies}
     touching: list[Any] = [j for j in problem.joints if j.touches and j.during is not None]
     former = {}
-    for joint in (j for j in touching if j.during[0] != first):
+    for joint in (j for j in touching if not problem.holds_at_first(j.during)):
         ours = bodies & {*joint.between}
         before = (j.at for j in touching if j.during[1] == joint.during[0] and ours & {*j.between})
         former[joint.at] = next(before, "")

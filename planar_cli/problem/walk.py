@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import replace
 from fractions import Fraction
 
 from planar_cli.problem.expression import (
@@ -47,6 +48,30 @@ def walk(tree: Tree) -> Iterator[Tree]:
     yield tree
     for child in children(tree):
         yield from walk(child)
+
+
+def names_of_states(tree: Tree) -> set[str]:
+    """All states that stand behind an `@`."""
+    found: set[str] = set()
+    for node in walk(tree):
+        at = node.at if isinstance(node, Quantity | Name | Grouped | Function) else None
+        found |= {at} if isinstance(at, str) else set(at or ())
+    return found
+
+
+def changed(side: Side, rule: Callable[[Side], Side | None]) -> Side:
+    """The side with every node that the rule changes in the place of the old one; None: it looks below the node."""
+    new = rule(side)
+    if new is not None:
+        return new
+    match side:
+        case Negate() | Scaled() | Grouped():
+            return replace(side, operand=changed(side.operand, rule))
+        case Binary():
+            return replace(side, left=changed(side.left, rule), right=changed(side.right, rule))
+        case Function():
+            return replace(side, argument=changed(side.argument, rule))
+    return side
 
 
 def rational(side: Side) -> Fraction | None:

@@ -25,9 +25,9 @@ from planar_cli.problem.expression import (
 from planar_cli.problem.outermost import is_energy
 from planar_cli.problem.scene import Find, Problem
 from planar_cli.problem.scope import Scope
-from planar_cli.problem.walk import walk
+from planar_cli.problem.walk import names_of_states, walk
 from planar_cli.records import record
-from planar_cli.simulate.measures import START, Measures, Moment, names_of_states
+from planar_cli.simulate.measures import START, Measures, Moment
 from planar_cli.simulate.spans import Spans
 from planar_cli.simulate.timetable import Timetable, mode_of
 from planar_cli.units import PURE, Unit, default_unit, parse_unit

@@ -8,8 +8,8 @@ from planar_cli.errors import Diagnostic, NoSolution
 from planar_cli.motion.model import Model
 from planar_cli.problem.expression import Extreme, Name, Relation
 from planar_cli.problem.scene import Problem, State
-from planar_cli.problem.walk import walk
-from planar_cli.simulate.measures import Moment, names_of_states
+from planar_cli.problem.walk import names_of_states, walk
+from planar_cli.simulate.measures import Moment
 from planar_cli.simulate.timetable import is_time
 
 SAME = 1e-6

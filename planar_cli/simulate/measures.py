@@ -23,7 +23,7 @@ from planar_cli.motion.regime import Regime
 from planar_cli.motion.routine import Routine
 from planar_cli.motion.terms import Term, ordered
 from planar_cli.motion.trajectory import Trajectory
-from planar_cli.problem.expression import Function, Grouped, Name, Number, Quantity, Relation, Side
+from planar_cli.problem.expression import Grouped, Number, Quantity, Relation, Side
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.reactions import Reactions
 from planar_cli.problem.walk import walk
@@ -259,15 +259,6 @@ def along(values: Values, regime: Regime, h: float) -> Values:
         return found
 
     return rates
-
-
-def names_of_states(tree: Side | Relation) -> set[str]:
-    """All states that stand behind an `@`."""
-    found: set[str] = set()
-    for node in walk(tree):
-        at = getattr(node, "at", None) if isinstance(node, Quantity | Name | Grouped | Function) else None
-        found |= {at} if isinstance(at, str) else set(at or ())
-    return found
 
 
 def modes_of(regime: Regime) -> dict[str, str]:

@@ -33,6 +33,7 @@ from planar_cli.problem.static_alone import demand_kinetic
 from planar_cli.records import record
 from planar_cli.simulate.agreement import demand_agreement
 from planar_cli.simulate.answers import Answered, Answers
+from planar_cli.simulate.balanced import with_balanced
 from planar_cli.simulate.foretold import demand_unchanged, spoken_before
 from planar_cli.simulate.measures import START, Measures, Moment, modes_of, moments_of
 from planar_cli.simulate.stops import first_stop
@@ -190,6 +191,7 @@ def prepared(
     the start, where the file leaves them open.
     """
     demand_kinetic(problem)
+    problem = with_balanced(problem, lambda beside: prepared(beside, values))
     stages = stages_of(problem, values, speeds or {})
     model = stages.automaton((_first(problem),)).model
     return Prepared(problem, stages, model, stages.start())

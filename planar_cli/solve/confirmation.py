@@ -18,9 +18,9 @@ from planar_cli.errors import Diagnostic, FileProblem, Mark, NoSolution, NoValue
 from planar_cli.motion.unstable import growth_note
 from planar_cli.problem.expression import Equilibrium, JustAfter, Name, Quantity, Relation, Side
 from planar_cli.problem.scene import Problem
-from planar_cli.problem.walk import is_endless, walk
+from planar_cli.problem.walk import is_endless, names_of_states, walk
 from planar_cli.simulate.answers import NOT_FOLLOWED, Answered
-from planar_cli.simulate.measures import Moment, names_of_states
+from planar_cli.simulate.measures import Moment
 from planar_cli.simulate.run import BEGINNING, Run, Settings, Simulation, answered, simulate
 from planar_cli.simulate.timetable import Timetable
 from planar_cli.solve.between.trace import MotionTrace

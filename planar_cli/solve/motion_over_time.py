@@ -104,9 +104,9 @@ def _route(found: SolvedMotion) -> tuple[Router, Route]:
     """The way to what is asked, by the method of the file, and who plans it."""
     course, method = found.course, found.course.problem.method
     unknowns, equations = course.chain().unknowns, course.equations
-    balanced = course.equilibria
-    if sought := frozenset(course.sought()).intersection(balanced.branch.values):
-        unknowns, equations = unknowns | sought | set(balanced.branch.values), (*balanced.equations, *equations)
+    balanced, placed = course.equilibria, set(course.equilibria.branch.values)
+    if placed & set(course.sought()) or any(placed & e.residual.free_symbols for e in equations):
+        unknowns, equations = unknowns | placed, (*balanced.equations, *equations)
     allowed = by_method(equations, method)
     steps = tuple(s for s in found.branch.steps if len(by_method(s.equations, method)) == len(s.equations))
     lettered = rests_on(course, found.value)

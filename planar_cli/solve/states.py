@@ -27,7 +27,7 @@ from planar_cli.problem.expression import (
     Side,
 )
 from planar_cli.problem.scene import Find, Problem
-from planar_cli.problem.walk import children
+from planar_cli.problem.walk import children, names_of_states
 from planar_cli.records import record
 from planar_cli.solve.solution import Found as Answered
 from planar_cli.solve.solution import InstantSolution
@@ -38,11 +38,14 @@ Solver = Callable[..., tuple[InstantSolution, list[Answered]]]
 
 
 def stand_at_states(problem: Problem) -> bool:
-    """Does every find consist of quantities at states of the file, joined by arithmetic? Places are drawn at the first
+    """Does every find consist of quantities at states of the file, joined by arithmetic, and does none of these speak
+    of another? Places are drawn at the first
     state: of a later one nothing is known without coordinates but by the motion that leads there.
     """
     names = {s.name for s in (problem.states if problem.coordinates else problem.states[:1])}
-    return all(_stands(find.found.what, names) for find in problem.find)
+    return all(_stands(find.found.what, names) for find in problem.find) and not any(
+        names_of_states(r) for state in problem.states for r in state.relations
+    )
 
 
 def _stands(what: Any, states: set[str]) -> bool:

@@ -14,9 +14,8 @@ from planar_cli.errors import FileProblem, NoSolution
 from planar_cli.motion.model import Model
 from planar_cli.problem.expression import AtRest, Name, Quantity, Relation
 from planar_cli.problem.scene import Particle, Problem, State
-from planar_cli.problem.walk import walk
+from planar_cli.problem.walk import names_of_states, walk
 from planar_cli.simulate.answers import Answered
-from planar_cli.simulate.measures import names_of_states
 from planar_cli.simulate.run import BEGINNING, Run, simulate
 
 

@@ -4,7 +4,9 @@ Equilibrium
   A state that says `equilibrium` is a position in which everything that is free can stay at rest: free speeds and their
   rates vanish. It stands apart from the order of the other states. What else it says chooses the position, if there are
   several: `[equilibrium, theta > 0]`, `[equilibrium, x = 0]`. Relative equilibrium, on something that turns at a
-  constant rate under `motion`, is said in the same way.
+  constant rate under `motion`, is said in the same way. Other states may speak of it, `[at rest, s = s @ hang + d]`,
+  wherever it is listed; listed first, it is the one that is drawn. One that is struck (`just after hang`) begins the
+  motion.
 
       states: {hang: [equilibrium, s > 0]}
       find: {s_rest: s @ hang, holds: stable(hang), T: period(hang), f: frequency(hang) in Hz}

@@ -15,8 +15,9 @@ import sympy as sp
 from planar_cli.equation.exact import PI, Valuation
 from planar_cli.equation.plain import derivative, simplified
 from planar_cli.errors import Diagnostic, NoSolution
-from planar_cli.problem.expression import Equilibrium, Statement
+from planar_cli.problem.expression import Statement
 from planar_cli.problem.not_negative import not_negative
+from planar_cli.problem.order_of_states import as_listed
 from planar_cli.problem.scene import State
 from planar_cli.records import record
 from planar_cli.solve.between.chain import Branch, Chain
@@ -42,11 +43,6 @@ class Equilibria:
     branch: Branch
 
 
-def is_equilibrium(state: State) -> bool:
-    """Does a state stand beside the order of states?"""
-    return any(isinstance(r, Equilibrium) for r in state.relations)
-
-
 def solve_equilibria(course: RegimeSequence, raw: Raw, start: Mapping[str, Iterable[Demand]]) -> Equilibria:
     """Solve all equilibrium states. `start`: what the first state says, by its name. NoSolution: there is none, or
     several places fit.
@@ -60,7 +56,7 @@ def solve_equilibria(course: RegimeSequence, raw: Raw, start: Mapping[str, Itera
         demands[state.name] = tuple(reader.demands(stop, raw[state.name]))
         equations += stated_equations(demands[state.name])
         equations += loop_equations(reader.regime, course.first, stop)
-        if state.name == course.problem.states[0].name:
+        if state.name == as_listed(course.problem.states)[0].name:
             drawn += drawn_equations(reader.regime, stop)
     if not states:
         return Equilibria((), {}, (), Branch({}, {}, (), ()))
@@ -70,7 +66,7 @@ def solve_equilibria(course: RegimeSequence, raw: Raw, start: Mapping[str, Itera
     whole = _branches(course, states, demands, [*equations, *drawn])
     mark, names = states[0].mark, ", ".join(s.name for s in states)
     if not whole and drawn and _branches(course, states, demands, equations):
-        first = course.problem.states[0]
+        first = as_listed(course.problem.states)[0]
         text = f"{first.name}: the forces do not balance as drawn, and the first state is drawn"
         hint = "write the points that may move with `coordinates`, or let a state that is as drawn come before it"
         raise NoSolution([Diagnostic(first.mark, "PL630", text, hint)])

@@ -157,7 +157,10 @@ def _beginning(motion: StatedMotion) -> list[Equation]:
     placed = _placed(motion)
     speeds = {first.letters[u] for u in motion.regimes[0].free}
     told = (d.residual.free_symbols for d in motion.demands[first.name])
-    placed |= _unseen(motion) & {x for inside in told if not inside & speeds for x in inside}
+    # Where an equilibrium is drawn, that is where the motion begins as far as nothing else tells it.
+    before = any(s.before for s in motion.problem.states)
+    shown = set(first.letters.values()) if before else _unseen(motion)
+    placed |= shown & {x for inside in told if not inside & speeds for x in inside}
     found = [e for e in drawn_equations(motion.regimes[0], first) if not e.residual.free_symbols & placed]
     later = [*motion.regimes, motion.beyond] if motion.beyond is not None else motion.regimes
     found += list(later_equations(later, first, motion.transfer(motion.regimes[0])))

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 
 from planar_cli.errors import Mark
+from planar_cli.problem.order_of_states import as_listed, stands_beside
 from planar_cli.problem.scene import Problem, State
-from planar_cli.solve.between.equilibria import is_equilibrium
 from planar_cli.solve.regimes.after import asked_after
 from planar_cli.solve.regimes.mode_sequence import (
     ModeSequence,
@@ -23,7 +23,7 @@ from planar_cli.solve.regimes.mode_sequence import (
 def first_modes(problem: Problem, workshop: Workshop) -> ModeSequence:
     """Every joint in its first mode that the file leaves open; one instant at a given time is its only state."""
     states = problem.states or (State("", problem.instant or (), _mark(problem)),)
-    moving = tuple(s for s in states if not is_equilibrium(s))
+    moving = tuple(s for s in states if not stands_beside(s, states))
 
     def stretch(span: Span) -> Stretch:
         return Stretch(span, next(workshop.drawn(span).choices()))
@@ -37,8 +37,9 @@ def first_modes(problem: Problem, workshop: Workshop) -> ModeSequence:
             begun = replace(stretch(arriving_at(problem, moving[i])), blow=struck[0])
             stretches = (*stretches[:i], begun, *stretches[i + 1 :])
             beyond = stretch(struck[1]) if i + 2 == len(moving) else beyond
-    spans = spans_of(problem, states)
-    beside = [(s, spans[min(i, len(spans) - 1)]) for i, s in enumerate(states) if is_equilibrium(s)]
+    listed = as_listed(states)
+    spans = spans_of(problem, listed)
+    beside = [(s, spans[min(i, len(spans) - 1)]) for i, s in enumerate(listed) if stands_beside(s, states)]
     return ModeSequence(moving, stretches, equilibria=tuple((s, stretch(span)) for s, span in beside), beyond=beyond)
 
 

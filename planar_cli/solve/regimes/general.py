@@ -320,8 +320,7 @@ def loose_tree(drawn: Instant, choice: tuple[int, ...]) -> Tree:
     first state on, as drawn.
     """
     modes = drawn.system(loosened(drawn, choice)).modes
-    first = drawn.scene.problem.states[0].name if drawn.scene.problem.states else ""
-    lasting = {joint.name for joint, _ in drawn.modes if joint.during is None or joint.during[0] == first}
+    lasting = {joint.name for joint, _ in drawn.modes if drawn.scene.problem.holds_at_first(joint.during)}
     return drawn.builder.build(j for name, mode in modes.items() if name in lasting for j in mode.facts.joinings)
 
 

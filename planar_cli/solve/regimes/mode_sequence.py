@@ -12,6 +12,7 @@ from planar_cli.equation.displacement import CoordinateNames
 from planar_cli.equation.setup import has_quantity, names_in
 from planar_cli.joints.base import Joint
 from planar_cli.problem.expression import JustAfter, Name, Relation, Statement
+from planar_cli.problem.order_of_states import as_listed
 from planar_cli.problem.scene import Problem, State
 from planar_cli.records import changing, record
 from planar_cli.solve.instant.instant import Instant
@@ -144,7 +145,7 @@ def spans_of(problem: Problem, states: tuple[State, ...]) -> list[Span]:
 
 def acting_from(problem: Problem, state: State) -> Callable[[tuple[str, str] | None], bool]:
     """Does what is said `during` a span act from a state on?"""
-    order = {s.name: i for i, s in enumerate(problem.states)}
+    order = {s.name: i for i, s in enumerate(as_listed(problem.states))}
     here = order.get(state.name, 0)
     return lambda during: during is None or order[during[0]] <= here < order[during[1]]
 
@@ -182,7 +183,7 @@ def blow_before(problem: Problem, before: State, state: State) -> tuple[Span, Sp
 
 def arriving_at(problem: Problem, state: State) -> Span:
     """What acts as a state is reached: joints that begin there do not hold yet."""
-    order = {s.name: i for i, s in enumerate(problem.states)}
+    order = {s.name: i for i, s in enumerate(as_listed(problem.states))}
     now, here = acting_from(problem, state), order.get(state.name, 0)
     return _span(problem, lambda during: during is None or (now(during) and order[during[0]] < here))
 
