@@ -53,15 +53,16 @@ class Condition:
     """One relation between unknowns of one level.
 
     `kind`: closure, row, given, coordinate. `residual`: an expression, or a Vec that vanishes. `normal`: the only
-    direction in which a vector residual counts (across a path), None: both. `text`: what it says, in words or as in the
-    file. `sense`: what must not be negative, where the residual also lets the opposite direction pass. `now`: it is
-    stated of this one instant.
+    direction in which a vector residual counts (across a path), None: both. `along`: the contact of what rolls. `text`:
+    what it says, in words or as in the file. `sense`: what must not be negative, where the residual also lets the
+    opposite direction pass. `now`: it is stated of this one instant.
     """
 
     kind: str
     text: str
     residual: sp.Expr | Vec
     normal: Vec | None = None
+    along: Vec | None = None
     place: str = ""
     body: str = ""
     base: str = ""
@@ -110,7 +111,9 @@ def joint_conditions(
     for joining in tree.closures:
         residual = motion.closure_velocity(joining) if level == VELOCITY else motion.closure_acceleration(joining)
         normal = joining.path.tangent.turned() if joining.path is not None else None
-        found.append(Condition("closure", joining.joint, residual, normal, joining.place, joining.mover, joining.base))
+        along = joining.rolling.tangent if joining.rolling is not None else None
+        members = joining.place, joining.mover, joining.base
+        found.append(Condition("closure", joining.joint, residual, normal, along, *members))
         holds = rigid(joining.base) or joining.keeps
         if not joining.turns and rigid(joining.mover) and holds:
             twists = motion.velocities if level == VELOCITY else motion.accelerations

@@ -181,11 +181,17 @@ class Motion:
     """Velocities and accelerations of any material point, as expressions in the unknowns of a tree.
 
     `known`: values of velocity unknowns that are settled (zero above all); they are put in at once, so that
-    accelerations carry no terms that vanish.
+    accelerations carry no terms that vanish. `center`: the mass centre of a body; `arm`: from one place to another.
     """
 
-    def __init__(self, tree: Tree, center: Callable[[str], Vec], known: dict[sp.Symbol, sp.Expr]) -> None:
-        self.tree, self.center, self.known = tree, center, known
+    def __init__(
+        self,
+        tree: Tree,
+        center: Callable[[str], Vec],
+        arm: Callable[[Vec, Vec], Vec],
+        known: dict[sp.Symbol, sp.Expr],
+    ) -> None:
+        self.tree, self.center, self.arm, self.known = tree, center, arm, known
         self.velocities: dict[str, Twist] = {GROUND: Twist(STILL, STILL, ZERO)}
         self.accelerations: dict[str, Twist] = {GROUND: Twist(STILL, STILL, ZERO)}
         for edge in tree.edges:
@@ -247,14 +253,13 @@ class Motion:
         twist = self.velocities[body]
         if twist.angular == 0:
             return twist.linear
-        found: Vec = twist.linear + (point - twist.point).turned() * twist.angular
+        found: Vec = twist.linear + self.arm(twist.point, point).turned() * twist.angular
         return found
 
     def acceleration(self, point: Vec, body: str) -> Vec:
         """a of the material point of `body` at `point`."""
         twist, omega = self.accelerations[body], self.velocities[body].angular
-        arm = point - twist.point
-        found = twist.linear
+        found, arm = twist.linear, self.arm(twist.point, point)
         if twist.angular != 0:
             found = found + arm.turned() * twist.angular
         return found if omega == 0 else found - arm * omega**2

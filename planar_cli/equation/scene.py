@@ -9,6 +9,7 @@ from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.arms import Arms
 from planar_cli.equation.bodies import BodyModel, MassReader
 from planar_cli.equation.curves import bend_at, carrier_pose
 from planar_cli.equation.decided import Decided
@@ -78,6 +79,7 @@ class Scene(Decided):
         for body in problem.bodies:
             self.bodies[body.name] = reader.read(body)
         self.cancelling = reader.cancelling
+        self.arms = Arms(self)
         self._valuations = None
         self.owners = self._owners()
         if displacement is not None:
@@ -264,7 +266,7 @@ class Scene(Decided):
 
     def outline(self, partner: str, point: Vec, mark: Mark) -> Outline:
         if (partner, point) not in self._outlines:
-            self._outlines[partner, point] = outline_of(self, partner, point, mark)
+            self._outlines[partner, point] = self.arms.outlined(outline_of(self, partner, point, mark), point)
         return self._outlines[partner, point]
 
     def rigid(self, body: str) -> bool:

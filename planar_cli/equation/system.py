@@ -112,7 +112,7 @@ class System:
 
     def settle(self, known: dict[sp.Symbol, sp.Expr], wrenches: tuple[Wrench, ...]) -> None:
         """Velocities are settled: `known` are put in; loads now state what they do."""
-        self.motion = Motion(self.tree, self.scene.center, known)
+        self.motion = Motion(self.tree, self.scene.center, self.scene.arms.between, known)
         self.wrenches = wrenches
         self.reactions = self._reactions()
 
@@ -250,7 +250,7 @@ def make_system(
         if push.name not in symbols:
             symbols[push.name] = scene.ledger.fresh(*named(push))
     laws = tuple(law for f in facts for law in f.laws)
-    first = Motion(tree, scene.center, {})
+    first = Motion(tree, scene.center, scene.arms.between, {})
     return System(
         scene,
         modes,

@@ -104,7 +104,7 @@ def _balances(position: Position) -> Iterator[Balance]:
                 yield from _balance(group, _linear(position, group, d), rate, arrow, "")
         centres = {**fixed, **(_own_points(position, group[0]) if len(group) == 1 else {})}
         for name, center in centres.items():
-            rate = simplified(expanded(sp.Add(*(_moment(w, center) for w in outer))))
+            rate = simplified(expanded(sp.Add(*(_moment(position, w, center) for w in outer))))
             if not rate.free_symbols & loose:
                 yield from _balance(group, _angular(position, group, center), rate, "↺ ", name)
 
@@ -156,8 +156,8 @@ def _own_points(position: Position, body: str) -> dict[str, Vec]:
     return found
 
 
-def _moment(w: Wrench, center: Vec) -> sp.Expr:
-    turning = (w.point - center).cross(w.force) if w.force is not None else sp.S.Zero
+def _moment(position: Position, w: Wrench, center: Vec) -> sp.Expr:
+    turning = position.system.scene.arms.between(center, w.point).cross(w.force) if w.force is not None else sp.S.Zero
     return turning + w.couple
 
 
@@ -171,7 +171,7 @@ def _angular(position: Position, group: tuple[str, ...], center: Vec) -> dict[st
     parts = {}
     for b in group:
         body = scene.bodies[b]
-        arm, v = body.center - center, motion.velocity(body.center, b)
+        arm, v = scene.arms.between(center, body.center), motion.velocity(body.center, b)
         parts[b] = body.mass * arm.cross(v) + body.inertia * motion.velocities[b].angular
     return parts
 
@@ -185,6 +185,6 @@ def _seen_from(position: Position, frame: Frame) -> Iterator[Balance]:
         spin = body.inertia * position.motion.velocities[name].angular
         parts[name] = simplified(expanded(body.mass * arm.cross(v) + spin))
         inertia += body.mass * arm.cross(frame.inertia)
-    rate = simplified(expanded(sp.Add(inertia, *(_moment(w, frame.place) for w in frame.acting))))
+    rate = simplified(expanded(sp.Add(inertia, *(_moment(position, w, frame.place) for w in frame.acting))))
     if not rate.free_symbols & unknown_sizes(position) and knows_less(position, parts.values()):
         yield from _balance(frame.bodies, parts, rate, "↺ ", frame.point, frame.words)

@@ -17,7 +17,7 @@ def speeds_matter(system: System, still: Collection[sp.Symbol]) -> bool:
     if all(a in still for a in system.tree.acceleration_unknowns()):
         return False
     assert system.motion is not None
-    moving = Motion(system.tree, system.motion.center, {})
+    moving = Motion(system.tree, system.motion.center, system.motion.arm, {})
     speeds = set(system.tree.velocity_unknowns())
     if any(twist.angular.free_symbols & speeds for twist in moving.velocities.values()):
         return True

@@ -22,6 +22,7 @@ from planar_cli.report.blocks import Block, Equation, Line, Name, Paragraph, lin
 from planar_cli.report.clean import is_clean
 from planar_cli.report.forces import centre_of
 from planar_cli.report.words import Phrases
+from planar_cli.solve.instant.candidates import CONTACT
 from planar_cli.solve.instant.instant import Trial
 from planar_cli.solve.instant.written import Written
 from planar_cli.units import LENGTH
@@ -126,7 +127,9 @@ class VectorTelling:
         """Why the component vanishes or agrees."""
         v, place = ("v" if level == "velocity" else "a"), j.place
         own, side = Name(f"{v}_{index_of(place)}"), self._component(w)
-        if j.base == GROUND and j.path is None and j.rolling is None:
+        if j.rolling is not None:
+            return self._rolls(j, w, level)
+        if j.base == GROUND and j.path is None:
             return line(f"{place} is fixed, ", own, " = 0; ", side)
         if j.base == GROUND and j.path is not None and j.path.curvature == 0:
             return line(f"{place} moves along a straight line; across it ", own, " = 0")
@@ -136,9 +139,6 @@ class VectorTelling:
             at_rest = all(self.phrases.value.is_zero(p) for p in self._velocity(j))
             why = line(" = 0, as long as ", Name(f"v_{place}"), " = 0") if at_rest else line(" is its normal part")
             return line(f"{place} moves along its path; across it ", own, *why)
-        if j.rolling is not None:
-            part = "velocity" if level == "velocity" else "acceleration along the contact"
-            return line(f"{j.mover} rolls on {j.base}: at {place} both have the same {part}; ", side)
         if j.path is None:
             return line(f"{place} is a point of {j.mover} and of {j.base}; both have the same ", own, "; ", side)
         relative: list[Any] = [own, " = ", Name(f"{own.name}′"), " + ", Name(f"{v}_rel")]
@@ -146,6 +146,19 @@ class VectorTelling:
             spin = self._symbol(j.base, "velocity")
             relative += [" + 2 ", self.phrases.math(spin), " × ", Name("v_rel")] if spin != 0 else []
         return line(f"{place} slides along {j.base}: ", *relative, "; ", *self._across(j, v))
+
+    def _rolls(self, j: Joining, w: Written, level: str) -> Line:
+        """What touches does not slip; accelerations agree along the contact only."""
+        side = self._component(w)
+        own = Name(f"{'v' if level == 'velocity' else 'a'}_{index_of(j.place)}")
+        if j.base == GROUND and j.drift is None:
+            if level == "velocity":
+                return line(f"{j.mover} rolls: at {j.place} ", own, " = 0; ", side)
+            return line(f"{j.mover} rolls: ", own, " has no component along the contact")
+        partner = f"{j.mover} rolls on {j.base if j.base != GROUND else 'the belt'}: at {j.place} both have the same "
+        if level == "velocity":
+            return line(f"{partner}velocity; ", side)
+        return line(f"{partner}acceleration along the contact", *(() if w.words == CONTACT else ("; ", *side)))
 
     def _velocity(self, j: Joining) -> tuple[sp.Expr, sp.Expr]:
         v = self.motion.velocity(j.point, j.mover)
@@ -202,7 +215,7 @@ class VectorTelling:
         if all(self._symbol(body, n) == 0 for n in ("velocity", level)):
             return None
         twists = self.motion.velocities if level == "velocity" else self.motion.accelerations
-        arm = at - twists[body].point
+        arm = self.system.scene.arms.between(twists[body].point, at)
         if all(self.phrases.value.is_zero(p) for p in (arm.x, arm.y)):
             return None
         v, reference = ("v" if level == "velocity" else "a"), self._reference(edge)

@@ -86,7 +86,7 @@ class Instant:
         self.builder = self.tree_builder(names)
         self.symbols: dict[str, sp.Symbol] = {}
         apart = TreeBuilder(Ledger(), self.scene.rigid, self.scene.own_name, names)
-        self.free = Motion(apart.build((), hang=False), self.scene.center, {})
+        self.free = Motion(apart.build((), hang=False), self.scene.center, self.scene.arms.between, {})
         self.drivers: tuple[Push, ...] = ()
         self.plain = asked_by_axis(self.scene.problem, self.joints)
         self.principle = at_instants(self.scene.problem.method)

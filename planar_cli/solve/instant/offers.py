@@ -95,6 +95,9 @@ class Offers:
             priced((), condition, Choice(False, Vec(sp.S.One, sp.S.Zero), "along x", (), "x"), x, c.AXIS),
             priced((), condition, Choice(False, Vec(sp.S.Zero, sp.S.One), "along y", (), "y"), y, c.AXIS),
         ]
+        if condition.along is not None:
+            contact = self.numbers.row(residual.dot(condition.along))
+            found.append(priced((), condition, Choice(False, condition.along, c.CONTACT), contact, c.ALONG_CONTACT))
         form_x, form_y = self.numbers.form(residual.x), self.numbers.form(residual.y)
         for j, symbol in enumerate(self.numbers.unknowns):
             if not (x[j] and y[j]) or (symbol not in form_x.terms and symbol not in form_y.terms):

@@ -234,9 +234,10 @@ class Writer:
 
     def _moment(self, bodies: tuple[str, ...], choice: Choice) -> Written:
         center, name = self._centre(bodies, choice)
+        arm = self.system.scene.arms.between
 
         def moment(point: Vec, force: Vec | None, couple: Any) -> sp.Expr:
-            turning = (point - center).cross(force) if force is not None else sp.S.Zero
+            turning = arm(center, point).cross(force) if force is not None else sp.S.Zero
             return turning + couple
 
         left = self._loads(bodies, moment)
@@ -253,7 +254,7 @@ class Writer:
             return [self._inertia_about(body, center, name) * alpha]
         terms = [] if model.inertia == 0 or alpha == 0 else [model.inertia * alpha]
         if model.mass != 0:
-            arm = model.center - center
+            arm = self.system.scene.arms.between(center, model.center)
             terms += [
                 model.mass * component * self.short(arm.cross(direction))
                 for direction, component in self.acceleration(body)
@@ -267,7 +268,7 @@ class Writer:
     def _inertia_about(self, body: str, center: Vec, name: str) -> sp.Expr:
         """I_G + m d², named."""
         model = self.system.scene.bodies[body]
-        arm = model.center - center
+        arm = self.system.scene.arms.between(center, model.center)
         square = trigonometric(tidy(arm.dot(arm)))
         if square == 0:
             return model.inertia

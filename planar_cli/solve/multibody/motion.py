@@ -219,7 +219,9 @@ class Multibody:
 
     def _stated(self) -> list[tuple[str, Line]]:
         """The file's own relations between accelerations, as it states them."""
-        free = Motion(self.system.builder.build((), hang=False), self.system.scene.center, {})
+        free = Motion(
+            self.system.builder.build((), hang=False), self.system.scene.center, self.system.scene.arms.between, {}
+        )
         conditions = self.system.stated_accelerations(free)
         if not conditions:
             return []

@@ -23,7 +23,7 @@ class Differentiated(Motion):
 
     def __init__(self, regime: Regime) -> None:
         scene = regime.general.instant.scene
-        super().__init__(regime.general.trial.system.tree, scene.center, {})
+        super().__init__(regime.general.trial.system.tree, scene.center, scene.arms.between, {})
         for name, body in scene.bodies.items():
             place = Vec(regime.closed(body.center.x), regime.closed(body.center.y))
             turn = regime.closed(body.theta) if body.rigid else sp.S.Zero
