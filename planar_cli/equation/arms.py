@@ -11,6 +11,7 @@ from typing import Any, Protocol
 import sympy as sp
 
 from planar_cli.equation.bodies import BodyModel
+from planar_cli.equation.ledger import Ledger
 from planar_cli.problem.expression import Side
 from planar_cli.problem.facts import Outline
 from planar_cli.problem.geometry import Vec
@@ -22,6 +23,8 @@ class Wheels(Protocol):
 
     @property
     def bodies(self) -> Mapping[str, BodyModel]: ...
+    @property
+    def ledger(self) -> Ledger: ...
     @property
     def surfaces(self) -> Mapping[str, Surface]: ...
 
@@ -57,14 +60,20 @@ class Arms:
 
     def _found(self, start: Vec, end: Vec) -> Vec:
         arm: Vec = end - start
-        if not any(part.has(sp.Add) for part in (sp.sympify(arm.x), sp.sympify(arm.y))):
+        whole = Vec(self._in_full(arm.x), self._in_full(arm.y))
+        if not any(part.has(sp.Add) for part in (whole.x, whole.y)):
             return arm
         for length in self._lengths(start, end):
-            for way in _ways(arm):
+            for way in _ways(whole):
                 rim: Vec = way * length
                 if self._same(rim, arm):
                     return rim
         return arm
+
+    def _in_full(self, part: sp.Expr) -> sp.Expr:
+        """With what the names of long coordinates stand for."""
+        named = self.scene.ledger.definitions
+        return sp.sympify(part).xreplace({s: named[s] for s in sp.sympify(part).free_symbols if s in named})
 
     def _lengths(self, start: Vec, end: Vec) -> Iterator[sp.Expr]:
         """The radii of wheels about one of two places, twice those of wheels about the middle between them."""

@@ -304,7 +304,7 @@ def _tidied(expr: sp.Expr) -> sp.Expr:
     if _degree(expr) >= 2 and longer(expr, SOME):
         expr = _with_one(expr)
     found = factor_terms(expr)
-    if not longer(expr, SOME) and not expr.is_polynomial(*expr.free_symbols):
+    if not longer(expr, SOME) and (_degree(expr) >= 2 or not expr.is_polynomial(*expr.free_symbols)):
         trial = trigonometric(expr) if expr.has(sp.sin, sp.cos) else cancelled(together(expr))
         if operations(trial) < operations(found):
             found = trial

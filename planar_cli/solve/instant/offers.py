@@ -91,13 +91,12 @@ class Offers:
             choice = Choice(False, condition.normal, f"across the path of {condition.place}")
             return c.cheapest([priced((), condition, choice, self.numbers.row(residual.dot(condition.normal)), c.AXIS)])
         x, y = self.numbers.row(residual.x), self.numbers.row(residual.y)
-        found = [
-            priced((), condition, Choice(False, Vec(sp.S.One, sp.S.Zero), "along x", (), "x"), x, c.AXIS),
-            priced((), condition, Choice(False, Vec(sp.S.Zero, sp.S.One), "along y", (), "y"), y, c.AXIS),
-        ]
+        axes = ("x", Vec(sp.S.One, sp.S.Zero), x), ("y", Vec(sp.S.Zero, sp.S.One), y)
+        found = [priced((), condition, Choice(False, way, f"along {n}", (), n), row, c.AXIS) for n, way, row in axes]
         if condition.along is not None:
-            contact = self.numbers.row(residual.dot(condition.along))
-            found.append(priced((), condition, Choice(False, condition.along, c.CONTACT), contact, c.ALONG_CONTACT))
+            way = self._onward(condition.along)
+            contact = self.numbers.row(residual.dot(way))
+            found.append(priced((), condition, Choice(False, way, c.CONTACT), contact, c.ALONG_CONTACT))
         form_x, form_y = self.numbers.form(residual.x), self.numbers.form(residual.y)
         for j, symbol in enumerate(self.numbers.unknowns):
             if not (x[j] and y[j]) or (symbol not in form_x.terms and symbol not in form_y.terms):
@@ -112,6 +111,11 @@ class Offers:
             choice = Choice(False, partial(self._direction, across), words, (symbol,))
             found.append(priced((), condition, choice, row, c.ACROSS))
         return c.cheapest(found, self.most)
+
+    def _onward(self, way: Vec) -> Vec:
+        """A line's direction, to the right or upwards."""
+        x, y = self.numbers.value(way.x), self.numbers.value(way.y)
+        return -way if (x if abs(x) > abs(y) else y) < 0 else way
 
     @cached_property
     def _bent(self) -> set[sp.Symbol]:
