@@ -41,7 +41,7 @@ def test_a_planet_is_told_by_its_radius_and_not_by_what_the_ring_leaves(angle: s
     told = page(TRAIN.format(sun="80 mm", angle=angle))
     assert "b ω_arm" in told
     assert "r_S ω_sun" in told
-    assert any(told.count(line) for line in ("b ω_arm = -r_P ω_planet", "r_P ω_planet = -b ω_arm", "b ω_arm + r_P"))
+    assert "r_P ω_planet" in told
     assert "R - b" not in told
     assert "b - r_P" not in told
     assert "both have the same velocity; along the contact" in told
