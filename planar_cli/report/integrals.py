@@ -7,7 +7,8 @@ from typing import Any
 
 import sympy as sp
 
-from planar_cli.solve.between.trace import Relation, RouteTrace
+from planar_cli.solve.between.trace import MotionTrace, Relation, RouteTrace
+from planar_cli.units import RATE, VELOCITY
 
 General = Mapping[sp.Symbol, sp.Symbol]
 """By the symbol of a state, that of the general position."""
@@ -38,3 +39,48 @@ def over_coordinates(formula: sp.Expr, general: General) -> sp.Expr:
         return sp.Integral(integral.function.xreplace({variable: running}), (running, low, high))
 
     return formula.replace(lambda x: isinstance(x, sp.Integral), renamed)
+
+
+def in_times(formula: sp.Expr, found: MotionTrace) -> sp.Expr:
+    """As the course writes what passes between two times: v t + 1/2 a t² for t (v + 1/2 a t), ω_2 + α (t_3 - t_2) for
+    ω_2 - α (t_2 - t_3), and t_2 + (ω_3 - ω_2)/α for ω_3/α + t_2 - ω_2/α.
+    """
+    times = {own for own, placed in found.general.items() if placed.name == "t"}
+    return _over_common(_later_first(_in_powers(formula, times, found), times, found))
+
+
+def _in_powers(formula: sp.Expr, times: set[sp.Symbol], found: MotionTrace) -> sp.Expr:
+    """A time multiplied out where a speed stands in the bracket."""
+    brackets = [f for f in sp.Mul.make_args(formula) if f.is_Add]
+    common = times & (formula / sp.Mul(*brackets)).free_symbols
+    if len(brackets) != 1 or not common & brackets[0].free_symbols:
+        return formula
+    terms = [term.as_coeff_Mul()[1] for term in brackets[0].args]
+    units = [unit for s in terms if (unit := found.ledger.units.get(s)) is not None]
+    return sp.expand(formula) if any(u.dimension in (VELOCITY, RATE) for u in units) else formula
+
+
+def _later_first(formula: sp.Expr, times: set[sp.Symbol], found: MotionTrace) -> sp.Expr:
+    """Differences of times counted so that they are positive."""
+
+    def turned(product: Any) -> Any:
+        for factor in product.args:
+            span = factor.is_Add and len(factor.args) == 2 and factor.free_symbols <= times
+            number = found.value.known(factor) if span else None
+            if number is not None and number < 0:
+                return sp.Mul(-(product / factor), -factor)
+        return product
+
+    return formula.replace(lambda x: isinstance(x, sp.Mul), turned)
+
+
+def _over_common(formula: sp.Expr) -> sp.Expr:
+    """Terms with the same denominator over it once."""
+    if not formula.is_Add:
+        return formula
+    above: dict[sp.Expr, list[sp.Expr]] = {}
+    for term in formula.args:
+        numerator, below = sp.fraction(term)
+        plain = not below.free_symbols
+        above.setdefault(sp.S.One if plain else below, []).append(term if plain else numerator)
+    return sp.Add(*(sp.Mul(sp.Add(*parts), 1 / below) for below, parts in above.items()))

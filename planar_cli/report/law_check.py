@@ -159,7 +159,8 @@ class _Ends:
         """q̈ = f, in letters where these are few."""
         name = Name(self._letter("a" if self.law.order == 2 else "v"))
         clean = (
-            not longer(self.law.f, SHORT)
+            str(self.law.f) != self._letter("a" if self.law.order == 2 else "v")
+            and not longer(self.law.f, SHORT)
             and not self.law.f.has(self.law.v)
             and is_clean(self.phrases.ledger, self.law.f)
         )

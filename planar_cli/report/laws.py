@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator
+from typing import Any
 
 import sympy as sp
 
 from planar_cli.equation.plain import longer
-from planar_cli.report.blocks import Block, Equation, Line, Math, Paragraph, line
+from planar_cli.report.blocks import Block, Equation, Line, Math, Paragraph, Value, line
 from planar_cli.report.clean import dimension_of, is_clean
 from planar_cli.report.put_in import partly
 from planar_cli.report.words import Phrases
@@ -19,15 +20,36 @@ PER_TIME = {"v(t)": "{}/s", "q(t)": "{}", "t(q)": "s", "v(q)": "{}²/s²"}
 """The unit of an integral, by its kind; {} is that of the coordinate."""
 
 
-def law_blocks(law: Law, phrases: Phrases, varying: Collection[sp.Symbol]) -> Iterator[Block]:
-    """q̇ or q̈ as a formula."""
+def law_blocks(law: Law, phrases: Phrases, varying: Collection[sp.Symbol], since: str = "") -> Iterator[Block]:
+    """q̇ or q̈ as a formula. `since`: from which state on, where it is another one elsewhere."""
     q = law.coordinate.symbol
     v = law.speed if law.speed is not None and law.factor == 1 else sp.Symbol(f"{q.name}_dot", real=True)
-    rate = sp.Symbol(f"{q.name}_{'ddot' if law.order == 2 else 'dot'}", real=True)
-    yield Paragraph(line(f"The law of {law.coordinate.words}:" if law.coordinate.words != q.name else "The law:"))
+    name = f"{q.name}_{'ddot' if law.order == 2 else 'dot'}"
+    # Where there are several laws the rate is another quantity in each.
+    rate = sp.Dummy(name, real=True) if since else sp.Symbol(name, real=True)
+    of = f" of {law.coordinate.words}" if law.coordinate.words != q.name else ""
+    yield Paragraph(line(f"The law{of}{f' from {since} on' if since else ''}:"))
+    if law.constant is not None:
+        value = _constant_value(law, law.constant[0], phrases)
+        put = () if law.f.is_Symbol else phrases.substituted(law.f, value)
+        formula = () if law.f.is_Symbol and law.f.name == rate.name else (phrases.math(law.f),)
+        yield Equation((phrases.math(rate), *formula, *put, value))
+        return
     shown = running(law.f.xreplace({law.v: v}), {*varying, v}, phrases, law)
     unit = f"{_unit(law, phrases)}/s{'²' if law.order == 2 else ''}"
-    yield Equation((phrases.math(rate), shown), None, (), line(f"in {unit}") if shown.values else ())
+    yield Equation((phrases.math(rate), shown), None, (), line(f"in {unit}") if shown.values or law.f.is_number else ())
+
+
+def said(law: Law) -> tuple[sp.Symbol, sp.Expr]:
+    """What a law says, whatever stands for the own speed in it."""
+    return law.coordinate.symbol, law.f.xreplace({law.v: sp.Symbol("v", real=True)})
+
+
+def _constant_value(law: Law, letter: sp.Symbol, phrases: Phrases) -> Any:
+    """The number of a rate that does not change."""
+    if law.f == letter:
+        return phrases.shown(letter, phrases.value(letter))
+    return Value(phrases.value(law.f), f"{_unit(law, phrases)}/s{'^2' if law.order == 2 else ''}", phrases.figures)
 
 
 def running(expr: sp.Expr, letters: Collection[sp.Symbol], phrases: Phrases, law: Law | None) -> Math:

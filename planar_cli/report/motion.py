@@ -15,12 +15,12 @@ from planar_cli.problem.check_dimensions import Kinds
 from planar_cli.problem.scope import Scope
 from planar_cli.report.asked_of_states import HENCE, AskedTelling
 from planar_cli.report.between import BetweenTelling, dimension_of_balance
-from planar_cli.report.blocks import Block, Equation, Heading, Line, Math, Name, Paragraph, Value, line
+from planar_cli.report.blocks import Block, Equation, Heading, Math, Name, Paragraph, Value, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.in_numbers import solved_for
-from planar_cli.report.integrals import over_coordinates, plain_integral
+from planar_cli.report.integrals import in_times, over_coordinates, plain_integral
 from planar_cli.report.integrated import integration_blocks
-from planar_cli.report.laws import integral_note, law_blocks, running
+from planar_cli.report.laws import integral_note, law_blocks, running, said
 from planar_cli.report.left_out import rejected
 from planar_cli.report.origins import head, is_steady, sides_of, told_once, turning, turning_blocks
 from planar_cli.report.oscillation import oscillation_blocks, periods_told
@@ -68,7 +68,7 @@ class MotionTelling:
         self.found, self.phrases, self.next, self.wanted = found, phrases, first, wanted
         self.general, self.varying = found.general, found.varying
         self.numeric = settled_phrases(found, phrases)
-        self._told_laws: set[sp.Symbol] = set()
+        self._told_laws: set[tuple[sp.Symbol, sp.Expr]] = set()
         self._open: set[sp.Symbol] = set()
         self.between = BetweenTelling(phrases, {}, self.numeric)
         self._kinds = Kinds(Scope(found.problem, ()))
@@ -179,13 +179,13 @@ class MotionTelling:
                 return
             if single and self._explicit(e, leg):
                 yield from self._law(e)
-                yield Paragraph(self._head(e))
+                yield Paragraph(head(e, self.found.ledger.symbols))
                 yield from self._integral(e, route)
                 yield Equation(self._chain(leg.results[0]), self._number())
                 return
             if single and e.span is not None and e.span.unevaluated and e.kind == "t(q)":
                 yield from self._law(e)
-                yield Paragraph(self._head(e))
+                yield Paragraph(head(e, self.found.ledger.symbols))
                 yield from self._integral(e, route)
                 letter, value = leg.results[0].unknown, self._shown(leg.results[0])
                 yield Equation((self.phrases.math(letter), line(value, ", by quadrature")), self._number())
@@ -250,7 +250,7 @@ class MotionTelling:
             self.between.plain = {**zeros, **route.plain}
             yield from self.between.kept(e.source, result)
             return
-        yield Paragraph(self._head(e))
+        yield Paragraph(head(e, self.found.ledger.symbols))
         yield result
 
     def _number(self) -> int:
@@ -267,13 +267,12 @@ class MotionTelling:
     def _law(self, e: Relation) -> Iterator[Block]:
         """The law of a coordinate, once."""
         law = e.law
-        if law is None or law.coordinate.symbol in self._told_laws or law.f == 0:
+        if law is None or law.f == 0 or said(law) in self._told_laws:
             return
-        self._told_laws.add(law.coordinate.symbol)
-        yield from law_blocks(law, self.phrases, {*self.varying, *self._open})
-
-    def _head(self, e: Relation) -> Line:
-        return head(e, self.found.ledger.symbols)
+        self._told_laws.add(said(law))
+        every = (r.law for leg in self.found.route.steps for r in leg.relations if r.law is not None)
+        changes = len({said(x) for x in every if x.coordinate == law.coordinate and x.f != 0}) > 1
+        yield from law_blocks(law, self.phrases, {*self.varying, *self._open}, e.since if changes else "")
 
     def _relation(self, e: Relation, leg: RouteStep, route: RouteTrace) -> Iterator[Block]:
         if e.source is not None:
@@ -282,7 +281,7 @@ class MotionTelling:
             yield from self.between.blocks(e.source, self._number())
             return
         yield from self._law(e)
-        yield Paragraph(self._head(e))
+        yield Paragraph(head(e, self.found.ledger.symbols))
         yield from self._integral(e, route)
         yield Equation(self._sides(e, route), self._number())
 
@@ -306,12 +305,12 @@ class MotionTelling:
         if letter is not None:
             own = letter**2 if e.kind == "v(q)" else letter
             if sp.diff(residual, own) == 1 if own.is_Symbol else residual.coeff(letter, 2) == 1:
-                return self.phrases.math(own), self.phrases.math(_neat(own - residual))
+                return self.phrases.math(own), self.phrases.math(self._neat(own - residual))
         if e.span is not None and e.span.explicit is not None and not e.span.unevaluated:
             own = self._letter(e)
             if own in route.plain:
                 explicit = e.span.explicit.xreplace(route.plain)
-                explicit = explicit if own in self.found.route.plain else _neat(explicit)
+                explicit = explicit if own in self.found.route.plain else self._neat(explicit)
                 return self.phrases.math(explicit), self.phrases.math(route.plain[own])
         if e.span is not None and e.span.unevaluated:
             left = plain_integral(e.span.left, e, route, self.general) if e.span.left is not None else residual
@@ -320,6 +319,9 @@ class MotionTelling:
         positive = [a for a in sp.Add.make_args(residual) if not a.could_extract_minus_sign()]
         left = sp.Add(*positive)
         return self.phrases.math(left), self.phrases.math(left - residual)
+
+    def _neat(self, expr: sp.Expr) -> sp.Expr:
+        return expr if longer(expr, LONGEST) else in_times(simplified(expr), self.found)
 
     # --- results -----------------------------------------------------------------------------------------------------
 
@@ -352,7 +354,7 @@ class MotionTelling:
         """The formula of a result as it is printed; None: it is too long, or its numbers would hide units."""
         if r.formula is None:
             return None
-        formula = over_coordinates(r.formula, self.general)
+        formula = in_times(over_coordinates(r.formula, self.general), self.found)
         if self.phrases.symbolic:
             return None if longer(formula, LONGEST) else formula
         if formula.is_number or formula.has(sp.Integral):
@@ -394,7 +396,3 @@ class MotionTelling:
             own = [s for s in by_name(span.residual.free_symbols) if s in roles and roles[s].at == e.stop]
             return next((s for s in own if span.residual.coeff(s, 2) == 1), None)
         return None
-
-
-def _neat(expr: sp.Expr) -> sp.Expr:
-    return expr if longer(expr, LONGEST) else simplified(expr)

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from planar_cli.equation.exact import Valuation
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.unused import unused
 from planar_cli.records import record
@@ -193,9 +195,10 @@ def _instant_blocks(
     """
     from planar_cli.report.integrated import is_solved_in_steps
 
-    telling = Telling(
-        instant, phrases_of(instant, voice.figures), voice.audience, _needed(part, instant, why), *numbers
-    )
+    phrases = phrases_of(instant, voice.figures)
+    wanted = _needed(part, instant, why)
+    constants = None if part.motion is None else constant_phrases(part.motion, instant, phrases)
+    telling = Telling(instant, phrases, voice.audience, wanted, *numbers, constants)
     blocks = telling.blocks()
     if part.motion is None:
         mine = [f for f in part.found if (why is None or f.name == why) and _at(f) in ("", instant.state)]
@@ -299,6 +302,14 @@ def phrases_in(part: PartSolution, figures: int) -> Phrases:
     from planar_cli.report.read_off import phrases_without_letters
 
     return phrases_without_letters(figures)
+
+
+def constant_phrases(motion: MotionTrace, instant: InstantSolution, phrases: Phrases) -> Phrases:
+    """The phrases for what is the same all the time in one regime of a motion: only that has a number in them."""
+    regime, ledger = motion.regime(instant), phrases.ledger
+    settled = motion.value.without(motion.value.drawn)
+    given = {s: n for s in (*ledger.values, *ledger.definitions) if (n := settled.known(s)) is not None}
+    return replace(phrases, value=Valuation({**given, **regime.constants}), symbolic=False)
 
 
 def phrases_of(instant: InstantSolution, figures: int) -> Phrases:

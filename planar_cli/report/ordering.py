@@ -22,6 +22,7 @@ _GROUPS = (
     ("a", "v", "u"),
     ("L", "l", "R", "r", "d", "D", "h", "H", "b", "s", "x", "y", "w"),
     ("alpha", "omega", "Omega"),
+    ("theta", "phi", "psi"),
     ("t", "tau"),
 )
 _RANKS = {name: rank for rank, names in reversed(list(enumerate(_GROUPS))) for name in names}
@@ -71,4 +72,6 @@ def _rank(name: str) -> float:
         return _RANKS["R"]  # k_G is a radius of gyration, k and k_1 are stiffnesses
     if first in GREEK and "dot" in name:
         return _RANKS["omega"]  # (R - r) φ̇, as r ω
+    if "ddot" in name:
+        return _RANKS["a"]  # 2 s̈ s, as 2 a s
     return _RANKS.get(first, _OTHER_LETTERS)

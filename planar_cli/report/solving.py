@@ -20,7 +20,8 @@ from planar_cli.solve.solution import InstantSolution
 
 class SolvingTelling:
     """Tells how the unknowns of a stage follow. `number`: the printed number of an equation or line of a stage;
-    `merged`: equations that were told together with their solution, by algebra and number.
+    `merged`: equations that were told together with their solution, by algebra and number; `constants`: speaks of what
+    has a number all the time, where the rest of a general position is told in letters.
     """
 
     def __init__(
@@ -29,7 +30,9 @@ class SolvingTelling:
         phrases: Phrases,
         numeric: NumericTelling,
         number: Callable[[Stage, int], int],
+        constants: Phrases | None = None,
     ) -> None:
+        self.constants = constants
         self.instant, self.phrases, self.numeric, self.number = instant, phrases, numeric, number
         self.merged: set[tuple[int, int]] = set()
         self._valued: set[sp.Symbol] = set()
@@ -38,6 +41,12 @@ class SolvingTelling:
 
     def chain(self, symbol: sp.Symbol, expr: sp.Expr, value: Any) -> tuple[Any, ...]:
         """symbol = formula = numbers = value."""
+        if self._is_constant(symbol):
+            assert self.constants is not None
+            value = self.constants.shown(symbol)
+            put = () if expr.is_Symbol or expr.is_number else self.constants.substituted(expr, value)
+            formula = () if expr.is_number else (self.phrases.math(expr),)
+            return (self.phrases.math(symbol), *formula, *put, value)
         sides: list[Any] = [self.phrases.math(symbol)]
         if not expr.is_number and self.numeric.readable(expr):
             sides.append(self.phrases.math(expr))
@@ -48,6 +57,11 @@ class SolvingTelling:
         elif expr.is_number:
             sides.append(self.phrases.math(expr))
         return tuple(sides)
+
+    def _is_constant(self, symbol: sp.Symbol) -> bool:
+        """Has it a number all the time, though the page is in letters?"""
+        told = self.constants is not None and self.phrases.symbolic
+        return told and self.constants is not None and self.constants.value.known(symbol) is not None
 
     def count(self, stage: Stage) -> Line:
         """How many equations there are, and which unknowns."""
@@ -92,7 +106,7 @@ class SolvingTelling:
 
     def _is_repeated(self, x: SolvedLine, block: SolvedBlock) -> bool:
         """Does a result without numbers stand as a line, or as an equation, before?"""
-        if not self.phrases.symbolic or x.letters:
+        if not self.phrases.symbolic or x.letters or self._is_constant(x.symbol):
             return False
         if any(y.letters and (y.symbol, y.formula) == (x.symbol, x.formula) for y in block.lines):
             return True

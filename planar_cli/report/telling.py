@@ -37,7 +37,7 @@ class Telling:
     """Tells one instant. Equations are numbered in the order in which they are printed.
 
     `wanted`: names of symbols whose derivation is told; None: all. `steps`, `numbers`: how many steps and numbered
-    equations of the same motion stand before it.
+    equations of the same motion stand before it; `constants`: speaks of what is the same all the time.
     """
 
     def __init__(
@@ -48,6 +48,7 @@ class Telling:
         wanted: frozenset[str] | None,
         steps: int = 0,
         numbers: int = 0,
+        constants: Phrases | None = None,
     ) -> None:
         self.steps, self._before = steps, numbers
         self.instant, self.phrases, self.audience = instant, phrases, audience
@@ -62,7 +63,7 @@ class Telling:
         self.vectors = VectorTelling(instant.trial, phrases, nothing, instant.open_speeds)
         self.asked = AskedTelling(instant, phrases, self.vectors)
         self.numeric = NumericTelling(phrases, self.stages)
-        self.solving = SolvingTelling(instant, phrases, self.numeric, self.number)
+        self.solving = SolvingTelling(instant, phrases, self.numeric, self.number, constants)
 
     def number(self, stage: Stage, own: int) -> int:
         """The printed number of an equation or line of a stage."""

@@ -181,7 +181,7 @@ def put_in(expr: sp.Expr, route: Route) -> sp.Expr:
 
 def closed_formula(expr: sp.Expr, route: Route, course: MotionEquations) -> sp.Expr:
     """A formula down to the names of the file; letters of the file stay in it."""
-    expr, symbolic = put_in(expr, route), course.symbolic
+    expr, symbolic = replaced(put_in(expr, route), dict(course.rates.formulas)), course.symbolic
     if symbolic and not longer(expr, LONGEST):
         expr = with_whole_roots(expr, course.scene.root)
     most = LONGEST if symbolic else CLOSED_OPS

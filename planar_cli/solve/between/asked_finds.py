@@ -17,7 +17,7 @@ from planar_cli.problem.scene import Find
 from planar_cli.problem.scope import Scope
 from planar_cli.records import record
 from planar_cli.solve.regimes.regime_sequence import RegimeSequence
-from planar_cli.solve.regimes.timeline import Reader, Stop
+from planar_cli.solve.regimes.timeline import NONE_KEPT, KeptLetters, Reader, Stop
 from planar_cli.solve.roads import is_curve
 from planar_cli.units import IMPULSE, Unit, parse_unit
 
@@ -39,12 +39,12 @@ class AskedFind:
     unit: Unit | None
     """The unit of its answer; None: it is a relation, a word or a curve."""
 
-    def parts(self) -> tuple[sp.Expr, ...]:
-        """It in symbols of states, or of the general position where it holds throughout."""
+    def parts(self, kept: KeptLetters = NONE_KEPT) -> tuple[sp.Expr, ...]:
+        """It in symbols of states, or of the general position where it holds throughout, and in unknowns kept."""
         factor = 2 * sp.pi if self._circular else 1
         if self.at is not None:
-            return tuple(factor * self.reader.at(self.at, part) for part in self.raw)
-        return tuple(factor * self.reader.closed(part) for part in self.raw)
+            return tuple(factor * self.reader.at(self.at, part, kept) for part in self.raw)
+        return tuple(factor * self.reader.closed(part, kept) for part in self.raw)
 
     @property
     def _circular(self) -> bool:

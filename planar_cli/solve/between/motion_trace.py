@@ -11,6 +11,7 @@ import sympy as sp
 
 from planar_cli.equation.exact import Valuation
 from planar_cli.solve.between.answers import AnsweredFind
+from planar_cli.solve.between.asked_finds import AskedFind
 from planar_cli.solve.between.balances import StateBalance, balance_equations
 from planar_cli.solve.between.derivation import DerivedStep, Route
 from planar_cli.solve.between.energies import energy_parts
@@ -37,7 +38,9 @@ from planar_cli.solve.between.trace import (
 from planar_cli.solve.impulsive.impact import Blow
 from planar_cli.solve.instant.stages import Stage
 from planar_cli.solve.instant.written import Written
+from planar_cli.solve.regimes.constant_rates import LastingLetters, constants_of, lasting_letters
 from planar_cli.solve.regimes.equations import DATA, Equation
+from planar_cli.solve.regimes.timeline import KeptLetters
 from planar_cli.solve.solution import InstantSolution
 
 
@@ -55,11 +58,12 @@ def motion_trace(
     whole = any(a.passage is not None for a in answers)
     routes = [route, *(a.passing for a in answers if a.passing is not None)]
     tracer = _Tracer(course, found.value, lettered_starts(course, found.value))
+    lasting = lasting_letters(course.distinct_regimes(), course.given())
     return MotionTrace(
         problem=course.problem,
         states=tuple(s.name for s in course.states),
         ledger=course.ledger,
-        value=found.value,
+        value=found.value.extended(lasting.numbers),
         symbolic=course.symbolic,
         unknowns=course.chain().unknowns,
         general={own: general for stop in course.stops.values() for general, own in stop.letters.items()},
@@ -70,7 +74,7 @@ def motion_trace(
         followed=None if found.followed is None else found.followed.values,
         turnings=_turnings(found),
         route=tracer.route(route),
-        requests=tuple(Request(a.find, a.parts(), a.unit) for a in found.finds),
+        requests=tuple(Request(a.find, a.parts(_kept(course, lasting, a)), a.unit) for a in found.finds),
         passing={a.found.name: tracer.route(a.passing) for a in answers if a.passing is not None},
         spans=found.spans,
         oscillations=tuple(_oscillation(o, found.value) for o in found.oscillations),
@@ -86,6 +90,18 @@ def motion_trace(
         corners=_corners(found),
         taken=taken_of(found),
     )
+
+
+def _kept(course: StatedMotion, lasting: LastingLetters, asked: AskedFind) -> KeptLetters:
+    """The letters in which a find is told: those with one number in the whole motion, and constant rates. None where it
+    asks for an unknown that has several: what that is made of tells less than its formula.
+    """
+    plain = {letter: letter for letter in lasting.numbers}
+    kept = {id(r): {**plain, **course.rates.names.get(id(r), {})} for r in course.distinct_regimes()}
+    elsewhere = [asked.reader.pending[s] for p in asked.raw for s in p.free_symbols if s in asked.reader.pending]
+    parts = [*((asked.reader, p) for p in asked.raw), *((reader, p) for reader, _, p in elsewhere)]
+    several = ((lasting.several.get(id(reader.regime), ()), p.free_symbols) for reader, p in parts)
+    return {} if any(x in inside for letters, inside in several for x in letters) else kept
 
 
 def _unused(course: StatedMotion, route: Route) -> Iterator[BalanceTrace]:
@@ -150,7 +166,10 @@ def _regime(motion: SolvedMotion, instant: InstantSolution, routes: Sequence[Rou
         for state, stretch in course.modes.equilibria
         if course.workshop.regime(stretch).general.solution is instant
     ]
-    return RegimeTrace(instant, tuple(acts), wanted, resting, asked, laws_of_motion(course, instant))
+    regime = next((r for r in course.distinct_regimes() if r.general.solution is instant), None)
+    found = {} if regime is None else constants_of(regime, course.given())
+    constants = {letter: number for letter, (_, number) in found.items()}
+    return RegimeTrace(instant, tuple(acts), wanted, resting, asked, laws_of_motion(course, instant), constants)
 
 
 class _Tracer:

@@ -39,6 +39,7 @@ def wanted_of(
             names |= _rates(regime, regime.free)
         if e.law is not None and id(e.law) in own and e.law.f != 0:
             names |= _rates(regime, regime.free if e.law.speed is None else (e.law.speed,))
+            names |= set() if e.law.constant is None else {e.law.constant[0].name}
         if isinstance(e.source, StateBalance):
             names |= {s.name for x in _parts(course, regime, e.source) for s in x.free_symbols & known}
     others = {s.name for e in said if e not in finds for s in e.free_symbols & known}

@@ -17,6 +17,7 @@ from planar_cli.solve.between.laws_between import LawsBetween
 from planar_cli.solve.between.oscillation import Oscillation, oscillations_asked, periods
 from planar_cli.solve.between.span_quantities import SpanQuantity, ask_spans, tell_spans
 from planar_cli.solve.impulsive.impact import Blow, arriving, make_blow
+from planar_cli.solve.regimes.constant_rates import ConstantRates, constant_rates
 from planar_cli.solve.regimes.equations import Laws, laws_of
 from planar_cli.solve.regimes.regime import Regime
 from planar_cli.solve.regimes.regime_sequence import RegimeSequence
@@ -48,6 +49,8 @@ class StatedMotion(RegimeSequence):
     """By the id of a regime: what the file states and asks in it."""
     between: LawsBetween
     """Laws of energy and momentum between states."""
+    rates: ConstantRates
+    """Rates that do not change, by letters."""
 
     def infinite(self) -> dict[sp.Symbol, sp.Expr]:
         """Letters that become infinite in their state, each to the side that is stated."""
@@ -74,7 +77,7 @@ class StatedMotion(RegimeSequence):
 
     def base(self) -> Valuation:
         """Numbers of everything that is known, also of the equilibrium states."""
-        return self.given().extended(self.equilibria.branch.values)
+        return self.given().extended(self.equilibria.branch.values).defining(self.rates.formulas)
 
     def parameters(self) -> set[sp.Symbol]:
         """What has no number of its own: letters of the file, as they were drawn."""
@@ -102,9 +105,11 @@ def stated_motion(motion: RegimeSequence) -> StatedMotion:
     demands = {s.name: readers[s.name].demands(stops[s.name], raw[s.name]) for s in states}
     equilibria = solve_equilibria(motion, beside, demands)
     laws = tuple(laws_of(r) if r.runs else Laws((), (), ()) for r in motion.regimes)
+    begins = [state.name for state in states][: len(laws)]
+    rates = constant_rates(laws, motion.regimes, begins, motion.given(), motion.ledger, motion.workshop.letters)
     return StatedMotion(
         **motion.parts(),
-        laws=laws,
+        laws=rates.laws,
         demands=demands,
         placed=placed,
         equilibria=equilibria,
@@ -114,6 +119,7 @@ def stated_motion(motion: RegimeSequence) -> StatedMotion:
         transfers=transfers,
         said=said,
         between=between,
+        rates=rates,
     )
 
 

@@ -26,7 +26,6 @@ from planar_cli.units import Unit
 
 # --- relations between states ----------------------------------------------------------------------------------------
 
-
 IN_THE_END = "in the end the speed no longer changes"
 """The words of a relation at t = infinity that says that an acceleration is zero there."""
 
@@ -44,11 +43,12 @@ class Law:
     v: sp.Symbol
     """The symbol of the own speed in `f`."""
     speed: sp.Symbol | None = None
-    """The free speed that it goes with, v = factor · speed; None: with none."""
     factor: sp.Expr = sp.S.One
-    """See `speed`; 1 or a length."""
+    """The free speed that it goes with, v = factor · speed (None: with none); the factor is 1 or a length."""
     effort: float = 0.0
     """What it takes to find it, beside what its integral costs."""
+    constant: tuple[sp.Symbol, sp.Expr] | None = None
+    """The letter of a rate that does not change, in which `f` is written, and its formula; None: it has none."""
 
 
 @record
@@ -329,6 +329,8 @@ class RegimeTrace:
     """By state, by name: the components of such finds."""
     laws: tuple[tuple[sp.Symbol, sp.Expr], ...]
     """Its equations of motion: the rate of every free speed, a formula of the general position."""
+    constants: Mapping[sp.Symbol, Decimal]
+    """Numbers of the unknowns of its general position that are the same all the time; not those that are zero."""
 
 
 @record

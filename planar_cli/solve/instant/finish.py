@@ -277,8 +277,16 @@ class Finisher:
         kind: Kind = dimension_of(what, self.instant.setup.lookup)
         return self.instant.setup.unit_asked(what, kind)
 
-    def closed(self, expr: sp.Expr, stages: list[Stage], plainer: bool = True) -> sp.Expr:
-        """The formula of a find down to the names of the file. `plainer`: to be read, and not only for its numbers?"""
+    def closed(
+        self,
+        expr: sp.Expr,
+        stages: list[Stage],
+        plainer: bool = True,
+        kept: frozenset[sp.Symbol] = frozenset(),
+    ) -> sp.Expr:
+        """The formula of a find down to the names of the file. `plainer`: to be read, and not only for its numbers?
+        `kept`: unknowns that stay as they are.
+        """
         formulas: dict[sp.Symbol, sp.Expr] = {}
         for stage in stages:
             formulas.update(stage.algebra.explicit)
@@ -287,7 +295,7 @@ class Finisher:
         for stage in stages:
             formulas.update(dict.fromkeys(stage.zero, sp.S.Zero))
         for _ in range(80):
-            inside = {s: formulas[s] for s in letters(expr) if s in formulas}
+            inside = {s: formulas[s] for s in letters(expr) if s in formulas and s not in kept}
             inside |= {s: self.ledger.definitions[s] for s in letters(expr) if s in self.ledger.definitions}
             inside |= {s: v for s in letters(expr) if (v := self.ledger.values.get(s)) is not None and v.free_symbols}
             if not inside:

@@ -232,7 +232,8 @@ def law_equations(laws: Laws, since: Stop, stop: Stop, regime: Regime, value: Va
         f = replaced(f, {c.start: since.letters[c.symbol] for c in regime.coordinates})
         others = {k: v for k, v in named.items() if not v.is_Symbol}
         family = ("law", q.name, since.name, stop.name)
-        spans = relations(law.order, f, start, end, _signs(value, named, since, regime), lean=True)
+        known = value if law.constant is None else value.defining(dict([law.constant]))
+        spans = relations(law.order, f, start, end, _signs(known, named, since, regime), lean=True)
         explicit = any(s.kind == "q(t)" for s in spans)
         for span in spans:
             if (law.order == 1 and span.kind.startswith("v")) or (explicit and span.kind == "t(q)"):

@@ -126,6 +126,11 @@ class General:
             self.closed_forms[expr] = self.finisher.closed(expr, self.stages)
         return self.closed_forms[expr]
 
+    def closed_but_for(self, expr: sp.Expr, kept: frozenset[sp.Symbol]) -> sp.Expr:
+        """The same with some unknowns as they are."""
+        assert self.finisher is not None
+        return self.finisher.closed(expr, self.stages, kept=kept)
+
     def in_letters(self, expr: sp.Expr) -> sp.Expr:
         """The same for its numbers only, not made plainer."""
         assert self.finisher is not None

@@ -164,9 +164,10 @@ class Regime:
         objection = self.general.trial.objection
         return objection if objection in ("contradiction", "velocities", LOCKED) else ""
 
-    def closed(self, expr: sp.Expr) -> sp.Expr:
-        """An expression of the instant as a formula in t, coordinates and free speeds."""
-        return one_way(self.general.closed(expr), self.going())
+    def closed(self, expr: sp.Expr, kept: frozenset[sp.Symbol] = frozenset()) -> sp.Expr:
+        """An expression of the instant as a formula in t, coordinates, free speeds and unknowns that are kept."""
+        found = self.general.closed_but_for(expr, kept) if kept else self.general.closed(expr)
+        return one_way(found, self.going())
 
     def in_letters(self, expr: sp.Expr) -> sp.Expr:
         """The same for its numbers only, not made plainer."""

@@ -38,6 +38,10 @@ from planar_cli.solve.regimes.after import changes_at_once
 from planar_cli.solve.regimes.regime import Regime
 from planar_cli.solve.roads import SPANNED
 
+KeptLetters = Mapping[int, Mapping[sp.Symbol, sp.Symbol]]
+"""By the id of a regime: unknowns of its general position that stay in a formula, and their names in the motion."""
+NONE_KEPT: KeptLetters = {}
+
 
 @record
 class Stop:
@@ -198,21 +202,25 @@ class Reader:
         found: Jet | Vec = vector_or_jet(side, quantities, quantities.evaluator)
         return found
 
-    def at(self, stop: Stop, expr: sp.Expr) -> sp.Expr:
-        """A closed formula of the general position at a state, stand-ins put in."""
-        return self.settled(stop.at(self.regime.closed(expr)))
+    def at(self, stop: Stop, expr: sp.Expr, kept: KeptLetters = NONE_KEPT) -> sp.Expr:
+        """A closed formula of the general position at a state, stand-ins put in. `kept`: unknowns that stay in it."""
+        return self.settled(stop.at(self._closed(expr, kept)), kept)
 
-    def closed(self, expr: sp.Expr) -> sp.Expr:
+    def closed(self, expr: sp.Expr, kept: KeptLetters = NONE_KEPT) -> sp.Expr:
         """A closed formula that holds throughout, stand-ins put in."""
-        return self.settled(self.regime.closed(expr))
+        return self.settled(self._closed(expr, kept), kept)
 
-    def settled(self, expr: sp.Expr) -> sp.Expr:
+    def _closed(self, expr: sp.Expr, kept: KeptLetters) -> sp.Expr:
+        names = kept.get(id(self.regime), {})
+        return self.regime.closed(expr, frozenset(names)).xreplace(dict(names))
+
+    def settled(self, expr: sp.Expr, kept: KeptLetters = NONE_KEPT) -> sp.Expr:
         """Stand-ins for other states put in."""
         inside = {}
         for symbol in expr.free_symbols:
             if symbol in self.pending:
                 other, state, value = self.pending[symbol]
-                inside[symbol] = other.at(self.stops[state], value)
+                inside[symbol] = other.at(self.stops[state], value, kept)
         settled: sp.Expr = expr.xreplace(inside) if inside else expr
         while inside := {s: self.told[s] for s in settled.free_symbols if s in self.told}:
             settled = settled.xreplace(inside)

@@ -1,0 +1,74 @@
+"""What is the same all the time has one letter with one number, and what follows over time is told in that letter."""
+
+from __future__ import annotations
+
+from conftest import ROOT
+from worked import worked
+
+from planar_cli.formats.terminal import Terminal
+from planar_cli.problem.structure import load_text
+from planar_cli.report.narrate import narrate
+from planar_cli.solve.run import solve_problem
+
+
+def page(name: str) -> str:
+    """The printed solution of a file."""
+    solution, _ = worked(ROOT / "problems" / f"{name}.yaml")
+    return Terminal().render(narrate(solution))
+
+
+def test_an_acceleration_is_told_once_in_numbers() -> None:
+    text = page("textbook/ex-1-10")
+    assert "α = -a_Ax/r_h = -(-0.05)/0.3 = 0.1667 rad/s²" in text
+    assert "θ̈ = α = 0.1667 rad/s²" in text
+    assert "ω_2 = ω_1 + α t_2 = 0.3333 + 0.1667 · 2 = 0.6667 rad/s" in text
+    assert "θ_2 = ω_1 t_2 + 1/2 α t_2² = " in text
+
+
+def test_what_is_asked_is_told_in_it() -> None:
+    text = page("textbook/ex-1-10")
+    assert "a_t = R α = 0.6 · 0.1667 = 0.1 m/s²" in text
+    assert "a_B, x = -R (α sin θ_2 + ω_2² cos θ_2)" in text
+
+
+def test_an_angular_velocity_is_a_letter_too() -> None:
+    text = page("textbook/ex-1-09")
+    assert "v_E = r_h ω = 0.3 · 0.3333 = 0.1 m/s" in text
+    assert "v_B_at_2s, x = -R ω sin θ_2" in text
+
+
+def test_a_rate_with_several_numbers_is_named_after_the_states() -> None:
+    text = page("motion/car-three-phases")
+    assert "_car = a_car,start = 2 m/s²" in text
+    assert "The law of x of car from brake on:" in text
+    assert "_car = a_car,brake = -2.5 m/s²" in text
+    assert "t_brake - v_car,brake/a_car,brake = 60 - 25/(-2.5) = 70 s" in text
+
+
+def test_times_are_counted_forward() -> None:
+    text = page("energy/flywheel-of-a-punch-press")
+    assert "ω_3 = ω_2 + α_2 (t_3 - t_2)" in text
+    assert "t_3 = (ω_3 - ω_2)/α_2 + t_2" in text
+
+
+def test_what_varies_elsewhere_is_no_letter() -> None:
+    """The jumper falls freely, a_P = -g; on the rope a_P is another one at every place."""
+    assert "a_max = -(m g + k (l + y_P,low))/m" in page("energy/bungee-jump")
+
+
+CAR = """
+title: A car speeds up
+bodies: {car: {particle: [0, 0]}}
+given: {a: 2 m/s^2}
+motion: [a(car).x = a, v(car).y = 0]
+states:
+  1: [v(car).x = 0]
+  2: [t = 3 s]
+find: {v: v(car).x @ 2}
+"""
+
+
+def test_a_name_of_the_file_stays() -> None:
+    problem, _ = load_text(CAR)
+    solution = solve_problem(problem)
+    assert "_car = a\n" in Terminal().render(narrate(solution))
