@@ -180,6 +180,10 @@ class Ledger:
         self.titles[symbol] = title
         return symbol
 
+    def behind(self, symbol: sp.Symbol) -> sp.Expr:
+        """The formula of a named intermediate, or of a constant that is given by one; of others the symbol itself."""
+        return sp.sympify(self.definitions.get(symbol, self.values.get(symbol, symbol)))
+
     def natural(self, symbol: sp.Symbol) -> Decimal:
         """An ordinary size of what a symbol stands for; of a letter of the file, 1 in the base units."""
         unit = self.units.get(symbol)

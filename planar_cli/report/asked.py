@@ -48,16 +48,18 @@ class AskedTelling:
 
     def blocks(self, found: Iterable[Found]) -> Iterator[Block]:
         """A line or several for each answer that is no unknown of the equations."""
-        for raw in found:
-            if raw.kind not in ("number", "vector") or raw.find is None:
+        nothing = {z: sp.S.Zero for stage in self.instant.stages for z in stage.zero}
+        for one in found:
+            if one.kind not in ("number", "vector") or one.find is None:
                 continue
+            raw = replace(one, asked=tuple(e.xreplace(nothing) for e in one.asked))
             if all(e.is_number for e in raw.asked) and not self._way(raw, "x"):
                 continue
             answer = replace(raw, asked=tuple(e if longer(e, LONGEST) else simplified(e) for e in raw.asked))
             if len(answer.asked) == 1 and answer.asked[0].is_Symbol:
                 yield from self._closed(answer)
                 continue
-            what = raw.find.found.what
+            what = one.find.found.what
             if isinstance(what, Quantity) and self._has_vectors(answer, what):
                 yield from self._moving(answer, what)
             elif isinstance(what, Quantity) and (radius := list(self._asked_radius(answer, what))):
@@ -72,6 +74,11 @@ class AskedTelling:
         for stage in self.instant.stages:
             formulas |= stage.algebra.formulas
         closed = (answer.expressions or (symbol,))[0]
+        if answer.values is not None and self.phrases.symbolic and not longer(closed, LONGEST):
+            # What has no number cancels.
+            numbers = replace(self.phrases, symbolic=False, lettered=frozenset(self.scene.ledger.letters))
+            value = numbers.in_units(answer.values[0], answer.unit, answer.energy)
+            yield Equation((Math(symbol), numbers.math(closed), *numbers.substituted(closed, value[0]), *value))
         if answer.values is None and not longer(closed, LONGEST) and formulas.get(symbol, closed) != closed:
             yield Equation((Math(symbol), self.phrases.math(closed)))
 

@@ -18,7 +18,7 @@ def speeds_matter(system: System, still: Collection[sp.Symbol]) -> bool:
         return False
     assert system.motion is not None
     moving = Motion(system.tree, system.motion.center, system.motion.arm, {})
-    speeds = set(system.tree.velocity_unknowns())
+    speeds = set(system.tree.velocity_unknowns()) - {e.spin for e in system.tree.edges if e.spin_rate in still}
     if any(twist.angular.free_symbols & speeds for twist in moving.velocities.values()):
         return True
     return any((a.linear.x + a.linear.y).free_symbols & speeds for a in moving.accelerations.values())

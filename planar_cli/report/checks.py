@@ -35,9 +35,11 @@ def check_blocks(instant: InstantSolution, phrases: Phrases, single: bool) -> li
         return []
     bodies = instant.trial.system.scene.bodies.values()
     heavy = bool(instant.trial.outcomes) and not phrases.symbolic and any(b.mass != 0 for b in bodies)
-    presses, limits = (_presses(instant, phrases), _friction(instant, phrases)) if heavy else ([], [])
+    # What the page does not tell may rest on letters without a number.
+    sure = not phrases.lettered
+    presses, limits = (_presses(instant, phrases), _friction(instant, phrases)) if heavy and sure else ([], [])
     told = [*presses, *limits, *(line(text) for text in instant.checks.get("told", ()))]
-    if single and not limits:
+    if single and sure and not limits:
         others = (check(instant, phrases) for check in (another_equation, power_check, velocity_check))
         told += [next(filter(None, others), ())]
     return [Check(phrase) for phrase in told if phrase]

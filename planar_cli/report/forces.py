@@ -88,10 +88,10 @@ def _acting(instant: InstantSolution, stage: Stage, body: str, phrases: Phrases)
                     [_amount(-w.couple if back else w.couple, ENERGY * lasting, phrases), Text(" ↻" if back else " ↺")]
                 )
     assert system.reactions is not None
-    gone = dict.fromkeys(vanishing(stage), sp.S.Zero)
+    absent = _absent(instant, stage)
     for push, expr in system.reactions.pushes:
         idle = not expr.free_symbols & used and phrases.value.known(expr) == 0
-        if push.kind == "friction" and (idle or sp.sympify(expr).xreplace(gone) == 0):
+        if push.name in absent or (idle and push.kind == "friction"):
             continue
         guide = any(j.kind == "guide" and j.name == push.joint for j in instant.instant.scene.problem.joints)
         turning = any(_turns(instant, stage, a.body) != 0 for a in push.actions if a.body != GROUND)
@@ -103,6 +103,22 @@ def _acting(instant: InstantSolution, stage: Stage, body: str, phrases: Phrases)
     for i, part in enumerate(parts):
         joined += [Text(",  ")] * bool(i) + part
     return tuple(joined)
+
+
+def _absent(instant: InstantSolution, stage: Stage) -> set[str]:
+    """The names of reactions of which the page says that they are zero: at a contact that is about to part there is
+    neither a normal force nor friction.
+    """
+    reactions = instant.trial.system.reactions
+    assert reactions is not None
+    gone = dict.fromkeys(vanishing(stage), sp.S.Zero)
+    told = {u for block in stage.blocks for u in block.unknowns if u in gone}
+    parting = {push.joint for push, expr in reactions.pushes if push.kind == "normal" and expr in told}
+    return {
+        push.name
+        for push, expr in reactions.pushes
+        if push.joint in parting or expr in told or (push.kind == "friction" and sp.sympify(expr).xreplace(gone) == 0)
+    }
 
 
 def _amount(size: sp.Expr, dimension: Dimension, phrases: Phrases) -> Math | Value:

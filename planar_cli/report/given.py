@@ -67,19 +67,23 @@ class Datum:
 @record
 class Mentioned:
     """What a page speaks of. `words`: all its names and their pieces; `kinetic`: does it tell energies, or forces that
-    accelerate something? `counted`: the names for which it puts numbers into formulas.
+    accelerate something? `counted`: the names for which it puts numbers into formulas. `letters`: names in formulas,
+    which units are not. `energies`: it tells energies.
     """
 
     words: frozenset[str]
     kinetic: bool
     counted: frozenset[str] = frozenset()
+    letters: frozenset[str] = frozenset()
+    energies: bool = False
 
 
 def mentioned(page: Iterable[Block]) -> Mentioned:
     """All pieces of names and words on a page."""
     found: set[str] = set()
+    letters: set[str] = set()
     counted: set[str] = set()
-    kinetic = False
+    kinetic = energies = False
     for block in page:
         kinetic |= isinstance(block, Forces) and block.right != (Text("0"),)
         for piece in _pieces(block):
@@ -87,12 +91,13 @@ def mentioned(page: Iterable[Block]) -> Mentioned:
                 case Text(text):
                     found |= set(re.findall(r"\w+", text))
                 case blocks.Name(name):
-                    found |= {name, *name.split("_")}
-                    kinetic |= name.startswith("T_")
+                    letters |= {name, *name.split("_")}
+                    energies |= name.startswith("T_")
                 case Math(expr):
-                    found |= {p for s in expr.free_symbols for p in (s.name, *s.name.split("_"))}
+                    letters |= {p for s in expr.free_symbols for p in (s.name, *s.name.split("_"))}
                     counted |= {s.name for s in piece.values or ()}
-    return Mentioned(frozenset(found), kinetic, frozenset(counted))
+    words = frozenset(found | letters)
+    return Mentioned(words, kinetic or energies, frozenset(counted), frozenset(letters), energies)
 
 
 def _pieces(value: object) -> Iterator[Inline]:
@@ -157,14 +162,14 @@ def _oblique(side: Side) -> bool:
 def _of_body(body: Body, problem: Problem, page: Mentioned, figures: int) -> Iterator[Datum]:
     heavy = [b for b in problem.bodies if not b.is_massless or isinstance(b.shape, Composite)]
     letter = "m" if len(heavy) == 1 else f"m_{body.name}"
-    if page.kinetic or letter in page.words:
+    if page.kinetic or letter in page.letters:
         yield from _datum(line(blocks.Name(letter)), body.mass, figures)
         yield from _datum(f"weight of {body.name}", body.weight, figures)
-    if page.kinetic:
-        yield from _datum(f"moment of inertia of {body.name}", body.inertia, figures)
-        yield from _datum(f"radius of gyration of {body.name}", body.gyration, figures)
     center = getattr(body.shape, "center", None)
     named = not page.words.isdisjoint({"I", f"I_{body.name}", f"I_{center}"} if len(heavy) == 1 else {f"I_{body.name}"})
+    if page.energies or (page.kinetic and named):
+        yield from _datum(f"moment of inertia of {body.name}", body.inertia, figures)
+        yield from _datum(f"radius of gyration of {body.name}", body.gyration, figures)
     inert = page.kinetic and named and body.inertia is None and body.gyration is None
     yield from _of_shape(body.shape, body.name, inert, figures)
 

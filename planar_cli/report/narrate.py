@@ -6,6 +6,8 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+import sympy as sp
+
 from planar_cli.equation.exact import Valuation
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.unused import unused
@@ -315,4 +317,19 @@ def constant_phrases(motion: MotionTrace, instant: InstantSolution, phrases: Phr
 def phrases_of(instant: InstantSolution, figures: int) -> Phrases:
     """The phrases in which an instant speaks."""
     ledger = instant.instant.scene.ledger
-    return Phrases(ledger, instant.value, figures, ledger.symbolic)
+    letters = frozenset(ledger.letters)
+    return Phrases(ledger, instant.value, figures, bool(letters) and _speaks_of(instant, letters), letters)
+
+
+def _speaks_of(instant: InstantSolution, letters: frozenset[sp.Symbol]) -> bool:
+    """Does a general position, or does an equation or a line of an instant have these letters? A mass or a moment of
+    inertia without a number that cancels leaves a page of numbers.
+    """
+    ledger = instant.instant.scene.ledger
+    if letters & {*ledger.coordinates, ledger.symbols.get("t")}:
+        return True
+    written = [w.residual for s in instant.stages for b in s.blocks for w in b.equations]
+    names = set().union(*(e.free_symbols for e in (*written, *(x.expression for s in instant.stages for x in s.lines))))
+    while inside := {s for n in names for s in ledger.behind(n).free_symbols} - names:
+        names |= inside
+    return not instant.stages or bool(names & letters)

@@ -84,7 +84,7 @@ class NumericTelling:
     def sides(self, w: Written, stage: Stage, sides: tuple[sp.Expr, sp.Expr]) -> Printed:
         """An equation in letters where these are all that it needs, else in numbers."""
         if self.put_whole(w, stage):
-            found = self._numbers(w, stage, sides, stage.algebra.unknowns - self._data(stage))
+            found = self._numbers(w, stage, sides, {*stage.algebra.unknowns, *stage.zero} - self._data(stage))
             if found is not None:
                 self._put.add((id(stage.algebra), w.number))
                 return found

@@ -65,7 +65,7 @@ class SolvingTelling:
 
     def count(self, stage: Stage) -> Line:
         """How many equations there are, and which unknowns."""
-        blocks = [b for b in stage.blocks if not is_given(b)]
+        blocks = [b for b in stage.blocks if not is_given(b) and not is_told(b, stage)]
         equations = sum(len(b.equations) for b in blocks)
         unknowns = [u for b in blocks for u in b.unknowns]
         parts: list[Any] = [
@@ -75,6 +75,10 @@ class SolvingTelling:
         for i, u in enumerate(unknowns):
             parts += [", " if i else "", Math(u)]
         return line(*parts)
+
+    def is_needed(self, stage: Stage) -> bool:
+        """Is there more to solve than what the file gives, and what is zero at sight?"""
+        return any(not is_given(b) and not is_told(b, stage) for b in stage.blocks)
 
     def blocks(self, stage: Stage) -> list[Block]:
         """The lines that give the unknowns of a stage, one after the other."""
@@ -195,6 +199,11 @@ class SolvingTelling:
 def is_given(block: SolvedBlock) -> bool:
     """Is the block nothing but a datum of the file?"""
     return all(w.given for w in block.equations)
+
+
+def is_told(block: SolvedBlock, stage: Stage) -> bool:
+    """Has a relation said at sight that the unknown of the block is zero?"""
+    return set(block.unknowns) <= set(stage.zero)
 
 
 def is_written(w: Written, found: SolvedLine, phrases: Phrases) -> bool:

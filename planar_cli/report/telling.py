@@ -22,6 +22,7 @@ from planar_cli.report.spoken import spoken
 from planar_cli.report.vectors import VectorTelling
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.algebra import Line as SolvedLine
+from planar_cli.solve.instant.seeker import at_the_limit
 from planar_cli.solve.instant.stages import Stage
 from planar_cli.solve.instant.used import used_blocks
 from planar_cli.solve.instant.written import Explicit, Written
@@ -60,7 +61,8 @@ class Telling:
         self._premised: set[str] = set()
         self._constructed = {} if phrases.symbolic else constructed(self.scene, self.stages)
         nothing = {z for s in self.stages for z in vanishing(s)}
-        self.vectors = VectorTelling(instant.trial, phrases, nothing, instant.open_speeds)
+        told = {u for s in self.stages for b in s.blocks for u in b.unknowns if not is_given(b)}
+        self.vectors = VectorTelling(instant.trial, phrases, nothing - told, instant.open_speeds)
         self.asked = AskedTelling(instant, phrases, self.vectors)
         self.numeric = NumericTelling(phrases, self.stages)
         self.solving = SolvingTelling(instant, phrases, self.numeric, self.number, constants)
@@ -94,17 +96,24 @@ class Telling:
             blocks += force_rows(self.instant, last, self.phrases, self.principle.inertia_as_force)
             blocks += self._definitions("kg")
             written = [w for b in last.blocks for w in b.equations]
-            blocks += self._equations([w for w in written if w.source == "limit"], last)
+            blocks += self._equations([w for w in written if self._of_forces(w) and w.source != "extreme"], last)
             blocks += self._equations([w for w in written if w.law != "relation"], last)
             blocks += self._equations([w for w in written if w.source == "extreme"], last)
-        if last is not None and any(not is_given(b) for b in last.blocks):
+        if last is not None and self.solving.is_needed(last):
             blocks.append(self._step("Solving the equations", self.solving.count(last)))
             blocks += self.solving.blocks(last)
         return blocks
 
+    def _of_forces(self, w: Written) -> bool:
+        """Does a relation rest on the equations of forces, or speak of forces itself?"""
+        forces = set(self.system.symbols.values())
+        return w.law == "relation" and (w.source in OF_FORCES or bool(w.residual.free_symbols & forces))
+
     def _resting(self, last: Stage | None) -> str:
         """What is said beside the heading of a position of rest, where a velocity would matter."""
-        trial, nothing = self.instant.trial, vanishing(last) if last is not None else ()
+        trial, nothing = self.instant.trial, set(vanishing(last) if last is not None else ())
+        for block in last.blocks if last is not None else ():
+            nothing -= {u for u in block.unknowns if any(w.source == "closure" for w in block.equations)}
         moving = any(v for t in trial.velocities[:1] for v in t.values.values())
         rests = self.instant.instant.at_rest and not moving and bool(trial.velocities)
         return "at rest: all velocities are zero" if rests and speeds_matter(self.system, nothing) else ""
@@ -180,7 +189,7 @@ class Telling:
             return blocks
         relations = [w for b in last.blocks for w in b.equations if w.law == "relation"]
         if kinetic:
-            relations = [w for w in relations if w.source not in OF_FORCES]
+            relations = [w for w in relations if not self._of_forces(w)]
         extremes = [w for w in relations if w.source == "extreme"]
         relations = [*(w for w in relations if w.source != "extreme"), *extremes]
         if relations and stages:
@@ -201,6 +210,11 @@ class Telling:
 
     def _equation(self, w: Written, stage: Stage) -> list[Block]:
         number = self.number(stage, w.number)
+        if w.given and (words := self._at_limit(w)):
+            return [
+                Paragraph(self._named(words)),
+                Equation((self.phrases.math(w.left), self.phrases.math(w.right)), number),
+            ]
         if w.given:
             value = self.phrases.shown(w.left) if w.right.is_number else self.phrases.math(w.right)
             return [Equation((self.phrases.math(w.left), value), number, line("given:"))]
@@ -233,6 +247,8 @@ class Telling:
         if stage.level != "velocity" and (frame := self.vectors.frame_of(w)) is not None:
             words = [*self.asked.coriolis(*frame), *words]
         line_of = next((x for b in stage.blocks for x in b.lines if x.equations == (w.number,)), None)
+        if line_of is not None and line_of.symbol in stage.zero:
+            return [*words, self._nil(w, line_of, stage, number)]
         if line_of is not None and not self.numeric.put_whole(w, stage) and self._solves_itself(w, line_of, stage):
             self.solving.merged.add((id(stage.algebra), w.number))
             chain = self.solving.chain(
@@ -242,6 +258,16 @@ class Telling:
         turned = all(e.could_extract_minus_sign() for e in (w.left, w.right))
         sides, note = self.numeric.sides(w, stage, (-w.left, -w.right) if turned else (w.left, w.right))
         return [*words, Equation(sides, number, (), note)]
+
+    def _nil(self, w: Written, found: SolvedLine, stage: Stage, number: int) -> Block:
+        """A relation that says at sight that something is zero; what follows does without it."""
+        self.solving.merged.add((id(stage.algebra), w.number))
+        self.vectors.zero |= {found.symbol}
+        letter = self.phrases.math(found.symbol)
+        if self._solves_itself(w, found, stage):
+            return Equation((letter, self.phrases.math(sp.S.Zero)), number)
+        sides, _ = self.numeric.sides(w, stage, (w.left, w.right))
+        return Equation(sides, number, (), line("hence ", letter, " = 0"))
 
     def _solves_itself(self, w: Written, found: SolvedLine, stage: Stage) -> bool:
         """Does a relation already stand as unknown = formula, all of which is known by then?"""
@@ -269,9 +295,20 @@ class Telling:
         names = {n for n in (*self.scene.ledger.symbols, *self.system.symbols) if "_" in n or n in GREEK}
         return spoken(words, names)
 
+    def _at_limit(self, w: Written) -> str:
+        """What the file says with an equation in which an assumption only just holds; empty: it says something else."""
+        reactions = self.system.reactions
+        values = {p.name: e for p, e in reactions.pushes} if reactions is not None and w.source == "given" else {}
+        for test in (t for mode in self.system.modes.values() for t in mode.tests if not t.strict and not t.within):
+            if test.pushes and all(name in values for name, _ in test.pushes):
+                bound = sp.Add(*(factor * values[name] for name, factor in test.pushes), test.constant)
+                if w.residual in (bound, -bound):
+                    return f"At the limit: {at_the_limit(test.words)}:"
+        return ""
+
     def _relation_words(self, w: Written) -> str:
         if w.source == "given":
-            return f"Given: {w.words or w.lead}"
+            return self._at_limit(w) or f"Given: {w.words or w.lead}"
         if w.source in OF_FORCES:
             return f"{_begun(w.lead)}:"
         if w.source == "closure":

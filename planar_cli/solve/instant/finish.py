@@ -113,14 +113,15 @@ class Finisher:
         """As `solve`, where constants, angles, speeds or extremes were sought."""
         quantities = self.system.quantities()
         sides = {f.name: self._expressions(f, quantities) for f in finds}
-        branch, writer = sought.branch, sought.writer
+        branch, writer, offer = sought.branch, sought.writer, sought.offer
+        nils = offer.first if offer is not None else ()
         stage = Stage(
             "acceleration",
             sought.plan,
-            branch.blocks,
+            (*(nil.told(self.system, writer.next_number + i) for i, nil in enumerate(nils)), *branch.blocks),
             tuple(writer.lines),
             dict(writer.centres),
-            (),
+            offer.zero if offer is not None else (),
             (),
             branch.algebra,
             writer.named,

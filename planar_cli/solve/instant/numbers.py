@@ -39,9 +39,12 @@ class Numbers:
         return list(known)
 
     def without(self, idle: set[sp.Symbol], value: Valuation) -> Numbers:
-        """The same numbers when some unknowns, all of them linear, are zero: their columns are left out."""
+        """The same numbers when some unknowns, all of them linear, are zero: their columns are left out. Slopes of
+        what is not linear may have rested on them.
+        """
         kept = [j for j, x in enumerate(self.unknowns) if x not in idle]
-        rows = {expr: [*(row[j] for j in kept), row[-1]] for expr, row in self.rows.items()}
+        whole = len(self.linear) == len(self.unknowns)
+        rows = {expr: [*(row[j] for j in kept), row[-1]] for expr, row in self.rows.items()} if whole else {}
         return Numbers(tuple(self.unknowns[j] for j in kept), self.linear - idle, value, rows)
 
     def _row(self, expr: sp.Expr) -> Row:

@@ -74,8 +74,8 @@ def _nothing(instant: Instant, targets_of: Callable[[System], set[sp.Symbol]], o
     if not seeker.conflict and not objections:
         places = [s for s in seeker.ledger.coordinates if s in seeker.ledger.sought]
         targets = targets.union(places)
-        found, numbers = seeker.candidates((), targets)
-        bits = {x: 1 << j for j, x in enumerate(numbers.unknowns)}
+        offer = seeker.candidates((), targets)
+        found, bits = offer.candidates, {x: 1 << j for j, x in enumerate(offer.columns.unknowns)}
         nonlinear = sum(bit for x, bit in bits.items() if x not in seeker.linear)
         loose = open_symbols(found, nonlinear, {x: bit for x, bit in bits.items() if x in targets})
     return not_found(instant, Trial((), seeker.system, (), (), ""), objections, loose)

@@ -9,7 +9,7 @@ the file, signs that a mass or a coefficient must have.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import field
+from dataclasses import field, replace
 from decimal import Decimal
 
 import sympy as sp
@@ -26,6 +26,7 @@ from planar_cli.problem.not_negative import not_negative
 from planar_cli.records import changing
 from planar_cli.solve.diagnosis.words import listed
 from planar_cli.solve.instant.algebra import Algebra
+from planar_cli.solve.instant.at_sight import Offered, offered
 from planar_cli.solve.instant.branches import Branch, Brancher
 from planar_cli.solve.instant.candidates import Candidate
 from planar_cli.solve.instant.instant import Instant, Trial
@@ -59,6 +60,7 @@ class Sought:
     objection: str
     objective: Decimal | None = None
     others: list[Sought] = field(default_factory=list)
+    offer: Offered | None = None
 
 
 class Seeker:
@@ -158,30 +160,19 @@ class Seeker:
 
     # --- plan and branches -------------------------------------------------------------------------------------------
 
-    def candidates(
-        self, limits: tuple[Condition, ...], targets: set[sp.Symbol], most: int = 1
-    ) -> tuple[list[Candidate], Numbers]:
+    def candidates(self, limits: tuple[Condition, ...], targets: set[sp.Symbol], most: int = 1) -> Offered:
         """All candidates, `most` in the same unknowns of one group; what vanishes at sight leaves first."""
-        unknowns, value = list(self.unknowns), self.value
         kinetics = any(b.mass != 0 for b in self.scene.bodies.values()) or bool(self.system.wrenches)
         families = (
             self.instant.families(self.instant.principle, self.system, self.value, self.choice) if kinetics else ()
         )
-        while True:
-            numbers = Numbers(tuple(unknowns), self.linear & set(unknowns), value)
-            offers = Offers(self.system, numbers, [*self.conditions, *limits], families)
+
+        def make(columns: Numbers) -> Offers:
+            offers = Offers(self.system, columns, [*self.conditions, *limits], families)
             offers.most = most
-            found = offers.all()
-            idle = set()
-            for c in found:
-                if c.mask.bit_count() == 1 and not c.row[-1]:
-                    x = unknowns[c.mask.bit_length() - 1]
-                    if x in self.linear and x not in targets:
-                        idle.add(x)
-            if not idle:
-                return found, numbers
-            unknowns = [u for u in unknowns if u not in idle]
-            value = value.extended({s: Decimal(0) for s in idle})
+            return offers
+
+        return offered(make, Numbers(self.unknowns, self.linear, self.value), targets)
 
     def branches(self, targets: set[sp.Symbol], limits: tuple[Condition, ...]) -> Iterator[Sought]:
         """All branches of the plan for these targets; nothing when they are not determined.
@@ -192,15 +183,16 @@ class Seeker:
         """
         left_out: tuple[Candidate, ...] = ()
         for _ in range(MOST_LEFT_OUT):
-            plan, numbers = self._plan(limits, targets, 1, left_out)
+            plan, offer = self._plan(limits, targets, 1, left_out)
             if plan is None:
-                plan, numbers = self._plan(limits, targets, MOST, left_out)
+                plan, offer = self._plan(limits, targets, MOST, left_out)
             if plan is None:
                 return
+            numbers = offer.columns
             writer = Writer(self.system, numbers)
             work = [(b, tuple(writer.write(e) for e in b.equations)) for b in plan.blocks]
             brancher = Brancher(numbers.unknowns, self._angles(numbers), self.ledger.symbolic)
-            found = list(self._followed(brancher, work, plan, writer, numbers))
+            found = [replace(s, offer=offer) for s in self._followed(brancher, work, plan, writer, numbers)]
             yield from found
             told = [(w.number, e) for b, written in work for w, e in zip(written, b.equations, strict=True)]
             repeated = tuple(e for number, e in told if number in brancher.repeated)
@@ -232,13 +224,14 @@ class Seeker:
 
     def _plan(
         self, limits: tuple[Condition, ...], targets: set[sp.Symbol], most: int, left_out: tuple[Candidate, ...] = ()
-    ) -> tuple[Plan | None, Numbers]:
-        candidates, numbers = self.candidates(limits, targets, most)
-        candidates = [c for c in candidates if not any(_same(c, other) for other in left_out)]
+    ) -> tuple[Plan | None, Offered]:
+        offer = self.candidates(limits, targets, most)
+        numbers = offer.columns
+        candidates = [c for c in offer.candidates if not any(_same(c, other) for other in left_out)]
         index = {x: j for j, x in enumerate(numbers.unknowns)}
         wanted = sum(1 << index[t] for t in targets if t in index)
         nonlinear = sum(1 << j for x, j in index.items() if x not in self.linear)
-        return Planner(candidates, nonlinear).plan(wanted), numbers
+        return Planner(candidates, nonlinear).plan(wanted), offer
 
     # --- tests -------------------------------------------------------------------------------------------------------
 
@@ -322,9 +315,10 @@ class Seeker:
         """Those of forces that the equations at hand speak of: from others, such as ideal reactions in Lagrange's
         equations, nothing follows.
         """
-        found, numbers = self.candidates((), targets)
-        told = {x for j, x in enumerate(numbers.unknowns) if any(c.mask >> j & 1 for c in found)}
-        forces = set(numbers.unknowns) - set(self.ledger.sought)
+        found = self.candidates((), targets)
+        unknowns = found.columns.unknowns
+        told = {x for j, x in enumerate(unknowns) if any(c.mask >> j & 1 for c in found.candidates)}
+        forces = set(unknowns) - set(self.ledger.sought)
         return [c for c in self.limit_conditions() if all(e.free_symbols & forces <= told for e in c.rows())]
 
 

@@ -20,7 +20,7 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.records import changing, record
 from planar_cli.solve.instant.adjoint import adjoint_candidates, power_candidates, sum_masks
 from planar_cli.solve.instant.algebra import Algebra, SolvedBlock
-from planar_cli.solve.instant.candidates import Candidate
+from planar_cli.solve.instant.at_sight import Offered, offered
 from planar_cli.solve.instant.numbers import Numbers
 from planar_cli.solve.instant.offers import Offers
 from planar_cli.solve.instant.plan import Plan, Planner
@@ -97,8 +97,8 @@ class StageMaker:
         targets: set[sp.Symbol],
         families: tuple[Family, ...],
     ) -> Stage:
-        offers, candidates, zero = self._offers(unknowns, conditions, targets, families)
-        columns = offers.numbers
+        found = self._offers(unknowns, conditions, targets, families)
+        offers, candidates, columns = found.offers, found.candidates, found.columns
         index = {x: j for j, x in enumerate(columns.unknowns)}
         wanted = sum(1 << index[t] for t in targets if t in index)
         most = rank([scaled(row) for row in offers.base_rows()], len(columns.unknowns))
@@ -128,23 +128,23 @@ class StageMaker:
         if plan is None:
             names = ", ".join(t.name for t in by_name(targets) if t in index)
             raise Undecided(f"{names}: determined, but by no equations that can be solved one after the other")
-        writer = Writer(self.system, columns, self.next_number)
+        first = tuple(nil.told(self.system, self.next_number + i) for i, nil in enumerate(found.first))
+        writer = Writer(self.system, columns, self.next_number + len(first))
         numbered = [tuple(writer.write(e) for e in block.equations) for block in plan.blocks]
         for body in dict.fromkeys(b for ws in numbered for w in ws for b in w.bodies) if self.whole else ():
             writer.acceleration(body)
         explicit = {line.symbol: line.expression for line in writer.lines}
-        ledger = self.system.scene.ledger
-        fresh = partial(ledger.fresh, unit="1")
+        fresh = partial(self.system.scene.ledger.fresh, unit="1")
         algebra = Algebra(self.value, explicit, self.symbolic, frozenset(columns.unknowns), fresh)
         blocks = tuple(algebra.solve(b, w, columns.unknowns) for b, w in zip(plan.blocks, numbered, strict=True))
         self.next_number = writer.next_number
         return Stage(
             level,
             plan,
-            blocks,
+            (*first, *blocks),
             tuple(writer.lines),
             dict(writer.centres),
-            tuple(zero),
+            found.zero,
             tuple(missing),
             algebra,
             writer.named,
@@ -160,21 +160,17 @@ class StageMaker:
         conditions: list[Condition],
         targets: set[sp.Symbol],
         families: tuple[Family, ...],
-    ) -> tuple[Offers, list[Candidate], list[sp.Symbol]]:
-        """All candidates; unknowns that an equation of their own says are zero leave first."""
-        zero: list[sp.Symbol] = []
-        columns = Numbers(tuple(unknowns), frozenset(unknowns), self.value)
-        while True:
+    ) -> Offered:
+        """All candidates; what an equation of its own says is zero leaves first."""
+
+        def make(columns: Numbers) -> Offers:
             offers = Offers(self.system, columns, conditions, families)
             offers.constructed = self.constructed
-            found = offers.all()
-            single = {c.mask for c in found if c.mask.bit_count() == 1 and not c.row[-1]}
-            idle = {columns.unknowns[mask.bit_length() - 1] for mask in single} - targets
-            if not idle:
-                return offers, found, zero
-            zero += sorted(idle, key=lambda s: s.name)
-            self.value = self.value.extended({s: Decimal(0) for s in idle})
-            columns = columns.without(idle, self.value)
+            return offers
+
+        found = offered(make, Numbers(tuple(unknowns), frozenset(unknowns), self.value), targets)
+        self.value = found.columns.value
+        return found
 
 
 def _left_out(fixed: int, targets: set[sp.Symbol], index: dict[sp.Symbol, int]) -> list[sp.Symbol]:
