@@ -74,12 +74,13 @@ class AskedTelling:
         for stage in self.instant.stages:
             formulas |= stage.algebra.formulas
         closed = (answer.expressions or (symbol,))[0]
-        if answer.values is not None and self.phrases.symbolic and not longer(closed, LONGEST):
+        new = formulas.get(symbol, closed) != closed
+        if answer.values is not None and self.phrases.symbolic and new and not longer(closed, LONGEST):
             # What has no number cancels.
             numbers = replace(self.phrases, symbolic=False, lettered=frozenset(self.scene.ledger.letters))
             value = numbers.in_units(answer.values[0], answer.unit, answer.energy)
             yield Equation((Math(symbol), numbers.math(closed), *numbers.substituted(closed, value[0]), *value))
-        if answer.values is None and not longer(closed, LONGEST) and formulas.get(symbol, closed) != closed:
+        if answer.values is None and new and not longer(closed, LONGEST):
             yield Equation((Math(symbol), self.phrases.math(closed)))
 
     def coriolis(self, point: str, frame: str) -> Iterator[Block]:

@@ -75,7 +75,7 @@ def _turning(motion: MotionTrace) -> set[tuple[str, str]]:
 
 def _line(symbol: sp.Symbol, expr: sp.Expr, scene: Scene, phrases: Phrases) -> Equation:
     """symbol = formula = numbers = value."""
-    settled = phrases.has_numbers(symbol) and not _is_sought(symbol, phrases.ledger)
+    settled = phrases.has_numbers(symbol) and not is_sought(symbol, phrases.ledger)
     sides: list[Inline | Line] = [phrases.math(symbol)]
     value = phrases.shown(symbol)
     dimension = phrases.ledger.units[symbol].dimension
@@ -154,9 +154,9 @@ def _size(body: Body) -> tuple[sp.Expr, str] | None:
     return None
 
 
-def _is_sought(symbol: sp.Symbol, ledger: Ledger) -> bool:
+def is_sought(symbol: sp.Symbol, ledger: Ledger) -> bool:
     """Does it rest on what the equations have yet to give?"""
     if ledger.roles[symbol].kind is Kind.SOUGHT:
         return True
     inside = ledger.definitions.get(symbol, ledger.values.get(symbol))
-    return inside is not None and any(_is_sought(s, ledger) for s in inside.free_symbols)
+    return inside is not None and any(is_sought(s, ledger) for s in inside.free_symbols)

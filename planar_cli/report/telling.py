@@ -14,7 +14,7 @@ from planar_cli.report.at_rest import speeds_matter
 from planar_cli.report.blocks import Block, Equation, Heading, Line, Name, Paragraph, line
 from planar_cli.report.forces import centre_of, force_rows
 from planar_cli.report.geometry import constructed, places
-from planar_cli.report.inertias import by_size
+from planar_cli.report.inertias import by_size, is_sought
 from planar_cli.report.names import GREEK
 from planar_cli.report.numeric import NumericTelling, vanishing
 from planar_cli.report.solving import SolvingTelling, is_given, is_written
@@ -156,6 +156,8 @@ class Telling:
                 sides = (self.phrases.math(symbol), value) if hidden else self.solving.chain(symbol, expr, value)
                 if sized := by_size(symbol, self.scene, self.phrases, not self.phrases.symbolic):
                     sides = (sides[0], *sized, *(() if self.phrases.symbolic else (value,)))
+                if not is_length and is_sought(symbol, ledger):
+                    sides = sides[:2]
                 blocks.append(Equation(sides, None, line(ledger.titles[symbol] + ":")))
         return blocks
 
@@ -304,7 +306,10 @@ class Telling:
                 bound = sp.Add(*(factor * values[name] for name, factor in test.pushes), test.constant)
                 if w.residual in (bound, -bound):
                     return f"At the limit: {at_the_limit(test.words)}:"
-        return ""
+        smooth = next(
+            (p.place for p in self.system.pushes if p.kind == "friction" and values.get(p.name) == w.left), ""
+        )
+        return f"Without friction at {smooth}:" if smooth and w.right == 0 else ""
 
     def _relation_words(self, w: Written) -> str:
         if w.source == "given":
