@@ -17,6 +17,7 @@ from planar_cli.equation.plain import longer, simplified
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.facts import Path
 from planar_cli.problem.geometry import Vec
+from planar_cli.report.asked_letters import closed_letter
 from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Value, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.forces import centre_of
@@ -57,7 +58,7 @@ class AskedTelling:
                 continue
             answer = replace(raw, asked=tuple(e if longer(e, LONGEST) else simplified(e) for e in raw.asked))
             if len(answer.asked) == 1 and answer.asked[0].is_Symbol:
-                yield from self._closed(answer)
+                yield from closed_letter(answer, self.instant, self.phrases)
                 continue
             what = one.find.found.what
             if isinstance(what, Quantity) and self._has_vectors(answer, what):
@@ -66,22 +67,6 @@ class AskedTelling:
                 yield from radius
             else:
                 yield from self._formula(answer)
-
-    def _closed(self, answer: Found) -> Iterator[Block]:
-        """Of letters, the formula of an unknown in the letters of the file, where its last line has others."""
-        symbol = answer.asked[0]
-        formulas: dict[sp.Symbol, sp.Expr] = {}
-        for stage in self.instant.stages:
-            formulas |= stage.algebra.formulas
-        closed = (answer.expressions or (symbol,))[0]
-        new = formulas.get(symbol, closed) != closed
-        if answer.values is not None and self.phrases.symbolic and new and not longer(closed, LONGEST):
-            # What has no number cancels.
-            numbers = replace(self.phrases, symbolic=False, lettered=frozenset(self.scene.ledger.letters))
-            value = numbers.in_units(answer.values[0], answer.unit, answer.energy)
-            yield Equation((Math(symbol), numbers.math(closed), *numbers.substituted(closed, value[0]), *value))
-        if answer.values is None and new and not longer(closed, LONGEST):
-            yield Equation((Math(symbol), self.phrases.math(closed)))
 
     def coriolis(self, point: str, frame: str) -> Iterator[Block]:
         """The relative velocity and the Coriolis acceleration, with their numbers, before they are needed."""
