@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from decimal import Decimal
+from itertools import product
 from typing import Any
 
 import sympy as sp
@@ -25,12 +26,25 @@ from planar_cli.report.page_units import coherent_unit
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.stages import Stage
 from planar_cli.solve.solution import InstantSolution
-from planar_cli.units import ANGULAR_MOMENTUM, ENERGY, FORCE, MOMENTUM, PURE, TIME, Dimension, default_unit, pretty_unit
+from planar_cli.units import (
+    ANGULAR_MOMENTUM,
+    ENERGY,
+    FORCE,
+    LENGTH,
+    MOMENTUM,
+    PURE,
+    TIME,
+    Dimension,
+    default_unit,
+    pretty_unit,
+)
 
 SUDDEN = ("momentum", "impulse")
 """Kinds of wrenches that are momenta or impulses."""
-LONGEST = 30
-"""Of an acceleration with more operations only the name is told: the equations say what it is."""
+LONGEST, SHORT = 30, 3
+"""Of an acceleration with more operations only the name is told: the equations say what it is. A distance with more is
+given by its name or its number.
+"""
 
 
 def force_rows(
@@ -191,7 +205,9 @@ def _inertia(
         if sp.sympify(component).xreplace(dict.fromkeys(still, sp.S.Zero)) == 0:
             continue
         v = -direction if reversed_sense else direction
-        size = _size(direction, phrases)
+        size = _size(direction, instant, body, phrases)
+        if size.is_number and not is_clean(phrases.ledger, model.mass * component, dimension=kinds[0]):
+            size = _distance(direction, component, instant, body) or size
         force = (
             sp.Mul(model.mass, size, component, evaluate=False)
             if size != 1
@@ -268,6 +284,8 @@ def _clean(amount: sp.Expr, stage: Stage, phrases: Phrases, dimension: Dimension
     """m a or I α in letters; with its numbers where a number would hide a length."""
     if phrases.symbolic or is_clean(phrases.ledger, amount, dimension=dimension):
         return (phrases.math(amount),)
+    if any(s not in phrases.ledger.units for s in amount.free_symbols):
+        return (Math(amount),)
     found = amount_in_numbers(amount, stage.algebra.unknowns, phrases)
     if found is None:
         return (phrases.math(amount),)
@@ -276,11 +294,40 @@ def _clean(amount: sp.Expr, stage: Stage, phrases: Phrases, dimension: Dimension
     return line(found, f" {pretty_unit(unit)}" if number else "")
 
 
-def _size(direction: Any, phrases: Phrases) -> sp.Expr:
-    """The length of a direction that is no unit vector: a number, or a formula where letters stay."""
+def _size(direction: Vec, instant: InstantSolution, body: str, phrases: Phrases) -> sp.Expr:
+    """The length of a direction that is no unit vector: a formula, or a number."""
     square = sp.sympify(direction.dot(direction))
     if square == 1 or abs(phrases.value(square) - 1) < Decimal("1e-30"):
         return sp.S.One
+    formula = sp.sqrt(factored(simplified(square)))
     if phrases.symbolic:
-        return sp.sqrt(factored(simplified(square)))
+        return formula
+    value = instant.value
+    formula = formula.replace(
+        lambda e: isinstance(e, sp.Abs), lambda e: e.args[0] if value(e.args[0]) > 0 else -e.args[0]
+    )
+    short = not longer(formula, SHORT) and not formula.could_extract_minus_sign()
+    if short and is_clean(phrases.ledger, formula, dimension=LENGTH):
+        return formula
     return sp.Rational(str(phrases.value(square).sqrt()))
+
+
+def _distance(direction: Vec, turning: sp.Expr, instant: InstantSolution, body: str) -> sp.Symbol | None:
+    """AG or AB of a direction that is the arm from one point of the turning body to another, or that arm turned."""
+    scene, value, motion = instant.instant.scene, instant.value, instant.trial.system.motion
+    assert motion is not None
+    bodies = [
+        b for b in scene.bodies if turning in (motion.accelerations[b].angular, motion.velocities[b].angular ** 2)
+    ]
+    for owner in sorted(bodies, key=lambda b: b != body):
+        own = {n: p for n, p in scene.points.items() if owner in scene.owners.get(n, ()) and "_" not in n}
+        ends = {centre_of(scene, owner): scene.center(owner), **own}
+        for (start, here), (end, there) in product(own.items(), ends.items()):
+            arm = there - here
+            if any(_same(way, direction, value) for way in (arm, -arm, arm.turned(), -arm.turned())):
+                return sp.Symbol(f"{start}{end}", positive=True)
+    return None
+
+
+def _same(one: Vec, other: Vec, value: Any) -> bool:
+    return all(value.is_zero(getattr(one, a) - getattr(other, a)) for a in ("x", "y"))

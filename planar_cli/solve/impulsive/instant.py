@@ -55,6 +55,7 @@ class AfterTree(TreeBuilder):
         if found is None:
             return before, self._symbol(name + self.mark, unit, words, Kind.SPEED)
         self.titles[found] = words
+        self.ledger.know(found, parse_unit(unit), Role(Kind.SPEED))
         return before, found
 
 
