@@ -39,3 +39,21 @@ def test_momenta_after_a_blow_have_letters(stem: str, row: str) -> None:
 def test_distances_in_a_kinetic_diagram(stem: str, row: str) -> None:
     """A distance that is a number of the file is told by the points between which it lies."""
     assert row in page(stem)
+
+
+def test_what_hangs_still_is_no_matter_of_numbers() -> None:
+    """A ball that hangs at rest stays so until it is struck, so that energy and momentum solve the whole."""
+    printed = page("two-pendulums-that-collide")
+    assert "No formula gives" not in printed
+    assert "(8) v_B - v_A = e L α̇_A,2" in printed
+    assert "v_B = (1 + e) m_A L α̇_A,2 / (m_A + m_B)" in printed
+
+
+def test_right_angles_in_a_blow() -> None:
+    """The directions in which a blow acts are those of the place where it happens."""
+    printed = page("row-of-hanging-balls")
+    assert "No formula gives" not in printed
+    assert "φ_B,2 = φ_B,1 = -90° it stays at rest in equilibrium" in printed
+    assert "ball_A: m_ball,A v_A,2 → at A, J_S,string,A,3 ↑ at A, J_N,hit,AB,3 ← at hit_AB" in printed
+    assert "v_B,3 - v_A,3 = e v_A,2" in printed
+    assert "v_C,4 = (1 + e) m_ball,B v_B,3 / (m_ball,B + m_ball,C)" in printed

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import field
 
 import sympy as sp
 
+from planar_cli.equation.plain import simplified
 from planar_cli.records import record
 from planar_cli.solve.between.trace import Result
 from planar_cli.solve.regimes.equations import Equation
@@ -71,3 +72,19 @@ def _rests_on(derivation: Derivation, unknowns: set[sp.Symbol], order: Sequence[
         reached |= more
         grows = bool(more)
     return bool(reached & unknowns)
+
+
+def levels(formulas: Iterable[tuple[sp.Symbol, sp.Expr | None]]) -> dict[sp.Symbol, sp.Expr]:
+    """The letters of angles, in the order in which they are found, that are those of directions along the axes."""
+    found: dict[sp.Symbol, sp.Expr] = {}
+    for letter, formula in formulas:
+        angle = None if formula is None else found.get(formula, formula)
+        if angle is not None and (angle == 0 or (angle.has(sp.pi) and (2 * angle / sp.pi).is_integer is True)):
+            found[letter] = angle
+    return found
+
+
+def at_right_angles(expr: sp.Expr, known: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
+    """A formula with the sines and cosines of such angles put in."""
+    inside = {f: f.xreplace(dict(known)) for f in expr.atoms(sp.sin, sp.cos, sp.tan) if f.free_symbols & known.keys()}
+    return simplified(expr.xreplace(inside)) if inside else expr

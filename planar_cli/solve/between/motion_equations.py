@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 from decimal import Decimal
 
@@ -25,6 +26,7 @@ from planar_cli.solve.regimes.equations import (
     stated_equations,
 )
 from planar_cli.solve.regimes.mode_sequence import fixed_time
+from planar_cli.solve.regimes.standing import begun_at, standing_equations
 from planar_cli.solve.regimes.timeline import Stop
 from planar_cli.solve.regimes.transfer import later_equations, resting_equations
 from planar_cli.units import TIME
@@ -106,7 +108,9 @@ def first_equations(motion: StatedMotion) -> MotionEquations:
 
 def all_equations(motion: MotionEquations) -> MotionEquations:
     """All equations, from state to state; they take long, so that only modes that may happen have them."""
-    written = [*_stated(motion), *_beginning(motion), *_moving(motion), *motion.separations]
+    first = [*_stated(motion), *_beginning(motion)]
+    begun = {} if motion.departure is not None else begun_at(first, motion.first)
+    written = [*first, *_moving(motion, begun), *motion.separations]
     found = replace(motion, equations=_at_limits(motion, written))
     return replace(found, equations=(*found.equations, *_stationary(found)))
 
@@ -193,8 +197,8 @@ def _unseen(motion: StatedMotion) -> set[sp.Symbol]:
     return {letters[c.symbol] for c in motion.regimes[0].coordinates if c.unit == "rad" and c.body in plain}
 
 
-def _moving(motion: StatedMotion) -> list[Equation]:
-    """What the motion from state to state says."""
+def _moving(motion: StatedMotion, begun: Mapping[sp.Symbol, sp.Expr]) -> list[Equation]:
+    """What the motion from state to state says. `begun`: what is known of the letters of the first state."""
     found: list[Equation] = []
     since = 0
     for i, state in enumerate(motion.states):
@@ -212,6 +216,7 @@ def _moving(motion: StatedMotion) -> list[Equation]:
         by_laws = law_equations(laws, start, stop, regime, regime.general.value)
         found += [replace(e, offered=frozenset(motion.between.integrating)) for e in by_laws]
         found += list(link_equations(laws, start, stop, regime))
+        found += list(standing_equations(laws, start, stop, regime, begun))
         found += list(kept_equations(regime, start, stop))
         found += list(motion.between.equations(motion, i))
         if stop.t in motion.infinite():

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from copy import copy
 from dataclasses import replace
 from itertools import pairwise
 from typing import Any
@@ -10,10 +11,12 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.exact import Valuation
+from planar_cli.problem.facts import Wrench
+from planar_cli.problem.geometry import Vec
 from planar_cli.solve.between.answers import AnsweredFind
 from planar_cli.solve.between.asked_finds import AskedFind
 from planar_cli.solve.between.balances import StateBalance, balance_equations
-from planar_cli.solve.between.derivation import DerivedStep, Route
+from planar_cli.solve.between.derivation import DerivedStep, Route, at_right_angles, levels
 from planar_cli.solve.between.energies import energy_parts
 from planar_cli.solve.between.independence import lettered_starts, settled
 from planar_cli.solve.between.needed import asked_at, laws_of_motion, wanted_of
@@ -56,6 +59,7 @@ def motion_trace(
     """
     course = found.course
     whole = any(a.passage is not None for a in answers)
+    level = levels(route.formulas.items())
     routes = [route, *(a.passing for a in answers if a.passing is not None)]
     tracer = _Tracer(course, found.value, lettered_starts(course, found.value))
     lasting = lasting_letters(course.distinct_regimes(), course.given())
@@ -74,7 +78,7 @@ def motion_trace(
         followed=None if found.followed is None else found.followed.values,
         turnings=_turnings(found),
         route=tracer.route(route),
-        requests=tuple(Request(a.find, a.parts(_kept(course, lasting, a)), a.unit) for a in found.finds),
+        requests=tuple(_request(course, lasting, level, a) for a in found.finds),
         passing={a.found.name: tracer.route(a.passing) for a in answers if a.passing is not None},
         spans=found.spans,
         oscillations=tuple(_oscillation(o, found.value) for o in found.oscillations),
@@ -102,6 +106,14 @@ def _kept(course: StatedMotion, lasting: LastingLetters, asked: AskedFind) -> Ke
     parts = [*((asked.reader, p) for p in asked.raw), *((reader, p) for reader, _, p in elsewhere)]
     several = ((lasting.several.get(id(reader.regime), ()), p.free_symbols) for reader, p in parts)
     return {} if any(x in inside for letters, inside in several for x in letters) else kept
+
+
+def _request(
+    course: StatedMotion, lasting: LastingLetters, level: Mapping[sp.Symbol, sp.Expr], asked: AskedFind
+) -> Request:
+    """What is asked, in the letters of its state, with the sines of right angles put in."""
+    parts = asked.parts(_kept(course, lasting, asked))
+    return Request(asked.find, tuple(at_right_angles(p, level) for p in parts), asked.unit)
 
 
 def _unused(course: StatedMotion, route: Route) -> Iterator[BalanceTrace]:
@@ -180,9 +192,12 @@ class _Tracer:
     def __init__(self, course: StatedMotion, value: Valuation, lettered: frozenset[sp.Symbol]) -> None:
         self.course, self.value, self.base, self.lettered = course, value, course.base(), lettered
         self._impacts: dict[str, Impact] = {}
+        self._level: dict[sp.Symbol, sp.Expr] = {}
+        """Angles of directions along the axes."""
 
     def route(self, route: Route) -> RouteTrace:
         known = settled(route, self.value, self.base, self.lettered)
+        self._level = levels(route.formulas.items())
         return RouteTrace(tuple(self._step(step) for step in route.steps), known, route.formulas, route.plain)
 
     def _step(self, step: DerivedStep) -> RouteStep:
@@ -207,9 +222,13 @@ class _Tracer:
 
     def _impact_equation(self, blow: Blow, w: Written) -> ImpactEquation:
         impact = self._impacts.setdefault(blow.since.name, self._impact(blow))
-        sides = (blow.here(w.left), blow.here(w.right))
-        along = None if w.along is None else (blow.here(w.along[0]), blow.here(w.along[1]))
-        return ImpactEquation(impact, *sides, w.law, w.lead, w.words, w.bodies, _centre(blow, w), along)
+        left, right = self._here(blow, w.left), self._here(blow, w.right)
+        along = None if w.along is None else (self._here(blow, w.along[0]), self._here(blow, w.along[1]))
+        return ImpactEquation(impact, left, right, w.law, w.lead, w.words, w.bodies, _centre(blow, w), along)
+
+    def _here(self, blow: Blow, expr: Any) -> sp.Expr:
+        """In letters of the states of a blow, with the right angles of its place put in."""
+        return at_right_angles(blow.here(sp.sympify(expr)), self._level)
 
     def _impact(self, blow: Blow) -> Impact:
         hits = [j for j in blow.struck.joints if j.strikes and blow.system.modes[j.name].facts.pushes]
@@ -218,8 +237,16 @@ class _Tracer:
         known = self.value.values
         places = {s: known[own] for s, own in blow.stop.letters.items() if own in known}
         value = blow.scene.valuations[0].extended({**known, **places})
-        stages = (_in_velocities(blow.stage),)
-        solution = InstantSolution("", blow.struck, blow.trial, (), stages, blow.stage.lines, value)
+        before = {c.symbol: blow.since.letters[c.symbol] for c in blow.before.coordinates}
+
+        def here(expr: Any) -> sp.Expr:
+            return at_right_angles(sp.sympify(expr).xreplace(before), self._level)
+
+        stages = (_in_velocities(blow.stage, here),)
+        system = copy(blow.system)
+        system.wrenches = tuple(_moved(w, here) for w in system.wrenches)
+        trial = replace(blow.trial, system=system)
+        solution = InstantSolution("", blow.struck, trial, (), stages, blow.stage.lines, value)
         return Impact(blow.since.name, len(hits), solution)
 
 
@@ -232,8 +259,17 @@ def _centre(blow: Blow, w: Written) -> Centre | None:
     return Centre(blow.here(sp.sympify(place.x)), blow.here(sp.sympify(place.y)), tuple(through))
 
 
-def _in_velocities(stage: Stage) -> Stage:
+def _in_velocities(stage: Stage, here: Callable[[Any], sp.Expr]) -> Stage:
     """A plan of a blow with the velocities just after it by its unknowns, where an instant names accelerations."""
     explicit = {x.symbol: x.expression for x in stage.lines}
-    put = {b: [(d, c.xreplace(explicit)) for d, c in parts] for b, parts in stage.accelerations.items()}
+    put = {
+        b: [(Vec(here(d.x), here(d.y)), here(c.xreplace(explicit))) for d, c in parts]
+        for b, parts in stage.accelerations.items()
+    }
     return replace(stage, accelerations=put)
+
+
+def _moved(wrench: Wrench, here: Callable[[Any], sp.Expr]) -> Wrench:
+    """An impulse or a momentum at the place of a blow."""
+    force = None if wrench.force is None else Vec(here(wrench.force.x), here(wrench.force.y))
+    return replace(wrench, force=force, couple=here(wrench.couple), magnitude=here(wrench.magnitude))

@@ -22,7 +22,7 @@ from planar_cli.errors import Undecided
 from planar_cli.solve.between.by_numbers import ByNumbers
 from planar_cli.solve.between.chain import Step
 from planar_cli.solve.between.closed import closed_roots
-from planar_cli.solve.between.derivation import Derivation, DerivedStep, Edge, Route, each_once
+from planar_cli.solve.between.derivation import Derivation, DerivedStep, Edge, Route, at_right_angles, each_once, levels
 from planar_cli.solve.between.one_by_one import one_by_one, without_factors
 from planar_cli.solve.between.substitution import linear_step, square
 from planar_cli.solve.between.trace import Result
@@ -63,6 +63,7 @@ class Router:
         equations = [without_factors(e, value) for e in equations]
         self.equations = [e for e in equations if self._inside(e) and self._true(e)]
         self._zeros: dict[sp.Symbol, sp.Expr] = {}
+        self._level: dict[sp.Symbol, sp.Expr] = {}
 
     def residual(self, equation: Equation) -> sp.Expr:
         """With zeros and names of the file put in."""
@@ -139,6 +140,7 @@ class Router:
             steps.append(step)
             told = [] if derivation.equations[0].kind == "followed" else step.results
             self._zeros |= {r.unknown: r.formula for r in told if r.formula == 0}
+            self._level |= levels([*self._level.items(), *((r.unknown, r.formula) for r in told)])
             formulas |= {r.unknown: r.formula for r in told if r.formula is not None}
         return Route(tuple(steps), formulas, self.plain)
 
@@ -297,7 +299,9 @@ class Router:
 
     def _work(self, derivation: Derivation) -> DerivedStep | None:
         """Solve in symbols; of several roots the one with the known value."""
-        pool = [self._without_zeros(self.residual(e), derivation.unknowns) for e in derivation.equations]
+        pool = [
+            self._in_place(e, self._without_zeros(self.residual(e), derivation.unknowns)) for e in derivation.equations
+        ]
         left = list(derivation.unknowns)
         back: list[tuple[sp.Symbol, sp.Expr]] = []
         while len(pool) > 1:
@@ -326,6 +330,10 @@ class Router:
         found = residual.xreplace(self._zeros)
         lost = (residual.free_symbols - found.free_symbols) & set(unknowns)
         return residual if lost or found.has(sp.nan, sp.zoo) else found
+
+    def _in_place(self, e: Equation, residual: sp.Expr) -> sp.Expr:
+        """An equation of a blow with the right angles of the place where it happens."""
+        return at_right_angles(residual, self._level) if e.kind == "blow" else residual
 
     def _by_squares(self, pool: list[sp.Expr], left: list[sp.Symbol]) -> list[Result]:
         """Two equations in letters from which the square of one unknown goes; empty: it does not."""
