@@ -9,7 +9,9 @@ from conftest import PROBLEMS
 from worked import worked
 
 from planar_cli.formats.terminal import Terminal
+from planar_cli.problem.structure import load_text
 from planar_cli.report.narrate import narrate
+from planar_cli.solve.run import solve_problem
 
 FILES = {p.stem: p for p in PROBLEMS}
 
@@ -57,3 +59,24 @@ def test_right_angles_in_a_blow() -> None:
     assert "ball_A: m_ball,A v_A,2 → at A, J_S,string,A,3 ↑ at A, J_N,hit,AB,3 ← at hit_AB" in printed
     assert "v_B,3 - v_A,3 = e v_A,2" in printed
     assert "v_C,4 = (1 + e) m_ball,B v_B,3 / (m_ball,B + m_ball,C)" in printed
+
+
+@pytest.mark.parametrize(("stem", "lines"), [
+    ("two-balls-in-a-turning-tube", ("Q moves as P does, by symmetry: (1) s_Q,end = -s_P,end", "(2): ω_end = ")),
+    ("spheres-that-slide-out-to-stops", ("other moves as one does, by symmetry:", "(5): ω_rod,3 = ω_rod,2 = 2.080")),
+])  # fmt: skip
+def test_bodies_that_move_alike(stem: str, lines: tuple[str, ...]) -> None:
+    """By symmetry, angular momentum and energy, with no step of time; a direction that cancels is no unknown."""
+    printed = page(stem)
+    assert "No formula gives" not in printed
+    assert all(words in printed for words in lines)
+
+
+def test_unlike_bodies_do_not_move_alike() -> None:
+    """Where one of them is heavier, or begins farther out, nothing is said of the other."""
+    for old, new in (("{particle: Q, mass: 0.5 kg}", "{particle: Q, mass: 0.6 kg}"), ("Q: [-0.2 m", "Q: [-0.3 m")):
+        text = FILES["two-balls-in-a-turning-tube"].read_text(encoding="utf-8")
+        assert old in text
+        problem, wrong = load_text(text.replace(old, new).split("answers:")[0])
+        assert problem is not None and not wrong
+        assert "by symmetry" not in Terminal(400).render(narrate(solve_problem(problem)))

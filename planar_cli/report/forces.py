@@ -322,7 +322,8 @@ def _distance(direction: Vec, turning: sp.Expr, instant: InstantSolution, body: 
     for owner in sorted(bodies, key=lambda b: b != body):
         own = {n: p for n, p in scene.points.items() if owner in scene.owners.get(n, ()) and "_" not in n}
         ends = {centre_of(scene, owner): scene.center(owner), **own}
-        for (start, here), (end, there) in product(own.items(), ends.items()):
+        found = [e for e in ends.items() if _same(e[1], scene.center(body), value)]
+        for (start, here), (end, there) in (*product(own.items(), found), *product(own.items(), ends.items())):
             arm = there - here
             if any(_same(way, direction, value) for way in (arm, -arm, arm.turned(), -arm.turned())):
                 return sp.Symbol(f"{start}{end}", positive=True)

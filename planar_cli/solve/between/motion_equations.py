@@ -27,6 +27,7 @@ from planar_cli.solve.regimes.equations import (
 )
 from planar_cli.solve.regimes.mode_sequence import fixed_time
 from planar_cli.solve.regimes.standing import begun_at, standing_equations
+from planar_cli.solve.regimes.symmetric import symmetric_equations
 from planar_cli.solve.regimes.timeline import Stop
 from planar_cli.solve.regimes.transfer import later_equations, resting_equations
 from planar_cli.units import TIME
@@ -217,6 +218,7 @@ def _moving(motion: StatedMotion, begun: Mapping[sp.Symbol, sp.Expr]) -> list[Eq
         found += [replace(e, offered=frozenset(motion.between.integrating)) for e in by_laws]
         found += list(link_equations(laws, start, stop, regime))
         found += list(standing_equations(laws, start, stop, regime, begun))
+        found += list(symmetric_equations(start, stop, regime, begun))
         found += list(kept_equations(regime, start, stop))
         found += list(motion.between.equations(motion, i))
         if stop.t in motion.infinite():

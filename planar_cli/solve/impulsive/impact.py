@@ -14,6 +14,7 @@ from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.cancelled_angles import without_cancelled_angles
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.jets import constant
 from planar_cli.equation.motion import Edge, Motion
@@ -151,7 +152,7 @@ class Blow:
             if not inside:
                 break
             expr = expr.xreplace(inside)
-        return self.stop.at(expr)
+        return without_cancelled_angles(self.stop.at(expr), self.scene.valuations[0])
 
     def _same_place(self) -> Iterator[Equation]:
         """Nothing moves in a blow."""

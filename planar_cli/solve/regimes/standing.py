@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping
 import sympy as sp
 
 from planar_cli.equation.exact import Valuation
-from planar_cli.equation.plain import derivative, identically_zero, replaced
+from planar_cli.equation.plain import derivative, identically_zero, replaced, simplified
 from planar_cli.solve.regimes.equations import DATA, Equation, Laws
 from planar_cli.solve.regimes.regime import Regime
 from planar_cli.solve.regimes.timeline import Stop
@@ -42,15 +42,18 @@ def _holds(f: sp.Expr, q: sp.Symbol, v: sp.Symbol, place: sp.Expr, value: Valuat
 
 
 def begun_at(equations: Iterable[Equation], first: Stop) -> dict[sp.Symbol, sp.Expr]:
-    """What the data of the first state say of its letters."""
+    """What the data of the first state say of its letters, one after the other."""
     letters = set(first.letters.values())
+    data = [e.residual for e in equations if e.kind in DATA and e.stop == first.name]
     found: dict[sp.Symbol, sp.Expr] = {}
-    for e in (e for e in equations if e.kind in DATA and e.stop == first.name):
-        inside = e.residual.free_symbols & letters
-        if len(inside) != 1:
-            continue
-        (letter,) = inside
-        rate = derivative(e.residual, letter)
-        if rate != 0 and letter not in rate.free_symbols:
-            found.setdefault(letter, sp.simplify(letter - e.residual / rate))
+    grows = True
+    while grows:
+        grows = False
+        for residual in (r.xreplace(found) for r in data):
+            inside = residual.free_symbols & letters
+            (letter, *more) = inside or (None,)
+            rate = sp.S.Zero if letter is None or more else derivative(residual, letter)
+            if letter is not None and rate != 0 and letter not in rate.free_symbols:
+                found[letter] = simplified(letter - residual / rate)
+                grows = True
     return found
