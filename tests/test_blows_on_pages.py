@@ -78,5 +78,6 @@ def test_unlike_bodies_do_not_move_alike() -> None:
         text = FILES["two-balls-in-a-turning-tube"].read_text(encoding="utf-8")
         assert old in text
         problem, wrong = load_text(text.replace(old, new).split("answers:")[0])
-        assert problem is not None and not wrong
+        assert problem is not None
+        assert not wrong
         assert "by symmetry" not in Terminal(400).render(narrate(solve_problem(problem)))
