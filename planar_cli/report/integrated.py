@@ -28,8 +28,9 @@ def integration_blocks(found: MotionTrace, phrases: Phrases, results: Iterable[R
     regimes = [r for r in found.regimes if _is_passed(found, r, stops)]
     laws = {rate: law for r in regimes for rate, law in r.laws if law != 0}
     if not laws:
+        found_so = " are" if len(tried or letters) > 1 else " is"
         names = _names(tried or letters)
-        yield Paragraph(line("No formula gives ", *names, ", found by trial: with it the motion passes all states."))
+        yield Paragraph(line(*names, found_so, " found by trial, so that the motion passes all states."))
         return
     shown = [e for rate, law in laws.items() if (e := _law(found, phrases, rate, law)) is not None]
     start = _start(found, phrases, [*laws.values()], [*laws])
@@ -37,11 +38,12 @@ def integration_blocks(found: MotionTrace, phrases: Phrases, results: Iterable[R
     what = "the equation of motion is" if len(laws) == 1 else "the equations of motion are"
     if not whole:
         what = "the equations above, solved for the accelerations at every step, are"
-    named = (" ", *_names(tried)) if tried else (" what follows",)
+    several = " are" if len(tried) > 1 else " is"
+    named = line(*_names(tried), several) if tried else line("What follows is")
     how = " with trial values, until the motion passes all states" if tried else ""
-    words = f"; {what} integrated numerically{how} (by a Runge–Kutta method)"
+    words = f" found step by step: {what} integrated numerically{how} (by a Runge–Kutta method)"
     begun = (f" from state {found.states[0]} on, where ", *start) if start else ()
-    yield Paragraph(line("No formula gives", *named, words, *begun, ":"))
+    yield Paragraph(line(*named, words, *begun, ":"))
     yield from shown if whole else ()
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Sequence
 from typing import Any
 
 import sympy as sp
@@ -10,6 +10,7 @@ import sympy as sp
 from planar_cli.equation.plain import longer
 from planar_cli.report.blocks import Block, Equation, Line, Math, Paragraph, Value, line
 from planar_cli.report.clean import dimension_of, is_clean
+from planar_cli.report.notation import plain
 from planar_cli.report.put_in import partly
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import Law
@@ -38,6 +39,26 @@ def law_blocks(law: Law, phrases: Phrases, varying: Collection[sp.Symbol], since
     shown = running(law.f.xreplace({law.v: v}), {*varying, v}, phrases, law)
     unit = f"{_unit(law, phrases)}/s{'²' if law.order == 2 else ''}"
     yield Equation((phrases.math(rate), shown), None, (), line(f"in {unit}") if shown.values or law.f.is_number else ())
+
+
+def without_given(moving: Sequence[Block], before: Sequence[Block]) -> list[Block]:
+    """What is told of a motion without the laws that stand word for word among the data. `before`: where these are."""
+    given = {_text(b) for b in before if isinstance(b, Equation) and b.lead == line("given:")}
+    found: list[Block] = []
+    for block in moving:
+        heading = found[-1] if found else None
+        law = isinstance(heading, Paragraph) and str(getattr(heading.line[0], "text", "")).startswith("The law")
+        if law and isinstance(block, Equation) and block.number is None and _text(block) in given:
+            found.pop()
+        else:
+            found.append(block)
+    return found
+
+
+def _text(equation: Equation) -> str:
+    """The sides of an equation as they are printed; "" where they are more than formulas."""
+    maths = [side for side in equation.sides if isinstance(side, Math)]
+    return " = ".join(plain(m.expr, m.values) for m in maths) if len(maths) == len(equation.sides) else ""
 
 
 def said(law: Law) -> tuple[sp.Symbol, sp.Expr]:

@@ -37,6 +37,7 @@ from planar_cli.report.energy_check import energy_check
 from planar_cli.report.exam import key_blocks
 from planar_cli.report.inertias import with_inertias
 from planar_cli.report.law_check import law_check
+from planar_cli.report.laws import without_given
 from planar_cli.report.names import plain_name
 from planar_cli.report.opening import changed_notes, opening_notes
 from planar_cli.report.passages import tale_blocks
@@ -156,7 +157,7 @@ def part_blocks(part: PartSolution, voice: Voice, why: str | None, told: set[tup
         settled = settled_phrases(part.motion, phrases)
         if part.instants and why is None:
             scene = part.instants[-1].instant.scene
-            moving = with_inertias(moving, part.motion, scene, settled, blocks)
+            moving = without_given(with_inertias(moving, part.motion, scene, settled, blocks), blocks)
         blocks += () if part.tale is not None and part.tale.valued else moving
     blocks += _tale(part, phrases, 0, whole=False)
     blocks = with_closed_forms(blocks, part, phrases)

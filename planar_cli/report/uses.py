@@ -9,6 +9,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import field
 from typing import Any
 
+from planar_cli.calculus.linear_laws import EQUATION
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.facts import Mode
 from planar_cli.problem.scene import GROUND
@@ -69,6 +70,8 @@ class Uses:
     restitution: bool = False
     laws: set[str] = field(default_factory=set)
     """Kinds of integrals of laws, v(t), v(q), …; constant: of such an acceleration; steady: of such a speed."""
+    over: set[str] = field(default_factory=set)
+    """What integrals of laws that are not constant run over, in words."""
     integrated: bool = False
     swings: bool = False
 
@@ -175,9 +178,20 @@ def _of_motion(found: Uses, motion: MotionTrace) -> None:
         if e.law is not None and e.law.f != 0:
             steady = not e.law.f.free_symbols & {*motion.varying, e.law.v}
             found.laws.add(e.kind if not steady else "constant" if e.law.order == 2 else "steady")
+            found.over |= set() if steady else {_over(e)}
         found.integrated |= e.kind == "followed"
     found.integrated |= any(p.how in ("integral", "quadrature", "flow") for s in motion.spans for p in s.pieces)
     found.swings |= bool(motion.oscillations)
+
+
+def _over(e: Relation) -> str:
+    """What the integral of a law runs over."""
+    if e.span is not None and EQUATION in e.span.words:
+        return "Linear equation of motion, solved by its characteristic equation."
+    if e.kind in ("v(q)", "q(v)"):
+        turns = e.law is not None and e.law.coordinate.unit == "rad"
+        return f"Integration over the {'angle: ω dω = α dθ' if turns else 'way: v dv = a ds'}."
+    return OVER_TIME
 
 
 def _relations(routes: Iterable[RouteTrace]) -> Iterator[Relation]:
@@ -218,12 +232,14 @@ def _laws(uses: Uses) -> Iterator[str]:
         yield "Impulse and momentum over a time."
     if any(b.gain == 0 and b.law.kept for b in uses.momenta):
         yield "Conservation of momentum."
-    if uses.laws - {"constant", "steady"} or uses.integrated:
-        yield "Integration over time."
+    over = uses.over | ({OVER_TIME} if uses.integrated else set())
+    if over:
+        yield from sorted(over)
     elif "constant" in uses.laws:
         yield "Constant acceleration."
     if uses.swings:
         yield "Small oscillations about an equilibrium."
 
 
+OVER_TIME = "Integration over time."
 DALEMBERT = "d'Alembert's principle: with the inertial forces each body is in equilibrium."

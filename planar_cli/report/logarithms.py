@@ -1,0 +1,57 @@
+"""Logarithms of ratios: ln(1 + c v²/(m g)) for ln(c v²/m + g) - ln(g), as no quantity with a unit has a logarithm."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import sympy as sp
+
+from planar_cli.equation.ledger import Ledger
+from planar_cli.report.clean import Mixed, dimension_of
+from planar_cli.units import PURE
+
+
+def of_ratios(expr: sp.Expr, ledger: Ledger) -> sp.Expr:
+    """A formula in which logarithms of quantities with units, with the same factor up to its sign, stand as one."""
+    if not expr.has(sp.log):
+        return expr
+
+    def joined(total: Any) -> Any:
+        found: dict[sp.Expr, list[tuple[int, sp.Expr]]] = {}
+        rest = []
+        for term in total.args:
+            logs = [f for f in sp.Mul.make_args(term) if isinstance(f, sp.log)]
+            if len(logs) != 1:
+                rest.append(term)
+                continue
+            factor = term / logs[0]
+            sign = -1 if factor.could_extract_minus_sign() else 1
+            found.setdefault(sign * factor, []).append((sign, logs[0].args[0]))
+        return sp.Add(*rest, *(_together(factor, parts, ledger) for factor, parts in found.items()))
+
+    return expr.replace(lambda x: x.is_Add and any(a.has(sp.log) for a in x.args), joined)
+
+
+def _together(factor: sp.Expr, parts: list[tuple[int, sp.Expr]], ledger: Ledger) -> sp.Expr:
+    """factor · Σ ± ln(argument) as one logarithm, where that alone is one of a pure number."""
+    apart = sp.Add(*(sign * factor * sp.log(argument) for sign, argument in parts))
+    if len(parts) == 1 or all(_is_pure(argument, ledger) for _, argument in parts):
+        return apart
+    sign = parts[0][0] if parts[0][1].is_Add else 1
+    ratio = sp.Mul(*(argument ** (sign * own) for own, argument in parts))
+    if not _is_pure(ratio, ledger):
+        return apart
+    above, below = sp.fraction(sp.together(ratio))
+    if above.could_extract_minus_sign():
+        above, below = -above, -below
+    whole = (
+        sp.Add(*(sp.cancel(a / below) for a in sp.expand(above).args)) if above.is_Add and not below.is_Add else None
+    )
+    return sign * factor * sp.log(above / below if whole is None else whole)
+
+
+def _is_pure(expr: sp.Expr, ledger: Ledger) -> bool:
+    try:
+        return dimension_of(expr, ledger) == PURE
+    except Mixed:
+        return False
