@@ -41,6 +41,8 @@ class Mutant:
     """Why its page may be that of the file: one of the words above; "": there is none."""
     contrary: str | None = None
     """What says the contrary of the statement that goes: a statement that follows from others is checked by them."""
+    against: Path_ | None = None
+    """The node in which the contrary is said; None: that of the change."""
 
 
 def mutants(file: str) -> list[Mutant]:
@@ -59,6 +61,8 @@ class _Walk:
         self.uses: dict[str, set[str]] = {}
         """Where each name of `given` is used: "drawn", "given:name" or something else."""
         self._note(root, ())
+        self.heavy = bool(_all_keys(root) & {"mass", "weight"})
+        """Has anything mass?"""
         for section in (root, *_cases(root)):
             for key, value in section.pairs:
                 if key.text in NAMED and isinstance(value, Mapping):
@@ -108,10 +112,26 @@ class _Walk:
             for i, item in enumerate(node.items):
                 if _are_statements(keys):
                     place = f"{item.mark.line}:{item.mark.column}"
-                    what, other = f"without {_said(item)}", _contrary(item)
-                    reason = _reason((*keys, ""))
-                    yield Mutant(self.file, "statement", (*at, i), False, None, place, what, reason, other)
+                    what, (other, below) = f"without {_said(item)}", self._contrary_of(item, keys)
+                    reason, against = _reason((*keys, "")), (*at, i, *below) if below else None
+                    yield Mutant(self.file, "statement", (*at, i), False, None, place, what, reason, other, against)
                 yield from self._inside(item, (*at, i), keys)
+
+    def _contrary_of(self, item: Node, keys: tuple[str, ...]) -> tuple[str | None, Path_]:
+        """What says the contrary of an item of a list, and where below it.
+
+        Where nothing has mass, and places are written, joints only say what these tell: at another point they do not.
+        """
+        if isinstance(item, Scalar) and item.text in ("at rest", "equilibrium") and self.names.get("bodies"):
+            return f"v({self.names['bodies'][0]}).mag > 0", ()
+        if keys[-1] != "joints" or self.heavy or not isinstance(item, Mapping):
+            return _contrary(item), ()
+        inner = item.pairs[0][1]
+        for i, (key, value) in enumerate(inner.pairs if isinstance(inner, Mapping) else ()):
+            if key.text in ("at", "point") and isinstance(value, Scalar):
+                others = [name for name in self.names.get("points", []) if name != value.text]
+                return (others[-1] if others else None), (0, i)
+        return None, ()
 
     def _scalar(self, node: Scalar, at: Path_, keys: tuple[str, ...]) -> Iterator[Mutant]:
         try:
@@ -129,6 +149,10 @@ class _Walk:
                 if kind == "name" and other is None and _are_statements(keys):
                     # The new statement may say the same in other words.
                     other = _contrary(replace(node, text=text))
+                if kind == "name" and keys[0] == "joints" and keys[-1] in ("at", "point") and not self.heavy:
+                    # Nor does the new one say anything where it holds for the places as they are written.
+                    others = [n for n in self.names.get("points", []) if n not in (node.text, text)]
+                    other = others[-1] if others else None
                 reason = _reason(keys) or self._reason_of(kind, keys, node.text, start)
                 yield Mutant(self.file, kind, at, False, text, place, f"{node.text} -> {text}", reason, other)
 
@@ -140,7 +164,7 @@ class _Walk:
         # Half a turn one way is half a turn the other way.
         if kind == "sign" and text[start:].startswith("180 deg"):
             return "even"
-        if kind == "sign" and (own[-1] == "along" or re.search(r"cos\([^()]*(\([^()]*)?$", text[:start])):
+        if kind == "sign" and (own[-1] in ("along", "normal") or re.search(r"cos\([^()]*(\([^()]*)?$", text[:start])):
             return "even"
         return ""
 
@@ -179,6 +203,13 @@ def _reason(keys: tuple[str, ...]) -> str:
 
 def _keys(node: Mapping) -> list[str]:
     return [key.text for key, _ in node.pairs]
+
+
+def _all_keys(node: Node) -> set[str]:
+    """The keys of a tree."""
+    if isinstance(node, Mapping):
+        return set(_keys(node)).union(*(_all_keys(value) for _, value in node.pairs))
+    return set() if isinstance(node, Scalar) else set().union(*map(_all_keys, node.items))
 
 
 def _cases(root: Mapping) -> list[Mapping]:

@@ -6,7 +6,8 @@
 A mutant is refused, has no solution, has another answer, or has the same answer and another page ("told": a mass that
 cancels stands in the equations). It may have the very same page for a reason:
 
-    implied   a statement follows from others: its contrary is refused or changes something; so does that of a bound
+    implied   a statement follows from others: its contrary is refused or changes something; so does that of a bound,
+              and that of a joint where places are written and nothing has mass: at another point it does not fit
     drawn     a place or size on which nothing rests: where a floor goes through, the radius of a disk on a pin; also
               told by a name
     even      a sign that has no meaning: of an angle in a cosine, of the direction of a straight line, of half a turn
@@ -164,7 +165,8 @@ class FileRun:
         outcome, detail = self._judged(mutant)
         if outcome != UNCHANGED or not mutant.contrary:
             return outcome, detail
-        other, detail = self._judged(replace(mutant, new=mutant.contrary))
+        at = mutant.at if mutant.against is None else mutant.against
+        other, detail = self._judged(replace(mutant, at=at, new=mutant.contrary))
         return (other, detail) if other in (UNCHANGED, FAULT) else ("implied", detail)
 
     def _judged(self, mutant: Mutant) -> tuple[str, str]:

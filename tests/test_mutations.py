@@ -89,6 +89,12 @@ FAULTS = {
     "kinematics/disk-in-circular-track.yaml:17:52": ("rho(G) -> ", "PL637"),
     "kinematics/ball-in-a-forked-slot.yaml:11:20": ("P -> O", "PL521"),
     "energy/sledge-down-a-slope-and-out-over-level-snow.yaml:15:5": ("without {contact", "PL621"),
+    "kinematics/belt-drive.yaml:13:17": ("A -> B", "PL541"),
+    "hard/cradle-of-three-balls.yaml:10:18": ("B -> C", "PL528"),
+    "oscillations/block-coming-to-rest-by-dry-friction.yaml:7:58": ("-0.4 m", "PL454"),
+    "impact/three-carriages.yaml:9:68": ("-32.2", "PL454"),
+    "momentum/bicycle-driven-and-braked.yaml:32:11": ("-10", "PL621"),
+    "systems/gas-force-on-piston.yaml:23:31": ("B -> O", "PL465"),
 }
 """Mutants that once ended in a fault: where, what is changed, and what they are told now."""
 
@@ -104,6 +110,23 @@ def test_mutants_that_ended_in_a_fault(where: str) -> None:
     outcome = read if isinstance(read, mutations.Outcome) else mutations.solved(read)
     assert outcome.kind in ("refused", "no solution")
     assert outcome.detail == codes
+
+
+IMPLIED = {
+    "motion/pin-in-circular-groove.yaml:19:5": "without {guide",
+    "motion/pin-in-circular-groove.yaml:18:20": "P -> O",
+    "kinematics/geneva-wheel.yaml:18:5": "without {pin",
+    "rigid-bodies/boom-when-its-rope-breaks.yaml:19:15": "without equilibrium",
+}
+"""Statements that follow from others, by which their contraries are refused."""
+
+
+@pytest.mark.parametrize("where", IMPLIED)
+def test_what_is_implied_can_not_be_denied(where: str) -> None:
+    name, _, place = where.partition(":")
+    file = str(ROOT / "problems" / name)
+    (mutant,) = [m for m in mutants.mutants(file) if m.place == place and IMPLIED[where] in m.what]
+    assert mutations.FileRun(file, 60).judged(mutant)[0] == "implied"
 
 
 @pytest.mark.slow

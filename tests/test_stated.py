@@ -129,6 +129,20 @@ def test_a_number_that_nothing_uses_is_told(tmp_path: Path) -> None:
     assert re.search(r"^Not used +c:", page(tmp_path, FALL.format(more="", state="")), re.MULTILINE)
 
 
+def test_a_mass_that_nothing_needs_is_told(tmp_path: Path) -> None:
+    text = """
+title: Block held on a table
+plane: horizontal
+points: {A: [0, 0]}
+bodies: {block: {particle: A, mass: 4 kg}}
+joints: [weld: {at: A, between: [block, ground], name: hold}]
+loads: [force: {body: block, at: A, magnitude: 7 N, angle: 0 deg}]
+instant: [at rest]
+find: {R: reaction(hold).mag}
+"""
+    assert re.search(r"^Not used +the mass of block, 4 kg:", page(tmp_path, text), re.MULTILINE)
+
+
 SLOPE = """
 title: Crate on a slope, in letters
 plane: vertical

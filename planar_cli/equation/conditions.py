@@ -35,7 +35,7 @@ from planar_cli.problem.expression import (
 from planar_cli.problem.facts import Row
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.polar import TOGETHER, VectorStatement, grouped
-from planar_cli.problem.scene import At, Particle, Polar
+from planar_cli.problem.scene import At, Body, Particle, Polar
 from planar_cli.problem.shapes import own_points
 from planar_cli.records import record
 
@@ -295,6 +295,21 @@ def _turning_conditions(quantities: Quantities, coordinates: set[sp.Symbol], lev
             residual = twist[body.name].angular - simplified(turn / square)
             yield Condition("coordinate", f"angle of {body.name}", residual, body=body.name)
             break
+        else:
+            yield from _direction_conditions(quantities, coordinates, level, body)
+
+
+def _direction_conditions(
+    quantities: Quantities, coordinates: set[sp.Symbol], level: int, body: Body
+) -> Iterator[Condition]:
+    """A body whose direction is written with coordinates, `rod: [O, theta]`, turns as that does."""
+    scene, angle = quantities.scene, getattr(body.shape, "angle", None)
+    if angle is None or not coordinates & scene.value(angle).free_symbols:
+        return
+    told = scene.evaluator.jet(angle)
+    twist = quantities.motion.velocities if level == VELOCITY else quantities.motion.accelerations
+    residual = twist[body.name].angular - (told.rate if level == VELOCITY else told.second)
+    yield Condition("coordinate", f"angle of {body.name}", residual, body=body.name)
 
 
 def _particle_conditions(quantities: Quantities, coordinates: set[sp.Symbol], level: int) -> list[Condition]:

@@ -64,6 +64,9 @@ class Belt(Joint):
         a, b = self.between
         r_a, r_b = scene.radius(a), scene.radius(b) * (-1 if self.crossed else 1)
         center_a, center_b = scene.center(a), scene.center(b)
+        if scene.vanishes((center_b - center_a).dot(center_b - center_a)):
+            text = f"{a} and {b} have one centre: no belt runs from one to the other"
+            raise scene.refuse(self.mark, "PL541", text, "draw them beside each other, or `weld` them together")
         span = scene.length(center_b - center_a)
         across = (center_b - center_a).turned() / span**2
         arm = across * (r_b - r_a)

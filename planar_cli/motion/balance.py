@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 
-from planar_cli.integrators.base import Step
+from planar_cli.integrators.base import OUTSIDE, Step
 from planar_cli.motion.automaton import Outside, Regime
 from planar_cli.records import record
 
@@ -88,7 +88,11 @@ def balance_of(
             if not regime.conservative:
                 work.add(weight, (regime.power(t, y),))
             if outside is not None:
-                impulse.add(weight, outside.at(t, y))
+                try:
+                    impulse.add(weight, outside.at(t, y))
+                except OUTSIDE:
+                    # Where the ends of a spring meet it pulls in no direction; that is looked at no further.
+                    outside = None
     note(t1, y1)
     after, new = regime.energy(t1, y1), regime.momentum(t1, y1)
     scale = max(abs(after - before), work.sizes[0], swing, least)

@@ -10,6 +10,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import field, replace
 
+from planar_cli.errors import NOWHERE, Diagnostic, NoSolution, Undecided
+from planar_cli.integrators.base import OUTSIDE
 from planar_cli.joints.base import Joint
 from planar_cli.motion.automaton import Choice
 from planar_cli.motion.constraints import Constraint
@@ -88,7 +90,10 @@ class Strikes:
         bonds = self._bonds(choice)
         if choice not in self._codes:
             self._codes[choice] = compiled(self._terms(bonds), layout.state, layout.time)
-        numbers = iter(self._codes[choice].function(t, y))
+        try:
+            numbers = iter(self._codes[choice].function(t, y))
+        except OUTSIDE:
+            raise self._undirected(t, y) from None
         masses = tuple(next(numbers) for _ in layout.slots)
         velocities = tuple(y[layout.count :])
         made = []
@@ -125,6 +130,20 @@ class Strikes:
         frames = tuple((f.x, f.y, f.theta) for f in layout.frames.values())
         places = tuple((y[f.x], y[f.y]) for f in layout.frames.values())
         return Struck(velocities, masses, speeds, tuple(made), tuple(contacts), frames=frames, places=places)
+
+    def _undirected(self, t: float, y: Sequence[float]) -> NoSolution | Undecided:
+        """What to say where the line has no direction along which two partners would strike each other."""
+        layout = self.model.layout
+        for d in self.directions:
+            try:
+                compiled([*d.normal.values()], layout.state, layout.time).function(t, y)
+            except OUTSIDE:
+                text = (
+                    f"{d.name}: both partners have one centre at t = {t:.6g} s; in which direction they strike is open"
+                )
+                mark = next((j.mark for j in self.model.scene.problem.joints if j.name == d.name), NOWHERE)
+                return NoSolution([Diagnostic(mark, "PL528", text, "draw them apart, or write `normal: 0 deg`")])
+        return Undecided(f"at t = {t:.6g} s what would act in a blow has no value")
 
     def _read(
         self, d: Direction, numbers: Iterator[float]

@@ -207,6 +207,15 @@ def sizes_are_positive(scope: Scope) -> Iterator[Diagnostic]:
         if sign == -1 or (sign == 0 and "inertia" not in formula.what):
             hint = "leave the mass out for a body without mass" if "mass" in formula.what else ""
             yield Diagnostic(formula.mark, "PL454", f"{formula.what} is not more than zero", hint)
+    for load in scope.problem.loads:
+        relaxed = getattr(load, "natural_length", None)
+        if relaxed is not None and certain_sign(relaxed, letters, given) == -1:
+            text = f"the natural length of {load.called} is negative"
+            yield Diagnostic(relaxed.mark, "PL454", text, "a length is zero or more")
+    gravity = given.get("g")
+    if gravity is not None and gravity.value is not None and certain_sign(gravity.value, letters, given) == -1:
+        text = "g is negative; it is a size, and weights act downward by themselves"
+        yield Diagnostic(gravity.value.mark, "PL454", text, "leave the minus out")
 
 
 def members_act(scope: Scope) -> Iterator[Diagnostic]:

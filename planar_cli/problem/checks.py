@@ -9,6 +9,7 @@ from planar_cli.problem.chains import long_chains
 from planar_cli.problem.check_answers import check_answers
 from planar_cli.problem.check_dimensions import dimensions_agree
 from planar_cli.problem.check_formulas import formulas_name_known_things
+from planar_cli.problem.check_loads import particles_have_one_point
 from planar_cli.problem.check_names import distinct_names, members_found, points_found, reserved_names
 from planar_cli.problem.check_physics import (
     coefficients,
@@ -53,6 +54,7 @@ CHECKS: tuple[Check, ...] = (
     partners_fit,
     places_on_surfaces,
     members_act,
+    particles_have_one_point,
     points_of_joints_are_carried,
     instant_or_states,
     statements_in_place,

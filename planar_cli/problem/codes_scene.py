@@ -83,7 +83,10 @@ _SCENE = {
         "`surfaces: {wall: {through: B, angle: 90 deg}}`."
     ),
     "PL540": "The direction of a force is missing. Write `angle: 30 deg` or `towards: P`.",
-    "PL541": "The ends of a spring, damper, link or part of a rope are at the same place: its pull has no direction.",
+    "PL541": (
+        "The ends of a spring, damper, link or part of a rope, or the centres of the disks of a belt, are at the same "
+        "place: its pull has no direction."
+    ),
     "PL542": (
         "A relaxed position is given by values of the coordinates, `relaxed_at: [theta = 30 deg]`, or by the angles of "
         "bodies on a pin of the ground, `relaxed_at: [theta(b) = 30 deg]`; each end of the spring must follow from it."

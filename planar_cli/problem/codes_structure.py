@@ -161,7 +161,8 @@ _PHYSICS = {
     "PL452": "Coefficients of friction are not negative, and the kinetic one is not larger than the static one.",
     "PL453": "The coefficient of restitution lies between 0 (they stay together) and 1 (no energy is lost).",
     "PL454": (
-        "A size, a mass or a stiffness is more than zero. Only a part of a composite body, a hole, may have minus mass."
+        "A size, a mass or a stiffness is more than zero. Only a part of a composite body, a hole, may have minus "
+        "mass. A natural length may be zero, and g is a size: weights act downward by themselves."
     ),
     "PL455": "A joint is between two different things, of which at least one can move, and of shapes that fit it.",
     "PL456": "`flat` is a body lying on another in a horizontal plane, seen from above.",
@@ -192,6 +193,10 @@ _PHYSICS = {
     "PL464": (
         "A mass that is written with places, `mass: rho*y(end)`, changes as the body moves: matter comes to it or goes "
         "from it, with a velocity that a `stream` tells. What is left behind leaves with `speed: 0 m/s`."
+    ),
+    "PL465": (
+        "A particle has one place, at which everything acts on it. A force on it `at` a point of another body is meant "
+        "for that body, or for another particle."
     ),
 }
 

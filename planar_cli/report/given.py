@@ -159,9 +159,29 @@ def _oblique(side: Side) -> bool:
     return number is None or number[1] != "deg" or number[0] % RIGHT_ANGLE != 0
 
 
+def idle_masses(problem: Problem, page: Mentioned, figures: int) -> Iterator[Line]:
+    """Masses and weights that the file gives as numbers, on a page that tells of no force that would need them."""
+    for body in () if page.kinetic else problem.bodies:
+        if _mass_letter(body, _heavy(problem)) in page.letters:
+            continue
+        for what, side in (("mass", body.mass), ("weight", body.weight)):
+            if side is not None and number_of(side) is not None and (value := said(side, figures)):
+                yield line(f"the {what} of {body.name}, ", value)
+
+
+def _heavy(problem: Problem) -> list[Body]:
+    """The bodies that have mass."""
+    return [b for b in problem.bodies if not b.is_massless or isinstance(b.shape, Composite)]
+
+
+def _mass_letter(body: Body, heavy: Sequence[Body]) -> str:
+    """The letter of a body's mass on the page."""
+    return "m" if len(heavy) == 1 else f"m_{body.name}"
+
+
 def _of_body(body: Body, problem: Problem, page: Mentioned, figures: int) -> Iterator[Datum]:
-    heavy = [b for b in problem.bodies if not b.is_massless or isinstance(b.shape, Composite)]
-    letter = "m" if len(heavy) == 1 else f"m_{body.name}"
+    heavy = _heavy(problem)
+    letter = _mass_letter(body, heavy)
     if page.kinetic or letter in page.letters:
         yield from _datum(line(blocks.Name(letter)), body.mass, figures)
         yield from _datum(f"weight of {body.name}", body.weight, figures)

@@ -10,7 +10,6 @@ import sympy as sp
 
 from planar_cli.equation.exact import Valuation
 from planar_cli.problem.expression import Quantity
-from planar_cli.problem.unused import unused
 from planar_cli.records import record
 from planar_cli.report.answer_letters import answer_block
 from planar_cli.report.blocks import (
@@ -39,7 +38,7 @@ from planar_cli.report.inertias import with_inertias
 from planar_cli.report.law_check import law_check
 from planar_cli.report.laws import without_given
 from planar_cli.report.names import plain_name
-from planar_cli.report.opening import changed_notes, opening_notes
+from planar_cli.report.opening import changed_notes, not_used, opening_notes
 from planar_cli.report.passages import tale_blocks
 from planar_cli.report.presumed import presumed_notes
 from planar_cli.report.repeats import told_once
@@ -84,8 +83,6 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
         raise KeyError(why)
     told: set[tuple[str, ...]] = set()
     lessons: set[str] = set()
-    if surplus := unused(problem):
-        blocks.append(Note("Not used", line(f"{', '.join(surplus)}: not needed here")))
     first = next((phrases_of(i, voice.figures) for part in solution.parts for i in part.instants), None)
     for part in solution.parts:
         if why is not None and not any(f.name == why for f in part.found):
@@ -103,6 +100,7 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
         else:
             once = told_once(own, blocks)
             blocks += key_blocks(once) if voice.audience == "exam" else once
+    blocks[:0] = not_used(problem, blocks, voice.figures)
     opening = (
         () if why is not None else tuple(opening_notes(problem, blocks, uses_of(solution.parts), first, voice.figures))
     )

@@ -9,8 +9,9 @@ import sympy as sp
 
 from planar_cli.problem.expression import Number
 from planar_cli.problem.scene import Problem, Symbol
+from planar_cli.problem.unused import unused
 from planar_cli.report.blocks import Block, Line, Name, Note, Value, line
-from planar_cli.report.given import Mentioned, given_rows, mentioned
+from planar_cli.report.given import Mentioned, given_rows, idle_masses, mentioned
 from planar_cli.report.sides import AS_WRITTEN, said
 from planar_cli.report.uses import Uses, principles
 from planar_cli.report.words import Phrases
@@ -33,6 +34,14 @@ def opening_notes(
     if names:
         yield Note("Find", _listed([line(Name(n)) for n in names]))
     yield Note("Principle", line(" ".join(principles(uses))))
+
+
+def not_used(problem: Problem, blocks: Sequence[Block], figures: int) -> Iterator[Note]:
+    """What the file gives and nothing rests on: letters, surfaces, and masses of which the page has none."""
+    seen, parts = mentioned(blocks), (problem, *(case.problem for case in problem.cases))
+    masses = dict.fromkeys(mass for part in parts for mass in idle_masses(part, seen, figures))
+    if surplus := [*(line(name) for name in unused(problem)), *masses]:
+        yield Note("Not used", line(*_listed(surplus), ": not needed here"))
 
 
 def changed_notes(

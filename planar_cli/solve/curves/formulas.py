@@ -33,6 +33,7 @@ from planar_cli.solve.between.solved_motion import SolvedMotion
 from planar_cli.solve.curves.by_coordinates import by_coordinates
 from planar_cli.solve.curves.kinematics import Story, letter_of, no_value, tells
 from planar_cli.solve.curves.paths import CurveReader
+from planar_cli.solve.diagnosis.clash import BLAMED, clash
 from planar_cli.solve.instant.verify import Disagreement
 from planar_cli.solve.instant.worked import unknowns_of
 from planar_cli.solve.passages import Passage, Tale, sides_of
@@ -55,16 +56,19 @@ def general_regime(problem: Problem, earlier: Mapping[str, Any], exprs_of: Any) 
     """The general position in the first modes that hold, worked out. `exprs_of`: what is needed of it."""
     workshop = Workshop(earlier)
     span = spans_of(problem, ())[0]
-    objection = ""
+    objection, blamed = "", None
+    mark = problem.find[0].mark
     for choice in workshop.drawn(span).choices():
         regime = workshop.regime(Stretch(span, choice))
         trial = regime.general.trial
         if trial.objection or not trial.outcomes:
             objection = objection or trial.objection
+            blamed = blamed or (regime.general.instant, trial)
             continue
         regime.work(exprs_of(regime))
         return regime
-    mark = problem.find[0].mark
+    if blamed is not None and blamed[1].objection in BLAMED:
+        raise NoSolution([clash(*blamed, mark)])
     raise NoSolution(
         [Diagnostic(mark, "PL622", f"no assumption about the contacts holds in a general position: {objection}")]
     )

@@ -324,7 +324,7 @@ def _hint(course: MotionEquations, followed: Followed, stop: Stop, value: Valuat
             return f"it was reached before, at t = {when:.4g} s: states stand in the order in which they happen"
     onward = followed.onward
     found = []
-    for d in equations if onward is not None else ():
+    for d in equations if onward is not None and onward.pieces else ():
         assert onward is not None
         g = reader.along(d.residual, stop, onward)
         try:

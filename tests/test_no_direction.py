@@ -1,0 +1,135 @@
+"""What has no direction, or sizes that none can have, is refused where it is written."""
+
+from __future__ import annotations
+
+import pytest
+from answered import assert_close, solve
+
+from planar_cli.errors import FileProblem, NoSolution, PlanarError
+
+BELT = """
+title: Belt drive
+points: {A: [0, 0], B: [0.5 m, 0]}
+bodies: {small: {disk: A, radius: 0.1 m}, large: {disk: CENTRE, radius: 0.3 m}}
+joints:
+  - pin: {at: A, between: [ground, small]}
+  - pin: {at: CENTRE, between: [ground, large]}
+  - belt: {between: [small, large]}
+motion: [omega(small) = 60 rpm]
+find: {omega: omega(large) in rpm}
+"""
+
+
+def test_a_belt_runs_from_one_centre_to_another() -> None:
+    assert solve(BELT.replace("CENTRE", "B"))["omega"].values is not None
+    with pytest.raises(FileProblem, match="small and large have one centre") as refused:
+        solve(BELT.replace("CENTRE", "A"))
+    assert refused.value.diagnostics[0].mark.line == 8
+
+
+BALLS = """
+title: Two balls
+plane: horizontal
+points: {A: [0, 0], B: [0, 0]}
+bodies: {one: {disk: A, radius: 10 mm, mass: 0.1 kg}, two: {disk: B, radius: 10 mm, mass: 0.1 kg}}
+joints:
+  - impact: {between: [one, two], restitution: 1}
+states:
+  1: [t = 0, v(A).x = 1 m/s, v(A).y = 0, omega(one) = 0, two at rest]
+  2: [t = 0.01 s]
+find: {v: v(A).x @ 2}
+"""
+
+
+def test_balls_in_one_place_strike_in_no_direction() -> None:
+    with pytest.raises(PlanarError, match="both partners have one centre") as refused:
+        solve(BALLS)
+    assert isinstance(refused.value, NoSolution)
+    assert refused.value.diagnostics[0].mark.line == 7
+
+
+SPRING = """
+title: Block on a spring
+plane: vertical
+given: {g: GRAVITY, l_0: LENGTH, k: 200 N/m}
+coordinates: {y: m}
+points: {P: [0, 0], Q: [0, y]}
+bodies: {block: {particle: Q, mass: 2 kg}}
+joints:
+  - guide: {point: Q, along: 90 deg}
+loads:
+  - spring: {between: [P, Q], stiffness: k, natural_length: l_0}
+states: {rest: [equilibrium, y < 0]}
+find: {y: y @ rest}
+"""
+
+
+@pytest.mark.parametrize("length", ["0.1 m", "0 m"])
+def test_a_natural_length_may_be_zero(length: str) -> None:
+    assert solve(SPRING.replace("GRAVITY", "9.81 m/s^2").replace("LENGTH", length))["y"].values is not None
+
+
+@pytest.mark.parametrize(
+    ("gravity", "length", "words"),
+    [("9.81 m/s^2", "-0.1 m", "length of the spring P is negative"), ("-9.81 m/s^2", "0.1 m", "g is negative")],
+)
+def test_sizes_are_not_negative(gravity: str, length: str, words: str) -> None:
+    with pytest.raises(FileProblem, match=words):
+        solve(SPRING.replace("GRAVITY", gravity).replace("LENGTH", length))
+
+
+def test_a_spring_may_pass_through_its_own_end() -> None:
+    """Where its ends meet it pulls in no direction, and nothing breaks there."""
+    states = "states: {1: [t = 0, y = -0.5 m, at rest], 2: [y is largest]}\nfind: {y: y @ 2}\n"
+    text = SPRING.replace("GRAVITY", "9.81 m/s^2").replace("LENGTH", "0 m").replace("k: 200", "k: 981")
+    found = solve(text.split("states:")[0] + states)
+    assert found["y"].values is not None
+    assert float(found["y"].values[0]) == pytest.approx(0.46)
+
+
+ARM = """
+title: Arm that turns about a pin
+symbols: {l: m, w: rad/s}
+coordinates: {theta: deg}
+points: {O: [0, 0], C: [l, 0]}
+bodies: {arm: {rod: [O, theta], length: 2*l}}
+joints:
+  - pin: {at: O, between: [ground, arm]}
+MORE
+motion: [dot(theta) = w]
+find: {turns: omega(arm)}
+"""
+
+
+def test_a_body_turns_as_its_written_direction_does() -> None:
+    """And neither a relation nor a joint may say otherwise."""
+    text = ARM.replace("MORE\n", "")
+    found = solve(text)["turns"].expressions
+    assert found is not None
+    assert str(found[0]) == "w"
+    with pytest.raises(NoSolution, match="omega\\(arm\\) = 2"):
+        solve(text.replace("= w]", "= w, omega(arm) = 2*w]"))
+    with pytest.raises(NoSolution, match="contradicts what the joints make of"):
+        solve(ARM.replace("MORE", "  - guide: {point: C, along: arm}"))
+
+
+BLOCKS = """
+title: Two blocks
+plane: horizontal
+points: {A: [0, 0.2 m], B: [0, 0]}
+bodies: {upper: {particle: A, mass: 5 kg}, lower: {particle: B, mass: 8 kg}}
+joints:
+  - guide: {body: upper, along: 0 deg}
+  - guide: {body: lower, along: 0 deg}
+loads:
+  - force: {body: lower, at: POINT, magnitude: 90 N, angle: 0 deg}
+instant: [at rest]
+find: {a: a(B).x}
+"""
+
+
+def test_a_force_on_a_particle_acts_where_it_is() -> None:
+    assert_close(solve(BLOCKS.replace("POINT", "B"))["a"], "11.25")
+    with pytest.raises(FileProblem, match="A is a point of upper") as refused:
+        solve(BLOCKS.replace("POINT", "A"))
+    assert refused.value.diagnostics[0].code == "PL465"
