@@ -39,7 +39,7 @@ def test_letters_of_a_problem_in_letters() -> None:
     [
         ("ex-4-13", ["m = 12 kg", "A(0, 0), B(0, -2) m, S(0, -1.5) m", "impulse blow = 1000 N · 0.03 s", "1: at rest"]),
         ("ex-1-02", ["r, l", "OA = r at 60°, AB = l at 0°, OA2 = r at -30°, A2B2 = l at 0°"]),
-        ("ladder-sliding", ["A(l cos β, 0), B(0, l sin β)", "μ = 0.2 at A, μ = 0.1 at B"]),
+        ("ladder-sliding", ["A(l cos β, 0), B(0, l sin β)", "μ_A = 0.2, μ_B = 0.1"]),
         ("pucks-at-an-angle", ["1: |v_A| = 5 m/s, direction of v_A = 0°, |v_B| = 2 m/s, direction of v_B = 150°"]),
         ("collar-on-rotating-rod", ["v_P/rod along OA = 0.6 m/s, a_P/rod along OA = -0.2 m/s²"]),
         ("leaking-bucket", ["m = M - q t, speed of what leaves, relative to the body = 0"]),

@@ -42,6 +42,7 @@ _LABEL = 9
 _KINETIC = "   =   "
 # Left sides are aligned at their relation signs unless that tears a short one too far from its lead.
 _LARGEST_SPREAD = 12
+_LONGER_LEAD = 24
 _COLOURS = {
     "title": "bold",
     "heading": "bold cyan",
@@ -109,8 +110,11 @@ class Terminal(Format[Row]):
         return fill(head, spans(line), row_cells(head), self.width)
 
     def equations(self, run: Sequence[Equation]) -> list[Row]:
-        columns = _Columns.of(run, self.width)
-        return [row for equation in run for row in self._equation(equation, columns)]
+        found: list[Row] = []
+        for part in _alike(run):
+            columns = _Columns.of(part, self.width)
+            found += [row for equation in part for row in self._equation(equation, columns)]
+        return found
 
     def _equation(self, equation: Equation, columns: _Columns) -> list[Row]:
         head = columns.head(equation)
@@ -120,7 +124,7 @@ class Terminal(Format[Row]):
         below = others and (sign <= self.width // 2 or all(row_cells(s) + 2 <= self.width - sign for s in others))
         hang = sign if below else min(columns.start + _BODY, self.width // 2)
         if row_cells(head) > self.width // 2:
-            rows = [settled(head)]
+            rows, hang = [settled(head)], columns.start + 2 * _BODY
             head = indent(hang)
         else:
             rows = []
@@ -215,6 +219,18 @@ class Terminal(Format[Row]):
         for line in lines:
             rows += fill(indent(hang) if rows else head, line, hang, self.width)
         return rows
+
+
+def _alike(run: Sequence[Equation]) -> list[list[Equation]]:
+    """Equations that are aligned together: none beside one with a much longer lead, which would tear them apart."""
+    parts: list[list[Equation]] = []
+    sizes = [row_cells(spans(e.lead)) for e in run]
+    for i, equation in enumerate(run):
+        if i and abs(sizes[i] - sizes[i - 1]) <= _LONGER_LEAD:
+            parts[-1].append(equation)
+        else:
+            parts.append([equation])
+    return parts
 
 
 @record

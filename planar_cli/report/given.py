@@ -10,6 +10,7 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from planar_cli.problem.expression import AtRest, Name, Quantity, Relation, Side
 from planar_cli.problem.keys import DirectionKey, Flow, KeySpec, MagnitudeKey, SideKey, keys_of
+from planar_cli.problem.lettered import LETTERS
 from planar_cli.problem.scene import (
     At,
     Body,
@@ -40,16 +41,6 @@ from planar_cli.report.blocks import Relation as Related
 from planar_cli.report.sides import AS_WRITTEN, is_zero, number_of, said
 from planar_cli.units import pretty_unit
 
-LETTER = {
-    "stiffness": "k",
-    "natural_length": "l_0",
-    "coefficient": "c",
-    "mu": "mu",
-    "mu_s": "mu_s",
-    "mu_k": "mu_k",
-    "restitution": "e",
-}
-"""The letters that every page writes for such a key."""
 RIGHT_ANGLE = 90
 SHORT = 2
 """Two names of so many letters side by side are the line between the points."""
@@ -252,8 +243,8 @@ def _sides(value: object, spec: KeySpec, named: str) -> Iterator[tuple[Line | st
                 return
             if turned:
                 yield f"direction of the {named if spec.name in ('angle', 'along') else spec.name}", value
-            elif spec.name in LETTER:
-                yield line(blocks.Name(LETTER[spec.name])), value
+            elif spec.name in LETTERS:
+                yield line(blocks.Name(LETTERS[spec.name])), value
             else:
                 main = spec.name in ("magnitude", "moment")
                 yield named if main else f"{spec.name.replace('_', ' ')} of the {named}", value

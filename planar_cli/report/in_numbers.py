@@ -82,7 +82,11 @@ def solved_for(
         return None
     terms = _Collected(frozenset(unknowns), phrases).terms(left - right) or {}
     (power, *more) = [m for m in terms if symbol in m.free_symbols] or (None,)
-    if power not in (symbol, symbol**2) or more:
+    if power is None or more:
+        return None
+    # What is known by now may multiply it.
+    beside = sp.S.One if power == symbol**2 else power / symbol
+    if symbol in beside.free_symbols:
         return None
     sizes, parts = dict[sp.Symbol, Decimal](), list[sp.Expr]()
     own = terms.pop(power)
@@ -100,8 +104,9 @@ def solved_for(
     if not parts or (alone and not divided and power == symbol):
         return None
     whole = sp.Add(*parts, evaluate=False) if len(parts) > 1 else parts[0]
-    whole = whole / number if divided else whole
-    if power != symbol:
+    below = sp.Mul(*([number] if divided else []), *([] if beside == 1 else [beside]))
+    whole = whole if below == 1 else whole / below
+    if power == symbol**2:
         whole = sp.sqrt(whole) if phrases.value(symbol) > 0 else -sp.sqrt(whole)
     return phrases.numbers(whole, sizes, turns=False)
 

@@ -12,7 +12,7 @@ from planar_cli.equation.plain import longer
 from planar_cli.equation.scene import Scene
 from planar_cli.problem.scene import Body, Rod, Round
 from planar_cli.records import record
-from planar_cli.report.blocks import Block, Equation, Heading, Inline, Line, Math, Value, line
+from planar_cli.report.blocks import Block, Equation, Heading, Inline, Line, Math, Text, Value, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.forces import centre_of
 from planar_cli.report.numbers import significant
@@ -102,6 +102,38 @@ def by_size(symbol: sp.Symbol, scene: Scene, phrases: Phrases, settled: bool) ->
         texts = {s: _text(phrases.shown(s)) for s in (made.mass, made.own) if s != 0}
         told.append(line(Math(formula, {length: _text(size), **texts})))
     return told
+
+
+def alike_together(lines: Sequence[Equation]) -> list[Equation]:
+    """Equal bodies have one line: I_A = I_B = 1/12 m l² = …; of what is made otherwise each its own."""
+    found: list[Equation] = []
+    for equation in lines:
+        same = found[-1] if found else None
+        one = _body_of(equation)
+        if (
+            same is None
+            or not one
+            or not _body_of(same)
+            or same.sides[-len(equation.sides) + 1 :] != equation.sides[1:]
+        ):
+            found.append(equation)
+            continue
+        bodies = f"{_body_of(same)}, {one}"
+        letters = same.sides[: len(same.sides) - len(equation.sides) + 1]
+        sides = (*letters, *equation.sides)
+        found[-1] = replace(same, sides=sides, lead=line(f"{OF_BODIES}{bodies}:"))
+    return found
+
+
+OF_BODY, OF_BODIES = "moment of inertia of ", "moments of inertia of "
+
+
+def _body_of(equation: Equation) -> str:
+    """The body, or the bodies, whose moment of inertia about the mass centre a line gives; empty: it gives another."""
+    words = "".join(p.text for p in equation.lead if isinstance(p, Text)).removesuffix(":")
+    if len(equation.sides) < 2 or " about " in words or " of part " in words:
+        return ""
+    return words.removeprefix(OF_BODIES).removeprefix(OF_BODY) if words.startswith((OF_BODY, OF_BODIES)) else ""
 
 
 def _text(value: Value) -> str:

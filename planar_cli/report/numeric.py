@@ -61,15 +61,18 @@ class NumericTelling:
         return not is_clean(self.phrases.ledger, w.left, w.right, dimension=self._dimension(w, stage))
 
     def put_named(self, x: Explicit) -> bool:
-        """Is a line that names something in numbers?"""
-        return not self.phrases.symbolic and longer(x.expression, NAMED)
+        """Is a line that names an acceleration in numbers?"""
+        if self.phrases.symbolic:
+            return False
+        clean = is_clean(self.phrases.ledger, x.symbol, x.expression, dimension=ACCELERATION)
+        return longer(x.expression, NAMED) or not clean
 
     def named(self, x: Explicit, stage: Stage) -> Printed:
         """A line that names an acceleration in the unknowns of the equations."""
         if self.put_named(x):
             unknowns = {x.symbol, *stage.algebra.unknowns} - self._data(stage)
             found = in_numbers(x.symbol, x.expression, unknowns, self.phrases)
-            if found is None:
+            if found is None or found.dimension is None:
                 found = in_numbers(x.symbol, x.expression, unknowns, self.phrases, ACCELERATION)
             if found is not None:
                 return (found.left, found.right), _unit_note(found, self.phrases)

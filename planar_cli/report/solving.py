@@ -179,7 +179,8 @@ class SolvingTelling:
             w.number in x.equations and self.numeric.put_whole(w, stage) for b in stage.blocks for w in b.equations
         )
         sides = self.chain(x.symbol, x.formula, shown)
-        if put:
+        bare = len(sides) == 2 and not x.formula.is_number and not self.phrases.symbolic
+        if put or bare:
             sides = (self.phrases.math(x.symbol), *self.numeric.solution(x, stage), shown)
         return [
             *(() if put else self._values_of(sides, x, stage)),

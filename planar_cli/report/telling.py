@@ -14,7 +14,7 @@ from planar_cli.report.at_rest import speeds_matter
 from planar_cli.report.blocks import Block, Equation, Heading, Line, Name, Paragraph, line
 from planar_cli.report.forces import centre_of, force_rows
 from planar_cli.report.geometry import constructed, places
-from planar_cli.report.inertias import by_size, is_sought
+from planar_cli.report.inertias import alike_together, by_size, is_sought
 from planar_cli.report.names import GREEK
 from planar_cli.report.numeric import NumericTelling, vanishing
 from planar_cli.report.solving import SolvingTelling, is_given, is_written
@@ -133,14 +133,14 @@ class Telling:
 
     # --- step 1 ------------------------------------------------------------------------------------------------------
 
-    def _definitions(self, kind: str) -> list[Block]:
+    def _definitions(self, kind: str) -> list[Equation]:
         """Named intermediates that the equations use: coordinates (kind "m"), masses and moments of inertia ("kg")."""
         ledger = self.scene.ledger
         wanted = self._used()
         for symbol in reversed(list(ledger.definitions)):
             if symbol in wanted:
                 wanted |= ledger.definitions[symbol].free_symbols
-        blocks: list[Block] = []
+        blocks: list[Equation] = []
         for symbol, expr in ledger.definitions.items():
             is_length = ledger.units[symbol].text == "m"
             if (
@@ -159,7 +159,7 @@ class Telling:
                 if not is_length and is_sought(symbol, ledger):
                     sides = sides[:2]
                 blocks.append(Equation(sides, None, line(ledger.titles[symbol] + ":")))
-        return blocks
+        return alike_together(blocks)
 
     def _used(self) -> set[sp.Symbol]:
         """Every symbol that stands in an equation or line that is told."""

@@ -1,0 +1,99 @@
+"""Numbers of joints and loads get the letters that every page writes for them: μ, μ_s, μ_k, e, k, c, l_0.
+
+A file may give them as numbers where they stand (`mu: 0.3`). A formula needs the letter: F = μ N, not F = 0.3 N.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+from planar_cli.problem.expression import Name, Number
+from planar_cli.problem.keys import keys_of
+from planar_cli.problem.scene import Problem, Symbol
+from planar_cli.problem.scope import Member, members_of
+from planar_cli.records import record
+
+LETTERS = {
+    "stiffness": "k",
+    "natural_length": "l_0",
+    "coefficient": "c",
+    "mu": "mu",
+    "mu_s": "mu_s",
+    "mu_k": "mu_k",
+    "restitution": "e",
+}
+"""The letters that every page writes for such a key."""
+OF_LOADS = {("Force", "magnitude"): "F", ("Torque", "moment"): "M"}
+RESERVED = ("g", "t", "pi", "infinity")
+
+
+@record
+class _Literal:
+    """A number that stands where a joint or load needs it. `owner`: kind and name of that, `key`: where it stands."""
+
+    owner: tuple[str, str]
+    key: str
+    number: Number
+
+    @property
+    def letter(self) -> str:
+        return _letter(self.owner[0], self.key)
+
+    @property
+    def size(self) -> tuple[object, ...]:
+        return self.number.value, self.number.unit, self.number.sense
+
+
+def lettered(problem: Problem) -> Problem:
+    """The problem and its cases with those numbers among the given."""
+    cases = tuple(replace(case, problem=lettered(case.problem)) for case in problem.cases)
+    literals = [x for m in members_of(problem) for x in _literals(m)]
+    given: dict[str, Symbol] = {}
+    names: dict[tuple[tuple[str, str], str], str] = {}
+    taken = _taken(problem)
+    for x in literals:
+        same = {other.size for other in literals if other.letter == x.letter}
+        name = x.letter if len(same) == 1 else f"{x.letter}_{x.owner[1]}"
+        if name not in taken:
+            names[x.owner, x.key] = name
+            given.setdefault(name, Symbol(name, x.number, None, x.number.mark))
+    if not given:
+        return replace(problem, cases=cases) if cases else problem
+    return replace(
+        problem,
+        given=(*problem.given, *given.values()),
+        joints=tuple(_with_letters(j, names) for j in problem.joints),
+        loads=tuple(_with_letters(x, names) for x in problem.loads),
+        cases=cases,
+    )
+
+
+def _literals(member: Member) -> list[_Literal]:
+    """The numbers of one joint or load; none has a letter that is nought, as of a smooth contact."""
+    kind = type(member).__name__
+    found = ((s.name, getattr(member, s.name)) for s in keys_of(type(member)) if _letter(kind, s.name))
+    return [_Literal(_owner(member), key, value) for key, value in found if isinstance(value, Number) and value.value]
+
+
+def _letter(kind: str, key: str) -> str:
+    """The letter for a key of such a joint or load; empty: it has none."""
+    return LETTERS.get(key, OF_LOADS.get((kind, key), ""))
+
+
+def _owner(member: Member) -> tuple[str, str]:
+    return type(member).__name__, member.name
+
+
+def _taken(problem: Problem) -> set[str]:
+    """Names that stand for something else in the file."""
+    numbers = (*problem.given, *problem.symbols, *problem.unknowns, *problem.coordinates)
+    others = (*problem.points, *problem.bodies, *problem.surfaces, *problem.states, *members_of(problem))
+    return {x.name for x in (*numbers, *others)} | {f.name for f in problem.find} | set(RESERVED)
+
+
+def _with_letters(member: Any, names: dict[tuple[tuple[str, str], str], str]) -> Any:
+    """A joint or load with letters for its numbers."""
+    own = {key: name for (owner, key), name in names.items() if owner == _owner(member)}
+    changed = {key: Name(name, None, getattr(member, key).mark) for key, name in own.items()}
+    return replace(member, **changed) if changed else member

@@ -1,0 +1,60 @@
+"""Numbers of joints and loads that the file writes where they stand have their letters on the page."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+from conftest import ROOT
+from worked import worked
+
+from planar_cli.formats.terminal import Terminal
+from planar_cli.problem.lettered import lettered
+from planar_cli.problem.structure import load_text
+from planar_cli.report.narrate import narrate
+
+
+def _page(name: str) -> str:
+    return Terminal(width=110).render(narrate(worked(ROOT / "problems" / f"{name}.yaml")[0]))
+
+
+@pytest.mark.parametrize(
+    ("name", "equation"),
+    [
+        ("friction/crate-pulled", "P cos 25° - μ_k N_A = m a_A"),
+        ("friction/stacked-blocks", "P - μ_A N_A - μ_B N_B = m_B a_B"),
+        ("friction/spool-rolls-or-slips", "P r_h - μ_k N_C R = I_G α"),
+        ("rigid-bodies/built-in-beam-with-prop", "F cos 35° + A_x = 0"),
+    ],
+)
+def test_letters_in_equations(name: str, equation: str) -> None:
+    page = _page(name)
+    assert equation in page
+    assert not re.search(r"\d N_[A-Z]\b", page.split("Answer")[0])
+
+
+FILE = """
+plane: vertical
+given: {mu: 0.5}
+points: {A: [0, 0], B: [1 m, 0]}
+bodies:
+  a: {particle: A, mass: 2 kg}
+  b: {particle: B, mass: 3 kg}
+joints:
+  - contact: {between: [a, ground], mu: 0.2}
+  - contact: {between: [b, ground], mu: 0.3}
+loads:
+  - force: {body: a, magnitude: 4 N, angle: 0 deg}
+instant: [at rest]
+find: {a_a: a(a).x}
+"""
+
+
+def test_names_that_are_free() -> None:
+    """Two numbers have two letters, and a name of the file is never taken."""
+    problem = lettered(load_text(FILE, "x.yaml")[0])
+    values = {s.name: s.value for s in problem.given}
+    assert {"mu", "mu_a", "mu_b", "F"} <= set(values)
+    assert [str(j.mu.name) for j in problem.joints] == ["mu_a", "mu_b"]
+    again = lettered(problem)
+    assert again == problem
