@@ -58,3 +58,15 @@ def test_names_that_are_free() -> None:
     assert [str(j.mu.name) for j in problem.joints] == ["mu_a", "mu_b"]
     again = lettered(problem)
     assert again == problem
+
+
+def test_beside_letters_a_number_stays() -> None:
+    """An answer in letters of the file holds the coefficient as the number that it is."""
+    lines = FILE.replace("given: {mu: 0.5}", "symbols: {m: kg}")
+    assert lettered(load_text(lines, "x.yaml")[0]).given == ()
+
+
+def test_a_length_and_an_elastic_blow_stay_numbers() -> None:
+    """A natural length cancels against places; e = 1 says that the speeds are exchanged."""
+    page = _page("impact/cart-against-a-cart-on-a-buffer")
+    assert "5 l_0" not in page

@@ -1,4 +1,4 @@
-"""Numbers of joints and loads get the letters that every page writes for them: μ, μ_s, μ_k, e, k, c, l_0.
+"""Numbers of joints and loads get the letters that every page writes for them: μ, μ_s, μ_k, e, k, c, F, M.
 
 A file may give them as numbers where they stand (`mu: 0.3`). A formula needs the letter: F = μ N, not F = 0.3 N.
 """
@@ -25,6 +25,7 @@ LETTERS = {
 }
 """The letters that every page writes for such a key."""
 OF_LOADS = {("Force", "magnitude"): "F", ("Torque", "moment"): "M"}
+LENGTHS = ("natural_length",)
 RESERVED = ("g", "t", "pi", "infinity")
 
 
@@ -48,7 +49,8 @@ class _Literal:
 def lettered(problem: Problem) -> Problem:
     """The problem and its cases with those numbers among the given."""
     cases = tuple(replace(case, problem=lettered(case.problem)) for case in problem.cases)
-    literals = [x for m in members_of(problem) for x in _literals(m)]
+    # Beside letters without numbers a number stays: the answer is a formula of those letters.
+    literals = [] if problem.symbols else [x for m in members_of(problem) for x in _literals(m)]
     given: dict[str, Symbol] = {}
     names: dict[tuple[tuple[str, str], str], str] = {}
     taken = _taken(problem)
@@ -70,15 +72,21 @@ def lettered(problem: Problem) -> Problem:
 
 
 def _literals(member: Member) -> list[_Literal]:
-    """The numbers of one joint or load; none has a letter that is nought, as of a smooth contact."""
+    """The numbers of one joint or load. Nought, as of a smooth contact, and one, as of an elastic blow, are no letters;
+    nor is a length, which cancels against places.
+    """
     kind = type(member).__name__
     found = ((s.name, getattr(member, s.name)) for s in keys_of(type(member)) if _letter(kind, s.name))
-    return [_Literal(_owner(member), key, value) for key, value in found if isinstance(value, Number) and value.value]
+    return [
+        _Literal(_owner(member), key, value)
+        for key, value in found
+        if isinstance(value, Number) and value.value not in (0, 1)
+    ]
 
 
 def _letter(kind: str, key: str) -> str:
     """The letter for a key of such a joint or load; empty: it has none."""
-    return LETTERS.get(key, OF_LOADS.get((kind, key), ""))
+    return "" if key in LENGTHS else LETTERS.get(key, OF_LOADS.get((kind, key), ""))
 
 
 def _owner(member: Member) -> tuple[str, str]:

@@ -51,7 +51,8 @@ def another_equation(instant: InstantSolution, phrases: Phrases) -> Line:
             continue
         for found in _left(instant, body, used, phrases):
             terms = counting(found.terms)
-            if LEAST <= len(terms) <= MOST and not longer(found.inertia, LONGEST):
+            known = phrases.value.known(found.inertia) is not None
+            if known and LEAST <= len(terms) <= MOST and not longer(found.inertia, LONGEST):
                 return _told(body, found, terms, phrases)
     return ()
 
