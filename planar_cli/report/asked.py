@@ -177,7 +177,8 @@ class AskedTelling:
         else:
             own = point if point in self.scene.points else centre_of(self.scene, point)
             told, name = list(self._absolute(point, q.word)), f"{q.word}_{index_of(own)}"
-        if told or name in self._named:
+        level = "velocity" if q.word == "v" else "acceleration"
+        if told or name in self._named or f"{level} {name.removeprefix(f'{q.word}_')}" in self._told:
             self._named.add(name)
             yield from told
             yield from self._component(answer, q, name)
@@ -190,14 +191,25 @@ class AskedTelling:
         if point not in self.scene.points:
             own = centre_of(self.scene, point)
             yield from self._on_path(point, own, level)
+            yield from self._along_body(point, own, level)
             yield from self._body_point(point, self.scene.center(point), own, level)
             return
         place = self.scene.point(point)
         yield from self._on_path(self.scene.owner(point), point, level)
+        yield from self._along_body(self.scene.owner(point), point, level)
         for body in self.scene.owners.get(point, ()) or (self.scene.owner(point),):
             if body in self.scene.bodies and self.vectors.formula(body, place, point, level) is not None:
                 yield from self._body_point(body, place, point, level)
                 return
+
+    def _along_body(self, body: str, place: str, level: str) -> Iterator[Block]:
+        """Of a particle that slides along a body that turns, with the Coriolis acceleration."""
+        motion, at = self.vectors.motion, self.scene.center(body)
+        key = f"{level} {place}"
+        found = self.vectors.sliding(body, at, place, level) if key not in self._told else None
+        if found is not None:
+            vector = motion.velocity(at, body) if level == "velocity" else motion.acceleration(at, body)
+            yield from self._once(key, (line(Name(f"{level[0]}_{index_of(place)}")), found[0]), vector, level, found[1])
 
     def _on_path(self, body: str, place: str, level: str) -> Iterator[Block]:
         """Of a particle on a curved path: v = v e_t, a = a_t e_t + v²/ρ e_n."""

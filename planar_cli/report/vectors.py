@@ -25,7 +25,7 @@ from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.candidates import CONTACT
 from planar_cli.solve.instant.instant import Trial
 from planar_cli.solve.instant.written import Written
-from planar_cli.units import LENGTH
+from planar_cli.units import LENGTH, PURE
 
 SHORT = 7
 """So many operations has a component of an arm at most that is told in letters before its number."""
@@ -189,6 +189,7 @@ class VectorTelling:
         body = self.carrier(body)
         found = self.formula(body, at, place, level)
         if found is None:
+            yield from self._slid(body, at, place, level)
             return
         edge, sides, arm = found
         reference = self._reference(edge)
@@ -198,6 +199,14 @@ class VectorTelling:
         if key not in self._told:
             self._told.add(key)
             yield Equation(sides, None, note=self.arm_once(place, edge, arm))
+
+    def _slid(self, body: str, at: Vec, place: str, level: str) -> Iterator[Block]:
+        """The vector equation of what slides along a body that turns."""
+        key, found = f"{level} {body} {place}", self.sliding(body, at, place, level)
+        if found is not None and key not in self._told:
+            self._told.add(key)
+            own = Name(f"{'v' if level == 'velocity' else 'a'}_{index_of(place)}")
+            yield Equation((line(own), found[0]), None, note=found[1])
 
     def carrier(self, body: str) -> str:
         """The body itself; of a particle that is pinned to another body, that one."""
@@ -224,6 +233,38 @@ class VectorTelling:
         for sign, piece in self._turning(body, place, reference, level):
             parts += [f" {sign} " if parts else "-" if sign == "-" else "", *piece]
         return (edge, (line(Name(f"{v}_{index_of(place)}")), line(*parts or ["0"])), arm) if reference else None
+
+    def sliding(self, body: str, at: Vec, place: str, level: str) -> tuple[Line, Line] | None:
+        """What slides along a straight line of a body that turns: v_P = ω × r_P/A + v_P/AB e, and a_P with the Coriolis
+        acceleration; and what stands beside it. None: the line is fixed, or it bends.
+        """
+        edge = self.edges.get(body)
+        if edge is None or not edge.particle or edge.joining is None or edge.slide is None or edge.slide_rate is None:
+            return None
+        path, frame = edge.joining.path, self.carrier(edge.parent)
+        found = self.formula(frame, at, f"{place}′", level) if path is not None and path.curvature == 0 else None
+        if path is None or found is None:
+            return None
+        own, (_, carried), arm = found
+        spin, e = self._symbol(frame, "velocity"), Name("e")
+        known = self.phrases.value.known
+        parts: list[Any] = [*carried]
+        if level == "velocity" or known(edge.slide_rate) != 0:
+            parts += [" + ", self.phrases.math(edge.slide if level == "velocity" else edge.slide_rate), " ", e]
+        if level != "velocity" and spin != 0 and known(edge.slide) != 0:
+            parts += [" + 2 ", self.phrases.math(spin), " × ", self.phrases.math(edge.slide), " ", e]
+        away = self.arm_once(place, own, arm)
+        beside = [*away, *(", " if away else "")]
+        if f"e {frame}" not in self._told:
+            self._told.add(f"e {frame}")
+            beside += [e, " = ", *self.unit(path.tangent)]
+        return line(*parts), line(*beside) if beside else ()
+
+    def unit(self, direction: Vec) -> Line:
+        """A unit vector in letters or numbers."""
+        if self.phrases.symbolic:
+            return line("[", self.phrases.math(direction.x), ", ", self.phrases.math(direction.y), "]")
+        return self.phrases.vector(self.phrases.certain(direction.x), self.phrases.certain(direction.y), PURE)
 
     def _turning(self, body: str, place: str, reference: str, level: str) -> Iterator[tuple[str, Line]]:
         """ω × r, or α × r and ω² r, where they are not zero."""
