@@ -12,6 +12,7 @@ from planar_cli.problem.scene import Round
 from planar_cli.records import record
 from planar_cli.solve.between.chain import Chain
 from planar_cli.solve.between.extremes import stationary
+from planar_cli.solve.between.mass_centres import mass_centre_equations
 from planar_cli.solve.between.stated_motion import StatedMotion
 from planar_cli.solve.following.departure import Departure
 from planar_cli.solve.regimes.equations import (
@@ -220,7 +221,8 @@ def _moving(motion: StatedMotion, begun: Mapping[sp.Symbol, sp.Expr]) -> list[Eq
         found += list(standing_equations(laws, start, stop, regime, begun))
         found += list(symmetric_equations(start, stop, regime, begun))
         found += list(kept_equations(regime, start, stop))
-        found += list(motion.between.equations(motion, i))
+        balances = list(motion.between.equations(motion, i))
+        found += [*balances, *mass_centre_equations(balances, regime, motion.first, begun)]
         if stop.t in motion.infinite():
             found += list(ending_equations(laws, stop, regime))
         found += list(resting_equations(regime, motion.stops[motion.states[i - 1].name], stop, motion.transfer(regime)))

@@ -28,7 +28,7 @@ from planar_cli.solve.regimes.regime import Regime
 from planar_cli.solve.regimes.timeline import Demand, Stop
 
 COSTS = {"given": 0.1, "turn": 0.2, "drawn": 0.1, "start": 0.1, "motion": 0.5, "link": 0.6, "loop": 1.2, "extreme": 0.8}
-COSTS |= {"followed": 5.0, "blow": 1.0, "handed": 0.3}
+COSTS |= {"mass centre": 1.6, "followed": 5.0, "blow": 1.0, "handed": 0.3}
 PER_EQUATION, OVER_TIME, NO_MASS = 0.2, 0.3, 0.5
 """What a law of motion costs for each equation of kinetics behind it, and where a force grows with time; and what a law
 of energy or momentum costs where the file gives no mass.
