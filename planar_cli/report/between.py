@@ -11,6 +11,7 @@ import sympy as sp
 
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.records import changing
+from planar_cli.report.alike import told_of_each, weights_of_each
 from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Paragraph, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.energies import EnergyTelling
@@ -73,14 +74,13 @@ class BetweenTelling:
             return
         first, last = f"{law.letter}_{b.since}", f"{law.letter}_{b.stop}"
         yield Equation((line(Name(first)), self.phrases.math(before)))
-        for body, amount in b.amounts if len(b.amounts) > 1 else ():
-            put = self._put(amount)
-            if put != 0:
-                yield Equation((line(Name(last), f" of {body}"), self.phrases.math(put)))
+        amounts = [(body, put) for body, amount in b.amounts if (put := self._put(amount)) != 0]
+        for i, bodies in told_of_each(amounts).items() if len(b.amounts) > 1 else ():
+            yield Equation((line(Name(last), f" of {bodies}"), self.phrases.math(amounts[i][1])))
         yield Equation((line(Name(last)), self.phrases.math(after)))
         brought = [(words, put) for words, e in b.brought if (put := self._put(e)) != 0]
-        for words, put in brought:
-            yield Equation((line(Name(law.bring), f" of the {words}"), self.phrases.math(put)))
+        for i, words in weights_of_each(brought).items():
+            yield Equation((line(Name(law.bring), f" of the {words}"), self.phrases.math(brought[i][1])))
         gain = sp.Add(*(put for _, put in brought))
         lead = line(Name(first), " + ", Name(law.bring), " = ", Name(last), ":")
         yield Equation((self.phrases.math(before + gain), self.phrases.math(after)), number, lead)

@@ -14,6 +14,7 @@ from planar_cli.equation.ledger import display
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.principles.base import Moving, Storage
 from planar_cli.records import record
+from planar_cli.report.alike import told_of_each, weights_of_each
 from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Value, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.in_numbers import SMALL
@@ -68,16 +69,21 @@ class EnergyTelling:
         first, last = f"{b.law.letter}_{b.since}", f"{b.law.letter}_{b.stop}"
         yield self._line(line(Name(first)), *self._chain(self._put(b.before)))
         amounts = [(body, put) for body, e in b.amounts if not self._vanishes(put := self._put(e))]
-        for body, put in amounts:
-            yield from self._amount(body, put, line(Name(last), f" of {body}" if len(amounts) > 1 else ""))
+        bodies = told_of_each(amounts)
+        for i, (body, put) in enumerate(amounts):
+            if i in bodies:
+                each = f" of {bodies[i]}" if len(amounts) > 1 else ""
+                yield from self._amount(body, put, line(Name(last), each))
         if not amounts:
             yield Equation((line(Name(last)), self.phrases.math(sp.S.Zero)))
         elif len(amounts) > 1:
             yield self._line(line(Name(last)), *self._summed(self._put(b.after)))
         springs = sum(s.power == 2 for s in b.parts.storages) if b.parts is not None else 0
-        for words, e in b.brought:
-            if not self._vanishes(put := self._put(e)):
-                yield from self._brought(words, put, springs > 1)
+        sources = [(words, put) for words, e in b.brought if not self._vanishes(put := self._put(e))]
+        told = weights_of_each(sources)
+        for i, (words, put) in enumerate(sources):
+            if i in told:
+                yield from self._brought(words, put, springs > 1, told[i])
 
     def _put(self, expr: sp.Expr) -> sp.Expr:
         put = sp.sympify(expr).xreplace(dict(self.plain))
@@ -178,9 +184,9 @@ class EnergyTelling:
 
     # --- work --------------------------------------------------------------------------------------------------------
 
-    def _brought(self, words: str, put: sp.Expr, several: bool) -> Iterator[Block]:
-        """U of one source. `several`: springs, whose stretches need names of their own."""
-        lead = line(Name(self.balance.law.bring), f" of the {words}")
+    def _brought(self, words: str, put: sp.Expr, several: bool, each: str) -> Iterator[Block]:
+        """U of one source. `several`: springs, whose stretches need names of their own; `each`: of which it is said."""
+        lead = line(Name(self.balance.law.bring), f" of the {each}")
         storages = self.balance.parts.storages if self.balance.parts is not None else ()
         made = next((s for s in storages if s.words == words), None)
         if made is None or (made.power == 2 and self._short(put)):

@@ -17,6 +17,7 @@ from planar_cli.report.clean import is_clean
 from planar_cli.report.forces import centre_of
 from planar_cli.report.numbers import significant
 from planar_cli.report.words import Phrases
+from planar_cli.solve.between.derivation import are_zero
 from planar_cli.solve.between.trace import BalanceTrace, ImpactEquation, MotionTrace
 from planar_cli.units import LENGTH
 
@@ -67,6 +68,8 @@ def _turning(motion: MotionTrace) -> set[tuple[str, str]]:
     found: set[tuple[str, str]] = set()
     for source in (e.source for leg in motion.route.steps for e in leg.relations):
         if isinstance(source, BalanceTrace) and source.parts is not None:
+            if are_zero((source.before, source.after), motion.route.formulas):
+                continue
             found |= {(m.body, "") for m in source.parts.moving if m.inertia != 0 and m.omega != 0}
         elif isinstance(source, ImpactEquation) and source.law == "moment":
             found |= {(body, source.lead) for body in source.bodies}

@@ -11,6 +11,7 @@ import sympy as sp
 from planar_cli.equation.exact import Valuation
 from planar_cli.problem.expression import Quantity
 from planar_cli.records import record
+from planar_cli.report.alike import with_equals_together
 from planar_cli.report.answer_letters import answer_block
 from planar_cli.report.blocks import (
     Block,
@@ -87,7 +88,7 @@ def narrate(solution: Solution, voice: Voice = STUDENT, why: str | None = None) 
     for part in solution.parts:
         if why is not None and not any(f.name == why for f in part.found):
             continue
-        own = list(with_tangents(part_blocks(part, voice, why, told)))
+        own = with_equals_together(with_tangents(part_blocks(part, voice, why, told)))
         if part.case:
             blocks.append(Heading("CASE", part.case.replace("_", " ")))
             case = next(c.problem for c in problem.cases if c.name == part.case)

@@ -8,7 +8,7 @@ import sympy as sp
 
 from planar_cli.solve.between.asked_finds import AskedFind
 from planar_cli.solve.between.balances import StateBalance
-from planar_cli.solve.between.derivation import Route
+from planar_cli.solve.between.derivation import Route, are_zero
 from planar_cli.solve.between.stated_motion import StatedMotion
 from planar_cli.solve.instant.stages import acceleration_unknowns
 from planar_cli.solve.regimes.regime import Regime
@@ -34,14 +34,15 @@ def wanted_of(
     if regime in (course.readers[s.name].regime for s, _ in course.modes.equilibria):
         names |= _rates(regime, regime.free)
     own = {id(law) for i, r in enumerate(course.regimes) if r is regime for law in course.laws[i].laws}
-    for e in (e for route in routes for step in route.steps for e in step.derivation.equations):
+    for way, e in ((r, e) for r in routes for step in r.steps for e in step.derivation.equations):
         if e.kind == "followed" and _is_passed(course, regime, e.stop):
             names |= _rates(regime, regime.free)
         if e.law is not None and id(e.law) in own and e.law.f != 0:
             names |= _rates(regime, regime.free if e.law.speed is None else (e.law.speed,))
             names |= set() if e.law.constant is None else {e.law.constant[0].name}
         if isinstance(e.source, StateBalance):
-            names |= {s.name for x in _parts(course, regime, e.source) for s in x.free_symbols & known}
+            parts = _parts(course, regime, e.source, way.formulas)
+            names |= {s.name for x in parts for s in x.free_symbols & known}
     others = {s.name for e in said if e not in finds for s in e.free_symbols & known}
     every = {s.name for e in said for s in e.free_symbols & known}
     return frozenset(names | every), frozenset(names | others)
@@ -110,8 +111,12 @@ def _of_turnings(course: StatedMotion, regime: Regime) -> set[str]:
     return {symbols[name].name for test in tests for name, _ in test.pushes if name in symbols}
 
 
-def _parts(course: StatedMotion, regime: Regime, source: StateBalance) -> Iterator[sp.Expr]:
-    """What a balance takes from a regime: amounts where it ends there, and forces that do work or turn on the way."""
+def _parts(
+    course: StatedMotion, regime: Regime, source: StateBalance, formulas: Mapping[sp.Symbol, sp.Expr]
+) -> Iterator[sp.Expr]:
+    """What a balance takes from a regime: amounts where it ends there and they are not zero at both ends, and forces
+    that do work or turn on the way.
+    """
     names = [s.name for s in course.states]
     first, last = names.index(source.since.name), names.index(source.stop.name)
     acting = [k for k in range(first, last) if course.regimes[k] is regime]
@@ -122,6 +127,6 @@ def _parts(course: StatedMotion, regime: Regime, source: StateBalance) -> Iterat
             continue
         if offered.balance.bodies != source.law.bodies:
             continue
-        if acting[-1] == last - 1:
+        if acting[-1] == last - 1 and not are_zero((source.before, source.after), formulas):
             yield from (e for _, e in offered.balance.amounts)
         yield from (s.rate for s in offered.balance.sources if s.function is None)

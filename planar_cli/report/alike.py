@@ -1,0 +1,69 @@
+"""What is the same of several bodies is told once: moments of inertia, energies and weights of equal rods."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+
+from sympy import Expr
+
+from planar_cli.report.blocks import Block, Equation, Text, line
+
+OF_BODY = re.compile(r"moments? of inertia of ([\w, ]+?)(| about .*):")
+"""The lead of a moment of inertia: its bodies, and about which point it is."""
+WEIGHT = "weight of "
+
+
+def with_equals_together(blocks: Iterable[Block]) -> list[Block]:
+    """Moments of inertia that follow each other and have one formula and value stand in one line."""
+    found: list[Block] = []
+    for block in blocks:
+        merged = _together(found[-1], block) if found else None
+        if merged is None:
+            found.append(block)
+        else:
+            found[-1] = merged
+    return found
+
+
+def told_of_each(parts: Sequence[tuple[str, Expr | None]]) -> dict[int, str]:
+    """Which of several parts are told, and of whom: those with one formula once, of each. None: a part of its own."""
+    found: dict[int, str] = {}
+    for i, (_, own) in enumerate(parts):
+        same = [] if own is None else [k for k, (_, e) in enumerate(parts) if e == own]
+        if i == min(same, default=i):
+            names = ", ".join(parts[k][0] for k in same or [i])
+            found[i] = f"{names}, each" if len(same) > 1 else names
+    return found
+
+
+def weights_of_each(sources: Sequence[tuple[str, Expr]]) -> dict[int, str]:
+    """The same of what does work: `weights of AB, BC, each`, and every other source by itself."""
+    own = [(w.removeprefix(WEIGHT), e if w.startswith(WEIGHT) else None) for w, e in sources]
+    found = told_of_each(own)
+    return {
+        i: names if own[i][1] is None else f"{'weights of ' if names.endswith(', each') else WEIGHT}{names}"
+        for i, names in found.items()
+    }
+
+
+def _together(one: Block, other: Block) -> Equation | None:
+    """I_AB = I_BC = formula = value; None: they are not of one kind, or not alike."""
+    if not isinstance(one, Equation) or not isinstance(other, Equation):
+        return None
+    mine, theirs = _of(one), _of(other)
+    if mine is None or theirs is None or mine[2] != theirs[2]:
+        return None
+    same = len(other.sides) - 1
+    if one.sides[-same:] != other.sides[1:] or one.sides[0] == other.sides[0]:
+        return None
+    lead = line(f"moments of inertia of {mine[1]}, {theirs[1]}{mine[2]}:")
+    return replace(one, sides=(*one.sides[:-same], other.sides[0], *other.sides[1:]), lead=lead)
+
+
+def _of(block: Equation) -> re.Match[str] | None:
+    (lead, *more) = block.lead or (None,)
+    if more or not isinstance(lead, Text) or block.number is not None or len(block.sides) < 2:
+        return None
+    return OF_BODY.fullmatch(lead.text)

@@ -1,0 +1,46 @@
+"""Equal bodies are told once, and bodies at rest have no moments of inertia that anything uses."""
+
+from __future__ import annotations
+
+import pytest
+import sympy as sp
+from conftest import PROBLEMS
+from worked import worked
+
+from planar_cli.formats.terminal import Terminal
+from planar_cli.report.alike import told_of_each, weights_of_each
+from planar_cli.report.narrate import narrate
+
+FILES = {p.stem: p for p in PROBLEMS}
+
+
+def page(stem: str) -> str:
+    """The page with single spaces."""
+    return " ".join(Terminal(400).render(narrate(worked(FILES[stem])[0])).split())
+
+
+@pytest.mark.parametrize(("stem", "line"), [
+    ("ex-4-11", "U of the weights of AB, AC, each = m g (y_AB,1 - y_AB,2) = 1/2 m g l (sin β_2 - sin β_1)"),
+    ("ex-4-11", "U of the weights of BD, CD, each = "),
+    ("ex-4-17", "moments of inertia of OA, AB: I_OA = I_AB = 1/12 m l² = 1/12 · 1 · 0.5² = 0.02083 kg·m²"),
+    ("two-hinged-bars-that-collapse", "T_2 of AB, BC, each = 1/6 m l² θ̇_2²"),
+    ("two-hinged-bars-that-collapse", "U of the weights of AB, BC, each = 1/2 m g l sin θ_0"),
+])  # fmt: skip
+def test_equal_bodies_are_told_once(stem: str, line: str) -> None:
+    assert line in page(stem)
+
+
+def test_nothing_of_turning_where_all_is_at_rest() -> None:
+    """From rest to rest no energy is kinetic: no angular velocity, and no moment of inertia."""
+    printed = page("ex-4-11")
+    assert "T_1 = 0 T_2 = 0" in printed
+    assert "ω_AB" not in printed
+    assert "inertia" not in printed
+
+
+def test_each_of_several() -> None:
+    """Only weights stand together, and only those with one formula."""
+    x, y = sp.symbols("x y")
+    assert told_of_each([("A", x), ("B", y), ("C", x)]) == {0: "A, C, each", 1: "B"}
+    sources = [("weight of A", x), ("spring s", x), ("weight of B", x), ("weight of C", y)]
+    assert weights_of_each(sources) == {0: "weights of A, B, each", 1: "spring s", 3: "weight of C"}
