@@ -314,3 +314,9 @@ def _tidied(expr: sp.Expr) -> sp.Expr:
 def rounded_inside(expr: sp.Expr) -> bool:
     """Does a number with very many digits stand in the expression, one that was put in for a long formula?"""
     return any(r.q > MANY_DIGITS or abs(r.p) > MANY_DIGITS for r in expr.atoms(sp.Rational))
+
+
+def are_zero(amounts: Iterable[sp.Expr], formulas: Mapping[sp.Symbol, sp.Expr]) -> bool:
+    """Do all of them vanish with the letters that were found to be zero?"""
+    zeros = {s: f for s, f in formulas.items() if f == 0}
+    return all(simplified(a.xreplace(zeros)) == 0 for a in amounts if a != 0)

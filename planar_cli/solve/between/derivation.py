@@ -88,9 +88,3 @@ def at_right_angles(expr: sp.Expr, known: Mapping[sp.Symbol, sp.Expr]) -> sp.Exp
     """A formula with the sines and cosines of such angles put in."""
     inside = {f: f.xreplace(dict(known)) for f in expr.atoms(sp.sin, sp.cos, sp.tan) if f.free_symbols & known.keys()}
     return simplified(expr.xreplace(inside)) if inside else expr
-
-
-def are_zero(amounts: Iterable[sp.Expr], formulas: Mapping[sp.Symbol, sp.Expr]) -> bool:
-    """Do all of them vanish with the letters that were found to be zero?"""
-    zeros = {s: f for s, f in formulas.items() if f == 0}
-    return all(simplified(a.xreplace(zeros)) == 0 for a in amounts if a != 0)

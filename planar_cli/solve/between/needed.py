@@ -6,9 +6,10 @@ from collections.abc import Iterable, Iterator, Mapping
 
 import sympy as sp
 
+from planar_cli.equation.plain import are_zero
 from planar_cli.solve.between.asked_finds import AskedFind
 from planar_cli.solve.between.balances import StateBalance
-from planar_cli.solve.between.derivation import Route, are_zero
+from planar_cli.solve.between.derivation import Route
 from planar_cli.solve.between.stated_motion import StatedMotion
 from planar_cli.solve.instant.stages import acceleration_unknowns
 from planar_cli.solve.regimes.regime import Regime
