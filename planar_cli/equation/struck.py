@@ -43,6 +43,17 @@ class StruckScene(Scene):
         found: Vec = twist.linear + (point - twist.point).turned() * twist.angular
         return found
 
+    def constant_inertias(self) -> list[sp.Symbol]:
+        """The letters of moments of inertia that do not change with places."""
+        definitions, titles, constant = self.ledger.definitions, self.ledger.titles, []
+        for symbol, expr in definitions.items():
+            inside = expr.free_symbols
+            while inside & definitions.keys():
+                inside = set().union(*(definitions.get(s, s).free_symbols for s in inside))
+            if titles.get(symbol, "").startswith("moment of inertia") and not inside & set(self.ledger.coordinates):
+                constant.append(symbol)
+        return constant
+
     def meeting(self, between: tuple[str, ...], normal: Side | None, mark: Mark) -> Meeting:
         """Where two bodies strike each other."""
         return meeting_of(self, between, None if normal is None else self.unit(normal), mark)

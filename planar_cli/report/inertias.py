@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import replace
 
 import sympy as sp
@@ -32,8 +32,9 @@ def with_inertias(
     """
     first = next((i for i, b in enumerate(blocks) if isinstance(b, Heading)), None)
     before = {b.lead: b for b in told if isinstance(b, Equation)}
-    own = []
-    for block in _lines(motion, scene, phrases):
+    own: list[Equation] = []
+    lines = _lines(motion, scene, phrases)
+    for block in (*lines, *_of_blows(motion, phrases, {b.lead for b in lines})):
         known = before.get(block.lead)
         if known is None:
             own.append(block)
@@ -60,6 +61,23 @@ def _lines(motion: MotionTrace, scene: Scene, phrases: Phrases) -> list[Equation
         for symbol, expr in ledger.definitions.items()
         if symbol in wanted and symbol in motion.ledger.definitions and not expr.is_number
     ]
+
+
+def _of_blows(motion: MotionTrace, phrases: Phrases, told: Collection[Line]) -> list[Equation]:
+    """Those that only blows have: about the point at which a body is caught. `told`: the leads of others."""
+    found: list[Equation] = []
+    for source in (e.source for leg in motion.route.steps for e in leg.relations):
+        if not isinstance(source, ImpactEquation) or source.impact.solution is None:
+            continue
+        solution = source.impact.solution
+        scene = solution.instant.scene
+        own = replace(phrases, ledger=scene.ledger, value=solution.value)
+        inside = (source.left - source.right).free_symbols
+        for symbol in (s for s in scene.ledger.definitions if s in inside):
+            made = _line(symbol, scene.ledger.definitions[symbol], scene, own)
+            if made.lead not in told and made not in found:
+                found.append(made)
+    return found
 
 
 def _turning(motion: MotionTrace) -> set[tuple[str, str]]:

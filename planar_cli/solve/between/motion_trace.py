@@ -228,7 +228,7 @@ class _Tracer:
 
     def _here(self, blow: Blow, expr: Any) -> sp.Expr:
         """In letters of the states of a blow, with the right angles of its place put in."""
-        return at_right_angles(blow.here(sp.sympify(expr)), self._level)
+        return at_right_angles(blow.here(sp.sympify(expr), told=True), self._level)
 
     def _impact(self, blow: Blow) -> Impact:
         hits = [j for j in blow.struck.joints if j.strikes and blow.system.modes[j.name].facts.pushes]

@@ -142,10 +142,14 @@ class Blow:
             words = "the velocities after the blow"
             yield Equation(self.stop.letters[u] - self.here(expr), "blow", words, self.stop.name)
 
-    def here(self, expr: sp.Expr) -> sp.Expr:
-        """An expression of the blow in letters of its states and its own; named lines are put in."""
+    def here(self, expr: sp.Expr, told: bool = False) -> sp.Expr:
+        """An expression of the blow in letters of its states and its own; named lines are put in. `told`: moments of
+        inertia keep their letters.
+        """
         explicit = {} if self.stage is None else {x.symbol: x.expression for x in self.stage.lines}
-        definitions = self.scene.ledger.definitions
+        definitions = dict(self.scene.ledger.definitions)
+        for s in self.scene.constant_inertias() if told else ():
+            del definitions[s]
         for _ in range(40):
             inside = {s: explicit[s] for s in expr.free_symbols if s in explicit}
             inside |= {s: definitions[s] for s in expr.free_symbols if s in definitions}
