@@ -9,6 +9,7 @@ from conftest import PROBLEMS
 from worked import worked
 
 from planar_cli.formats.terminal import Terminal
+from planar_cli.problem.impulse_letters import impulse_letters
 from planar_cli.problem.structure import load_text
 from planar_cli.report.narrate import narrate
 from planar_cli.solve.run import solve_problem
@@ -93,3 +94,32 @@ def test_a_mass_centre_that_keeps_its_place(stem: str, line: str) -> None:
     printed = page(stem)
     assert "mass centre keeps its x:" in printed
     assert line in printed
+
+
+@pytest.mark.parametrize(("stem", "lines"), [
+    ("ex-4-13", "(1) ↺ H_A: J AS = I_A ω_2 (1): ω_2 = J AS/I_A = 30 · 1.5 / 16 = 2.813 rad/s"),
+    ("ex-4-13", "J = 1000 N · 0.03 s = 30 N·s"),
+    ("wheel-over-a-kerb", "I_K = m R² + I_G = 10 · 0.3² + 0.45 = 1.35 kg·m²"),
+    ("wheel-over-a-kerb", "ω_2 = (I_G ω_1 - m v_0 (R - h))/I_K = (0.45 (-5) - 10 · 1.5 (0.3 - 0.06))/1.35 = -4.333"),
+    ("flywheels-coupled", "(1) ↺ H_O: I_A ω_A,1 + I_B ω_B,1 = (I_A + I_B) ω_A,2"),
+    ("pendulum-set-swinging", "(4) ↺ H_A: J AS = I_A ω_2 (4): J = I_A ω_2/AS = 6.336 · 4.755 / 0.6 = 50.21 N·s"),
+    ("free-bar-struck-at-its-end", "(1) ↺ H_G,bar: 1/2 S l = I ω_2"),
+])  # fmt: skip
+def test_moments_of_momentum_in_letters(stem: str, lines: str) -> None:
+    """J · AS = I_A ω, as the course writes it, and solved in these letters."""
+    assert lines in page(stem)
+
+
+def test_an_impulse_in_numbers_has_a_letter() -> None:
+    """J, or J and the name of the blow where J is taken; one that has letters of the file keeps these."""
+    text = FILES["ex-4-13"].read_text(encoding="utf-8").split("answers:")[0]
+    for old, new, letters in (
+        ("m: 12", "m: 12", {"blow": "J"}),
+        ("S: [0, -1.5 m]}", "S: [0, -1.5 m], J: [1 m, 0]}", {"blow": "J_blow"}),
+        ("magnitude: 1000 N * 0.03 s", "magnitude: P * 0.03 s", {}),
+    ):
+        given = "given: {P: 1000 N}\n" if not letters else ""
+        problem, wrong = load_text(given + text.replace(old, new))
+        assert problem is not None
+        assert not wrong
+        assert {name: letter for name, (letter, _) in impulse_letters(problem).items()} == letters

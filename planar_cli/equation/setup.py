@@ -19,6 +19,7 @@ from planar_cli.errors import refuse
 from planar_cli.problem.dimensions import Kind, dimension_of
 from planar_cli.problem.expression import Binary, Function, Name, Negate, Number, Quantity, Relation, Scaled, Side
 from planar_cli.problem.facts import Mode
+from planar_cli.problem.impulse_letters import impulse_letters
 from planar_cli.problem.ordinary import scales_of
 from planar_cli.problem.scene import Problem, Symbol
 from planar_cli.records import record
@@ -133,6 +134,8 @@ class Setup:
             self.ledger.known(name, known.value, known.unit)
         for symbol in self.problem.given:
             self._know(symbol)
+        for letter, side in impulse_letters(self.problem).values():
+            self.ledger.known(letter, self.evaluator.value(side), "N*s")
 
     def _know(self, symbol: Symbol) -> None:
         """A given name; the names in its formula come first."""

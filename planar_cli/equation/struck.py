@@ -10,6 +10,7 @@ accelerations, and the momenta with which the bodies arrive act like known impul
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from decimal import Decimal
 from typing import Any
 
@@ -24,6 +25,7 @@ from planar_cli.errors import Mark, refuse
 from planar_cli.problem.expression import Side
 from planar_cli.problem.facts import Meeting, Wrench
 from planar_cli.problem.geometry import Vec
+from planar_cli.problem.impulse_letters import impulse_letters
 from planar_cli.problem.scene import GROUND
 
 AXES = (Vec(sp.S.One, sp.S.Zero), Vec(sp.S.Zero, sp.S.One))
@@ -103,6 +105,15 @@ class StruckScene(Scene):
             if body.inertia != 0 and spin != 0:
                 size = body.inertia * spin
                 found.append(Wrench("", "momentum", name, body.center, None, size, size))
+        letters = impulse_letters(self.problem)
         for load in self.problem.loads:
-            found += [w for w in load.impulses(setting) if w.body != GROUND]
+            letter = self.ledger.symbols[letters[load.name][0]] if load.name in letters else None
+            found += [_named(w, letter) for w in load.impulses(setting) if w.body != GROUND]
         return tuple(found)
+
+
+def _named(wrench: Wrench, letter: sp.Symbol | None) -> Wrench:
+    """An impulse by its letter."""
+    if letter is None or wrench.force is None or wrench.magnitude == 0:
+        return wrench
+    return replace(wrench, force=wrench.force * (letter / wrench.magnitude), magnitude=letter)

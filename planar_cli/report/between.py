@@ -10,13 +10,17 @@ from typing import Any
 import sympy as sp
 
 from planar_cli.equation.plain import longer, simplified
+from planar_cli.problem.expression import Number
+from planar_cli.problem.impulse_letters import impulse_letters
 from planar_cli.records import changing
 from planar_cli.report.alike import told_of_each, weights_of_each
 from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Paragraph, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.energies import EnergyTelling
 from planar_cli.report.forces import force_rows
+from planar_cli.report.moments_of_blows import Named, with_letters
 from planar_cli.report.put_in import put_in
+from planar_cli.report.sides import said
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import BalanceTrace, Impact, ImpactEquation
 from planar_cli.units import ANGULAR_MOMENTUM, ENERGY, IMPULSE, Dimension
@@ -46,8 +50,12 @@ class BetweenTelling:
     counted: set[int] = field(default_factory=set)
     """The numbers of equations in which numbers were put in at once."""
 
+    named: Named | None = None
+    """The equation that was told last, where arms in it have names."""
+
     def blocks(self, source: BalanceTrace | ImpactEquation, number: int) -> Iterator[Block]:
         """One equation with its heading; `source`: what it was planned from."""
+        self.named = None
         if isinstance(source, BalanceTrace):
             yield Paragraph(self._heading(source))
             if source.law.letter and self._has_numbers(source):
@@ -147,14 +155,31 @@ class BetweenTelling:
         yield Paragraph(line(words))
         if impact.impacts > 1:
             yield Paragraph(line(f"{impact.impacts} impacts at once, {AT_ONCE}"))
-        ledger = solution.instant.scene.ledger
-        phrases = Phrases(ledger, solution.value, self.phrases.figures, self.phrases.symbolic)
+        scene = solution.instant.scene
+        for letter, side in impulse_letters(scene.problem).values():
+            if not isinstance(side, Number) and (written := said(side, self.phrases.figures)):
+                symbol = scene.ledger.symbols[letter]
+                yield Equation((self.phrases.math(symbol), written, self.phrases.shown(symbol)))
+        phrases = Phrases(scene.ledger, solution.value, self.phrases.figures, self.phrases.symbolic)
         yield from force_rows(solution, solution.stages[0], phrases, inertia_as_force=False, impulsive=True)
 
     def _impact(self, e: ImpactEquation, number: int) -> Iterator[Block]:
         left, right = self._put(e.left), self._put(e.right)
+        self.named = None if self.phrases.symbolic else with_letters(e, left, right, self.phrases)
+        if self.named is not None:
+            left, right = self.named.left, self.named.right
         yield Paragraph(line(*self._head(e), ":"))
         yield self._equation(left, right, number, self._lead(e))
+
+    def solved(self, unknown: sp.Symbol, shown: Any) -> tuple[Any, ...]:
+        """unknown = formula = numbers = value, by the letters of the equation told last; empty: it has none."""
+        formula = None if self.named is None else self.named.solved(unknown)
+        if self.named is None or formula is None or longer(formula, FEW):
+            return ()
+        if not is_clean(self.phrases.ledger, unknown, formula):
+            return ()
+        put = self.numeric.numbers(formula, self.named.sizes)
+        return () if put is None else (self.phrases.math(unknown), Math(formula), put, shown)
 
     def kept(self, e: ImpactEquation, result: Equation) -> Iterator[Block]:
         """An equation of a blow that gives at once a velocity that is zero. `result`: its letter with the value."""

@@ -9,6 +9,7 @@ import re
 from collections.abc import Iterable, Iterator, Sequence
 
 from planar_cli.problem.expression import AtRest, Name, Quantity, Relation, Side
+from planar_cli.problem.impulse_letters import impulse_letters
 from planar_cli.problem.keys import DirectionKey, Flow, KeySpec, MagnitudeKey, SideKey, keys_of
 from planar_cli.problem.lettered import LETTERS
 from planar_cli.problem.scene import (
@@ -221,8 +222,12 @@ def _of_member(member: Member, problem: Problem, figures: int) -> Iterator[Datum
     own = {p.name for p in problem.points} | {b.name for b in problem.bodies}
     named = member.kind if member.name in own else f"{member.kind} {member.name}"
     place = f"at {member.name}" if member.name in own else f"of {member.name}"
+    letter = impulse_letters(problem).get(member.name, ("",))[0]
     for spec in keys_of(type(member)):
         value = getattr(member, spec.name)
+        if letter and spec.name == "magnitude":
+            yield from _datum(line(blocks.Name(letter)), value, figures, place)
+            continue
         for what, side in _sides(value, spec, named):
             yield from _datum(what, side, figures, place)
         if isinstance(value, Flow) and spec.name == "leaves" and is_zero(value.speed):

@@ -195,7 +195,8 @@ class MotionTelling:
                 return
             yield from self._relation(e, leg, route)
             numbers.append(self.next - 1)
-        yield from self._in_numbers(leg, numbers, route)
+        named = () if len(leg.results) > 1 else self.between.solved(leg.results[0].unknown, self._shown(leg.results[0]))
+        yield from () if named else self._in_numbers(leg, numbers, route)
         lead = line(", ".join(f"({n})" for n in numbers) + (" together:" if len(numbers) > 1 else ":"))
         for i, r in enumerate(leg.results):
             plain = r.formula is not None and not longer(r.formula, PLAIN)
@@ -203,7 +204,7 @@ class MotionTelling:
             sides = (self.phrases.math(r.unknown), self._shown(r)) if known else self._chain(r, explicit=False)
             if len(sides) == 2:
                 sides = (sides[0], *self._solved(leg, r, route), sides[1])
-            yield Equation(sides, None, lead if i == 0 else ())
+            yield Equation(named or sides, None, lead if i == 0 else ())
             if i == 0:
                 yield from self._others(r)
 

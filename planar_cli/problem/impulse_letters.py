@@ -1,0 +1,22 @@
+"""The letters of impulses that a file gives in numbers: J, or J and the name of the blow."""
+
+from __future__ import annotations
+
+from planar_cli.problem.expression import Name, Side
+from planar_cli.problem.scene import Problem
+from planar_cli.problem.walk import walk
+
+LETTER = "J"
+
+
+def impulse_letters(problem: Problem) -> dict[str, tuple[str, Side]]:
+    """By the name of the load: its letter and its magnitude. A magnitude with names of the file has letters already."""
+    blows = [x for x in (*problem.loads, *problem.strikers) if x.strikes]
+    sides = {x.name: side for x in blows if isinstance(side := getattr(x, "magnitude", None), Side)}
+    plain = {name: side for name, side in sides.items() if not any(isinstance(n, Name) for n in walk(side))}
+    symbols = (*problem.given, *problem.symbols, *problem.unknowns, *problem.coordinates)
+    taken = {x.name for x in symbols} | {p.name for p in problem.points} | {b.name for b in problem.bodies}
+    taken |= {f.name for f in problem.find}
+    alone = len(blows) == 1 and LETTER not in taken
+    letters = {name: LETTER if alone else f"{LETTER}_{name}" for name in plain}
+    return {name: (letter, plain[name]) for name, letter in letters.items() if letter not in taken}

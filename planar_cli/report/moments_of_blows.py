@@ -1,0 +1,71 @@
+"""Equations of a blow in the letters of a course: arms that are numbers of the file by their ends, J AS for 1.5 J, and
+moments of inertia as I.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from decimal import Decimal
+
+import sympy as sp
+
+from planar_cli.equation.ledger import NAMED
+from planar_cli.records import record
+from planar_cli.report.words import Phrases
+from planar_cli.solve.between.trace import ImpactEquation
+from planar_cli.units import parse_unit
+
+
+@record
+class Named:
+    """Both sides of an equation of moments, and the numbers of the letters that only it has."""
+
+    left: sp.Expr
+    right: sp.Expr
+    sizes: dict[sp.Symbol, Decimal]
+
+    def solved(self, unknown: sp.Symbol) -> sp.Expr | None:
+        """The unknown by these letters; None: it does not enter plainly."""
+        residual = self.left - self.right
+        rate = sp.diff(residual, unknown)
+        if rate == 0 or unknown in rate.free_symbols:
+            return None
+        return sp.Mul(-residual.subs(unknown, 0), 1 / sp.factor_terms(rate))
+
+
+def with_letters(e: ImpactEquation, left: sp.Expr, right: sp.Expr, phrases: Phrases) -> Named | None:
+    """An equation of moments with the letters of its arms and moments of inertia; None: it has none of its own."""
+    solution = e.impact.solution
+    if e.law != "moment" or solution is None:
+        return None
+    sizes: dict[sp.Symbol, Decimal] = {}
+    for impulse, letter, distance in _arms(e):
+        factor = sp.expand(left).coeff(impulse)
+        if factor.is_number and distance.is_number and abs(factor) == distance != 0:
+            phrases.ledger.know(letter, parse_unit("m"), NAMED)
+            sizes[letter] = phrases.value(distance)
+            left = sp.expand(left) - factor * impulse + sp.sign(factor) * letter * impulse
+    ledger = solution.instant.scene.ledger
+    for symbol in (left - right).free_symbols & ledger.definitions.keys():
+        phrases.ledger.know(symbol, ledger.units[symbol], NAMED)
+        sizes[symbol] = solution.value(symbol)
+    return Named(left, right, sizes) if sizes else None
+
+
+def _arms(e: ImpactEquation) -> Iterator[tuple[sp.Symbol, sp.Symbol, sp.Expr]]:
+    """The impulses of an equation that act at named points, with the letter AS and the length of their arms from a
+    named centre A.
+    """
+    assert e.impact.solution is not None
+    solution = e.impact.solution
+    scene, value, system = solution.instant.scene, solution.value, solution.trial.system
+    if e.lead not in scene.points:
+        return
+    for w in system.wrenches:
+        if w.kind != "impulse" or w.body not in e.bodies or not sp.sympify(w.magnitude).is_Symbol:
+            continue
+        for name, place in scene.points.items():
+            apart, arm = place - w.point, w.point - scene.points[e.lead]
+            if "_" not in name and value.is_zero(apart.x) and value.is_zero(apart.y):
+                yield w.magnitude, sp.Symbol(f"{e.lead}{name}", positive=True), sp.sqrt(arm.dot(arm))
+                break
