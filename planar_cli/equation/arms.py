@@ -11,6 +11,7 @@ from typing import Any, Protocol
 import sympy as sp
 
 from planar_cli.equation.bodies import BodyModel
+from planar_cli.equation.exact import Unvalued
 from planar_cli.equation.ledger import Ledger
 from planar_cli.problem.expression import Side
 from planar_cli.problem.facts import Outline
@@ -96,7 +97,11 @@ class Arms:
 
     def _same(self, one: Vec, other: Vec) -> bool:
         gap: Vec = one - other
-        return all(part == 0 or self.scene.vanishes(part) for part in (gap.x, gap.y))
+        try:
+            return all(part == 0 or self.scene.vanishes(part) for part in (gap.x, gap.y))
+        except Unvalued:
+            # Places of another general position, with letters that this scene does not have.
+            return False
 
 
 def _ways(arm: Vec) -> Iterable[Vec]:

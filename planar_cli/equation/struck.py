@@ -9,6 +9,7 @@ accelerations, and the momenta with which the bodies arrive act like known impul
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from dataclasses import replace
 from decimal import Decimal
@@ -28,6 +29,8 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.problem.impulse_letters import impulse_letters
 from planar_cli.problem.scene import GROUND
 
+MADE = re.compile(r"^(mass|moment of inertia) of |mass centre")
+"""What is worked out of a body, by its title."""
 AXES = (Vec(sp.S.One, sp.S.Zero), Vec(sp.S.Zero, sp.S.One))
 
 
@@ -45,14 +48,14 @@ class StruckScene(Scene):
         found: Vec = twist.linear + (point - twist.point).turned() * twist.angular
         return found
 
-    def constant_inertias(self) -> list[sp.Symbol]:
-        """The letters of moments of inertia that do not change with places."""
+    def constants(self) -> list[sp.Symbol]:
+        """The letters of masses, mass centres and moments of inertia that do not change with places."""
         definitions, titles, constant = self.ledger.definitions, self.ledger.titles, []
         for symbol, expr in definitions.items():
             inside = expr.free_symbols
             while inside & definitions.keys():
                 inside = set().union(*(definitions.get(s, s).free_symbols for s in inside))
-            if titles.get(symbol, "").startswith("moment of inertia") and not inside & set(self.ledger.coordinates):
+            if MADE.search(titles.get(symbol, "")) and not inside & set(self.ledger.coordinates):
                 constant.append(symbol)
         return constant
 

@@ -73,8 +73,11 @@ def _of_blows(motion: MotionTrace, phrases: Phrases, told: Collection[Line]) -> 
         scene = solution.instant.scene
         own = replace(phrases, ledger=scene.ledger, value=solution.value)
         inside = (source.left - source.right).free_symbols
-        for symbol in (s for s in scene.ledger.definitions if s in inside):
-            made = _line(symbol, scene.ledger.definitions[symbol], scene, own)
+        for symbol in reversed(list(scene.ledger.definitions)):
+            if symbol in inside:
+                inside |= scene.ledger.definitions[symbol].free_symbols
+        for symbol, expr in ((s, e) for s, e in scene.ledger.definitions.items() if s in inside and not e.is_number):
+            made = _line(symbol, expr, scene, own)
             if made.lead not in told and made not in found:
                 found.append(made)
     return found

@@ -32,7 +32,9 @@ def mass_centre_equations(
         if axis is None or simplified(b.before.xreplace(dict(begun))) != 0:
             continue
         residual = _moved(b, axis, regime, first)
-        if residual.free_symbols & set(b.stop.letters.values()):
+        inside = residual.free_symbols & set(b.stop.letters.values())
+        # Of one body whose place is a coordinate of its own its law says that at once.
+        if len(inside) > 1 or (inside and len(b.law.bodies) > 1):
             yield Equation(
                 residual, "mass centre", _words(b.law.bodies, axis), b.stop.name, first.name, offered=e.offered
             )

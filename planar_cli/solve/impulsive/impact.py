@@ -143,12 +143,12 @@ class Blow:
             yield Equation(self.stop.letters[u] - self.here(expr), "blow", words, self.stop.name)
 
     def here(self, expr: sp.Expr, told: bool = False) -> sp.Expr:
-        """An expression of the blow in letters of its states and its own; named lines are put in. `told`: moments of
-        inertia keep their letters.
+        """An expression of the blow in letters of its states and its own; named lines are put in. `told`: masses and
+        moments of inertia keep their letters.
         """
         explicit = {} if self.stage is None else {x.symbol: x.expression for x in self.stage.lines}
         definitions = dict(self.scene.ledger.definitions)
-        for s in self.scene.constant_inertias() if told else ():
+        for s in self.scene.constants() if told else ():
             del definitions[s]
         for _ in range(40):
             inside = {s: explicit[s] for s in expr.free_symbols if s in explicit}
