@@ -9,7 +9,7 @@ import sympy as sp
 from planar_cli.calculus.linear_laws import EQUATION
 from planar_cli.equation.plain import simplified
 from planar_cli.report.blocks import Line, Math, Name, line
-from planar_cli.solve.between.trace import Law
+from planar_cli.solve.between.law import Law
 
 ROOT = sp.Symbol("lambda")
 UNDAMPED = "no damping"
@@ -23,6 +23,8 @@ def with_coefficients(words: str, law: Law | None, time: sp.Symbol) -> Line:
     before, found, after = words.partition(EQUATION)
     if not found or law is None or law.order != 2:
         return line(words)
+    if law.vibration is not None:
+        return line(_kind(before.partition(":")[0], time in law.f.free_symbols), _WHAT_IS_ZERO.sub("", after))
     q = law.coordinate.symbol
     damping, stiffness = -sp.diff(law.f, law.v), -sp.diff(law.f, q)
     if (damping + stiffness).free_symbols & {q, law.v}:
@@ -33,6 +35,13 @@ def with_coefficients(words: str, law: Law | None, time: sp.Symbol) -> Line:
     before = before.replace("the roots 0 and -c of", "0 and another root of")
     terms = [*(ROOT * t for t in sp.Add.make_args(damping)), *sp.Add.make_args(stiffness)]
     return line(before, Math(ROOT**2), *map(_with_sign, terms), " = 0", _WHAT_IS_ZERO.sub("", after))
+
+
+def _kind(words: str, driven: bool) -> str:
+    """How a law swings whose ω_n and ζ were told."""
+    if words == UNDAMPED and not driven:
+        return "simple harmonic motion"
+    return words + {"under-damped": ", ζ < 1", "critically damped": ", ζ = 1", "over-damped": ", ζ > 1"}.get(words, "")
 
 
 def _with_sign(term: sp.Expr) -> Line:

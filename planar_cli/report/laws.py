@@ -7,16 +7,19 @@ from typing import Any
 
 import sympy as sp
 
+from planar_cli.calculus.linear_laws import EQUATION
 from planar_cli.equation.plain import longer
 from planar_cli.report.blocks import Block, Equation, Line, Math, Paragraph, Value, line
 from planar_cli.report.clean import dimension_of, is_clean
 from planar_cli.report.notation import plain
 from planar_cli.report.put_in import partly
+from planar_cli.report.vibrations import free_blocks, vibration_blocks
 from planar_cli.report.words import Phrases
-from planar_cli.solve.between.trace import Law
+from planar_cli.solve.between.law import Law
+from planar_cli.solve.between.trace import Relation, RouteTrace
 
-FEW = 12
-"""A law of more operations is told with its numbers."""
+FEW, SWINGING = 12, 36
+"""A law of more operations is told with its numbers; one of a vibration, whose letters follow from its own."""
 PER_TIME = {"v(t)": "{}/s", "q(t)": "{}", "t(q)": "s", "v(q)": "{}²/s²"}
 """The unit of an integral, by its kind; {} is that of the coordinate."""
 
@@ -41,6 +44,34 @@ def law_blocks(law: Law, phrases: Phrases, varying: Collection[sp.Symbol], since
     yield Equation((phrases.math(rate), shown), None, (), line(f"in {unit}") if shown.values or law.f.is_number else ())
 
 
+class LawTelling:
+    """Tells each law of a motion once, and the letters of its vibration before they are used."""
+
+    def __init__(self, phrases: Phrases, varying: Collection[sp.Symbol]) -> None:
+        self.phrases, self.varying = phrases, varying
+        self._told: set[tuple[sp.Symbol, sp.Expr]] = set()
+        self.natural: set[sp.Symbol] = set()
+        """The natural frequencies that were told."""
+
+    def blocks(self, e: Relation, route: RouteTrace, unknown: Collection[sp.Symbol]) -> Iterator[Block]:
+        """The law of which a relation is an integral. `unknown`: letters that are not known yet."""
+        law = e.law
+        if law is None or law.f == 0:
+            return
+        if _said(law) not in self._told:
+            self._told.add(_said(law))
+            every = (r.law for leg in route.steps for r in leg.relations if r.law is not None)
+            changes = len({_said(x) for x in every if x.coordinate == law.coordinate and x.f != 0}) > 1
+            yield from law_blocks(law, self.phrases, {*self.varying, *unknown}, e.since if changes else "")
+        own = law.vibration
+        if own is not None and e.span is not None and EQUATION in e.span.words and own.natural not in self.natural:
+            self.natural.add(own.natural)
+            yield from vibration_blocks(own, law, self.phrases)
+        if own is not None and own.begun and own.begun[0][0] not in self.natural:
+            self.natural.add(own.begun[0][0])
+            yield from free_blocks(own, law, self.phrases, e.since)
+
+
 def without_given(moving: Sequence[Block], before: Sequence[Block]) -> list[Block]:
     """What is told of a motion without the laws that stand word for word among the data. `before`: where these are."""
     given = {_text(b) for b in before if isinstance(b, Equation) and b.lead == line("given:")} - {""}
@@ -61,7 +92,7 @@ def _text(equation: Equation) -> str:
     return " = ".join(plain(m.expr, m.values) for m in maths) if len(maths) == len(equation.sides) else ""
 
 
-def said(law: Law) -> tuple[sp.Symbol, sp.Expr]:
+def _said(law: Law) -> tuple[sp.Symbol, sp.Expr]:
     """What a law says, whatever stands for the own speed in it."""
     return law.coordinate.symbol, law.f.xreplace({law.v: sp.Symbol("v", real=True)})
 
@@ -76,7 +107,8 @@ def _constant_value(law: Law, letter: sp.Symbol, phrases: Phrases) -> Any:
 def running(expr: sp.Expr, letters: Collection[sp.Symbol], phrases: Phrases, law: Law | None) -> Math:
     """A law or its integral. `letters`: those that run."""
     inside = [i.function for i in expr.atoms(sp.Integral)] or [expr]
-    short = all(not longer(e, FEW) and is_clean(phrases.ledger, e) for e in inside)
+    most = SWINGING if law is not None and law.vibration is not None else FEW
+    short = all(not longer(e, most) and is_clean(phrases.ledger, e) for e in inside)
     short = short and (law is None or _is_lettered(law, phrases))
     numbers = None if phrases.symbolic or short else partly(expr, letters, phrases, constant=True)
     return phrases.math(expr) if numbers is None else numbers

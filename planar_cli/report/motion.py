@@ -20,7 +20,7 @@ from planar_cli.report.clean import is_clean
 from planar_cli.report.in_numbers import solved_for
 from planar_cli.report.integrals import in_times, over_coordinates, plain_integral
 from planar_cli.report.integrated import integration_blocks
-from planar_cli.report.laws import integral_note, law_blocks, running, said
+from planar_cli.report.laws import LawTelling, integral_note, running
 from planar_cli.report.left_out import rejected
 from planar_cli.report.origins import head, is_steady, sides_of, told_once, turning, turning_blocks
 from planar_cli.report.oscillation import oscillation_blocks, periods_told
@@ -28,8 +28,8 @@ from planar_cli.report.put_in import in_known, put_in
 from planar_cli.report.span_integrals import SpanTelling
 from planar_cli.report.words import Phrases
 from planar_cli.report.zeros import without_zeros
+from planar_cli.solve.between.law import IN_THE_END
 from planar_cli.solve.between.trace import (
-    IN_THE_END,
     BalanceTrace,
     ImpactEquation,
     MotionTrace,
@@ -68,7 +68,7 @@ class MotionTelling:
         self.found, self.phrases, self.next, self.wanted = found, phrases, first, wanted
         self.general, self.varying = found.general, found.varying
         self.numeric = settled_phrases(found, phrases)
-        self._told_laws: set[tuple[sp.Symbol, sp.Expr]] = set()
+        self._laws = LawTelling(phrases, found.varying)
         self._open: set[sp.Symbol] = set()
         self.between = BetweenTelling(phrases, {}, self.numeric)
         self._kinds = Kinds(Scope(found.problem, ()))
@@ -267,13 +267,7 @@ class MotionTelling:
 
     def _law(self, e: Relation) -> Iterator[Block]:
         """The law of a coordinate, once."""
-        law = e.law
-        if law is None or law.f == 0 or said(law) in self._told_laws:
-            return
-        self._told_laws.add(said(law))
-        every = (r.law for leg in self.found.route.steps for r in leg.relations if r.law is not None)
-        changes = len({said(x) for x in every if x.coordinate == law.coordinate and x.f != 0}) > 1
-        yield from law_blocks(law, self.phrases, {*self.varying, *self._open}, e.since if changes else "")
+        yield from self._laws.blocks(e, self.found.route, self._open)
 
     def _relation(self, e: Relation, leg: RouteStep, route: RouteTrace) -> Iterator[Block]:
         if e.source is not None:
@@ -360,7 +354,8 @@ class MotionTelling:
             return None if longer(formula, LONGEST) else formula
         if formula.is_number or formula.has(sp.Integral):
             return formula
-        return None if longer(formula, SHORT) or not is_clean(self.found.ledger, r.unknown, formula) else formula
+        most = LONGEST if formula.free_symbols & self._laws.natural else SHORT
+        return None if longer(formula, most) or not is_clean(self.found.ledger, r.unknown, formula) else formula
 
     def _in_known(self, r: Result, most: int) -> list[Math]:
         """The formula with its numbers, or with letters of states and numbers for all else."""

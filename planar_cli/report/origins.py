@@ -12,10 +12,10 @@ from planar_cli.report.characteristic import with_coefficients
 from planar_cli.report.names import plain_name
 from planar_cli.report.spoken import spoken
 from planar_cli.report.words import Phrases
+from planar_cli.solve.between.law import Law
 from planar_cli.solve.between.trace import (
     BalanceTrace,
     ImpactEquation,
-    Law,
     MotionTrace,
     Relation,
     RouteTrace,

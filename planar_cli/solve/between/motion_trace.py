@@ -24,6 +24,7 @@ from planar_cli.solve.between.oscillation import Oscillation, roots_of, stabilit
 from planar_cli.solve.between.solved_motion import SolvedMotion
 from planar_cli.solve.between.stated_motion import StatedMotion
 from planar_cli.solve.between.taken import taken_of
+from planar_cli.solve.between.told_vibrations import VibrationTracer
 from planar_cli.solve.between.trace import (
     BalanceTrace,
     Centre,
@@ -62,12 +63,13 @@ def motion_trace(
     level = levels(route.formulas.items())
     routes = [route, *(a.passing for a in answers if a.passing is not None)]
     tracer = _Tracer(course, found.value, lettered_starts(course, found.value))
+    told = tracer.route(route)
     lasting = lasting_letters(course.distinct_regimes(), course.given())
     return MotionTrace(
         problem=course.problem,
         states=tuple(s.name for s in course.states),
         ledger=course.ledger,
-        value=found.value.extended(lasting.numbers),
+        value=found.value.extended({**lasting.numbers, **tracer.vibrations.numbers}),
         symbolic=course.symbolic,
         unknowns=course.chain().unknowns,
         general={own: general for stop in course.stops.values() for general, own in stop.letters.items()},
@@ -77,7 +79,7 @@ def motion_trace(
         integrated=found.integrated,
         followed=None if found.followed is None else found.followed.values,
         turnings=_turnings(found),
-        route=tracer.route(route),
+        route=told,
         requests=tuple(_request(course, lasting, level, a) for a in found.finds),
         passing={a.found.name: tracer.route(a.passing) for a in answers if a.passing is not None},
         spans=found.spans,
@@ -192,17 +194,20 @@ class _Tracer:
     def __init__(self, course: StatedMotion, value: Valuation, lettered: frozenset[sp.Symbol]) -> None:
         self.course, self.value, self.base, self.lettered = course, value, course.base(), lettered
         self._impacts: dict[str, Impact] = {}
+        self.vibrations = VibrationTracer(course, value)
         self._level: dict[sp.Symbol, sp.Expr] = {}
         """Angles of directions along the axes."""
 
     def route(self, route: Route) -> RouteTrace:
         known = settled(route, self.value, self.base, self.lettered)
         self._level = levels(route.formulas.items())
-        return RouteTrace(tuple(self._step(step) for step in route.steps), known, route.formulas, route.plain)
+        steps = tuple(self._step(step, route.plain) for step in route.steps)
+        return RouteTrace(steps, known, route.formulas, route.plain)
 
-    def _step(self, step: DerivedStep) -> RouteStep:
+    def _step(self, step: DerivedStep, plain: Mapping[sp.Symbol, sp.Expr]) -> RouteStep:
         d = step.derivation
-        return RouteStep(tuple(self._relation(e) for e in d.equations), d.unknowns, d.needs, step.results, step.datum)
+        relations = tuple(self.vibrations.told(self._relation(e), plain) for e in d.equations)
+        return RouteStep(relations, d.unknowns, d.needs, self.vibrations.results(relations, step.results), step.datum)
 
     def _relation(self, e: Equation) -> Relation:
         source = self._source(e.source)

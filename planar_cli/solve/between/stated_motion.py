@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 import sympy as sp
 
@@ -23,6 +24,7 @@ from planar_cli.solve.regimes.regime import Regime
 from planar_cli.solve.regimes.regime_sequence import RegimeSequence
 from planar_cli.solve.regimes.timeline import Demand
 from planar_cli.solve.regimes.transfer import transfer_of
+from planar_cli.solve.regimes.vibrations import with_vibrations
 
 
 @record
@@ -106,10 +108,13 @@ def stated_motion(motion: RegimeSequence) -> StatedMotion:
     equilibria = solve_equilibria(motion, beside, demands)
     laws = tuple(laws_of(r) if r.runs else Laws((), (), ()) for r in motion.regimes)
     begins = [state.name for state in states][: len(laws)]
-    rates = constant_rates(laws, motion.regimes, begins, motion.given(), motion.ledger, motion.workshop.letters)
+    naming = (motion.regimes, begins, motion.given(), motion.ledger, motion.workshop.letters)
+    rates = constant_rates(laws, *naming)
+    laws, vibrating = with_vibrations(rates.laws, *naming)
+    rates = replace(rates, formulas={**rates.formulas, **vibrating})
     return StatedMotion(
         **motion.parts(),
-        laws=rates.laws,
+        laws=laws,
         demands=demands,
         placed=placed,
         equilibria=equilibria,

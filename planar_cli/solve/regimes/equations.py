@@ -13,6 +13,7 @@ import sympy as sp
 
 from planar_cli.calculus.laws import Moment, Span, relations
 from planar_cli.calculus.limits import limit
+from planar_cli.calculus.vibrations import in_letters
 from planar_cli.equation.displacement import Coordinate
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.expansion import expanded
@@ -21,7 +22,7 @@ from planar_cli.equation.plain import derivative, identically_zero, letters, lon
 from planar_cli.errors import NOWHERE, Mark
 from planar_cli.problem.expression import Name
 from planar_cli.records import record
-from planar_cli.solve.between.trace import IN_THE_END, Law
+from planar_cli.solve.between.law import IN_THE_END, Law
 from planar_cli.solve.regimes.constraints import fixed_by, start_of
 from planar_cli.solve.regimes.mode_sequence import fixed_time
 from planar_cli.solve.regimes.regime import Regime
@@ -234,6 +235,8 @@ def law_equations(laws: Laws, since: Stop, stop: Stop, regime: Regime, value: Va
         family = ("law", q.name, since.name, stop.name)
         known = value if law.constant is None else value.defining(dict([law.constant]))
         spans = relations(law.order, f, start, end, _signs(known, named, since, regime), lean=True)
+        if law.vibration is not None:
+            spans = in_letters(spans, law.vibration, time, start, end)
         explicit = any(s.kind == "q(t)" for s in spans)
         for span in spans:
             if (law.order == 1 and span.kind.startswith("v")) or (explicit and span.kind == "t(q)"):
