@@ -38,6 +38,8 @@ def completed(found: SolvedMotion) -> SolvedMotion:
     for s in spans:
         if s.formula is not None and _agrees(s.formula, s.number, value):
             course.told.setdefault(s.symbol, s.formula)
+    # What was found first has been put into finds already, in this form.
+    spans = tuple(replace(s, formula=course.told.get(s.symbol, s.formula)) for s in spans)
     value = value.extended({s.symbol: s.number for s in spans})
     oscillations = tuple(placed(course, found) for found in course.swings.values())
     return replace(found, branch=branch, value=value, spans=spans, oscillations=oscillations)

@@ -37,6 +37,7 @@ from planar_cli.solve.between.trace import (
     Request,
     RouteStep,
     RouteTrace,
+    SpanIntegral,
     Turning,
 )
 from planar_cli.solve.impulsive.impact import Blow
@@ -82,7 +83,7 @@ def motion_trace(
         route=told,
         requests=tuple(_request(course, lasting, level, a) for a in found.finds),
         passing={a.found.name: tracer.route(a.passing) for a in answers if a.passing is not None},
-        spans=found.spans,
+        spans=tuple(_span(s, level) for s in found.spans),
         oscillations=tuple(_oscillation(o, found.value) for o in found.oscillations),
         regimes=tuple(_regime(found, i, () if whole else routes) for i in instants),
         stretches=tuple(
@@ -116,6 +117,11 @@ def _request(
     """What is asked, in the letters of its state, with the sines of right angles put in."""
     parts = asked.parts(_kept(course, lasting, asked))
     return Request(asked.find, tuple(at_right_angles(p, level) for p in parts), asked.unit)
+
+
+def _span(found: SpanIntegral, level: Mapping[sp.Symbol, sp.Expr]) -> SpanIntegral:
+    """A quantity over a span with its formula as the finds have it."""
+    return found if found.formula is None else replace(found, formula=at_right_angles(found.formula, level))
 
 
 def _unused(course: StatedMotion, route: Route) -> Iterator[BalanceTrace]:
