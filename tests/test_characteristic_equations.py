@@ -16,9 +16,9 @@ from planar_cli.report.narrate import narrate
     ("name", "words"),
     [
         ("textbook/ex-1-07", "simple harmonic motion with ω_0² = k/m:"),
-        ("momentum/gun-on-rails", "under-damped: two complex roots of λ² + c λ/M + k/M = 0, x of G:"),
-        ("oscillations/damped-block-three-ways", "critically damped: a double root of λ² + 2 λ √(k/m) + k/m = 0:"),
-        ("oscillations/damped-block-three-ways", "over-damped: two real roots of λ² + c λ/m + k/m = 0:"),
+        ("momentum/gun-on-rails", "under-damped, ζ < 1, x of G:"),
+        ("oscillations/damped-block-three-ways", "critically damped, ζ = 1:"),
+        ("oscillations/damped-block-three-ways", "over-damped, ζ > 1:"),
         ("oscillations/disk-rolling-in-a-trough", ""),
     ],
 )

@@ -495,7 +495,7 @@ def test_a_shaken_base_has_a_closed_form() -> None:
     solution = solve_problem(problem)
     page = Terminal(200).render(narrate(solution))
     assert "sin(w t_2)" in page
-    assert "two imaginary roots of λ² + k/m = 0" in page
+    assert "natural frequency: ω_n = √(k/m)" in " ".join(page.split())
     assert "numerically" not in page
     n = 15 / 20
     expected = 0.01 * (math.sin(7.5) - n * math.sin(10)) / (1 - n**2)

@@ -204,7 +204,7 @@ def test_what_is_zero_goes_and_an_extreme_is_told_by_what_vanishes() -> None:
     assert "(4) m g + k (l_0 - s_fastest) = 0" in page
     assert "T_1 + U = T_fastest: 0.9624 - 0.4812 = " in page
     assert "s_lowest = 2 m g/k + l_0 =" in page
-    assert "simple harmonic motion with ω_0² = k/m:" in page
+    assert "simple harmonic motion:" in page
 
 
 def test_what_holds_throughout_has_its_line_and_its_way_once() -> None:
