@@ -9,7 +9,7 @@ import sympy as sp
 from planar_cli.calculus.linear_laws import EQUATION
 from planar_cli.equation.plain import simplified
 from planar_cli.report.blocks import Line, Math, Name, line
-from planar_cli.solve.between.law import Law
+from planar_cli.solve.law import Law
 
 ROOT = sp.Symbol("lambda")
 UNDAMPED = "no damping"

@@ -22,8 +22,8 @@ from planar_cli.report.clean import is_clean
 from planar_cli.report.energies import STATE
 from planar_cli.report.sums import ROUNDING, agree
 from planar_cli.report.words import Phrases
-from planar_cli.solve.between.law import Law
 from planar_cli.solve.between.trace import MotionTrace
+from planar_cli.solve.law import Law
 from planar_cli.units import LENGTH, pretty_unit
 
 COARSE = Decimal("0.005")

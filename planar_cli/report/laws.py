@@ -15,8 +15,8 @@ from planar_cli.report.notation import plain
 from planar_cli.report.put_in import partly
 from planar_cli.report.vibrations import free_blocks, vibration_blocks
 from planar_cli.report.words import Phrases
-from planar_cli.solve.between.law import Law
 from planar_cli.solve.between.trace import Relation, RouteTrace
+from planar_cli.solve.law import Law
 
 FEW, SWINGING = 12, 36
 """A law of more operations is told with its numbers; one of a vibration, whose letters follow from its own."""

@@ -28,7 +28,6 @@ from planar_cli.report.put_in import in_known, put_in
 from planar_cli.report.span_integrals import SpanTelling
 from planar_cli.report.words import Phrases
 from planar_cli.report.zeros import without_zeros
-from planar_cli.solve.between.law import IN_THE_END
 from planar_cli.solve.between.trace import (
     BalanceTrace,
     ImpactEquation,
@@ -38,6 +37,7 @@ from planar_cli.solve.between.trace import (
     RouteStep,
     RouteTrace,
 )
+from planar_cli.solve.law import IN_THE_END
 
 WORK, MOMENTUM = "work and energy", "impulse and momentum"
 LONGEST, SHORT, PLAIN = 90, 36, 12

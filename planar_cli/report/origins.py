@@ -12,7 +12,6 @@ from planar_cli.report.characteristic import with_coefficients
 from planar_cli.report.names import plain_name
 from planar_cli.report.spoken import spoken
 from planar_cli.report.words import Phrases
-from planar_cli.solve.between.law import Law
 from planar_cli.solve.between.trace import (
     BalanceTrace,
     ImpactEquation,
@@ -20,6 +19,7 @@ from planar_cli.solve.between.trace import (
     Relation,
     RouteTrace,
 )
+from planar_cli.solve.law import Law
 
 HAPPENS = ("it stops sliding", "it turns round", "it comes to the other side")
 """What happens at an instant; all other words say what holds up to it."""

@@ -11,7 +11,7 @@ from planar_cli.calculus.vibrations import Vibration
 from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Paragraph, line
 from planar_cli.report.clean import is_clean
 from planar_cli.report.words import Phrases
-from planar_cli.solve.between.law import Law
+from planar_cli.solve.law import Law
 
 WORDS = {"omega_n": "natural frequency:", "zeta": "damping ratio:", "omega_d": "damped frequency:"}
 

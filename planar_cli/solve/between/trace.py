@@ -18,8 +18,8 @@ from planar_cli.principles.base import Balance, EnergyParts
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.scene import Find, Problem
 from planar_cli.records import record
-from planar_cli.solve.between.law import Law
 from planar_cli.solve.instant.roots import Root
+from planar_cli.solve.law import Law
 from planar_cli.solve.solution import InstantSolution
 from planar_cli.solve.taken import Taken
 from planar_cli.units import Unit

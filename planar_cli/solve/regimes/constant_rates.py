@@ -15,7 +15,7 @@ from planar_cli.equation.exact import Valuation
 from planar_cli.equation.ledger import Kind, Ledger, Role
 from planar_cli.equation.plain import letters
 from planar_cli.records import record
-from planar_cli.solve.between.law import Law
+from planar_cli.solve.law import Law
 from planar_cli.solve.regimes.equations import Laws
 from planar_cli.solve.regimes.regime import Regime
 

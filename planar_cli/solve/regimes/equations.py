@@ -22,7 +22,7 @@ from planar_cli.equation.plain import derivative, identically_zero, letters, lon
 from planar_cli.errors import NOWHERE, Mark
 from planar_cli.problem.expression import Name
 from planar_cli.records import record
-from planar_cli.solve.between.law import IN_THE_END, Law
+from planar_cli.solve.law import IN_THE_END, Law
 from planar_cli.solve.regimes.constraints import fixed_by, start_of
 from planar_cli.solve.regimes.mode_sequence import fixed_time
 from planar_cli.solve.regimes.regime import Regime

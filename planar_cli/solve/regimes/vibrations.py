@@ -14,7 +14,7 @@ from planar_cli.equation.expansion import expanded
 from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.plain import derivative, letters, longer, simplified
 from planar_cli.records import record
-from planar_cli.solve.between.law import Law
+from planar_cli.solve.law import Law
 from planar_cli.solve.regimes.equations import Laws
 from planar_cli.solve.regimes.regime import Regime
 
