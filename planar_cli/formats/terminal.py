@@ -42,7 +42,7 @@ _LABEL = 9
 _KINETIC = "   =   "
 # Left sides are aligned at their relation signs unless that tears a short one too far from its lead.
 _LARGEST_SPREAD = 12
-_LONGER_LEAD = 24
+_LONGER_LEAD = 16
 _COLOURS = {
     "title": "bold",
     "heading": "bold cyan",

@@ -17,6 +17,7 @@ from planar_cli.equation.plain import longer, simplified
 from planar_cli.problem.expression import Quantity
 from planar_cli.problem.facts import Path
 from planar_cli.problem.geometry import Vec
+from planar_cli.report.asked_energy import kinetic_energy
 from planar_cli.report.asked_letters import closed_letter
 from planar_cli.report.blocks import Block, Equation, Line, Math, Name, Value, line
 from planar_cli.report.clean import is_clean
@@ -61,7 +62,9 @@ class AskedTelling:
                 yield from closed_letter(answer, self.instant, self.phrases)
                 continue
             what = one.find.found.what
-            if isinstance(what, Quantity) and self._has_vectors(answer, what):
+            if isinstance(what, Quantity) and what.word == "KE" and (told := kinetic_energy(answer, what, self)):
+                yield from told
+            elif isinstance(what, Quantity) and self._has_vectors(answer, what):
                 yield from self._moving(answer, what)
             elif isinstance(what, Quantity) and (radius := list(self._asked_radius(answer, what))):
                 yield from radius
@@ -97,7 +100,7 @@ class AskedTelling:
             assert isinstance(what, Quantity)
             vector = self._parts(what)
             if vector is not None:
-                size = self._size(vector, answer.unit.dimension)
+                size = self.size(vector, answer.unit.dimension)
                 yield Equation(
                     (
                         line(Name(answer.name)),
@@ -142,7 +145,7 @@ class AskedTelling:
         clean = self.phrases.symbolic or is_clean(self.phrases.ledger, expr, dimension=dimension)
         return not longer(expr, LONGEST) and clean
 
-    def _size(self, vector: list[Decimal], dimension: Dimension) -> Math:
+    def size(self, vector: list[Decimal], dimension: Dimension) -> Math:
         """√(x² + y²) with the numbers, in the units of the page."""
         numbers = [self.phrases.of_dimension(v, dimension) for v in vector]
         texts = {sp.Symbol(f"{NUMBER}{i}", real=True): _text(n) for i, n in enumerate(numbers)}
@@ -176,7 +179,7 @@ class AskedTelling:
             name = f"{q.word}_{point}/{q.things[1]}"
         else:
             own = point if point in self.scene.points else centre_of(self.scene, point)
-            told, name = list(self._absolute(point, q.word)), f"{q.word}_{index_of(own)}"
+            told, name = list(self.absolute(point, q.word)), f"{q.word}_{index_of(own)}"
         level = "velocity" if q.word == "v" else "acceleration"
         if told or name in self._named or f"{level} {name.removeprefix(f'{q.word}_')}" in self._told:
             self._named.add(name)
@@ -185,7 +188,7 @@ class AskedTelling:
         else:
             yield from self._formula(answer)
 
-    def _absolute(self, point: str, word: str) -> Iterator[Block]:
+    def absolute(self, point: str, word: str) -> Iterator[Block]:
         """v_P = v_A + ω × r_P/A = [x, y]."""
         level = "velocity" if word == "v" else "acceleration"
         if point not in self.scene.points:
@@ -288,7 +291,7 @@ class AskedTelling:
         relative, acceleration = quantities.seen_from(point, frame)
         levels = {"v": ("velocity",), "coriolis": ("velocity",), "a": ("velocity", "acceleration")}[word]
         for level in levels:
-            yield from self._absolute(point, level[0])
+            yield from self.absolute(point, level[0])
             yield from self._body_point(frame, place, f"{point}′", level)
             v = level[0]
             sides: list[Any] = [Name(f"{v}_{point}"), " - ", Name(f"{v}_{point}′")]
@@ -309,7 +312,7 @@ class AskedTelling:
     def _between(self, one: str, other: str, word: str) -> Iterator[Block]:
         """v_A/B = v_A - v_B."""
         for point in (one, other):
-            yield from self._absolute(point, word)
+            yield from self.absolute(point, word)
         found = self.system.quantities().place(one) - self.system.quantities().place(other)
         level = "velocity" if word == "v" else "acceleration"
         vector = Vec(*(getattr(p, "rate" if word == "v" else "second") for p in (found.x, found.y)))
@@ -333,7 +336,7 @@ class AskedTelling:
         texts = {sp.Symbol(f"{NUMBER}{i}", real=True): _text(n) for i, n in enumerate(numbers)}
         own = [] if plain_name(answer.name) == plain_name(name) else [line(Name(answer.name))]
         if q.parts[-1].kind == "mag":
-            size = self._size(vector, self._dimension(q))
+            size = self.size(vector, self._dimension(q))
             yield Equation((*own, line("|", Name(name), "|"), size, *values))
             return
         axis = self._axis(q)

@@ -57,7 +57,7 @@ def _lines(motion: MotionTrace, scene: Scene, phrases: Phrases) -> list[Equation
         if symbol in wanted:
             wanted |= ledger.definitions[symbol].free_symbols
     return [
-        _line(symbol, expr, scene, phrases)
+        inertia_line(symbol, expr, scene, phrases)
         for symbol, expr in ledger.definitions.items()
         if symbol in wanted and symbol in motion.ledger.definitions and not expr.is_number
     ]
@@ -96,7 +96,7 @@ def _turning(motion: MotionTrace) -> set[tuple[str, str]]:
     return found
 
 
-def _line(symbol: sp.Symbol, expr: sp.Expr, scene: Scene, phrases: Phrases) -> Equation:
+def inertia_line(symbol: sp.Symbol, expr: sp.Expr, scene: Scene, phrases: Phrases) -> Equation:
     """symbol = formula = numbers = value."""
     settled = phrases.has_numbers(symbol) and not is_sought(symbol, phrases.ledger)
     sides: list[Inline | Line] = [phrases.math(symbol)]

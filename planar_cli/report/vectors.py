@@ -219,7 +219,9 @@ class VectorTelling:
         the body is joined, the body does not turn, or it has no such equation.
         """
         edge = self.edges.get(body)
-        if edge is None or edge.particle or (edge.joining is not None and edge.joining.rolling is not None):
+        if edge is None or edge.particle:
+            return None
+        if edge.joining is not None and edge.joining.rolling is not None and (level != "velocity" or edge.backward):
             return None
         if all(self._symbol(body, n) == 0 for n in ("velocity", level)):
             return None
