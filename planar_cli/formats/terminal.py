@@ -42,7 +42,7 @@ _LABEL = 9
 _KINETIC = "   =   "
 # Left sides are aligned at their relation signs unless that tears a short one too far from its lead.
 _LARGEST_SPREAD = 12
-_LONGER_LEAD = 16
+_LONGER_LEAD, _FIRST_LEAD = 24, 16
 _COLOURS = {
     "title": "bold",
     "heading": "bold cyan",
@@ -222,11 +222,14 @@ class Terminal(Format[Row]):
 
 
 def _alike(run: Sequence[Equation]) -> list[list[Equation]]:
-    """Equations that are aligned together: none beside one with a much longer lead, which would tear them apart."""
+    """Equations that are aligned together: none beside one with a much longer lead, which would tear them apart; what
+    has no lead goes on with the one before it.
+    """
     parts: list[list[Equation]] = []
     sizes = [row_cells(spans(e.lead)) for e in run]
     for i, equation in enumerate(run):
-        if i and abs(sizes[i] - sizes[i - 1]) <= _LONGER_LEAD:
+        apart = abs(sizes[i] - sizes[i - 1]) > (_LONGER_LEAD if sizes[i - 1] else _FIRST_LEAD) and sizes[i] > 0
+        if i and not apart:
             parts[-1].append(equation)
         else:
             parts.append([equation])

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import sympy as sp
 
 from planar_cli.problem.expression import Quantity
-from planar_cli.report.blocks import Block, Equation, Name, line
+from planar_cli.report.blocks import Block, Equation, Name, Paragraph, line
 from planar_cli.report.forces import centre_of
 from planar_cli.report.inertias import alike_together, inertia_line
 from planar_cli.report.vectors import index_of
@@ -56,7 +56,13 @@ def kinetic_energy(answer: Found, q: Quantity, telling: AskedTelling) -> list[Bl
     numbers = phrases.numbers(whole, sizes, turns=False)
     values = phrases.in_units(answer.values[0], answer.unit, answer.energy)
     put = () if numbers is None else (numbers,)
-    return [*alike_together(new), *blocks, Equation((line(Name(answer.name)), phrases.math(whole), *put, *values))]
+    head = Paragraph(line("Kinetic energy, of each body by its mass centre and its turning:"))
+    return [
+        head,
+        *blocks,
+        *alike_together(new),
+        Equation((line(Name(answer.name)), phrases.math(whole), *put, *values)),
+    ]
 
 
 def _size(index: str, parts: tuple[Decimal, Decimal], telling: AskedTelling) -> Iterator[Block]:
