@@ -77,7 +77,7 @@ def _of_blows(motion: MotionTrace, phrases: Phrases, told: Collection[Line]) -> 
             if symbol in inside:
                 inside |= scene.ledger.definitions[symbol].free_symbols
         for symbol, expr in ((s, e) for s, e in scene.ledger.definitions.items() if s in inside and not e.is_number):
-            made = _line(symbol, expr, scene, own)
+            made = inertia_line(symbol, expr, scene, own)
             if made.lead not in told and made not in found:
                 found.append(made)
     return found
