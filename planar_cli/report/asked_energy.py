@@ -4,25 +4,38 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from decimal import Decimal
-from typing import TYPE_CHECKING
+from typing import Protocol
 
 import sympy as sp
 
+from planar_cli.equation.scene import Scene
 from planar_cli.problem.expression import Quantity
-from planar_cli.report.blocks import Block, Equation, Name, Paragraph, line
+from planar_cli.report.blocks import Block, Equation, Math, Name, Paragraph, line
 from planar_cli.report.forces import centre_of
 from planar_cli.report.inertias import alike_together, inertia_line
-from planar_cli.report.vectors import index_of
+from planar_cli.report.vectors import VectorTelling, index_of
+from planar_cli.report.words import Phrases
 from planar_cli.solve.solution import Found
-from planar_cli.units import VELOCITY
-
-if TYPE_CHECKING:
-    from planar_cli.report.asked import AskedTelling
+from planar_cli.units import VELOCITY, Dimension
 
 ALL = "all"
 
 
-def kinetic_energy(answer: Found, q: Quantity, telling: AskedTelling) -> list[Block]:
+class Telling(Protocol):
+    """What tells velocities of points."""
+
+    @property
+    def phrases(self) -> Phrases: ...
+    @property
+    def scene(self) -> Scene: ...
+    @property
+    def vectors(self) -> VectorTelling: ...
+
+    def absolute(self, point: str, word: str) -> Iterator[Block]: ...
+    def size(self, vector: list[Decimal], dimension: Dimension) -> Math: ...
+
+
+def kinetic_energy(answer: Found, q: Quantity, telling: Telling) -> list[Block]:
     """v of each mass centre, then T = ½ m v² + ½ I ω² + …; empty where no vector equation leads to a velocity."""
     phrases, scene, motion = telling.phrases, telling.scene, telling.vectors.motion
     if phrases.symbolic or answer.values is None:
@@ -65,7 +78,7 @@ def kinetic_energy(answer: Found, q: Quantity, telling: AskedTelling) -> list[Bl
     ]
 
 
-def _size(index: str, parts: tuple[Decimal, Decimal], telling: AskedTelling) -> Iterator[Block]:
+def _size(index: str, parts: tuple[Decimal, Decimal], telling: Telling) -> Iterator[Block]:
     """|v| = √(x² + y²) of an oblique velocity."""
     if all(parts):
         size = telling.size(list(parts), VELOCITY)
