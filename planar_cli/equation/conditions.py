@@ -239,10 +239,11 @@ def coordinate_conditions(
     # joined, all of them do.
     turned = {c.body for c in found}
     told = {e.body for e in tree.edges if e.slide is None and e.rise is None} & turned
+    placed = {e.body for e in tree.edges if e.spoke is not None}
     for point in scene.problem.points:
         owner = scene.owner(point.name)
         place = point.place
-        if owner in told:
+        if owner in told or owner in placed:
             continue
         if owner == "ground" or not isinstance(place, At | Polar) or point.name not in scene.own_points:
             continue

@@ -84,6 +84,12 @@ class Rope(Joint):
     def drawn_beside(self) -> bool:
         return self.along is not None
 
+    def passes_through(self, names: frozenset[str]) -> str | None:
+        """The bare point over which its last part runs, as a string through a hole."""
+        ends = (self.path[:2], self.path[:-3:-1])
+        stops = [stop for end, stop in ends if end.name in names and stop.way == "point"]
+        return stops[0].name if len(stops) == 1 and len(self.path) > 2 and self.along is None else None
+
     def attachments(self) -> tuple[tuple[str, str], ...]:
         return self.rims()
 

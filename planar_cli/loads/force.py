@@ -77,6 +77,9 @@ class Force(Load):
     def rims(self) -> tuple[tuple[str, str], ...]:
         return () if self.wound_at is None else ((self.wound_at, self.body),)
 
+    def passes_through(self, names: frozenset[str]) -> str | None:
+        return self.towards
+
     def wrenches(self, scene: MovingSetting) -> tuple[Wrench, ...]:
         name = self.at or self.wound_at
         point = scene.point(name) if name is not None else scene.center(self.body)

@@ -66,6 +66,9 @@ class Impulse(Load):
     def attachments(self) -> tuple[tuple[str, str], ...]:
         return () if self.at is None else ((self.at, self.body),)
 
+    def passes_through(self, names: frozenset[str]) -> str | None:
+        return ""
+
     def wrenches(self, scene: MovingSetting) -> tuple[Wrench, ...]:
         """None: a blow is no force."""
         return ()

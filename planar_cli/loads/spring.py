@@ -88,6 +88,9 @@ class Spring(Load):
             return length - scene.value(self.natural_length)
         return length - scene.with_relations(self.relaxed_at or (), length, self.between)
 
+    def passes_through(self, names: frozenset[str]) -> str | None:
+        return next((end for end in self.between if end not in names), None)
+
     def wrenches(self, scene: MovingSetting) -> tuple[Wrench, ...]:
         start, end = (scene.point(p) for p in self.between)
         length = scene.length(end - start)

@@ -15,7 +15,6 @@ from planar_cli.problem.keys import (
 from planar_cli.problem.reading import did_you_mean
 from planar_cli.problem.scene import (
     GROUND,
-    At,
     Body,
     Circle,
     Foot,
@@ -75,10 +74,10 @@ def distinct_names(scope: Scope) -> Iterator[Diagnostic]:
         yield Diagnostic(mark, "PL402", message, _repair(name, body, before, what))
 
 
-def _middle(body: Body) -> str | At | None:
+def _middle(body: Body) -> str | None:
     """The point that a body may share its name with: its place, or its centre, where its mass centre is too."""
     if isinstance(body.shape, Particle):
-        return body.shape.place
+        return body.shape.place if isinstance(body.shape.place, str) else None
     return body.shape.center if isinstance(body.shape, Round | Plate) else None
 
 

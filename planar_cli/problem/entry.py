@@ -39,6 +39,12 @@ class Entry:
         """Keys whose value was made of that of others, which have their own dimensions."""
         return frozenset()
 
+    def passes_through(self, names: frozenset[str]) -> str | None:
+        """The point through which its force on a particle of these names always passes, where it does not move itself;
+        "": it has no force; None: there is no such point.
+        """
+        return None
+
     @classmethod
     def phrase(cls, name: str) -> str:
         """How one of this kind and name is called in a sentence: "the rope AB", "the spring", "the left cord"."""

@@ -153,7 +153,7 @@ class Surface:
 class Particle:
     """`place`: a point's name, coordinates, or None (`free`: from the relations)."""
 
-    place: str | At | None
+    place: str | At | Polar | None
 
 
 @record

@@ -14,6 +14,8 @@ from planar_cli.report.words import Phrases
 from planar_cli.solve.between.trace import MotionTrace, RegimeTrace, Result
 from planar_cli.solve.instant.used import used_blocks
 
+NAMED = 6
+"""More letters are not listed by name."""
 MOST = 70
 """A law with more operations is not written out: the equations before it give it, state by state."""
 
@@ -38,8 +40,9 @@ def integration_blocks(found: MotionTrace, phrases: Phrases, results: Iterable[R
     what = "the equation of motion is" if len(laws) == 1 else "the equations of motion are"
     if not whole:
         what = "the equations above, solved for the accelerations at every step, are"
-    several = " are" if len(tried) > 1 else " is"
-    named = line(*_names(tried), several) if tried else line("What follows is")
+    told = tried or (letters if len(letters) <= NAMED else [])
+    several = " are" if len(told) > 1 else " is"
+    named = line(*_names(told), several) if told else line("What follows is")
     how = " with trial values, until the motion passes all states" if tried else ""
     words = f" found step by step: {what} integrated numerically{how} (by a Runge–Kutta method)"
     begun = (f" from state {found.states[0]} on, where ", *start) if start else ()

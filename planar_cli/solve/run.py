@@ -16,6 +16,7 @@ from planar_cli.equation.system import System
 from planar_cli.errors import Mark, NoSolution, NotReached, Undecided, refuse
 from planar_cli.problem.lettered import lettered
 from planar_cli.problem.scene import Find, Problem
+from planar_cli.solve.central import in_polar_coordinates
 from planar_cli.solve.diagnosis.beginning import demand_direction
 from planar_cli.solve.diagnosis.cases import several
 from planar_cli.solve.diagnosis.clash import check_positions
@@ -54,7 +55,7 @@ def solve_problem(problem: Problem, method: str | None = None) -> Solution:
     seed(SEED)
     if not problem.find and not any(case.problem.find for case in problem.cases):
         raise refuse(Mark(problem.file, 1, 1), "PL571", "nothing is asked", "write `find: {a: a(G)}`")
-    problem = lettered(_by(problem, method or problem.method))
+    problem = lettered(in_polar_coordinates(_by(problem, method or problem.method)))
     objection = "" if problem.method is None else principle_of(problem.method).objection(problem)
     if objection:
         hint = f"leave `method` out, or write {instant_words()}"

@@ -286,14 +286,12 @@ class Offers:
 
     def _named_directions(self, group: Group) -> list[tuple[Vec, str]]:
         """Along and across the paths and contacts of the group's bodies."""
-        found: list[tuple[Vec, str]] = []
+        spokes = ((e.spoke, e.body) for e in self.system.tree.edges if (e.body,) == group.bodies)
+        found = [w for s, b in spokes if s is not None for w in s.ways(self.scene.center_name(b))]
         for push in self.system.pushes:
             for action in push.actions:
-                if (
-                    action.body in group.bodies
-                    and action.force is not None
-                    and push.kind in ("normal", "friction", "tension")
-                ):
+                drawn = push.kind in ("normal", "friction", "tension")
+                if drawn and action.body in group.bodies and action.force is not None:
                     x, y = self.numbers.value(action.force.x), self.numbers.value(action.force.y)
                     if abs(x) > CERTAIN and abs(y) > CERTAIN:
                         if push.kind == "tension":
