@@ -123,9 +123,9 @@ class Ledger:
         else:
             self.known("g", exact(GRAVITY, parse_unit("m/s^2"), self.us), "m/s^2")
 
-    def seek(self, name: str, unit: str, *, coordinate: bool = False) -> sp.Symbol:
+    def seek(self, name: str, unit: str, *, coordinate: bool = False, distance: bool = False) -> sp.Symbol:
         """An unknown constant, or a coordinate."""
-        symbol = self.symbols[name] = sp.Symbol(name, real=True)
+        symbol = self.symbols[name] = sp.Symbol(name, nonnegative=True) if distance else sp.Symbol(name, real=True)
         self.sought.append(symbol)
         if coordinate:
             self.coordinates.append(symbol)
@@ -144,11 +144,13 @@ class Ledger:
         self.letters.append(symbol)
 
     def fresh(self, name: str, unit: str, *, positive: bool = False, role: Role = NAMED) -> sp.Symbol:
-        """A new symbol of ours, named apart from every name of the file."""
+        """A new symbol of ours, named apart from every name of the file; a value of a distance is one itself."""
         free = name
         while free in self.symbols or free in self.reserved:
             free += "′"
-        symbol = self.symbols[free] = sp.Symbol(free, positive=True) if positive else sp.Symbol(free, real=True)
+        distance = role.of is not None and role.kind in (Kind.STATE, Kind.START) and role.of.is_nonnegative
+        signs = {"positive": True} if positive else {"nonnegative": True} if distance else {"real": True}
+        symbol = self.symbols[free] = sp.Symbol(free, **signs)
         self.units[symbol] = parse_unit(unit)
         self.roles[symbol] = role
         return symbol

@@ -120,7 +120,7 @@ class Setup:
         for symbol in self.problem.unknowns:
             self.ledger.seek(symbol.name, symbol.unit or "1")
         for symbol in self.problem.coordinates:
-            made = self.ledger.seek(symbol.name, symbol.unit or "1", coordinate=True)
+            made = self.ledger.seek(symbol.name, symbol.unit or "1", coordinate=True, distance=symbol.distance)
             unit = symbol.unit or "1"
             per = "rad" if parse_unit(unit).angle else unit if unit != "1" else "1"
             self.motions[made] = (

@@ -26,6 +26,8 @@ class Symbol:
     value: Side | None
     unit: str | None
     mark: Mark
+    distance: bool = False
+    """Is it a distance, which is never negative?"""
 
 
 @record

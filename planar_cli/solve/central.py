@@ -131,7 +131,7 @@ def _with_polar(problem: Problem, body: Body, centre: str, distance: Side, angle
     first = problem.states[0]
     begun = tuple(Relation(Name(n, None, mark), "=", s, n, mark) for n, s in ((r, distance), (phi, angle)))
     states: tuple[State, ...] = (replace(first, relations=(*first.relations, *begun)), *problem.states[1:])
-    coordinates = (*problem.coordinates, Symbol(r, None, "m", mark), Symbol(phi, None, "rad", mark))
+    coordinates = (*problem.coordinates, Symbol(r, None, "m", mark, distance=True), Symbol(phi, None, "rad", mark))
     assert isinstance(body.shape, Particle)
     if isinstance(body.shape.place, str):
         points = tuple(_moved(p, body.shape.place, place) for p in problem.points)
