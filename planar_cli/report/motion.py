@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -131,14 +131,22 @@ class MotionTelling:
         for leg in given:
             if leg not in followed:
                 yield from self._datum(leg)
-        if followed:
-            yield from integration_blocks(self.found, self.numeric, [r for leg in followed for r in leg.results])
-        for leg in followed:
+        derived = [leg for leg in legs if not leg.is_datum]
+        needed = {s for leg in derived for s in leg.needs}
+        first = [leg for leg in followed if needed.intersection(leg.unknowns)]
+        yield from self._integrated(followed if first else [])
+        for leg in derived:
+            i = legs.index(leg)
+            self._open = {x for later in legs[i:] for x in later.unknowns}
+            yield from self._leg(*without_zeros(leg, route, legs[:i]))
+        yield from self._integrated([] if first else followed)
+
+    def _integrated(self, legs: Sequence[RouteStep]) -> Iterator[Block]:
+        """What only numbers tell: all of it together, where a later line rests on some of it before that line."""
+        if legs:
+            yield from integration_blocks(self.found, self.numeric, [r for leg in legs for r in leg.results])
+        for leg in legs:
             yield from self._datum(leg)
-        for i, leg in enumerate(legs):
-            if not leg.is_datum:
-                self._open = {x for later in legs[i:] for x in later.unknowns}
-                yield from self._leg(*without_zeros(leg, route, legs[:i]))
 
     def _needed(self, route: RouteTrace) -> list[RouteStep]:
         """The legs that the wanted letters rest on."""

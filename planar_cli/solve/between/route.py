@@ -129,7 +129,8 @@ class Router:
         if self.followed is not None and any(t not in best and t not in self.plain for t in targets):
             best = {**self._cheapest(self.followed.edges(edges)), **best}
         order: list[Derivation] = []
-        for target in targets:
+        # What only numbers tell, and nothing else rests on, comes last.
+        for target in sorted(targets, key=lambda t: t in best and best[t].equations[0].kind == "followed"):
             self._collect(target, best, order)
         formulas: dict[sp.Symbol, sp.Expr] = dict(self.plain)
         steps = []
