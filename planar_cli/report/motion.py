@@ -22,7 +22,7 @@ from planar_cli.report.integrals import in_times, over_coordinates, plain_integr
 from planar_cli.report.integrated import integration_blocks
 from planar_cli.report.laws import LawTelling, integral_note, running
 from planar_cli.report.left_out import rejected
-from planar_cli.report.origins import head, is_steady, sides_of, told_once, turning, turning_blocks
+from planar_cli.report.origins import head, is_steady, known_from, sides_of, told_once, turning_blocks
 from planar_cli.report.oscillation import oscillation_blocks, periods_told
 from planar_cli.report.put_in import in_known, put_in
 from planar_cli.report.span_integrals import SpanTelling
@@ -165,17 +165,8 @@ class MotionTelling:
             yield Paragraph(line(f"{e.stop}: {e.words}:"))
             yield Equation(tuple(self.phrases.math(side) for side in sides_of(e, self.found.route)))
         for r in leg.results:
-            lead = ": ".join(x for x in (e.stop, self._known(e, r)) if x) + ":"
+            lead = ": ".join(x for x in (e.stop, known_from(e, r)) if x) + ":"
             yield Equation(self._chain(r), None, line(lead))
-
-    @staticmethod
-    def _known(e: Relation, r: Result) -> str:
-        """Where a datum comes from; nothing where it is worked out of what is given."""
-        if e.kind in ("turn", "followed"):
-            return turning(e.words) if e.kind == "turn" else "found by trial" if "trial" in e.words else ""
-        plainly = r.formula is None or r.formula.is_number or (r.formula / r.formula.as_coeff_Mul()[0]).is_Symbol
-        given = "given" if plainly and e.words != IN_THE_END else ""
-        return {"drawn": "in the given position", "start": e.words}.get(e.kind, given)
 
     def _leg(self, leg: RouteStep, route: RouteTrace) -> Iterator[Block]:
         equations = leg.relations

@@ -12,7 +12,9 @@ from planar_cli.report.characteristic import with_coefficients
 from planar_cli.report.names import plain_name
 from planar_cli.report.spoken import spoken
 from planar_cli.report.words import Phrases
+from planar_cli.solve.between import trace
 from planar_cli.solve.between.trace import (
+    IN_THE_END,
     BalanceTrace,
     ImpactEquation,
     MotionTrace,
@@ -116,6 +118,15 @@ def _steady_words(law: Law, kind: str) -> str:
     if law.order == 2 and law.f != 0:
         return f"constant {turns}acceleration"
     return f"no {turns}acceleration" if kind == "v(t)" else f"constant {turns}velocity"
+
+
+def known_from(e: Relation, r: trace.Result) -> str:
+    """Where a datum comes from; nothing where it is worked out of what is given."""
+    if e.kind in ("turn", "followed"):
+        return turning(e.words) if e.kind == "turn" else "found by trial" if "trial" in e.words else ""
+    plainly = r.formula is None or r.formula.is_number or (r.formula / r.formula.as_coeff_Mul()[0]).is_Symbol
+    given = "given" if plainly and e.words != IN_THE_END else ""
+    return {"drawn": "in the given position", "start": e.words}.get(e.kind, given)
 
 
 def turning(words: str) -> str:

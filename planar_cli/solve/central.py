@@ -13,7 +13,7 @@ from typing import Any
 from planar_cli.errors import Mark
 from planar_cli.joints.base import Joint
 from planar_cli.loads.base import Load
-from planar_cli.problem.expression import Binary, Name, Negate, Number, Quantity, Relation, Side
+from planar_cli.problem.expression import AtRest, Binary, Name, Negate, Number, Quantity, Relation, Side
 from planar_cli.problem.scene import At, Body, Particle, Point, Polar, Problem, State, Symbol
 
 QUARTER = {(1, 0): 0, (0, 1): 90, (-1, 0): 180, (0, -1): -90}
@@ -21,13 +21,18 @@ QUARTER = {(1, 0): 0, (0, 1): 90, (-1, 0): 180, (0, -1): -90}
 
 
 def in_polar_coordinates(problem: Problem) -> Problem:
-    """The problem with polar coordinates for what moves about a fixed point; as it is where nothing does."""
+    """The problem with polar coordinates for what moves about a fixed point; the same object where nothing does."""
     cases = tuple(replace(case, problem=_part(case.problem)) for case in problem.cases)
-    return replace(_part(problem), cases=cases)
+    found = _part(problem)
+    same = found is problem and all(a.problem is b.problem for a, b in zip(cases, problem.cases, strict=True))
+    return problem if same else replace(found, cases=cases)
 
 
 def _part(problem: Problem) -> Problem:
     if problem.coordinates or not problem.states[1:] or problem.plane == "vertical":
+        return problem
+    if any(isinstance(r, AtRest) for r in problem.states[0].relations):
+        # What starts from rest runs through the point.
         return problem
     for body in problem.bodies:
         found = _placed(problem, body)

@@ -51,11 +51,23 @@ def solve_problem(problem: Problem, method: str | None = None) -> Solution:
     """All finds of a problem, told by a method (None: the file's own, else the plan chooses). Raises FileProblem,
     NoSolution or Undecided.
     """
+    polar = in_polar_coordinates(problem)
+    if polar is not problem:
+        try:
+            return _solved(polar, method)
+        except (Undecided, NoSolution):
+            # The way may lead through the fixed point, where it has no direction.
+            pass
+    return _solved(problem, method)
+
+
+def _solved(problem: Problem, method: str | None) -> Solution:
+    """The same in the coordinates of the problem."""
     started = time.perf_counter()
     seed(SEED)
     if not problem.find and not any(case.problem.find for case in problem.cases):
         raise refuse(Mark(problem.file, 1, 1), "PL571", "nothing is asked", "write `find: {a: a(G)}`")
-    problem = lettered(in_polar_coordinates(_by(problem, method or problem.method)))
+    problem = lettered(_by(problem, method or problem.method))
     objection = "" if problem.method is None else principle_of(problem.method).objection(problem)
     if objection:
         hint = f"leave `method` out, or write {instant_words()}"

@@ -1,0 +1,118 @@
+"""Particles in polar coordinates: radial and transverse components (equation/spokes.py), chosen where all that acts
+passes through one fixed point (solve/central.py).
+"""
+
+from __future__ import annotations
+
+import pytest
+
+from planar_cli.formats.terminal import Terminal
+from planar_cli.problem.structure import load_text
+from planar_cli.report.narrate import narrate
+from planar_cli.solve.central import in_polar_coordinates
+from planar_cli.solve.run import solve_problem
+
+PENDULUM = """\
+plane: vertical
+given: {l: 2 m, m: 3 kg}
+coordinates: {phi: deg}
+points: {O: [0, 0], P: {from: O, distance: l, angle: phi - 90 deg}}
+bodies: {bob: {particle: P, mass: m}}
+joints: [link: {between: [O, P], name: cord}]
+instant: [phi = 30 deg, dot(phi) = 1 rad/s]
+find: {S: tension(cord), alpha: ddot(phi)}
+"""
+ORBIT = """\
+plane: horizontal
+given: {GM: 3.986e14 m^3/s^2, r_0: 7e6 m, v_0: 8200 m/s}
+points: {O: [0, 0], P: PLACE}
+bodies: {probe: {particle: P, mass: 1 kg}}
+loads:
+  - force: {body: probe, magnitude: (1 kg)*GM/r(P/O).mag^2, towards: O}
+states:
+  1: [t = 0, v(P).theta = v_0, v(P).r = 0 m/s]
+  2: [r(P/O).mag is largest]
+find: {r_2: r(P/O).mag @ 2, v_2: v(P).mag @ 2}
+"""
+PLACES = ["[r_0, 0]", "[0, r_0]", "[0, -r_0]", "[-r_0, 0]", "{from: O, distance: r_0, angle: 25 deg}"]
+
+
+def page(text: str) -> str:
+    problem, wrong = load_text(text)
+    assert problem is not None
+    assert not wrong
+    return Terminal(100).render(narrate(solve_problem(problem)))
+
+
+def answers(text: str) -> dict[str, float]:
+    problem, wrong = load_text(text)
+    assert problem is not None
+    assert not wrong
+    return {f.name: float(f.values[0]) for p in solve_problem(problem).parts for f in p.found if f.values}
+
+
+def test_a_pendulum_is_told_along_and_across_its_cord() -> None:
+    told = page(PENDULUM)
+    assert "m l φ̇²" in told
+    assert "m l φ̈" in told
+    assert "differentiated" not in told
+    found = answers(PENDULUM)
+    assert found["S"] == pytest.approx(3 * (9.81 * 3**0.5 / 2 + 2))
+    assert found["alpha"] == pytest.approx(-9.81 / 4)
+
+
+@pytest.mark.parametrize("place", PLACES)
+def test_an_orbit_is_told_by_energy_and_angular_momentum(place: str) -> None:
+    text = ORBIT.replace("PLACE", place)
+    told = page(text)
+    assert "conservation of angular momentum about O" in told
+    assert "work and kinetic energy" in told
+    assert "step by step" not in told
+    assert "|r" not in told
+    # 1/r_2 = 2 GM/(r_0 v_0)² - 1/r_0
+    far = 1 / (2 * 3.986e14 / (7e6 * 8200) ** 2 - 1 / 7e6)
+    assert answers(text) == pytest.approx({"r_2": far, "v_2": 7e6 * 8200 / far})
+
+
+def chosen(text: str) -> bool:
+    problem, wrong = load_text(text)
+    assert problem is not None
+    assert not wrong
+    return in_polar_coordinates(problem) is not problem
+
+
+def test_names_of_the_file_are_kept() -> None:
+    text = ORBIT.replace("PLACE", "[r_0, 0]").replace("r_2: r(P/O).mag @ 2", "r: r(P/O).mag @ 2, phi: v(P).mag @ 1")
+    assert chosen(text)
+    assert "r_probe" in page(text)
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        ("loads:", "loads:\n  - force: {body: probe, magnitude: 1 N, angle: 0 deg}"),
+        ("loads:", "loads:\n  - drag: {body: probe, linear: 1 kg/s}"),
+        ("v(P).theta = v_0, v(P).r = 0 m/s", "at rest"),
+        ("plane: horizontal", "plane: vertical"),
+        ("bodies: {", "bodies: {disk: {disk: O, radius: 1 m, mass: 1 kg}, "),
+    ],
+)
+def test_only_what_always_passes_through_a_fixed_point_is_followed_about_it(change: tuple[str, str]) -> None:
+    text = ORBIT.replace("PLACE", "[r_0, 0]")
+    assert chosen(text)
+    assert not chosen(text.replace(*change))
+
+
+def test_a_puck_that_passes_through_the_point_is_solved_all_the_same() -> None:
+    text = """\
+plane: horizontal
+points: {O: [0, 0], P: [0.5 m, 0]}
+bodies: {puck: {particle: P, mass: 2 kg}}
+loads: [spring: {between: [O, P], stiffness: 50 N/m, natural_length: 0 m}]
+states:
+  1: [t = 0, v(P).x = -1 m/s, v(P).y = 0 m/s]
+  2: [t = 1 s]
+find: {x: x(P) @ 2}
+"""
+    # x = 0.5 cos 5t - 0.2 sin 5t
+    assert answers(text)["x"] == pytest.approx(0.5 * 0.28366218546 + 0.2 * 0.95892427466)
