@@ -6,11 +6,12 @@ Dynamics, 3.3). The file's own coordinates come first; where it has some, none a
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import fields, replace
 from fractions import Fraction
 from typing import Any
 
-from planar_cli.errors import Mark
+from planar_cli.errors import Mark, NoSolution, Undecided
 from planar_cli.joints.base import Joint
 from planar_cli.loads.base import Load
 from planar_cli.problem.expression import AtRest, Binary, Name, Negate, Number, Quantity, Relation, Side
@@ -18,6 +19,18 @@ from planar_cli.problem.scene import At, Body, Particle, Point, Polar, Problem, 
 
 QUARTER = {(1, 0): 0, (0, 1): 90, (-1, 0): 180, (0, -1): -90}
 """The direction [degrees] of the axes."""
+
+
+def best_placed(problem: Problem, solve: Callable[[Problem], Solution]) -> Solution:
+    """The solution in polar coordinates, where there are some and they lead to it; else in those of the file."""
+    polar = in_polar_coordinates(problem)
+    if polar is not problem:
+        try:
+            return solve(polar)
+        except (Undecided, NoSolution):
+            # The way may lead through the fixed point, where it has no direction.
+            pass
+    return solve(problem)
 
 
 def in_polar_coordinates(problem: Problem) -> Problem:

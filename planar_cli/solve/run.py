@@ -16,7 +16,7 @@ from planar_cli.equation.system import System
 from planar_cli.errors import Mark, NoSolution, NotReached, Undecided, refuse
 from planar_cli.problem.lettered import lettered
 from planar_cli.problem.scene import Find, Problem
-from planar_cli.solve.central import in_polar_coordinates
+from planar_cli.solve.central import best_placed
 from planar_cli.solve.diagnosis.beginning import demand_direction
 from planar_cli.solve.diagnosis.cases import several
 from planar_cli.solve.diagnosis.clash import check_positions
@@ -51,14 +51,7 @@ def solve_problem(problem: Problem, method: str | None = None) -> Solution:
     """All finds of a problem, told by a method (None: the file's own, else the plan chooses). Raises FileProblem,
     NoSolution or Undecided.
     """
-    polar = in_polar_coordinates(problem)
-    if polar is not problem:
-        try:
-            return _solved(polar, method)
-        except (Undecided, NoSolution):
-            # The way may lead through the fixed point, where it has no direction.
-            pass
-    return _solved(problem, method)
+    return best_placed(problem, lambda p: _solved(p, method))
 
 
 def _solved(problem: Problem, method: str | None) -> Solution:
