@@ -14,14 +14,13 @@ from planar_cli.report.spoken import spoken
 from planar_cli.report.words import Phrases
 from planar_cli.solve.between import trace
 from planar_cli.solve.between.trace import (
-    IN_THE_END,
     BalanceTrace,
     ImpactEquation,
     MotionTrace,
     Relation,
     RouteTrace,
 )
-from planar_cli.solve.law import Law
+from planar_cli.solve.law import IN_THE_END, Law
 
 HAPPENS = ("it stops sliding", "it turns round", "it comes to the other side")
 """What happens at an instant; all other words say what holds up to it."""
