@@ -30,6 +30,9 @@ def answer_block(found: Found, part: PartSolution, phrases: Phrases, told: Itera
     same = plain_name(found.name) in (plain_name(symbol.name), plain_name(own.name))
     if same and asked == symbol:
         return Answer(found.name, said, relation)
+    if same and not size and found.values is not None and direction_words(found, found.values[0]):
+        # Its direction says in which sense it counts.
+        return Answer(found.name, said, "=")
     letter = line("|", Math(symbol), "|") if size else line(Math(asked))
     # A name that is its own opposite, or its own size, is no equation.
     return Answer(found.name, line(letter, " = ", *_signed(found, phrases), said), ":" if same else relation)

@@ -37,7 +37,7 @@ from planar_cli.problem.scope import Member, members_of, names_in
 from planar_cli.problem.walk import walk
 from planar_cli.records import record
 from planar_cli.report import blocks
-from planar_cli.report.blocks import Block, Forces, Inline, Line, Math, Text, Value, line
+from planar_cli.report.blocks import Block, Equation, Forces, Inline, Line, Math, Text, Value, line
 from planar_cli.report.blocks import Relation as Related
 from planar_cli.report.sides import AS_WRITTEN, is_zero, number_of, said
 from planar_cli.units import pretty_unit
@@ -68,6 +68,10 @@ class Mentioned:
     counted: frozenset[str] = frozenset()
     letters: frozenset[str] = frozenset()
     energies: bool = False
+    numeric: bool = False
+    """Are numbers put into formulas?"""
+    summed: bool = False
+    """Does a sum of forces or moments stand in numbers, among which its weights are?"""
 
 
 def mentioned(page: Iterable[Block]) -> Mentioned:
@@ -75,8 +79,9 @@ def mentioned(page: Iterable[Block]) -> Mentioned:
     found: set[str] = set()
     letters: set[str] = set()
     counted: set[str] = set()
-    kinetic = energies = False
+    kinetic = energies = summed = False
     for block in page:
+        summed |= isinstance(block, Equation) and _is_of_forces(block.note)
         kinetic |= isinstance(block, Forces) and block.right != (Text("0"),)
         for piece in _pieces(block):
             match piece:
@@ -89,7 +94,14 @@ def mentioned(page: Iterable[Block]) -> Mentioned:
                     letters |= {p for s in expr.free_symbols for p in (s.name, *s.name.split("_"))}
                     counted |= {s.name for s in piece.values or ()}
     words = frozenset(found | letters)
-    return Mentioned(words, kinetic or energies, frozenset(counted), frozenset(letters), energies)
+    return Mentioned(
+        words, kinetic or energies, frozenset(counted), frozenset(letters), energies, bool(counted), summed
+    )
+
+
+def _is_of_forces(note: Line) -> bool:
+    """Is an equation in numbers one of forces or moments?"""
+    return "".join(p.text for p in note if isinstance(p, Text)).startswith(("in N", "in lbf"))
 
 
 def _pieces(value: object) -> Iterator[Inline]:
@@ -332,8 +344,8 @@ def _start(problem: Problem, figures: int) -> Iterator[Line]:
 
 
 def _driven(problem: Problem, page: Mentioned, figures: int) -> Iterator[Line]:
-    """The numbers with which something is driven, where nothing else on the page speaks of it: the speed of a crank on
-    which the answer does not rest.
+    """The numbers with which something is driven, such as the speed of a crank; in letters what the page speaks of says
+    it.
     """
     unknown = {s.name for s in problem.unknowns}
     for relation in (law.statement for law in problem.motion):
@@ -341,7 +353,7 @@ def _driven(problem: Problem, page: Mentioned, figures: int) -> Iterator[Line]:
             left, right = said(relation.left, figures), said(relation.right, figures)
             names = {p.name for p in _pieces(left) if isinstance(p, blocks.Name)}
             number = number_of(relation.right) is not None and not is_zero(relation.right)
-            if left and right and number and page.words.isdisjoint(names):
+            if left and right and number and (page.numeric or page.words.isdisjoint(names)):
                 yield line(left, " = ", right)
 
 

@@ -72,7 +72,8 @@ def _gravity(problem: Problem, seen: Mentioned, phrases: Phrases | None) -> Iter
     if any(s.name == GRAVITY for s in problem.given):
         return
     own = phrases.ledger.symbols.get(GRAVITY) if phrases is not None else None
-    if phrases is not None and own is not None and GRAVITY in seen.counted and _has_number(own, phrases):
+    used = GRAVITY in seen.counted or (GRAVITY in seen.letters and seen.summed)
+    if phrases is not None and own is not None and used and _has_number(own, phrases):
         yield line(Name(GRAVITY), " = ", phrases.shown(own))
 
 

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from decimal import Decimal
 
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.ledger import Ledger
+from planar_cli.problem.expression import Quantity
+from planar_cli.problem.walk import walk
 from planar_cli.report.blocks import Block, Bullet, Check, Heading, Line, Paragraph, Table, Value, line
 from planar_cli.report.words import Phrases
 from planar_cli.simulate.report import transition_words
@@ -15,6 +17,8 @@ from planar_cli.simulate.table import table_of
 from planar_cli.units import pretty_unit
 
 ROWS = 9
+MOST_COLUMNS = 7
+"""A table of more columns is too wide to be read."""
 NOISE = 10.0
 """What is below so many tolerances beside the usual size of its column is the rounding of zero."""
 
@@ -53,8 +57,21 @@ def _table(motion: Simulation, figures: int) -> Table:
     found = table_of(motion.run, (), (), ROWS)
     heads = [f"{n} in {pretty_unit(u)}" if u != "1" else n for n, u in zip(found.names, found.units, strict=True)]
     least = [NOISE * motion.run.settings.tolerance * size for size in found.sizes]
-    rows = [tuple(_cell(v, s, figures) for v, s in zip(row, least, strict=True)) for row in found.rows]
-    return Table(tuple(line(h) for h in heads), tuple(rows))
+    kept = _columns(motion, found.names, found.rows, least)
+    rows = [tuple(_cell(row[j], least[j], figures) for j in kept) for row in found.rows]
+    return Table(tuple(line(heads[j]) for j in kept), tuple(rows))
+
+
+def _columns(
+    motion: Simulation, names: Sequence[str], rows: Sequence[Sequence[float]], least: Sequence[float]
+) -> list[int]:
+    """The columns that say something: the time, and what changes; of many those of what is asked."""
+    ranges = [max(column) - min(column) for column in zip(*rows, strict=True)]
+    changing = [j for j, size in enumerate(ranges) if j == 0 or size > least[j]]
+    finds = [f.found.what for f in motion.run.problem.find]
+    things = {t for what in finds for n in walk(what) if isinstance(n, Quantity) for t in n.things}
+    asked = [j for j in changing if j == 0 or any(f"({t})" in names[j] for t in things)]
+    return asked if len(changing) > MOST_COLUMNS and len(asked) > 1 else changing
 
 
 def _cell(value: float, least: float, figures: int) -> Line:

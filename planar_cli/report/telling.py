@@ -122,7 +122,8 @@ class Telling:
         """The acceleration of each mass centre that consists of several parts."""
         bodies = dict.fromkeys(body for block in stage.blocks for w in block.equations for body in w.bodies)
         for body in bodies:
-            if len(stage.accelerations.get(body, ())) != 1 and self.scene.rigid(body):
+            light = self.scene.bodies[body].mass == 0
+            if not light and len(stage.accelerations.get(body, ())) != 1 and self.scene.rigid(body):
                 center = self.scene.center(body)
                 yield from self.vectors.point(body, center, centre_of(self.scene, body), "acceleration")
 

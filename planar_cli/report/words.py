@@ -14,7 +14,7 @@ from planar_cli.equation.arrows import vector_arrow
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.ledger import Ledger, display
 from planar_cli.equation.plain import PRINTABLE, longer
-from planar_cli.problem.expression import Quantity
+from planar_cli.problem.expression import Part, Quantity, Side
 from planar_cli.records import record
 from planar_cli.report.blocks import Line, Math, Text, Value
 from planar_cli.report.enough_figures import enough_figures
@@ -22,10 +22,12 @@ from planar_cli.report.neat import Neat
 from planar_cli.report.numbers import as_printed, quantity, rotation_words, significant, vector_words
 from planar_cli.report.page_units import coherent_unit
 from planar_cli.report.pieces import met
+from planar_cli.report.sides import number_of
 from planar_cli.solve.solution import Found
 from planar_cli.units import Dimension, Unit
 
 ANGLES = ("", "1", "deg", "rad", "rev")
+WAYS = ("to the right", "upward", "to the left", "downward")
 LONG = 7
 """A rational with more digits than this is shown rounded."""
 
@@ -354,12 +356,19 @@ def direction_words(found: Found, number: Decimal) -> str:
     if what.word in ("omega", "alpha", "moment", "H") and not what.parts:
         return rotation_words(1 if number > 0 else -1)
     if what.word in ("v", "a", "friction", "reaction", "force", "coriolis", "momentum") and len(what.parts) == 1:
-        axis = what.parts[0].kind
-        if axis == "x":
-            return "to the right" if number > 0 else "to the left"
-        if axis == "y":
-            return "upward" if number > 0 else "downward"
+        quarter = _quarter(what.parts[0])
+        return "" if quarter is None else WAYS[(quarter + (0 if number > 0 else 2)) % 4]
     return ""
+
+
+def _quarter(part: Part) -> int | None:
+    """How many right angles a component along an axis, or along a direction in degrees, is turned from x."""
+    if part.kind in ("x", "y"):
+        return int(part.kind == "y")
+    number = number_of(part.direction) if part.kind == "along" and isinstance(part.direction, Side) else None
+    if number is None or number[1] != "deg" or number[0] % 90 != 0:
+        return None
+    return int(number[0] // 90) % 4
 
 
 def answer_text(found: Found, phrases: Phrases) -> str:
