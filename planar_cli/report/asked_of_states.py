@@ -57,15 +57,27 @@ class AskedTelling:
         for span in self.found.spans:
             if span.symbol not in own:
                 yield from self.spans.blocks(span)
-        told = (compared_sides, friction_at_states) if self.wanted is None or self.wanted else ()
-        compared = [block for decisions in told for block in decisions(self.found, self.numeric)]
+        decided = (compared_sides, friction_at_states) if self.wanted is None or self.wanted else ()
+        compared = [block for decisions in decided for block in decisions(self.found, self.numeric)]
         vectors = list(self._vectors())
-        if asked or compared or vectors:
+        if asked or compared or vectors or any(r.beside for r in self._requests()):
             yield HENCE
         yield from compared
-        for request, part, whole in asked:
-            yield from self._line(request, part, whole)
+        told: set[sp.Symbol] = set()
+        for find in self._requests():
+            yield from (self._letter(x, e) for x, e in find.beside if x not in told)
+            told |= {x for x, _ in find.beside}
+            for request, part, whole in asked:
+                if request is find:
+                    yield from self._line(request, part, whole)
         yield from vectors
+
+    def _letter(self, letter: sp.Symbol, formula: sp.Expr) -> Equation:
+        """A letter of a state in which something is told."""
+        formula = self._signed(_without(formula, self._zeros))
+        value = self.phrases.shown(letter, self.found.value(letter))
+        sides = self._shown(formula, None, self.phrases.ledger.units[letter], [value], self.numeric)
+        return Equation((self.phrases.math(letter), *sides, value))
 
     def _vectors(self) -> Iterator[Block]:
         """Vectors whose components are letters of the states: name = [x, y] = numbers."""

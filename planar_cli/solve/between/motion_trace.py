@@ -14,7 +14,6 @@ from planar_cli.equation.exact import Valuation
 from planar_cli.problem.facts import Wrench
 from planar_cli.problem.geometry import Vec
 from planar_cli.solve.between.answers import AnsweredFind
-from planar_cli.solve.between.asked_finds import AskedFind
 from planar_cli.solve.between.balances import StateBalance, balance_equations
 from planar_cli.solve.between.derivation import DerivedStep, Route, at_right_angles, levels
 from planar_cli.solve.between.energies import energy_parts
@@ -24,6 +23,7 @@ from planar_cli.solve.between.oscillation import Oscillation, roots_of, stabilit
 from planar_cli.solve.between.solved_motion import SolvedMotion
 from planar_cli.solve.between.stated_motion import StatedMotion
 from planar_cli.solve.between.taken import taken_of
+from planar_cli.solve.between.told_finds import FindTeller
 from planar_cli.solve.between.told_vibrations import VibrationTracer
 from planar_cli.solve.between.trace import (
     BalanceTrace,
@@ -34,7 +34,6 @@ from planar_cli.solve.between.trace import (
     OscillationTrace,
     RegimeTrace,
     Relation,
-    Request,
     RouteStep,
     RouteTrace,
     SpanIntegral,
@@ -43,9 +42,8 @@ from planar_cli.solve.between.trace import (
 from planar_cli.solve.impulsive.impact import Blow
 from planar_cli.solve.instant.stages import Stage
 from planar_cli.solve.instant.written import Written
-from planar_cli.solve.regimes.constant_rates import LastingLetters, constants_of, lasting_letters
+from planar_cli.solve.regimes.constant_rates import constants_of, lasting_letters
 from planar_cli.solve.regimes.equations import DATA, Equation
-from planar_cli.solve.regimes.timeline import KeptLetters
 from planar_cli.solve.solution import InstantSolution
 
 
@@ -66,11 +64,13 @@ def motion_trace(
     tracer = _Tracer(course, found.value, lettered_starts(course, found.value))
     told = tracer.route(route)
     lasting = lasting_letters(course.distinct_regimes(), course.given())
+    teller = FindTeller(course, lasting, found.value.extended(lasting.numbers), level)
+    requests = teller.requests(found.finds)
     return MotionTrace(
         problem=course.problem,
         states=tuple(s.name for s in course.states),
         ledger=course.ledger,
-        value=found.value.extended({**lasting.numbers, **tracer.vibrations.numbers}),
+        value=found.value.extended({**lasting.numbers, **tracer.vibrations.numbers, **teller.numbers}),
         symbolic=course.symbolic,
         unknowns=course.chain().unknowns,
         general={own: general for stop in course.stops.values() for general, own in stop.letters.items()},
@@ -81,7 +81,7 @@ def motion_trace(
         followed=None if found.followed is None else found.followed.values,
         turnings=_turnings(found),
         route=told,
-        requests=tuple(_request(course, lasting, level, a) for a in found.finds),
+        requests=requests,
         passing={a.found.name: tracer.route(a.passing) for a in answers if a.passing is not None},
         spans=tuple(_span(s, level) for s in found.spans),
         oscillations=tuple(_oscillation(o, found.value) for o in found.oscillations),
@@ -97,26 +97,6 @@ def motion_trace(
         corners=_corners(found),
         taken=taken_of(found),
     )
-
-
-def _kept(course: StatedMotion, lasting: LastingLetters, asked: AskedFind) -> KeptLetters:
-    """The letters in which a find is told: those with one number in the whole motion, and constant rates. None where it
-    asks for an unknown that has several: what that is made of tells less than its formula.
-    """
-    plain = {letter: letter for letter in lasting.numbers}
-    kept = {id(r): {**plain, **course.rates.names.get(id(r), {})} for r in course.distinct_regimes()}
-    elsewhere = [asked.reader.pending[s] for p in asked.raw for s in p.free_symbols if s in asked.reader.pending]
-    parts = [*((asked.reader, p) for p in asked.raw), *((reader, p) for reader, _, p in elsewhere)]
-    several = ((lasting.several.get(id(reader.regime), ()), p.free_symbols) for reader, p in parts)
-    return {} if any(x in inside for letters, inside in several for x in letters) else kept
-
-
-def _request(
-    course: StatedMotion, lasting: LastingLetters, level: Mapping[sp.Symbol, sp.Expr], asked: AskedFind
-) -> Request:
-    """What is asked, in the letters of its state, with the sines of right angles put in."""
-    parts = asked.parts(_kept(course, lasting, asked))
-    return Request(asked.find, tuple(at_right_angles(p, level) for p in parts), asked.unit)
 
 
 def _span(found: SpanIntegral, level: Mapping[sp.Symbol, sp.Expr]) -> SpanIntegral:

@@ -287,6 +287,8 @@ class Request:
     """It in symbols of states; of the general position where it holds throughout. Two of a vector."""
     unit: Unit | None
     """The unit of its answer; None: it is a relation or a word."""
+    beside: tuple[tuple[sp.Symbol, sp.Expr], ...] = ()
+    """Letters of its state in which it is told and that nothing else tells, with what they are."""
 
 
 @record
