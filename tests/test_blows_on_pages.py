@@ -125,3 +125,10 @@ def test_an_impulse_in_numbers_has_a_letter() -> None:
         assert problem is not None
         assert not wrong
         assert {name: letter for name, (letter, _) in impulse_letters(problem).items()} == letters
+
+
+def test_the_authors_letter_of_a_mass_centre() -> None:
+    """The point of the file at which the mass centre of several parts lies, not a name of ours."""
+    printed = page("ex-4-14")
+    assert "AB: J_N,hit → at hit = m_AB v_Gx,2 → at G, m_AB v_Gy,2 ↑ at G, I_AB ω_2 ↺" in printed
+    assert "G_AB" not in printed

@@ -225,8 +225,12 @@ class MassReader:
             raise refuse(body.mark, "PL520", f"{body.name}: its parts have no mass", "give each part its `mass:`")
         name = self._named("m", body)
         mass = self.ledger.define(name, whole, "kg", f"mass of {body.name}", positive=True)
-        center_name = self.ledger.fresh(self._named("G", body), "m").name
-        center = Vec(*(self._coordinate(parts, mass, axis, f"{axis}_{center_name}", body) for axis in ("x", "y")))
+        center_name = self._own_centre(body, parts)
+        if center_name:
+            center = self.points(center_name)
+        else:
+            center_name = self.ledger.fresh(self._named("G", body), "m").name
+            center = Vec(*(self._coordinate(parts, mass, axis, f"{axis}_{center_name}", body) for axis in ("x", "y")))
         inertia = sp.Add(*(self._about(center, i, part, body) for i, part in enumerate(parts, 1)))
         if body.inertia is not None or body.gyration is not None:
             stand_in = Uniform(center, center_name, ZERO, ZERO)
@@ -235,6 +239,18 @@ class MassReader:
             title = f"moment of inertia of {body.name} about {center_name}, parallel axes"
             symbol = self.ledger.define(self._named("I", body), inertia, "kg*m^2", title, positive=True)
         return BodyModel(body.name, shape, True, mass, symbol, center, center_name, parts[0][1].theta)
+
+    def _own_centre(self, body: Body, parts: list[tuple[tuple[sp.Expr, sp.Expr], Uniform]]) -> str:
+        """The point of the file that is the mass centre of a body of several parts; empty: none is."""
+        known = {**self.ledger.values, **self.ledger.definitions}
+        for name in body.points:
+            arms = [(mass, u.center - self.points(name)) for (mass, _), u in parts]
+            gaps = [sp.Add(*(mass * getattr(arm, axis) for mass, arm in arms)) for axis in ("x", "y")]
+            while any(gap.free_symbols & known.keys() for gap in gaps):
+                gaps = [gap.xreplace(known) for gap in gaps]
+            if all(simplified(gap) == 0 for gap in gaps):
+                return name
+        return ""
 
     def _about(self, center: Vec, number: int, part: tuple[tuple[sp.Expr, sp.Expr], Uniform], body: Body) -> sp.Expr:
         """Moment of inertia of a part about the mass centre of the whole; of numbers by named steps."""
