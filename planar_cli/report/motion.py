@@ -17,6 +17,7 @@ from planar_cli.report.asked_of_states import HENCE, AskedTelling
 from planar_cli.report.between import BetweenTelling, dimension_of_balance
 from planar_cli.report.blocks import Block, Equation, Heading, Math, Name, Paragraph, Value, line
 from planar_cli.report.clean import is_clean
+from planar_cli.report.conditions_of_states import condition_blocks, is_own_name
 from planar_cli.report.in_numbers import solved_for
 from planar_cli.report.integrals import in_times, over_coordinates, plain_integral
 from planar_cli.report.integrated import integration_blocks
@@ -37,7 +38,6 @@ from planar_cli.solve.between.trace import (
     RouteStep,
     RouteTrace,
 )
-from planar_cli.solve.law import IN_THE_END
 
 WORK, MOMENTUM = "work and energy", "impulse and momentum"
 LONGEST, SHORT, PLAIN = 90, 36, 12
@@ -131,7 +131,7 @@ class MotionTelling:
         for leg in given:
             if leg not in followed:
                 yield from self._datum(leg)
-        derived = [leg for leg in legs if not leg.is_datum]
+        derived = [leg for leg in legs if not leg.is_datum and not is_own_name(leg)]
         needed = {s for leg in derived for s in leg.needs}
         first = [leg for leg in followed if needed.intersection(leg.unknowns)]
         yield from self._integrated(followed if first else [])
@@ -161,9 +161,7 @@ class MotionTelling:
 
     def _datum(self, leg: RouteStep) -> Iterator[Block]:
         e = leg.relations[0]
-        if e.words == IN_THE_END:
-            yield Paragraph(line(f"{e.stop}: {e.words}:"))
-            yield Equation(tuple(self.phrases.math(side) for side in sides_of(e, self.found.route)))
+        yield from condition_blocks(leg, self.found, self.phrases)
         for r in leg.results:
             lead = ": ".join(x for x in (e.stop, known_from(e, r)) if x) + ":"
             yield Equation(self._chain(r), None, line(lead))

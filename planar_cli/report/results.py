@@ -6,10 +6,14 @@ from collections.abc import Sequence
 from typing import Any
 
 from planar_cli.equation.plain import identically_zero
-from planar_cli.report.blocks import Block, Paragraph, line
+from planar_cli.report.blocks import Block, Line, Paragraph, line
+from planar_cli.report.sides import said
 from planar_cli.report.words import Phrases
 from planar_cli.solve.instant.algebra import Line as SolvedLine
 from planar_cli.solve.solution import InstantSolution
+
+SIGNS = {">=": "≥", "<=": "≤"}
+"""Inequalities in the notation of the page; all others as they are written."""
 
 
 def other_roots(instant: InstantSolution, x: SolvedLine, phrases: Phrases) -> list[Block]:
@@ -24,7 +28,7 @@ def other_roots(instant: InstantSolution, x: SolvedLine, phrases: Phrases) -> li
     parts: list[Any] = ["other roots: "]
     for i, root in enumerate(left):
         parts += [", " if i else "", phrases.shown(x.symbol, root.value)]
-    return [Paragraph(line(*parts, f" ({_reason(instant, choice)})"))]
+    return [Paragraph(line(*parts, " (", _reason(instant, choice, phrases.figures), ")"))]
 
 
 def _formulas(instant: InstantSolution, x: SolvedLine, left: list[Any], choice: Any, phrases: Phrases) -> list[Block]:
@@ -39,9 +43,33 @@ def _formulas(instant: InstantSolution, x: SolvedLine, left: list[Any], choice: 
     return [Paragraph(told)]
 
 
-def _reason(instant: InstantSolution, choice: Any) -> str:
-    reasons = {s.objection for s in instant.left_out if any(c.symbol == choice.symbol for c in s.branch.choices)}
-    return "; ".join(sorted(r for r in reasons if r)) or "it holds as well; the smaller one is taken"
+def _reason(instant: InstantSolution, choice: Any, figures: int) -> Line:
+    """What rules the other roots out, each by the branch that is like the one taken but for this root."""
+    taken = {c.symbol: c.taken for c in instant.sought.branch.choices} if instant.sought is not None else {}
+    nearest: dict[int, tuple[int, Line]] = {}
+    for other in instant.left_out:
+        roots = {c.symbol: c.taken for c in other.branch.choices}
+        own = roots.get(choice.symbol)
+        apart = sum(roots[s] != taken.get(s) for s in roots)
+        if own is not None and own != choice.taken and (own not in nearest or apart < nearest[own][0]):
+            nearest[own] = (apart, _objection(other, figures))
+    lost = {i for i in range(len(choice.roots)) if i != choice.taken} - nearest.keys()
+    reasons = sorted({why for _, why in nearest.values()}, key=str)
+    reasons += [line("with it the other equations have no solution")] * bool(lost)
+    return line(*(part for i, why in enumerate(reasons) for part in ("; " if i else "", why)))
+
+
+def _objection(other: Any, figures: int) -> Line:
+    """Why a branch is left out; an inequality of the file in the notation of the page."""
+    if not other.objection:
+        return line("it holds as well; the smaller one is taken")
+    broken = other.trial.broken
+    if broken is None or broken.words != other.objection:
+        return line(other.objection)
+    left, right = said(broken.relation.left, figures), said(broken.relation.right, figures)
+    if left is None or right is None:
+        return line(other.objection)
+    return line("given: ", left, f" {SIGNS.get(broken.relation.operator, broken.relation.operator)} ", right)
 
 
 def numbered(numbers: Sequence[int]) -> str:

@@ -1,0 +1,52 @@
+"""What picks a state, as a line before it is used: the cord is about to break, S = S_max."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import sympy as sp
+
+from planar_cli.equation.plain import derivative, longer
+from planar_cli.report.blocks import Block, Equation, Paragraph, line
+from planar_cli.report.clean import is_clean
+from planar_cli.report.names import plain_name
+from planar_cli.report.origins import head, sides_of
+from planar_cli.report.words import Phrases
+from planar_cli.solve.between.trace import IN_THE_END, MotionTrace, RouteStep
+
+FEW, SHORT = 2, 24
+"""Letters of a condition that only gives a value, and operations of a side that is printed."""
+
+
+def condition_blocks(leg: RouteStep, found: MotionTrace, phrases: Phrases) -> Iterator[Block]:
+    """The condition of a state from which a datum is worked out, in the letters of the state; nothing where it gives
+    the datum plainly.
+    """
+    (e, *more), (r, *others) = leg.relations, leg.results
+    formula = r.formula
+    if e.words == IN_THE_END:
+        yield Paragraph(line(f"{e.stop}: {e.words}:"))
+        yield Equation(tuple(phrases.math(side) for side in sides_of(e, found.route)))
+        return
+    if more or others or e.kind != "given" or formula is None or not e.words or formula.is_Symbol or formula.is_number:
+        return
+    rate = derivative(e.residual, r.unknown)
+    sides = sides_of(e, found.route)
+    inside = set().union(*(side.free_symbols for side in sides))
+    if (
+        rate.is_number
+        or len(inside) <= FEW
+        or any(longer(side, SHORT) for side in sides)
+        or not is_clean(found.ledger, *sides)
+    ):
+        return
+    yield Paragraph(head(e, found.ledger.symbols))
+    yield Equation(tuple(phrases.math(sp.sympify(side)) for side in sides))
+
+
+def is_own_name(leg: RouteStep) -> bool:
+    """Is a letter of a state only the constant of the file whose name it has in print: φ in state 0 and φ_0?"""
+    (r, *more) = leg.results
+    if more or r.formula is None or not r.formula.is_Symbol:
+        return False
+    return plain_name(r.unknown.name.replace("__", "_")) == plain_name(r.formula.name)
