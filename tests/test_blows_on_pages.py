@@ -132,3 +132,12 @@ def test_the_authors_letter_of_a_mass_centre() -> None:
     printed = page("ex-4-14")
     assert "AB: J_N,hit → at hit = m_AB v_Gx,2 → at G, m_AB v_Gy,2 ↑ at G, I_AB ω_2 ↺" in printed
     assert "G_AB" not in printed
+
+
+@pytest.mark.parametrize(("stem", "words"), [
+    ("ex-4-12", "angular impulse and momentum about C, through which N_C, F_C and m g pass:"),
+    ("puck-drawn-in-by-a-string", "conservation of angular momentum about O, through which T_string passes:"),
+    ("satellite-perigee-apogee", "conservation of angular momentum about O, through which F_attraction passes:"),
+])  # fmt: skip
+def test_why_forces_have_no_angular_impulse(stem: str, words: str) -> None:
+    assert words in page(stem)

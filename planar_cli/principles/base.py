@@ -198,6 +198,8 @@ class Balance:
     """The point it is taken about, the end of the heading."""
     explained: str = ""
     """What that point is, after it."""
+    passing: tuple[sp.Expr, ...] = ()
+    """The forces through that point, which have no moment about it."""
     letter: str = ""
     """The letter of the amount: then amounts and what sources bring are told one by one, T_1 + U = T_2."""
     bring: str = ""

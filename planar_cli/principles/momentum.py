@@ -106,11 +106,18 @@ def _balances(position: Position) -> Iterator[Balance]:
         for name, center in centres.items():
             rate = simplified(expanded(sp.Add(*(_moment(position, w, center) for w in outer))))
             if not rate.free_symbols & loose:
-                yield from _balance(group, _angular(position, group, center), rate, "↺ ", name)
+                through = _passing(position, group, center)
+                yield from _balance(group, _angular(position, group, center), rate, "↺ ", name, passing=through)
 
 
 def _balance(
-    group: tuple[str, ...], parts: dict[str, sp.Expr], rate: sp.Expr, arrow: str, about: str, explained: str = ""
+    group: tuple[str, ...],
+    parts: dict[str, sp.Expr],
+    rate: sp.Expr,
+    arrow: str,
+    about: str,
+    explained: str = "",
+    passing: tuple[sp.Expr, ...] = (),
 ) -> Iterator[Balance]:
     if sp.Add(*parts.values()) == 0:
         return
@@ -128,8 +135,29 @@ def _balance(
         kept=kept,
         about=about,
         explained=explained,
+        passing=passing,
         lead=arrow,
     )
+
+
+def _passing(position: Position, group: tuple[str, ...], center: Vec) -> tuple[sp.Expr, ...]:
+    """The sizes of the forces on a group from outside whose lines of action pass through a point."""
+    reactions = position.system.reactions
+    assert reactions is not None
+    found: list[sp.Expr] = []
+    for push, size in reactions.pushes:
+        own = [a for a in push.actions if a.body in group]
+        if len(own) == 1 and own[0].force is not None and own[0].couple == 0:
+            found += [size] * _meets(position, own[0].point, own[0].force, center)
+    for w in reactions.wrenches:
+        if w.body in group and w.force is not None and w.couple == 0 and w.magnitude != 0:
+            found += [w.magnitude] * _meets(position, w.point, w.force, center)
+    return tuple(dict.fromkeys(found))
+
+
+def _meets(position: Position, point: Vec, force: Vec, center: Vec) -> bool:
+    arm = position.system.scene.arms.between(center, point)
+    return position.system.scene.vanishes(arm.cross(force))
 
 
 def _still(place: Vec) -> bool:

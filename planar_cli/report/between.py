@@ -135,13 +135,22 @@ class BetweenTelling:
         once, twice = sp.diff(residual, unknown), sp.diff(residual, unknown, 2)
         return unknown not in twice.free_symbols and (twice == 0 or simplified(once - twice * unknown) == 0)
 
-    @staticmethod
-    def _heading(b: BalanceTrace) -> Line:
+    def _heading(self, b: BalanceTrace) -> Line:
         law = b.law
         group = f"{', '.join(law.bodies)}: " if law.bodies else ""
         words = (law.kept if b.gain == 0 else "") or law.heading or law.words
         head = f"From {b.since} to {b.stop}, {group}{words}"
-        return line(head, Name(law.about) if law.about else "", law.explained, *_idle(law.idle), ":")
+        about = Name(law.about) if law.about else ""
+        return line(head, about, law.explained, *self._through(law.passing), *_idle(law.idle), ":")
+
+    def _through(self, forces: tuple[sp.Expr, ...]) -> list[Any]:
+        """The forces that have no moment, as they pass through the point."""
+        if not forces or len(forces) > MOST_NAMED or any(longer(f, FEW) for f in forces):
+            return []
+        parts: list[Any] = [", through which "]
+        for i, force in enumerate(forces):
+            parts += [" and " if i == len(forces) - 1 and i else ", " if i else "", self.phrases.math(force)]
+        return [*parts, " pass" if len(forces) > 1 else " passes"]
 
     # --- blows -------------------------------------------------------------------------------------------------------
 
