@@ -12,7 +12,8 @@ from planar_cli.report.clean import is_clean
 from planar_cli.report.names import plain_name
 from planar_cli.report.origins import head, sides_of
 from planar_cli.report.words import Phrases
-from planar_cli.solve.between.trace import IN_THE_END, MotionTrace, RouteStep
+from planar_cli.solve.between.trace import MotionTrace, RouteStep
+from planar_cli.solve.law import IN_THE_END
 
 FEW, SHORT = 2, 24
 """Letters of a condition that only gives a value, and operations of a side that is printed."""
