@@ -13,6 +13,7 @@ from planar_cli.equation.system import System
 from planar_cli.problem.facts import Test
 from planar_cli.report.another_equation import another_equation
 from planar_cli.report.blocks import Check, Line, Math, Name, Relation, line
+from planar_cli.report.letter_check import letter_check
 from planar_cli.report.power_check import power_check
 from planar_cli.report.velocity_check import velocity_check
 from planar_cli.report.words import Phrases
@@ -42,6 +43,7 @@ def check_blocks(instant: InstantSolution, phrases: Phrases, single: bool) -> li
     if single and sure and not limits:
         others = (check(instant, phrases) for check in (another_equation, power_check, velocity_check))
         told += [next(filter(None, others), ())]
+    told += [letter_check(instant, phrases)] if single and phrases.symbolic else []
     return [Check(phrase) for phrase in told if phrase]
 
 
