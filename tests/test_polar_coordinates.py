@@ -1,4 +1,4 @@
-"""Particles in polar coordinates: radial and transverse components (equation/spokes.py), chosen where all that acts
+"""Particles in polar coordinates: radial and transverse components (equation/components.py), chosen where all that acts
 passes through one fixed point (solve/central.py).
 """
 

@@ -17,8 +17,8 @@ from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.components import Components
 from planar_cli.equation.ledger import Kind, Ledger, Role
-from planar_cli.equation.spokes import Spoke
 from planar_cli.problem.facts import Joining, Row
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
@@ -44,8 +44,8 @@ class Edge:
     """How a body hangs on the tree: by a joining (None: free), from which body, with which new unknowns.
 
     `backward`: the joining's base hangs on its mover. `spin`, `slide`: velocity unknowns; `spin_rate`, `slide_rate`:
-    acceleration unknowns. A free body has `slide` along x and `rise` along y; one that the file places in polar
-    coordinates has none of its own (`spoke`). `particle`: it does not turn with its parent.
+    acceleration unknowns. A free body has `slide` along x and `rise` along y; one that the file
+    places by coordinates has none of its own (`components`). `particle`: it does not turn with its parent.
     """
 
     body: str
@@ -59,7 +59,7 @@ class Edge:
     rise: sp.Symbol | None = None
     rise_rate: sp.Symbol | None = None
     particle: bool = False
-    spoke: Spoke | None = None
+    components: Components | None = None
 
 
 @record
@@ -85,10 +85,10 @@ class TreeBuilder:
         rigid: Callable[[str], bool],
         center_name: Callable[[str], str],
         bodies: Iterable[str],
-        spokes: Mapping[str, Spoke] | None = None,
+        components: Mapping[str, Components] | None = None,
     ) -> None:
         self.ledger, self.rigid, self.center_name, self.bodies = ledger, rigid, center_name, tuple(bodies)
-        self.spokes = spokes or {}
+        self.components = components or {}
         self._made: dict[tuple[str, str], sp.Symbol] = {}
         self.titles: dict[sp.Symbol, str] = {}
 
@@ -96,16 +96,13 @@ class TreeBuilder:
         """The tree over these joinings; with `hang` False every body is free."""
         left = list(joinings)
         placed = {GROUND}
-        edges = [Edge(b, GROUND, None, particle=True, spoke=s) for b, s in self._fixed_spokes(left, hang)]
+        edges = [Edge(b, GROUND, None, particle=True, components=s) for b, s in self._placed_by_coordinates(left, hang)]
         placed |= {e.body for e in edges}
         while len(placed) <= len(self.bodies):
             choice = self._choose(left, placed) if hang else None
             if choice is None:
                 body = next(b for b in self._by_ties(left) if b not in placed)
-                spoke = self.spokes.get(body) if hang else None
-                edges.append(
-                    self._free(body) if spoke is None else Edge(body, GROUND, None, particle=True, spoke=spoke)
-                )
+                edges.append(self._free(body))
             else:
                 joining, body = choice
                 left.remove(joining)
@@ -113,12 +110,12 @@ class TreeBuilder:
             placed.add(edges[-1].body)
         return Tree(tuple(edges), tuple(left))
 
-    def _fixed_spokes(self, joinings: list[Joining], hang: bool) -> Iterator[tuple[str, Spoke]]:
-        """Particles in polar coordinates that are joined to nothing that moves."""
-        for body, spoke in self.spokes.items() if hang else ():
+    def _placed_by_coordinates(self, joinings: list[Joining], hang: bool) -> Iterator[tuple[str, Components]]:
+        """Particles that the file places by coordinates and that are joined to nothing that moves."""
+        for body, components in self.components.items() if hang else ():
             partners = {b for j in joinings if body in (j.mover, j.base) for b in (j.mover, j.base)}
             if partners <= {body, GROUND}:
-                yield body, spoke
+                yield body, components
 
     def _by_ties(self, left: list[Joining]) -> list[str]:
         """Bodies that others are joined to come first."""
@@ -224,10 +221,10 @@ class Motion:
 
     def _place(self, edge: Edge) -> None:
         at = self.center(edge.body)
-        if edge.spoke is not None:
-            v, a = edge.spoke.vector(edge.spoke.velocities), edge.spoke.vector(edge.spoke.accelerations)
-            self.velocities[edge.body] = Twist(at, self._settled(v), ZERO)
-            self.accelerations[edge.body] = Twist(at, self._settled(a), ZERO)
+        if edge.components is not None:
+            own = edge.components
+            self.velocities[edge.body] = Twist(at, self._settled(own.vector(own.velocities)), ZERO)
+            self.accelerations[edge.body] = Twist(at, self._settled(own.vector(own.accelerations)), ZERO)
             return
         if edge.joining is None:
             self.velocities[edge.body] = Twist(at, Vec(self._v(edge.slide), self._v(edge.rise)), self._v(edge.spin))

@@ -11,13 +11,13 @@ from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.components import components_of
 from planar_cli.equation.displacement import Coordinate
 from planar_cli.equation.driving import driving_pushes
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.ledger import Ledger
 from planar_cli.equation.motion import Motion, TreeBuilder
 from planar_cli.equation.setup import Setup, names_in
-from planar_cli.equation.spokes import spokes_of
 from planar_cli.equation.system import Statements, System, make_system
 from planar_cli.errors import Undecided
 from planar_cli.joints.base import Joint, distinct
@@ -114,7 +114,7 @@ class Instant:
 
     def tree_builder(self, bodies: list[str]) -> TreeBuilder:
         """What makes the unknowns of the motion."""
-        return TreeBuilder(self.scene.ledger, self.scene.rigid, self.scene.own_name, bodies, spokes_of(self.scene))
+        return TreeBuilder(self.scene.ledger, self.scene.rigid, self.scene.own_name, bodies, components_of(self.scene))
 
     def name_of(self, push: Push) -> tuple[str, str]:
         """How a push is called, and its unit."""

@@ -286,8 +286,8 @@ class Offers:
 
     def _named_directions(self, group: Group) -> list[tuple[Vec, str]]:
         """Along and across the paths and contacts of the group's bodies."""
-        spokes = ((e.spoke, e.body) for e in self.system.tree.edges if (e.body,) == group.bodies)
-        found = [w for s, b in spokes if s is not None for w in s.ways(self.scene.center_name(b))]
+        placed = ((e.components, e.body) for e in self.system.tree.edges if (e.body,) == group.bodies)
+        found = [w for s, b in placed if s is not None for w in s.ways(self.scene.center_name(b))]
         for push in self.system.pushes:
             for action in push.actions:
                 drawn = push.kind in ("normal", "friction", "tension")

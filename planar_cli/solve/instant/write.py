@@ -111,10 +111,10 @@ class Writer:
         x, y = self.settled(a.x), self.settled(a.y)
         if x == 0 and y == 0:
             return []
-        spoke = next((e.spoke for e in self.system.tree.edges if e.body == body), None)
-        if spoke is not None:
-            ways = (spoke.outward, spoke.outward.turned())
-            parts = [(way, self.settled(part)) for way, part in zip(ways, spoke.accelerations, strict=True)]
+        components = next((e.components for e in self.system.tree.edges if e.body == body), None)
+        if components is not None:
+            ways = (components.axis, components.axis.turned())
+            parts = [(way, self.settled(part)) for way, part in zip(ways, components.accelerations, strict=True)]
             signed = [(-way, -part) if part.could_extract_minus_sign() else (way, part) for way, part in parts]
             return [(way, part) for way, part in signed if part != 0]
         axes = [(Vec(sp.S.One, sp.S.Zero), x, "x"), (Vec(sp.S.Zero, sp.S.One), y, "y")]
