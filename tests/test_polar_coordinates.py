@@ -116,3 +116,26 @@ find: {x: x(P) @ 2}
 """
     # x = 0.5 cos 5t - 0.2 sin 5t
     assert answers(text)["x"] == pytest.approx(0.5 * 0.28366218546 + 0.2 * 0.95892427466)
+
+
+def test_velocity_and_acceleration_are_told_by_their_components() -> None:
+    told = page(PENDULUM.replace("alpha: ddot(phi)", "alpha: ddot(phi), v: v(P).mag"))
+    assert "v_P = l φ̇ e_φ" in told
+    assert "a_P = -l φ̇² e_r + l φ̈ e_φ" in told
+
+
+def test_a_coordinate_along_an_axis_needs_no_kinematics() -> None:
+    text = """\
+plane: vertical
+given: {k: 20 N/m, m: 2 kg}
+coordinates: {x: m}
+points: {W: [-1 m, 0], P: [x, 0]}
+surfaces: {floor: {through: [0, 0], angle: 0 deg}}
+bodies: {block: {particle: P, mass: m}}
+joints: [guide: {point: P, along: 0 deg}]
+loads: [spring: {between: [W, P], stiffness: k, natural_length: 1 m}]
+find: {eom: ddot(x)}
+"""
+    told = page(text)
+    assert "-k x = m ẍ" in told
+    assert "differentiated" not in told

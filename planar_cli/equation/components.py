@@ -33,6 +33,8 @@ class Components:
     accelerations: Pair
     origin: str = ""
     """The name of the fixed point from which e_r points; "" along the axes."""
+    turns: str = ""
+    """The coordinate with which e_r turns; "": it keeps its direction."""
 
     def ways(self, particle: str) -> list[tuple[Vec, str]]:
         """Along the line from the fixed point and across it, in words; along it in the sense of the acceleration."""
@@ -73,7 +75,8 @@ def _polar(scene: Scene, place: Polar) -> Components | None:
         return None
     (r, rate, second), (phi, turn, bend) = known
     axis = Vec(sp.cos(phi), sp.sin(phi))
-    return Components(axis, (rate, r * turn), (second - r * turn**2, r * bend + 2 * rate * turn), place.origin)
+    turns = next((s.name for s in scene.ledger.coordinates if s in phi.free_symbols), "")
+    return Components(axis, (rate, r * turn), (second - r * turn**2, r * bend + 2 * rate * turn), place.origin, turns)
 
 
 def _straight(scene: Scene, place: Place | None) -> Components | None:

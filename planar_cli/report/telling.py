@@ -17,6 +17,7 @@ from planar_cli.report.geometry import constructed, places
 from planar_cli.report.inertias import alike_together, by_size, is_sought
 from planar_cli.report.names import GREEK
 from planar_cli.report.numeric import NumericTelling, vanishing
+from planar_cli.report.polar import polar_blocks
 from planar_cli.report.solving import SolvingTelling, is_given, is_written
 from planar_cli.report.spoken import spoken
 from planar_cli.report.vectors import VectorTelling
@@ -86,6 +87,7 @@ class Telling:
             *places(self.scene, self._constructed, self.phrases),
             *self._definitions("m"),
             *self._kinematics(velocity, last, kinetic),
+            *self._polar(last),
         ]
         resting = self._resting(last)
         if kinematics or resting:
@@ -117,6 +119,12 @@ class Telling:
         moving = any(v for t in trial.velocities[:1] for v in t.values.values())
         rests = self.instant.instant.at_rest and not moving and bool(trial.velocities)
         return "at rest: all velocities are zero" if rests and speeds_matter(self.system, nothing) else ""
+
+    def _polar(self, last: Stage | None) -> Iterator[Block]:
+        """Particles in polar coordinates that equations or questions are about."""
+        written = [w for b in last.blocks for w in b.equations] if last is not None else []
+        moved = {body for w in written for body in w.bodies}
+        yield from polar_blocks(self.system, moved, self.phrases, self.vectors.zero)
 
     def _centres(self, stage: Stage) -> Iterator[Block]:
         """The acceleration of each mass centre that consists of several parts."""
