@@ -80,3 +80,8 @@ def test_what_varies_has_its_letter_at_the_state() -> None:
     assert "a_Ly,one = R α_one = 0.4 · 0.8330 = 0.3332 m/s²" in text
     assert "T_rope,one = m (g + a_Ly,one) = 300 (9.81 + 0.3332) = 3043 N" in text
     assert "T_1 = T_rope,one = 3043 N" in text
+
+
+def test_what_follows_is_told_in_it() -> None:
+    text = page("motion/hoist-after-three-seconds")
+    assert "y_C,3 = (y_B,0 + 2 y_C,0 - y_B,3 - v_A t_3)/2" in text

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from decimal import Decimal
 from itertools import product
 from typing import Any
@@ -10,6 +11,7 @@ import sympy as sp
 
 from planar_cli.equation.factoring import factored
 from planar_cli.equation.ledger import display
+from planar_cli.equation.one_way import one_way
 from planar_cli.equation.plain import longer, simplified
 from planar_cli.equation.scene import Scene
 from planar_cli.loads.base import Load
@@ -95,7 +97,8 @@ def _acting(instant: InstantSolution, stage: Stage, body: str, phrases: Phrases)
             if w.force is not None:
                 back = sp.sympify(w.magnitude).could_extract_minus_sign()
                 size = -w.magnitude if back else w.magnitude
-                parts.append([_amount(size, FORCE * lasting, phrases), Text(f" {_sense(w, phrases, back)}{where}")])
+                plain = replace(phrases, ways={})
+                parts.append([_amount(size, FORCE * lasting, plain), Text(f" {_sense(w, phrases, back)}{where}")])
             elif w.couple != 0:
                 back = sp.sympify(w.couple).could_extract_minus_sign()
                 parts.append(
@@ -150,7 +153,10 @@ def _sense(w: Wrench, phrases: Phrases, back: bool) -> str:
     """
     assert w.force is not None
     if (kind_of(w) or Load).opposes and phrases.symbolic:
-        return "against its velocity"
+        # A speed of size one in its way tells the sense.
+        x, y = (one_way(sp.sympify(p), phrases.ways).xreplace(dict(phrases.ways)) for p in (w.force.x, w.force.y))
+        open_ = x.has(sp.Abs, sp.sign) or y.has(sp.Abs, sp.sign)
+        return "against its velocity" if open_ or not phrases.ways else phrases.arrow(x, y)
     reversed_sense = (phrases.value(sp.sympify(w.magnitude)) < 0) != back
     return phrases.arrow(-w.force.x, -w.force.y) if reversed_sense else phrases.arrow(w.force.x, w.force.y)
 

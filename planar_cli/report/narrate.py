@@ -198,6 +198,8 @@ def _instant_blocks(
     from planar_cli.report.integrated import is_solved_in_steps
 
     phrases = phrases_of(instant, voice.figures)
+    if part.motion is not None:
+        phrases = replace(phrases, ways=part.motion.regime(instant).ways)
     wanted = _needed(part, instant, why)
     constants = None if part.motion is None else constant_phrases(part.motion, instant, phrases)
     telling = Telling(instant, phrases, voice.audience, wanted, *numbers, constants)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
+from dataclasses import field
 from decimal import Decimal
 from typing import Any
 
@@ -13,6 +14,7 @@ from planar_cli.calculus.curve_words import Curve
 from planar_cli.equation.arrows import vector_arrow
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.ledger import Ledger, display
+from planar_cli.equation.one_way import one_way
 from planar_cli.equation.plain import PRINTABLE, longer
 from planar_cli.problem.expression import Part, Quantity, Side
 from planar_cli.records import record
@@ -58,6 +60,8 @@ class Phrases:
     symbolic: bool
     lettered: frozenset[sp.Symbol] = frozenset()
     """Symbols that stand for letters without a number, or rest on one: no number is put in for them."""
+    ways: Mapping[sp.Symbol, int] = field(default_factory=dict)
+    """The signs of speeds, where these are known all the time."""
 
     @property
     def letters(self) -> bool:
@@ -78,7 +82,8 @@ class Phrases:
         return Neat(self.ledger, self.value)
 
     def met(self, expr: sp.Expr) -> sp.Expr:
-        """Of a formula in pieces those that the motion meets; with letters all of them."""
+        """Of a formula in pieces those that the motion meets; with letters all of them; |v| as it goes."""
+        expr = one_way(expr, self.ways)
         return expr if self.symbolic else met(expr, self.value)
 
     def numbers(

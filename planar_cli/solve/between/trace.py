@@ -309,6 +309,8 @@ class RegimeTrace:
     """Its equations of motion: the rate of every free speed, a formula of the general position."""
     constants: Mapping[sp.Symbol, Decimal]
     """Numbers of the unknowns of its general position that are the same all the time; not those that are zero."""
+    ways: Mapping[sp.Symbol, int]
+    """The signs of its free speeds, where it is the way in which something goes that tells a force."""
 
 
 @record

@@ -13,10 +13,10 @@ import sympy as sp
 
 from planar_cli.equation.exact import Valuation
 from planar_cli.equation.ledger import Kind, Ledger, Role
-from planar_cli.equation.plain import letters
+from planar_cli.equation.plain import letters, simplified
 from planar_cli.records import record
 from planar_cli.solve.law import Law
-from planar_cli.solve.regimes.equations import Laws
+from planar_cli.solve.regimes.equations import Laws, Link
 from planar_cli.solve.regimes.regime import Regime
 
 Constant = tuple[sp.Symbol, sp.Expr]
@@ -67,8 +67,29 @@ def constant_rates(
                 ledger.know(letter, scene.units[letter], scene.roles[letter])
                 mine[letter] = letter if len(several[letter]) == 1 else _from(letter, state, ledger, made)
             formulas[mine[letter]] = formula
-        written.append(replace(own, laws=tuple(_lettered(own.laws, rates, mine))))
+        links = tuple(_drifting(link, regime, regimes, value, varying) for link in own.links)
+        for letter, formula in (x for _, inside in links for x in inside.items()):
+            scene = regime.general.instant.scene.ledger
+            ledger.know(letter, scene.units[letter], scene.roles[letter])
+            formulas[letter] = formula
+        laws_here = tuple(_lettered(own.laws, rates, mine))
+        written.append(replace(own, laws=laws_here, links=tuple(link for link, _ in links)))
     return ConstantRates(tuple(written), formulas, names)
+
+
+def _drifting(
+    link: Link, regime: Regime, regimes: Sequence[Regime], value: Valuation, varying: Container[sp.Symbol]
+) -> tuple[Link, dict[sp.Symbol, sp.Expr]]:
+    """A coordinate that follows others, with letters for velocities in its drift that are constant."""
+    if link.drift == 0 or letters(link.drift) & set(regime.letters):
+        return link, {}
+    lasting = lasting_letters(list({id(r): r for r in regimes}.values()), value).numbers
+    constant = {s: e for s, (e, _) in constants_of(regime, value).items() if s in lasting and s not in varying}
+    kept = frozenset(s for s in constant if s in regime.general.instant.scene.ledger.units)
+    rate = regime.closed(link.coordinate.rate, kept)
+    drift = simplified(rate.xreplace(dict.fromkeys(regime.free, sp.S.Zero)))
+    inside = {s: constant[s] for s in letters(drift) & kept}
+    return (replace(link, drift=drift), inside) if inside else (link, {})
 
 
 def _from(

@@ -16,6 +16,7 @@ import sympy as sp
 from planar_cli.equation.displacement import Coordinate
 from planar_cli.equation.exact import Unvalued, Valuation
 from planar_cli.equation.machine import compiled
+from planar_cli.equation.one_way import one_way
 from planar_cli.equation.plain import derivative, letters, longer, simplified
 from planar_cli.equation.sample import anywhere
 from planar_cli.equation.trigonometry import put_together
@@ -212,20 +213,6 @@ class Regime:
             for mode in system.modes.values()
             if mode.sliding is not None and mode.direction
         ]
-
-
-def one_way(expr: sp.Expr, ways: Mapping[sp.Symbol, int]) -> sp.Expr:
-    """A formula in which signs and sizes of speeds are written for the way in which these go."""
-    if not ways:
-        return expr
-    inside: dict[sp.Expr, sp.Expr] = {}
-    for atom in expr.atoms(sp.sign, sp.Abs):
-        for u, way in ways.items():
-            ratio = simplified(atom.args[0] / u)
-            if u not in ratio.free_symbols:
-                sign = way * sp.sign(ratio)
-                inside[atom] = sign if isinstance(atom, sp.sign) else sign * atom.args[0]
-    return simplified(expr.xreplace(inside)) if inside else expr
 
 
 def number_function(
