@@ -459,7 +459,11 @@ def unused(page: Page) -> Iterator[str]:
         result = any(a.value and _same(a.value, v) for v in value[-1:] for a in told if a.part >= r.part)
         same = any(a.value is None and a.text in r.sides for a in told)
         near = bool(letters & needed) or any(base(x) in needed for x in letters)
-        used = result or same or (single and near) or (r.number is not None and (r.part, r.number) in numbers)
+        # What is said to be zero leaves the equations that follow.
+        nil = re.search(r"hence \S+ = 0$", r.text) or (single and re.fullmatch(r"0(?: \S+)?", r.sides[-1]))
+        used = (
+            bool(nil) or result or same or (single and near) or (r.number is not None and (r.part, r.number) in numbers)
+        )
         if (not single and r.number is None) or (r.part in integrated and re.match("[avωα]|.\u0307|.\u0308", r.left)):
             used = True
         if used:

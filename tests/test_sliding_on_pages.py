@@ -40,6 +40,7 @@ def test_sliding_along_a_turning_body(name: str, lines: list[str]) -> None:
     for told in lines:
         assert told in page
     assert page.count("e = [0.") == 1
+    assert " along " in page
 
 
 def test_a_kinetic_energy_by_its_parts() -> None:

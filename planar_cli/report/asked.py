@@ -212,6 +212,7 @@ class AskedTelling:
         found = self.vectors.sliding(body, at, place, level) if key not in self._told else None
         if found is not None:
             vector = motion.velocity(at, body) if level == "velocity" else motion.acceleration(at, body)
+            yield from self.vectors.along(body)
             yield from self._once(key, (line(Name(f"{level[0]}_{index_of(place)}")), found[0]), vector, level, found[1])
 
     def _on_path(self, body: str, place: str, level: str) -> Iterator[Block]:

@@ -82,7 +82,8 @@ class SolvingTelling:
 
     def blocks(self, stage: Stage) -> list[Block]:
         """The lines that give the unknowns of a stage, one after the other."""
-        return [x for block in stage.blocks if not is_given(block) for x in self._block(block, stage)]
+        left = (b for b in stage.blocks if not is_given(b) and not is_told(b, stage))
+        return [x for block in left for x in self._block(block, stage)]
 
     def _block(self, block: SolvedBlock, stage: Stage) -> list[Block]:
         blocks: list[Block] = []

@@ -275,7 +275,7 @@ class Telling:
         self.solving.merged.add((id(stage.algebra), w.number))
         self.vectors.zero |= {found.symbol}
         letter = self.phrases.math(found.symbol)
-        if self._solves_itself(w, found, stage):
+        if self._solves_itself(w, found, stage) or self.numeric.put_whole(w, stage):
             return Equation((letter, self.phrases.math(sp.S.Zero)), number)
         sides, _ = self.numeric.sides(w, stage, (w.left, w.right))
         return Equation(sides, number, (), line("hence ", letter, " = 0"))

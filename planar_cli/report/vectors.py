@@ -207,6 +207,7 @@ class VectorTelling:
             self._told.add(key)
             own = Name(f"{'v' if level == 'velocity' else 'a'}_{index_of(place)}")
             yield Equation((line(own), found[0]), None, note=found[1])
+            yield from self.along(body)
 
     def carrier(self, body: str) -> str:
         """The body itself; of a particle that is pinned to another body, that one."""
@@ -255,12 +256,14 @@ class VectorTelling:
             parts += [" + ", self.phrases.math(edge.slide if level == "velocity" else edge.slide_rate), " ", e]
         if level != "velocity" and spin != 0 and known(edge.slide) != 0:
             parts += [" + 2 ", self.phrases.math(spin), " × ", self.phrases.math(edge.slide), " ", e]
-        away = self.arm_once(place, own, arm)
-        beside = [*away, *(", " if away else "")]
-        if f"e {frame}" not in self._told:
-            self._told.add(f"e {frame}")
-            beside += [e, " = ", *self.unit(path.tangent)]
-        return line(*parts), line(*beside) if beside else ()
+        return line(*parts), self.arm_once(place, own, arm)
+
+    def along(self, body: str) -> Iterator[Block]:
+        """The unit vector of the line along which something slides, once."""
+        joining = self.edges[body].joining
+        if joining is not None and joining.path is not None and f"e {joining.base}" not in self._told:
+            self._told.add(f"e {joining.base}")
+            yield Equation((line(Name("e")), self.unit(joining.path.tangent)), None, note=line(f"along {joining.base}"))
 
     def unit(self, direction: Vec) -> Line:
         """A unit vector in letters or numbers."""
