@@ -164,6 +164,8 @@ class _Walk:
         # Half a turn one way is half a turn the other way.
         if kind == "sign" and text[start:].startswith("180 deg"):
             return "even"
+        if kind == "sign" and re.search(r"\([\w*/. ]*$", text[:start]) and re.match(r"[\w. ]*\)\^[24]", text[start:]):
+            return "even"
         if kind == "sign" and (own[-1] in ("along", "normal") or re.search(r"cos\([^()]*(\([^()]*)?$", text[:start])):
             return "even"
         return ""

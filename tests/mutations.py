@@ -10,7 +10,8 @@ cancels stands in the equations). It may have the very same page for a reason:
               and that of a joint where places are written and nothing has mass: at another point it does not fit
     drawn     a place or size on which nothing rests: where a floor goes through, the radius of a disk on a pin; also
               told by a name
-    even      a sign that has no meaning: of an angle in a cosine, of the direction of a straight line, of half a turn
+    even      a sign that has no meaning: of an angle in a cosine, of the direction of a straight line, of half a turn,
+              of what is squared
     assumed   what is only assumed of letters, and no answer rests on it
     asked     a find asks for another thing of the same value
     a name    a name that nothing else uses is spelt otherwise

@@ -95,6 +95,8 @@ FAULTS = {
     "impact/three-carriages.yaml:9:68": ("-32.2", "PL454"),
     "momentum/bicycle-driven-and-braked.yaml:32:11": ("-10", "PL621"),
     "systems/gas-force-on-piston.yaml:23:31": ("B -> O", "PL465"),
+    "motion/car-on-a-circle.yaml:13:10": ("without", "PL451"),
+    "motion/parachutist.yaml:7:22": ("-0.24", "PL454"),
 }
 """Mutants that once ended in a fault: where, what is changed, and what they are told now."""
 

@@ -2,10 +2,20 @@
 
 from __future__ import annotations
 
+import math
+import re
+
 import pytest
 from answered import assert_close, solve
 
 from planar_cli.errors import FileProblem, NoSolution, PlanarError
+from planar_cli.integrators.base import Setting, StepTooSmall
+from planar_cli.motion.crossings import Watch
+from planar_cli.motion.drive import drive
+from planar_cli.problem.structure import load_text
+from planar_cli.registry import members
+from planar_cli.report.narrate import Voice, narrate
+from planar_cli.solve.run import solve_problem
 
 BELT = """
 title: Belt drive
@@ -133,3 +143,30 @@ def test_a_force_on_a_particle_acts_where_it_is() -> None:
     with pytest.raises(FileProblem, match="A is a point of upper") as refused:
         solve(BLOCKS.replace("POINT", "A"))
     assert refused.value.diagnostics[0].code == "PL465"
+
+
+CRATE = """
+title: Crate that stops
+plane: vertical
+points: {C: [0, 0]}
+surfaces: {floor: {through: C, angle: 0 deg}}
+bodies: {crate: {particle: C, mass: 3 kg}}
+joints: [contact: {between: [crate, floor], at: C, mu: 0.2}]
+states: {1: [t = 0, v(crate).x = 4 m/s], 2: [t = 5 s]}
+find: {x: x(crate) @ 2}
+"""
+
+
+def test_a_date_after_all_has_come_to_rest_is_told() -> None:
+    problem, wrong = load_text(CRATE)
+    assert problem is not None
+    assert not wrong
+    page = members("formats")["markdown"]().render(narrate(solve_problem(problem), Voice()))
+    assert re.search(r"It stops sliding at .*, before t = 5 s:", page.replace("$", ""))
+
+
+def test_what_is_watched_may_have_no_value() -> None:
+    """A root that has left its domain ends the motion there."""
+    watch = Watch(lambda t, y: [math.sqrt(1.0 - t) + 1.0], [1.0])
+    with pytest.raises(StepTooSmall, match="what tells the next state has no value beyond t = 0"):
+        drive(lambda t, y: [1.0], 0.0, [0.0], 5.0, Setting([1.0]), watch=watch)

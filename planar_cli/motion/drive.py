@@ -19,9 +19,20 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
+from functools import partial
 from itertools import pairwise
 
-from planar_cli.integrators.base import EPSILON, Counts, Integrator, Rates, Setting, Step, Vector
+from planar_cli.integrators.base import (
+    EPSILON,
+    OUTSIDE,
+    Counts,
+    Integrator,
+    Rates,
+    Setting,
+    Step,
+    StepTooSmall,
+    Vector,
+)
 from planar_cli.motion.crossings import BAND, Crossing, Sentinel, Watch
 from planar_cli.motion.reduced import Reduced
 from planar_cli.records import record
@@ -122,7 +133,7 @@ def drive(
     """
     y, steps, counts = list(y0), list[Step](), Counts() if counts is None else counts
     sentinel = Sentinel(watch, band) if watch is not None and watch.scales else None
-    crossings = sentinel.at_start(t0, y) if sentinel is not None else []
+    crossings = _seen(t0, y, partial(sentinel.at_start, t0, y)) if sentinel is not None else []
     if setting.longest == math.inf:
         setting = replace(setting, longest=abs(t1 - t0) / FEWEST or math.inf)
     followed, enough = _Followed(kind, setting, counts, reduced), False
@@ -133,7 +144,7 @@ def drive(
             steps.append(step)
             enough = on_step is not None and bool(on_step(step))
             y = step.y1
-            crossings = sentinel.within(step) if sentinel is not None else []
+            crossings = _seen(step.t0, step.y0, partial(sentinel.within, step)) if sentinel is not None else []
             if crossings or enough:
                 break
     y = crossings[0].y if crossings else y
@@ -141,6 +152,15 @@ def drive(
         y = setting.project(crossings[0].t, y)
     end = crossings[0].t if crossings else steps[-1].t1 if enough else t1
     return Run(t0, list(y0), tuple(steps), end, y, tuple(crossings), followed.changed, counts)
+
+
+def _seen(t: float, y: Vector, look: Callable[[], list[Crossing]]) -> list[Crossing]:
+    """What is found of watched values from time t on. StepTooSmall: one of them has no value there."""
+    try:
+        return look()
+    except OUTSIDE as outside:
+        text = f"what tells the next state has no value beyond t = {t:.9g} s ({outside})"
+        raise StepTooSmall(text, t, y) from outside
 
 
 class _Followed:

@@ -76,7 +76,12 @@ class System:
         if len(self.orders) >= MOST_ORDERS or self._vain >= MOST_ORDERS:
             return False
         values, first = self.layout.values(t, y), self.orders[0]
-        found = chosen(self.rows, values, CLEAR * self.small)
+        try:
+            found = chosen(self.rows, values, CLEAR * self.small)
+        except ZeroDivisionError:
+            # An equation has no value in this very state.
+            self._vain += 1
+            return False
         if len(found.rows) > len(first.rows):
             found = chosen(self.rows, values)
         singular = len(found.rows) > len(first.rows) or found.least < min(self.small, SHRUNK * first.least)

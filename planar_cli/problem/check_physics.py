@@ -15,7 +15,7 @@ from planar_cli.problem.scene import GROUND, At, Body, Composite, Foot, Particle
 from planar_cli.problem.scope import Scope, members_of
 from planar_cli.problem.shapes import own_points
 from planar_cli.problem.signs import certain_sign
-from planar_cli.problem.walk import Tree, walk
+from planar_cli.problem.walk import Tree, changed, walk
 
 POSITIVE = (
     "the mass",
@@ -212,10 +212,20 @@ def sizes_are_positive(scope: Scope) -> Iterator[Diagnostic]:
         if relaxed is not None and certain_sign(relaxed, letters, given) == -1:
             text = f"the natural length of {load.called} is negative"
             yield Diagnostic(relaxed.mark, "PL454", text, "a length is zero or more")
+        drag = getattr(load, "magnitude", None) if load.kind == "drag" else None
+        if isinstance(drag, Side) and certain_sign(changed(drag, _as_size), letters, given) == -1:
+            text = f"{load.called} is negative: it would push onward"
+            yield Diagnostic(drag.mark, "PL454", text, "leave out the minus")
     gravity = given.get("g")
     if gravity is not None and gravity.value is not None and certain_sign(gravity.value, letters, given) == -1:
         text = "g is negative; it is a size, and weights act downward by themselves"
         yield Diagnostic(gravity.value.mark, "PL454", text, "leave the minus out")
+
+
+def _as_size(side: Side) -> Side | None:
+    """A magnitude is a number that is not negative."""
+    is_size = isinstance(side, Quantity) and bool(side.parts) and side.parts[-1].kind == "mag"
+    return Number(Fraction(1), None, 1, side.mark) if is_size else None
 
 
 def members_act(scope: Scope) -> Iterator[Diagnostic]:

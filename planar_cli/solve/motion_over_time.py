@@ -30,6 +30,7 @@ from planar_cli.solve.between.stated_motion import StatedMotion
 from planar_cli.solve.between.throughout import Throughout
 from planar_cli.solve.curves.formulas import at_given_time
 from planar_cli.solve.diagnosis.cases import demand_cancelled
+from planar_cli.solve.diagnosis.left_open import moved_by_nothing
 from planar_cli.solve.diagnosis.motions import missing
 from planar_cli.solve.following.foreseen import fitting_draws
 from planar_cli.solve.following.mode_search import ModeSearch
@@ -58,7 +59,10 @@ def _part(
 ) -> PartSolution:
     """The same with the numbers that are drawn for letters now."""
     workshop = Workshop(earlier)
-    solved = reaching(problem, lambda p: ModeSearch(p, workshop, units=units, trial=trial).run())
+    try:
+        solved = reaching(problem, lambda p: ModeSearch(p, workshop, units=units, trial=trial).run())
+    except Unvalued as error:
+        raise moved_by_nothing(problem) or error from error
     try:
         part = _told(solved, case)
     except Unvalued as error:

@@ -49,8 +49,10 @@ def demand_fulfilled(course: MotionEquations, value: Valuation, guessed: Collect
         off = value.known(e.residual)
         if off is None or abs(off) <= Decimal(repr(APART)) * value.size(e.residual):
             continue
-        # Terms that all vanish there, as of a velocity across a radius, are measured by what their letters may be off.
-        if abs(off) > Decimal(repr(APART)) * _play(course, value, e.residual, guessed):
+        # Terms that all vanish there, as of a velocity across a radius, are measured by what their letters may be off;
+        # a number beside them does not vanish.
+        known = sp.Add(*(t for t in sp.Add.make_args(e.residual) if not t.free_symbols.intersection(guessed)))
+        if value.known(known) or abs(off) > Decimal(repr(APART)) * _play(course, value, e.residual, guessed):
             raise Disagreement(f"the motion that was followed contradicts an equation: {e.words}")
 
 

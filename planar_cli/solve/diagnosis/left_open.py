@@ -21,6 +21,16 @@ def demand_told(problem: Problem, outcome: Outcome) -> None:
     raise NoSolution((Diagnostic(joint.mark, outcome.code, outcome.words, hint),))
 
 
+def moved_by_nothing(problem: Problem) -> NoSolution | None:
+    """What to say where an acceleration stays open: what has no mass goes as nothing tells it to; None: all have."""
+    light = next((b for b in problem.bodies if b.is_massless), None)
+    if light is None:
+        return None
+    text = f"nothing tells how {light.name} moves between the states: it has no mass"
+    hint = f"give {light.name} a mass, or say under `motion` how it moves"
+    return NoSolution([Diagnostic(light.mark, "PL451", text, hint)])
+
+
 def _again(problem: Problem, impact: Joint) -> str:
     return "give the meeting a state, one `just after` it, and leave `during` out of the impact; or end before it"
 
