@@ -170,3 +170,23 @@ def test_what_is_watched_may_have_no_value() -> None:
     watch = Watch(lambda t, y: [math.sqrt(1.0 - t) + 1.0], [1.0])
     with pytest.raises(StepTooSmall, match="what tells the next state has no value beyond t = 0"):
         drive(lambda t, y: [1.0], 0.0, [0.0], 5.0, Setting([1.0]), watch=watch)
+
+
+BEAM = """
+title: Beam on two pins, struck along it
+plane: horizontal
+points: {A: [0, 0], B: [2 m, 0], S: [0.5 m, 0]}
+bodies: {beam: {rod: [A, B], mass: 4 kg}}
+joints:
+  - pin: {at: A, between: [ground, beam]}
+  - pin: {at: B, between: [ground, beam]}
+loads:
+  - impulse: {body: beam, at: S, magnitude: 3 N*s, angle: 0 deg, during: 1->2}
+states: {1: [at rest], 2: [just after 1]}
+find: {J: impulse(A).mag @ 1->2}
+"""
+
+
+def test_impulses_that_are_not_unique_are_told_as_the_file_asks_for_them() -> None:
+    with pytest.raises(NoSolution, match=r"not unique: impulse\(A\)\.x @ 1->2;"):
+        solve(BEAM)

@@ -40,14 +40,19 @@ def test_a_bar_on_a_pin() -> None:
 
 
 @pytest.mark.parametrize(
-    ("relation", "message"),
+    ("relation", "message", "write"),
     [
-        ("theta(other) = 30 deg", "other does not turn about one pin of the ground: where it is at that angle is open"),
-        ("x(B) = 0.5 m", "a relaxed position is given by its coordinates or by the angle of a body"),
+        (
+            "theta(other) = 30 deg",
+            "other does not turn about one pin of the ground: where it is at that angle is open",
+            "`relaxed_at: [x = …]`, or give its `natural_length`",
+        ),
+        ("x(B) = 0.5 m", "a relaxed position is given by its coordinates or by the angle of a body", "`[theta(b) ="),
     ],
 )
-def test_what_leaves_it_open(relation: str, message: str) -> None:
+def test_what_leaves_it_open(relation: str, message: str, write: str) -> None:
     with pytest.raises(FileProblem) as caught:
         solve(BAR.replace("theta(rod) = 30 deg", relation))
     (diagnostic,) = caught.value.diagnostics
     assert (diagnostic.code, diagnostic.message) == ("PL542", message)
+    assert write in diagnostic.hint

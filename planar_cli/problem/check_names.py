@@ -167,14 +167,14 @@ def missing_state(state: str, scope: Scope, mark: Mark) -> Iterator[Diagnostic]:
     if state in scope.states:
         return
     if not scope.states:
-        yield Diagnostic(
-            mark,
-            "PL405",
-            f"there is no state '{state}': the file has no `states`",
-            "write `states: {1: [at rest], 2: […]}`",
-        )
+        hint = f"write `states: {{{state}: [at rest], …}}`"
+        if scope.problem.instant is not None:
+            hint = f"all is at the one instant: leave state {state} out, or {hint} in place of `instant`"
+        yield Diagnostic(mark, "PL405", f"there is no state '{state}': the file has no `states`", hint)
         return
-    yield Diagnostic(mark, "PL405", f"there is no state '{state}'", did_you_mean(state, scope.states, "states are "))
+    hint = did_you_mean(state, scope.states, "states are ")
+    more = "" if hint.startswith("did") else f"; or add `{state}: […]` to `states`"
+    yield Diagnostic(mark, "PL405", f"there is no state '{state}'", f"{hint}{more}")
 
 
 def _references(member: Member) -> Iterator[tuple[str, object]]:

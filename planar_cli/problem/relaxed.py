@@ -13,7 +13,11 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND, Problem
 from planar_cli.records import record
 
-HINT = "write `relaxed_at: [theta = 30 deg]`, theta a coordinate, or `[theta(b) = 30 deg]`, b on a pin of the ground"
+OR_LENGTH = "or give its `natural_length`"
+HINT = (
+    "write `relaxed_at: [theta = 30 deg]`, theta a coordinate, or `[theta(b) = 30 deg]`, b on a pin of the ground; "
+    f"{OR_LENGTH}"
+)
 
 
 @record
@@ -53,7 +57,8 @@ def relaxed_at(problem: Problem, relations: Iterable[Statement]) -> Relaxed:
                 ]
                 if len(pins) != 1:
                     text = f"{body} does not turn about one pin of the ground: where it is at that angle is open"
-                    raise refuse(relation.mark, "PL542", text, HINT)
+                    hint = f"write the place of the spring's end with a coordinate, `relaxed_at: [x = …]`, {OR_LENGTH}"
+                    raise refuse(relation.mark, "PL542", text, hint)
                 turned[body] = pins[0], right
             case _:
                 text = "a relaxed position is given by its coordinates or by the angle of a body"
@@ -79,7 +84,8 @@ def _place(scene: Drawn, found: Relaxed, name: str, mark: Mark) -> Vec:
     body = next((b for b in owners if b in found.turned), None)
     if body is None:
         if owners:
-            raise refuse(mark, "PL542", f"where {name} is when the spring is relaxed is open", HINT)
+            hint = f"tell the angle of {owners[0]} too, `theta({owners[0]}) = …`, {OR_LENGTH}"
+            raise refuse(mark, "PL542", f"where {name} is when the spring is relaxed is open", hint)
         return place
     pin, side = found.turned[body]
     pivot = scene.place_drawn(pin)

@@ -35,6 +35,7 @@ from planar_cli.solve.between.given_times import endless_times
 from planar_cli.solve.between.motion_equations import MotionEquations
 from planar_cli.solve.between.span_quantities import SpanQuantity
 from planar_cli.solve.between.trace import Piece, SpanIntegral
+from planar_cli.solve.diagnosis.words import names_of
 from planar_cli.solve.impulsive.impact import Blow
 from planar_cli.solve.impulsive.spans import over_blow
 from planar_cli.solve.regimes.potential import potential, signed_speed
@@ -94,7 +95,8 @@ class SpanSolver:
         formula = over_blow(blow, q)
         loose = formula.free_symbols & set(blow.undetermined)
         if loose:
-            text = f"not unique: {', '.join(sorted(s.name for s in loose))}; the scene has more supports than equations"
+            names = names_of(blow.system, loose, f"{blow.since.name}->{blow.stop.name}")
+            text = f"not unique: {names}; the scene has more supports than equations"
             raise NoSolution([Diagnostic(q.mark, "PL603", text, "ask for what is unique, or leave a support out")])
         return Piece(*_ends(blow.since, blow.stop), formula, "blow", self.value(formula), formula)
 

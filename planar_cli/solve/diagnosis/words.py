@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from decimal import Decimal
 
 import sympy as sp
@@ -94,6 +94,16 @@ def push_name(system: System, push: Push) -> str:
     stem, _, axis = push.name.rpartition("_")
     whole = f"reaction({on_whom(system, push)})"
     return f"{whole}.{axis}" if stem and axis in ("x", "y") else whole
+
+
+def names_of(system: System, symbols: Collection[sp.Symbol], impulses: str = "") -> str:
+    """Reactions by their symbols, as the file would ask for them; in a blow over the span `impulses` what they add up
+    to.
+    """
+    named = [push_name(system, p) for p in system.pushes if system.symbols.get(p.name) in symbols]
+    if impulses:
+        named = [f"impulse{name[name.index('(') :]} @ {impulses}" if "(" in name else name for name in named]
+    return ", ".join(dict.fromkeys(named)) or ", ".join(sorted(s.name for s in symbols))
 
 
 # --- motions ---------------------------------------------------------------------------------------------------------

@@ -19,7 +19,7 @@ from planar_cli.problem.expression import Quantity, Relation, Side
 from planar_cli.problem.geometry import Vec
 from planar_cli.problem.outermost import is_energy
 from planar_cli.problem.scene import Find
-from planar_cli.solve.diagnosis.words import listed
+from planar_cli.solve.diagnosis.words import listed, names_of
 from planar_cli.solve.instant.conditions import conditions
 from planar_cli.solve.instant.instant import Instant, Trial
 from planar_cli.solve.instant.seeker import Sought
@@ -166,10 +166,10 @@ class Finisher:
 
     def demand_unique(self, targets: set[sp.Symbol], finds: tuple[Find, ...]) -> None:
         """NoSolution: some of these pushes are not determined."""
-        loose = sorted(s.name for s in targets if not self._unique(s))
+        loose = {s for s in targets if not self._unique(s)}
         if loose:
             mark = finds[0].mark
-            text = f"not unique: {', '.join(loose)}; the scene has more supports than equations"
+            text = f"not unique: {names_of(self.system, loose)}; the scene has more supports than equations"
             raise NoSolution([Diagnostic(mark, "PL603", text, "ask for what is unique, or leave a support out")])
 
     # --- velocities --------------------------------------------------------------------------------------------------
