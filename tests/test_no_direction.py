@@ -190,3 +190,39 @@ find: {J: impulse(A).mag @ 1->2}
 def test_impulses_that_are_not_unique_are_told_as_the_file_asks_for_them() -> None:
     with pytest.raises(NoSolution, match=r"not unique: impulse\(A\)\.x @ 1->2;"):
         solve(BEAM)
+
+
+HUNG = """
+title: Block hung on springs
+plane: vertical
+given: {m: 2 kg, k_1: 200 N/m, k_2: 300 N/m, l: 0.2 m}
+coordinates: {u: m, y: m}
+points: {O: [0, 0], K: [0, u], Q: [0, y]}
+bodies: {knot: {particle: K}, block: {particle: Q, mass: m}}
+joints:
+  - guide: {point: K, along: 90 deg, name: a}
+  - guide: {point: Q, along: 90 deg, name: b}
+loads:
+  - spring: {between: [O, K], stiffness: k_1, natural_length: l, name: upper}
+  - spring: {between: [K, Q], stiffness: k_2, natural_length: l, name: lower}
+instant: [equilibrium, WHERE]
+find: {u_0: u, y_0: y}
+"""
+
+
+@pytest.mark.parametrize(
+    ("where", "upper", "lower"),
+    [
+        ("u < 0, y < u", -1, -1),
+        ("u < -0.1 m, y < -0.4 m, y > -2 m", -1, -1),
+        ("u > 0, y > u", 1, 1),
+        ("u > 0, u < l, y < u", 1, -1),
+    ],
+)
+def test_inequalities_tell_on_which_side_a_spring_holds(where: str, upper: int, lower: int) -> None:
+    """A knot without mass, held by two springs; each of them may hold what hangs on it or stands on it."""
+    found = solve(HUNG.replace("WHERE", where))
+    weight = 2 * 9.81
+    u = upper * 0.2 - weight / 200
+    assert_close(found["u_0"], u, 10)
+    assert_close(found["y_0"], u + lower * 0.2 - weight / 300, 10)

@@ -8,6 +8,7 @@ from decimal import Decimal
 
 import sympy as sp
 
+from planar_cli.equation.bounded import ranges
 from planar_cli.equation.displacement import Displacement
 from planar_cli.equation.evaluate import Evaluator
 from planar_cli.equation.exact import Valuation
@@ -88,6 +89,7 @@ class Setup:
         self.settled: list[Relation] = []
         self._settle_coordinates(open_form)
         displacement = None
+        self.ledger.ranges = ranges(self.ledger, self.evaluator, statements.inequalities)
         if course is not None:
             displacement = course.displacement
             self._open_course(course)

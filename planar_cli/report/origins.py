@@ -21,7 +21,6 @@ from planar_cli.solve.between.trace import (
     RouteTrace,
 )
 from planar_cli.solve.law import IN_THE_END, Law
-from planar_cli.solve.regimes.mode_sequence import fixed_time
 
 HAPPENS = ("it stops sliding", "it turns round", "it comes to the other side")
 """What happens at an instant; all other words say what holds up to it."""
@@ -59,19 +58,11 @@ def turning_blocks(found: MotionTrace, phrases: Phrases) -> Iterator[Block]:
         if t is not None:
             when = line(Math(t), " = ", phrases.shown(t), f" (state {turning_point.state})")
         if words in HAPPENS:
-            later = _dated_after(found, turning_point.state)
+            later = turning_point.before
             said = line(f"{words[:1].upper()}{words[1:]} at ", *when, f", before {later}: " if later else ": ")
         else:
             said = line("Up to ", *when, " ", *spoken(words, found.ledger.symbols), "; there ")
         yield Paragraph(line(*said, Math(expr), " = 0."))
-
-
-def _dated_after(found: MotionTrace, state: str) -> str:
-    """The given time of the state that follows one that was put in, as the file has it; "": it has none."""
-    following = found.states[found.states.index(state) + 1 :][:1]
-    stated = next((s.relations for s in found.problem.states if s.name in following), ())
-    dated = fixed_time(stated)
-    return "" if dated is None else dated.text
 
 
 def sides_of(e: Relation, route: RouteTrace) -> tuple[sp.Expr, sp.Expr]:

@@ -44,6 +44,7 @@ from planar_cli.solve.instant.stages import Stage
 from planar_cli.solve.instant.written import Written
 from planar_cli.solve.regimes.constant_rates import constants_of, lasting_letters
 from planar_cli.solve.regimes.equations import DATA, Equation
+from planar_cli.solve.regimes.mode_sequence import fixed_time
 from planar_cli.solve.solution import InstantSolution
 
 
@@ -132,7 +133,10 @@ def _turnings(found: SolvedMotion) -> tuple[Turning, ...]:
         t = course.stops[name].t
         # After a slight touch the time depends on the touch alone.
         timed = not course.symbolic and t in found.value.values and course.departure is None
-        turnings.append(Turning(name, t if timed else None, expr, words))
+        names = [s.name for s in course.states]
+        following = course.states[names.index(name) + 1 :][:1] if name in names else ()
+        dated = next((r.text for s in following if (r := fixed_time(s.relations)) is not None), "")
+        turnings.append(Turning(name, t if timed else None, expr, words, dated))
     return tuple(turnings)
 
 

@@ -275,6 +275,8 @@ class Turning:
     """What vanishes there."""
     words: str
     """What held up to there, or what happens."""
+    before: str
+    """The given time of the state that follows, as the file has it; "": it has none."""
 
 
 @record
