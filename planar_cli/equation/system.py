@@ -212,9 +212,16 @@ class System:
         driven = any(always for _, always in self.statements.relations)
         return None in self.statements.equilibrium and not driven and not self.scene.problem.states
 
+    def _of_coordinates(self, tree: Tree) -> list[sp.Symbol]:
+        """The second rates of coordinates that move particles without unknowns of their own."""
+        parts = [sp.sympify(a) for e in tree.edges if e.components is not None for a in e.components.accelerations]
+        inside = set().union(*(a.free_symbols for a in parts))
+        return [a for _, a in self.scene.evaluator.motions.values() if isinstance(a, sp.Symbol) and a in inside]
+
     def _rest(self, motion: Motion, level: int) -> list[Condition]:
         if level == ACCELERATION and self._all_balanced():
-            return [Condition("given", "equilibrium", a) for a in motion.tree.acceleration_unknowns()]
+            own = [*motion.tree.acceleration_unknowns(), *self._of_coordinates(motion.tree)]
+            return [Condition("given", "equilibrium", a) for a in own]
         found = []
         for name in self.statements.rest if level == VELOCITY else self.statements.equilibrium:
             if name is None:
