@@ -268,17 +268,40 @@ class EnergyTelling:
         """A formula, its numbers, and its value or what it is by the unknowns."""
         if put == 0:
             return (self.phrases.math(put),)
+        about = self._about_axis(put)
         if put.free_symbols & set(self.unknowns):
+            if about is not None:
+                return (self.phrases.math(about), *self._summed(put))
             shown = self._summed(put)
             formula = self.phrases.math(put)
             return (formula, *(s for s in shown if s != formula)) if self._short(put) else shown
         value = self._joule(put)
+        if about is not None:
+            return (self.phrases.math(about), *self.phrases.substituted(about, value), value)
         if not put.is_number and not is_clean(self.phrases.ledger, put, dimension=ENERGY):
             part = partly(put, [s for s in put.free_symbols if STATE in s.name], self.phrases)
             if part is not None:
                 return part, value
         formulas = (self.phrases.math(put),) if not put.is_number and not longer(put, 2 * SHORT) else ()
         return (*formulas, *(self.phrases.substituted(put, value) if formulas else ()), value)
+
+    def _about_axis(self, put: sp.Expr) -> sp.Expr | None:
+        """I_A ω²/2 of a body that turns about a fixed point A, where lengths are numbers of the file; None: it does
+        not, or nothing on the page has defined I_A.
+        """
+        ledger = self.phrases.ledger
+        speeds = [s for s in put.free_symbols if s in ledger.units and ledger.units[s].dimension == RATE]
+        if len(speeds) != 1 or is_clean(ledger, put, dimension=ENERGY):
+            return None
+        factor = 2 * put / speeds[0] ** 2
+        if simplified(factor).free_symbols & {speeds[0]}:
+            return None
+        for symbol in ledger.definitions:
+            title = ledger.titles.get(symbol, "")
+            fixed = title.startswith("moment of inertia") and " about " in title
+            if fixed and self.phrases.value.is_zero(simplified(factor) - symbol):
+                return symbol * speeds[0] ** 2 / 2
+        return None
 
     def _summed(self, expr: sp.Expr, unit: str = "J") -> tuple[Any, ...]:
         """A formula with numbers for all but the unknowns. `unit`: of one that has none of these."""

@@ -33,7 +33,7 @@ def with_inertias(
     first = next((i for i, b in enumerate(blocks) if isinstance(b, Heading)), None)
     before = {b.lead: b for b in told if isinstance(b, Equation)}
     own: list[Equation] = []
-    lines = _lines(motion, scene, phrases)
+    lines = _lines(motion, scene, phrases, _letters(blocks))
     for block in (*lines, *_of_blows(motion, phrases, {b.lead for b in lines})):
         known = before.get(block.lead)
         if known is None:
@@ -45,13 +45,21 @@ def with_inertias(
     return [*blocks[: first + 1], *own, *(b for b in blocks[first + 1 :] if b not in own)]
 
 
-def _lines(motion: MotionTrace, scene: Scene, phrases: Phrases) -> list[Equation]:
+def _letters(blocks: Sequence[Block]) -> set[sp.Symbol]:
+    """The letters of all equations."""
+    sides = [side for b in blocks if isinstance(b, Equation) for side in b.sides]
+    pieces = [p for side in sides for p in (side if isinstance(side, tuple) else (side,))]
+    return {s for p in pieces if isinstance(p, Math) for s in p.expr.free_symbols}
+
+
+def _lines(motion: MotionTrace, scene: Scene, phrases: Phrases, used: set[sp.Symbol]) -> list[Equation]:
     """One for each moment of inertia of a turning body, and for what it is made of; what only another general position
-    has named, the motion does without.
+    has named, the motion does without. `used`: letters of its equations.
     """
     ledger = scene.ledger
     centres = {f"moment of inertia of {body} about {c}, parallel axes" for body, c in _turning(motion)}
     wanted = {s for s, title in ledger.titles.items() if title in centres}
+    wanted |= {s for s in used if ledger.titles.get(s, "").startswith("moment of inertia")}
     wanted |= {s for body, _ in _turning(motion) for s in scene.bodies[body].inertia.free_symbols}
     for symbol in reversed(list(ledger.definitions)):
         if symbol in wanted:
