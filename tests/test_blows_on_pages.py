@@ -97,7 +97,7 @@ def test_a_mass_centre_that_keeps_its_place(stem: str, line: str) -> None:
 
 
 @pytest.mark.parametrize(("stem", "lines"), [
-    ("ex-4-13", "(1) ↺ H_A: J AS = I_A ω_2 (1): ω_2 = J AS/I_A = 30 · 1.5 / 16 = 2.813 rad/s"),
+    ("ex-4-13", "(1) ↺ H_A: J AS = I_A ω_2 (1): ω_2 = J AS/I_A = 30 · 1.5 / 16 = 2.81"),
     ("ex-4-13", "J = 1000 N · 0.03 s = 30 N·s"),
     ("wheel-over-a-kerb", "I_K = m R² + I_G = 10 · 0.3² + 0.45 = 1.35 kg·m²"),
     ("wheel-over-a-kerb", "ω_2 = (I_G ω_1 - m v_0 (R - h))/I_K = (0.45 (-5) - 10 · 1.5 (0.3 - 0.06))/1.35 = -4.333"),
@@ -141,3 +141,8 @@ def test_the_authors_letter_of_a_mass_centre() -> None:
 ])  # fmt: skip
 def test_why_forces_have_no_angular_impulse(stem: str, words: str) -> None:
     assert words in page(stem)
+
+
+def test_energy_about_a_fixed_point() -> None:
+    """I_A ω²/2, where the lengths of a body are numbers of the file."""
+    assert "T_2 = 1/2 I_A ω_2² = 1/2 · 16 · 2.8125² = 63.28 J" in page("ex-4-13")
