@@ -40,7 +40,7 @@ from planar_cli.solve.between.trace import (
 )
 
 WORK, MOMENTUM = "work and energy", "impulse and momentum"
-LONGEST, SHORT, PLAIN = 90, 36, 12
+LONGEST, SHORT, PLAIN = 90, 26, 12
 """A longer formula is told by its value alone, after its equation in numbers: of letters, of what has numbers, and of
 what mixes letters and numbers with units.
 """
@@ -238,7 +238,7 @@ class MotionTelling:
         """Does a formula stand before its value, or nothing at all?"""
         formula = self._formula(r)
         if formula is None:
-            return r.formula is not None and r.formula.has(*self.general) and bool(self._in_known(r, 2 * PLAIN))
+            return r.formula is not None and r.formula.has(*self.general) and bool(self._in_known(r, 2 * PLAIN, False))
         return not formula.is_number or formula == 0
 
     def _zero(self, e: Relation, result: Equation, route: RouteTrace) -> Iterator[Block]:
@@ -324,7 +324,7 @@ class MotionTelling:
         if formula is not None and formula.free_symbols & self.varying:
             return self.phrases.math(r.unknown), self.phrases.math(formula)
         formula = self._formula(r)
-        if formula is None and (known := self._in_known(r, LONGEST if explicit else 2 * PLAIN)):
+        if formula is None and (known := self._in_known(r, LONGEST if explicit else 2 * PLAIN, explicit)):
             return self.phrases.math(r.unknown), *known, *self._radians(r), self._shown(r)
         phrases = self.numeric if r.unknown in self.found.route.settled else self.phrases
         if formula is not None and (not formula.is_number or phrases.symbolic):
@@ -354,9 +354,13 @@ class MotionTelling:
         most = LONGEST if formula.free_symbols & self._laws.natural else SHORT
         return None if longer(formula, most) or not is_clean(self.found.ledger, r.unknown, formula) else formula
 
-    def _in_known(self, r: Result, most: int) -> list[Math]:
-        """The formula with its numbers, or with letters of states and numbers for all else."""
+    def _in_known(self, r: Result, most: int, explicit: bool) -> list[Math]:
+        """The formula with its numbers, or with letters of states and numbers for all else. `explicit`: as `_chain`; a
+        long formula is left out where its equation stands in numbers.
+        """
         if r.formula is None or self.phrases.symbolic or r.value.is_infinite() or r.formula.has(sp.Integral):
+            return []
+        if not explicit and longer(r.formula, SHORT):
             return []
         return in_known(r.formula, set(self.general), self._shown(r), self.phrases, min(most, SHORT))
 
