@@ -239,7 +239,7 @@ def coordinate_conditions(
     # joined, all of them do.
     turned = {c.body for c in found}
     told = {e.body for e in tree.edges if e.slide is None and e.rise is None} & turned
-    placed = {e.body for e in tree.edges if e.components is not None}
+    placed = {e.body for e in quantities.motion.tree.edges if e.components is not None}
     for point in scene.problem.points:
         owner = scene.owner(point.name)
         place = point.place
