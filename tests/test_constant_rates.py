@@ -85,3 +85,14 @@ def test_what_varies_has_its_letter_at_the_state() -> None:
 def test_what_follows_is_told_in_it() -> None:
     text = page("motion/hoist-after-three-seconds")
     assert "y_C,3 = (y_B,0 + 2 y_C,0 - y_B,3 - v_A t_3)/2" in text
+
+
+def test_a_mass_that_cancels_leaves_numbers() -> None:
+    text = page("motion/body-disk-down-a-slope")
+    assert "(5):     α = -m g R sin β / (m R² + I_G) = -2 g sin β / (3 R) = -2 · 9.81 sin 20° / (3 · 0.25)" in text
+
+
+def test_vectors_have_both_components() -> None:
+    text = page("impact/dumbbell-hit-by-a-ball")
+    assert "B_3, x = x_G,dumbbell,3 - 3 l/4 = 1.060 - 3 · 0.9 / 4 = 0.3853 m" in text
+    assert "B_3, y = y_G,dumbbell" in text

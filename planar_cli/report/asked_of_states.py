@@ -111,7 +111,8 @@ class AskedTelling:
             axes = ("x", "y") if len(asked.parts) > 1 else ("",)
             spans = [self._span(p) for p in asked.parts]
             parts = [self._signed(_without(p, self._zeros)) for p in asked.parts]
-            if all(s is not None for s in spans) or all(self._is_formula(p) for p in parts):
+            formulas = any(map(self._is_formula, parts)) and all(p.is_Symbol or self._is_formula(p) for p in parts)
+            if all(s is not None for s in spans) or formulas:
                 for axis, part, span in zip(axes, parts, spans, strict=True):
                     yield asked, Part(axis, part), span
 
@@ -148,8 +149,10 @@ class AskedTelling:
         """The formula as it is printed and its numbers, before its values; the numbers alone where it is long or hides
         units.
         """
-        if formula.is_number or (formula.is_Symbol and (span is None or formula == span.symbol)):
+        if formula.is_number or (span is not None and formula == span.symbol):
             return []
+        if formula.is_Symbol:
+            return [self.phrases.math(formula)] if span is None else []
         if values and (longer(formula, FEW) or not self._is_clean(formula, unit)):
             own = formula.free_symbols & set(self.found.general)
             found = in_known(formula, own, values[0], phrases)

@@ -313,7 +313,9 @@ def constant_phrases(motion: MotionTrace, instant: InstantSolution, phrases: Phr
     regime, ledger = motion.regime(instant), phrases.ledger
     settled = motion.value.without(motion.value.drawn)
     given = {s: n for s in (*ledger.values, *ledger.definitions) if (n := settled.known(s)) is not None}
-    return replace(phrases, value=Valuation({**given, **regime.constants}), symbolic=False)
+    numbers = {letter: number for letter, (_, number) in regime.constants.items()}
+    formulas = {letter: formula for letter, (formula, _) in regime.constants.items()}
+    return replace(phrases, value=Valuation({**given, **numbers}, formulas), symbolic=False)
 
 
 def phrases_of(instant: InstantSolution, figures: int) -> Phrases:

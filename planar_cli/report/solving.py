@@ -7,6 +7,7 @@ from typing import Any
 
 import sympy as sp
 
+from planar_cli.equation.plain import simplified
 from planar_cli.report.blocks import Block, Equation, Line, Math, Paragraph, line
 from planar_cli.report.numeric import DIFFERENTIATED, NumericTelling
 from planar_cli.report.results import numbered, other_roots
@@ -44,8 +45,12 @@ class SolvingTelling:
         if self._is_constant(symbol):
             assert self.constants is not None
             value = self.constants.shown(symbol)
+            formula = [] if expr.is_number else [self.phrases.math(expr)]
+            if any(self.constants.value.known(s) is None for s in expr.free_symbols):
+                # What has no number cancels: the formula without it has numbers.
+                expr = simplified(self.constants.value.definitions[symbol])
+                formula += [] if expr.is_number else [self.phrases.math(expr)]
             put = () if expr.is_Symbol or expr.is_number else self.constants.substituted(expr, value)
-            formula = () if expr.is_number else (self.phrases.math(expr),)
             return (self.phrases.math(symbol), *formula, *put, value)
         sides: list[Any] = [self.phrases.math(symbol)]
         if not expr.is_number and self.numeric.readable(expr):

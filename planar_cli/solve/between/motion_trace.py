@@ -171,8 +171,7 @@ def _regime(motion: SolvedMotion, instant: InstantSolution, routes: Sequence[Rou
         if course.workshop.regime(stretch).general.solution is instant
     ]
     regime = next((r for r in course.distinct_regimes() if r.general.solution is instant), None)
-    found = {} if regime is None else constants_of(regime, course.given())
-    constants = {letter: number for letter, (_, number) in found.items()}
+    constants = {} if regime is None else constants_of(regime, course.given())
     ways = {} if regime is None else regime.going()
     return RegimeTrace(instant, tuple(acts), wanted, resting, asked, laws_of_motion(course, instant), constants, ways)
 

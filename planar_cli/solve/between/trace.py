@@ -309,8 +309,8 @@ class RegimeTrace:
     """By state, by name: the components of such finds."""
     laws: tuple[tuple[sp.Symbol, sp.Expr], ...]
     """Its equations of motion: the rate of every free speed, a formula of the general position."""
-    constants: Mapping[sp.Symbol, Decimal]
-    """Numbers of the unknowns of its general position that are the same all the time; not those that are zero."""
+    constants: Mapping[sp.Symbol, tuple[sp.Expr, Decimal]]
+    """Formulas and numbers of the unknowns of its general position that are the same all the time and not zero."""
     ways: Mapping[sp.Symbol, int]
     """The signs of its free speeds, where it is the way in which something goes that tells a force."""
 
