@@ -315,7 +315,7 @@ def constant_phrases(motion: MotionTrace, instant: InstantSolution, phrases: Phr
     given = {s: n for s in (*ledger.values, *ledger.definitions) if (n := settled.known(s)) is not None}
     numbers = {letter: number for letter, (_, number) in regime.constants.items()}
     formulas = {letter: formula for letter, (formula, _) in regime.constants.items()}
-    return replace(phrases, value=Valuation({**given, **numbers}, formulas), symbolic=False)
+    return replace(phrases, value=Valuation({**given, **numbers}).defining(formulas), symbolic=False)
 
 
 def phrases_of(instant: InstantSolution, figures: int) -> Phrases:
