@@ -226,3 +226,38 @@ def test_inequalities_tell_on_which_side_a_spring_holds(where: str, upper: int, 
     u = upper * 0.2 - weight / 200
     assert_close(found["u_0"], u, 10)
     assert_close(found["y_0"], u + lower * 0.2 - weight / 300, 10)
+
+
+@pytest.mark.parametrize("statement", ["v(one).mag = -2 m/s", "v(one).mag < -2 m/s", "-2 m/s = v(one).mag"])
+def test_a_magnitude_is_not_negative(statement: str) -> None:
+    text = BALLS.replace("B: [0, 0]", "B: [1 m, 0]").replace("v(A).x = 1 m/s", statement)
+    with pytest.raises(FileProblem, match="a magnitude is zero or more"):
+        solve(text)
+
+
+DAMPED = """
+title: Beam with a spring and a damper
+plane: vertical
+symbols: {m: kg, L: m, k: N/m, h: m}
+unknowns: {c: N*s/m}
+coordinates: {theta: deg}
+points:
+  A: [0, 0]
+  B: {from: A, distance: L, angle: theta}
+  D: {from: A, distance: L/2, angle: theta}
+  E: [L, -h]
+  F: [L/2, -h]
+bodies: {AB: {rod: [A, B], mass: m, points: [D]}}
+joints:
+  - pin: {at: A, between: [ground, AB]}
+loads:
+  - spring: {between: [E, B], stiffness: k, natural_length: h + m*g/(2*k)}
+  - damper: {between: [F, D], coefficient: c}
+states: {rest: [equilibrium, theta = 0, frequency(rest) = 0]}
+find: {c_cr: c}
+"""
+
+
+def test_forces_that_rest_on_speeds_pass_where_they_may() -> None:
+    found = solve(DAMPED)["c_cr"].expressions
+    assert found is not None

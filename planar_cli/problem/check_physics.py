@@ -8,7 +8,7 @@ from itertools import pairwise
 
 from planar_cli.errors import Diagnostic
 from planar_cli.problem.evaluation import ARITHMETIC
-from planar_cli.problem.expression import AtRest, Binary, Name, Negate, Number, Quantity, Side
+from planar_cli.problem.expression import AtRest, Binary, Name, Negate, Number, Quantity, Relation, Side
 from planar_cli.problem.formulas import formulas
 from planar_cli.problem.masses import placed
 from planar_cli.problem.scene import GROUND, At, Body, Composite, Foot, Particle, Polar, Problem, Towards, TwoFacts
@@ -222,10 +222,33 @@ def sizes_are_positive(scope: Scope) -> Iterator[Diagnostic]:
         yield Diagnostic(gravity.value.mark, "PL454", text, "leave the minus out")
 
 
+def magnitudes_are_not_negative(scope: Scope) -> Iterator[Diagnostic]:
+    """No relation says that a magnitude is, or is below, a number less than zero."""
+    p = scope.problem
+    letters = {symbol.name: symbol for symbol in p.symbols}
+    given = {symbol.name: symbol for symbol in p.given}
+    stated = [
+        *(law.statement for law in p.motion),
+        *(p.instant or ()),
+        *(s for state in p.states for s in state.relations),
+    ]
+    for r in stated:
+        if not isinstance(r, Relation):
+            continue
+        for size, other, below in ((r.left, r.right, "<"), (r.right, r.left, ">")):
+            denied = r.operator == "=" or r.operator.startswith(below)
+            if denied and _is_size(size) and certain_sign(changed(other, _as_size), letters, given) == -1:
+                yield Diagnostic(other.mark, "PL454", f"`{r.text}`: a magnitude is zero or more", "leave the minus out")
+
+
+def _is_size(side: Side) -> bool:
+    """Is it the magnitude of a vector?"""
+    return isinstance(side, Quantity) and bool(side.parts) and side.parts[-1].kind == "mag"
+
+
 def _as_size(side: Side) -> Side | None:
     """A magnitude is a number that is not negative."""
-    is_size = isinstance(side, Quantity) and bool(side.parts) and side.parts[-1].kind == "mag"
-    return Number(Fraction(1), None, 1, side.mark) if is_size else None
+    return Number(Fraction(1), None, 1, side.mark) if _is_size(side) else None
 
 
 def members_act(scope: Scope) -> Iterator[Diagnostic]:

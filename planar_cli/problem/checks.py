@@ -13,6 +13,7 @@ from planar_cli.problem.check_loads import particles_have_one_point
 from planar_cli.problem.check_names import distinct_names, members_found, points_found, reserved_names
 from planar_cli.problem.check_physics import (
     coefficients,
+    magnitudes_are_not_negative,
     masses_come_from_somewhere,
     members_act,
     particles_move,
@@ -51,6 +52,7 @@ CHECKS: tuple[Check, ...] = (
     particles_move,
     coefficients,
     sizes_are_positive,
+    magnitudes_are_not_negative,
     partners_fit,
     places_on_surfaces,
     members_act,
