@@ -97,6 +97,7 @@ FAULTS = {
     "systems/gas-force-on-piston.yaml:23:31": ("B -> O", "PL465"),
     "motion/car-on-a-circle.yaml:13:10": ("without", "PL451"),
     "motion/parachutist.yaml:7:22": ("-0.24", "PL454"),
+    "motion/train-braking-on-a-curve.yaml:16:18": ("(-54)", "PL454"),
 }
 """Mutants that once ended in a fault: where, what is changed, and what they are told now."""
 

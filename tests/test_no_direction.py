@@ -15,6 +15,7 @@ from planar_cli.motion.drive import drive
 from planar_cli.problem.structure import load_text
 from planar_cli.registry import members
 from planar_cli.report.narrate import Voice, narrate
+from planar_cli.simulate.run import Settings, simulate
 from planar_cli.solve.run import solve_problem
 
 BELT = """
@@ -261,3 +262,25 @@ find: {c_cr: c}
 def test_forces_that_rest_on_speeds_pass_where_they_may() -> None:
     found = solve(DAMPED)["c_cr"].expressions
     assert found is not None
+
+
+def test_a_coordinate_that_nothing_tells_is_not_guessed_where_ends_meet() -> None:
+    """A cord over a point 1 m from the origin: where the block begins is open, and no fault."""
+    text = """
+title: Block and weight on a cord
+plane: vertical
+coordinates: {x: m}
+points: {P: [x, 0], D: [1 m, 0], Q: [1 m, -x - 0.5 m]}
+bodies: {block: {particle: P, mass: 3 kg}, load: {particle: Q, mass: 2 kg}}
+joints:
+  - guide: {body: block, along: 0 deg, name: table}
+  - guide: {body: load, along: 90 deg, name: shaft}
+  - rope: {path: [P, over D, Q], name: cord}
+states: {1: [t = 0, at rest], 2: [t = 0.1 s]}
+find: {v: v(block).x @ 2}
+"""
+    problem, wrong = load_text(text)
+    assert problem is not None
+    assert not wrong
+    with pytest.raises(FileProblem, match="x at the start is not told"):
+        simulate(problem, Settings(estimate=False))

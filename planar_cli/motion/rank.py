@@ -131,7 +131,11 @@ class _Position:
                 share = far * math.cos(1.0 + 2.4 * k + attempt) / top
                 step = [s + share * v for s, v in zip(step, vector, strict=True)]
             state = [q + s * size for q, s, size in zip(self.state, step, self.sizes, strict=False)]
-            found = _Position(self.layout, self.constraints, self.scales, self._closed(state))
+            try:
+                found = _Position(self.layout, self.constraints, self.scales, self._closed(state))
+            except ZeroDivisionError:
+                # A place in which something has no direction.
+                continue
             reached = (len(found.kept(range(len(self.rows)))), found.margin)
             # Near the drawing, if that is clearly not singular; else where it is least so.
             if reached[0] > rank[0] or (reached[0] == rank[0] and rank[1] < CLEAR < reached[1]):

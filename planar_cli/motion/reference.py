@@ -10,8 +10,8 @@ from planar_cli.problem.scene import Particle, Problem
 from planar_cli.records import record
 from planar_cli.units import parse_unit
 
-GUESSED_ANGLE, GUESSED_LENGTH = 0.5, 1.0
-"""From where an open coordinate is sought, rad and m: any place that is not a special one."""
+GUESSED_ANGLE, GUESSED_LENGTH = 0.5, 0.9731
+"""From where an open coordinate is sought, rad and m: any place that is not a special one, as where ends meet."""
 
 
 @record
