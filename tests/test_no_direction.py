@@ -284,3 +284,50 @@ find: {v: v(block).x @ 2}
     assert not wrong
     with pytest.raises(FileProblem, match="x at the start is not told"):
         simulate(problem, Settings(estimate=False))
+
+
+PLATE = """
+title: Plate with a hole
+plane: vertical
+given: {rho: DENSITY, b: WIDTH, d: 150 mm}
+points: {O: [0, 0]}
+bodies:
+  plate:
+    parts:
+      - {plate: O, width: b, height: 300 mm, mass: rho*b*300 mm}
+      - {disk: O, radius: d/2, mass: -rho*pi*d^2/4}
+find: {I: I(plate/O)}
+"""
+
+
+@pytest.mark.parametrize(
+    ("density", "width", "words"),
+    [
+        ("-10 kg/m^2", "400 mm", "the mass of plate is not more than zero"),
+        ("10 kg/m^2", "-400 mm", "the width"),
+        ("10 kg/m^2", "40 mm", "the mass of plate is not more than zero"),
+    ],
+)
+def test_a_body_weighs_more_than_its_holes(density: str, width: str, words: str) -> None:
+    text = PLATE.replace("mass: rho*b*300 mm", "mass: rho*b*(300 mm)")
+    assert solve(text.replace("DENSITY", "10 kg/m^2").replace("WIDTH", "400 mm"))["I"].values is not None
+    with pytest.raises(FileProblem, match=words):
+        solve(text.replace("DENSITY", density).replace("WIDTH", width))
+
+
+TWICE = """
+title: Rod that turns
+plane: vertical
+points: {A: [0, 0], B: [1 m, 0]}
+bodies: {rod: {rod: [A, B], mass: 2 kg}}
+joints:
+  - pin: {at: A, between: [ground, rod]}
+instant: [omega(rod) = 2 rad/s, v(B).mag = SPEED]
+find: {a: alpha(rod)}
+"""
+
+
+def test_a_second_velocity_that_does_not_fit_is_refused() -> None:
+    assert_close(solve(TWICE.replace("SPEED", "2 m/s"))["a"], "-14.715")
+    with pytest.raises(NoSolution, match="contradicts what the rest says of the velocities"):
+        solve(TWICE.replace("SPEED", "3 m/s"))

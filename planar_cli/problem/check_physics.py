@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from itertools import pairwise
 
@@ -10,8 +10,21 @@ from planar_cli.errors import Diagnostic
 from planar_cli.problem.evaluation import ARITHMETIC
 from planar_cli.problem.expression import AtRest, Binary, Name, Negate, Number, Quantity, Relation, Side
 from planar_cli.problem.formulas import formulas
+from planar_cli.problem.known_values import KnownValues, NoNumber, Rough
 from planar_cli.problem.masses import placed
-from planar_cli.problem.scene import GROUND, At, Body, Composite, Foot, Particle, Polar, Problem, Towards, TwoFacts
+from planar_cli.problem.scene import (
+    GROUND,
+    At,
+    Body,
+    Composite,
+    Foot,
+    Particle,
+    Polar,
+    Problem,
+    Symbol,
+    Towards,
+    TwoFacts,
+)
 from planar_cli.problem.scope import Scope, members_of
 from planar_cli.problem.shapes import own_points
 from planar_cli.problem.signs import certain_sign
@@ -27,6 +40,8 @@ POSITIVE = (
     "the length",
     "stiffness",
 )
+
+MASSES = ("the mass", "the weight", "the moment of inertia")
 
 NO_PLANE = frozenset("x y r v theta omega mass I IC KE momentum H path_length".split())
 """Quantities of one instant that no weight has a part in."""
@@ -201,12 +216,18 @@ def sizes_are_positive(scope: Scope) -> Iterator[Diagnostic]:
     letters = {symbol.name: symbol for symbol in scope.problem.symbols}
     given = {symbol.name: symbol for symbol in scope.problem.given}
     for formula in formulas(scope.problem):
-        if not formula.what.startswith(POSITIVE) or " of a part " in formula.what:
+        # A hole has minus mass, and no other size less than zero.
+        hole = "of a part" in formula.what and formula.what.startswith(MASSES)
+        if not formula.what.startswith(POSITIVE) or hole:
             continue
         sign = certain_sign(formula.tree, letters, given) if isinstance(formula.tree, Side) else None
         if sign == -1 or (sign == 0 and "inertia" not in formula.what):
             hint = "leave the mass out for a body without mass" if "mass" in formula.what else ""
             yield Diagnostic(formula.mark, "PL454", f"{formula.what} is not more than zero", hint)
+    for body in scope.problem.bodies:
+        if isinstance(body.shape, Composite) and _weighs_nothing(body.shape, given):
+            text = f"the mass of {body.name} is not more than zero: its holes outweigh the rest"
+            yield Diagnostic(body.mark, "PL454", text, "only the mass of a hole has a minus")
     for load in scope.problem.loads:
         relaxed = getattr(load, "natural_length", None)
         if relaxed is not None and certain_sign(relaxed, letters, given) == -1:
@@ -220,6 +241,23 @@ def sizes_are_positive(scope: Scope) -> Iterator[Diagnostic]:
     if gravity is not None and gravity.value is not None and certain_sign(gravity.value, letters, given) == -1:
         text = "g is negative; it is a size, and weights act downward by themselves"
         yield Diagnostic(gravity.value.mark, "PL454", text, "leave the minus out")
+
+
+def _weighs_nothing(shape: Composite, given: Mapping[str, Symbol]) -> bool:
+    """Do the masses of its parts, where all have numbers, add up to nothing or less?"""
+    known = KnownValues(given)
+    total = 0.0
+    for piece in shape.pieces:
+        if piece.mass is None:
+            return False
+        try:
+            value = known.value(piece.mass)
+        except NoNumber:
+            return False
+        if value is None:
+            return False
+        total += value.value if isinstance(value, Rough) else float(value)
+    return total <= 0
 
 
 def magnitudes_are_not_negative(scope: Scope) -> Iterator[Diagnostic]:

@@ -8,10 +8,11 @@ from decimal import Decimal
 
 import sympy as sp
 
+from planar_cli.equation.conditions import Condition
 from planar_cli.equation.exact import ZERO, Unvalued, Valuation
 from planar_cli.equation.kinetics import body_residuals
 from planar_cli.equation.system import System
-from planar_cli.errors import Diagnostic, Undecided
+from planar_cli.errors import NOWHERE, Diagnostic, NoSolution, Undecided
 from planar_cli.records import record
 from planar_cli.solve.instant.instant import Trial
 from planar_cli.solve.instant.study import Outcome
@@ -59,10 +60,21 @@ def verify(trial: Trial, solved: dict[sp.Symbol, Decimal]) -> Checks:
     count, residual = residuals(system, numbers, outcome)
     agreement = second_road(system, Worked.of_solution(system, outcome, solved))
     if residual > AGREE:
+        denied = next((c for c in system.velocity_conditions() if c.kind == "given" and _off(c, numbers)), None)
+        if denied is not None and denied.mark != NOWHERE:
+            text = f"`{denied.text}` contradicts what the rest says of the velocities"
+            hint = "leave one of them out, or declare its value under `unknowns`"
+            raise NoSolution([Diagnostic(denied.mark, "PL607", text, hint)])
         raise Disagreement(f"the solution leaves a remainder of {residual:.3g} in its own equations")
     if not agreement.holds:
         raise Disagreement("the multibody solution differs: " + "; ".join(agreement.disagreements))
     return Checks(count, residual, agreement if system.scene.bodies else None)
+
+
+def _off(condition: Condition, numbers: Valuation) -> bool:
+    """Is a relation of the file not fulfilled?"""
+    found = [(numbers.known(e), e) for e in condition.rows()]
+    return any(v is not None and abs(v) > AGREE * numbers.size(e) for v, e in found)
 
 
 def residuals(system: System, numbers: Valuation, outcome: Outcome) -> tuple[int, Decimal]:
