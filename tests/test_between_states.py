@@ -80,13 +80,13 @@ LAWS = [
 ]
 SAID = [
     ("4-08", "From 1 to 2, work and kinetic energy"),
-    ("4-08", "U of the force pull = -P θ_2 (R + r)"),
-    ("4-08", "T_1 + U = T_2: -P θ_2 (R + r) = 1/2 m (R² + k_G²) ω_2²"),
+    ("4-08", "U of the force pull = -P (R + r) θ_2"),
+    ("4-08", "T_1 + U = T_2: -P (R + r) θ_2 = 1/2 m (R² + k_G²) ω_2²"),
     ("4-11", "U of the spring AD"),
     ("4-11", "At 2, y_D is smallest"),
     ("4-12", "angular impulse and momentum about C"),
     ("4-13", "momentum before + impulses = momentum after"),
-    ("4-13", "↺ H_A: 45 = 16 ω_2"),
+    ("4-13", "↺ H_A: J AS = I_A ω_2"),
     ("4-13", "T_2 + U = T_3: -54.44 - 117.7 sin θ_3 = 0"),
     ("4-17", "no motion leads to state 2 by itself: the balance of energy alone relates the states"),
     ("4-18", "From 1 to 2, rear: angular impulse and momentum about A"),

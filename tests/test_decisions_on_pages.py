@@ -27,7 +27,7 @@ def _page(name: str) -> str:
         ("friction/crate-that-slips-or-tips", "|M_C| = 200 N·m > 1/2 N_C b = 176.6 N·m"),
         ("friction/crate-that-slips-or-tips", "|M_C| = 117.7 N·m ≤ 1/2 N_C b = 176.6 N·m"),
         ("friction/crate-that-slips-or-tips", "|F_C| = 250 N > μ N_C = 235.4 N"),
-        ("friction/stacked-blocks", "|F_A| = 6.633 N ≤ 0.3 N_A = 14.72 N"),
+        ("friction/stacked-blocks", "|F_A| = 6.633 N ≤ μ_A N_A = 14.72 N"),
         ("energy/block-with-a-fading-push", "|F_P| = F_0 exp(-x_P,stop/b) = 0.03381 N ≤ μ N_P = 4.414 N"),
         ("motion/body-block-sent-up-a-slope", "stays: |F_P| = m g sin β = 24.52 N ≤ μ N_P = 29.73 N"),
         ("momentum/two-wheels-pressed-together", "mode_3: |F_C| = 0 N ≤ μ N_C = 12.5 N"),

@@ -37,7 +37,7 @@ def test_letters_of_a_problem_in_letters() -> None:
 @pytest.mark.parametrize(
     ("stem", "rows"),
     [
-        ("ex-4-13", ["m = 12 kg", "A(0, 0), B(0, -2) m, S(0, -1.5) m", "impulse blow = 1000 N · 0.03 s", "1: at rest"]),
+        ("ex-4-13", ["m = 12 kg", "A(0, 0), B(0, -2) m, S(0, -1.5) m", "J = 1000 N · 0.03 s", "1: at rest"]),
         ("ex-1-02", ["r, l", "OA = r at 60°, AB = l at 0°, OA2 = r at -30°, A2B2 = l at 0°"]),
         ("ladder-sliding", ["A(l cos β, 0), B(0, l sin β)", "μ_A = 0.2, μ_B = 0.1"]),
         ("pucks-at-an-angle", ["1: |v_A| = 5 m/s, direction of v_A = 0°, |v_B| = 2 m/s, direction of v_B = 150°"]),
