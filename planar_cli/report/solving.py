@@ -46,11 +46,15 @@ class SolvingTelling:
             assert self.constants is not None
             value = self.constants.shown(symbol)
             formula = [] if expr.is_number else [self.phrases.math(expr)]
-            if any(self.constants.value.known(s) is None for s in expr.free_symbols):
+            known = self.constants.value.known
+            if any(known(s) is None for s in expr.free_symbols):
                 # What has no number cancels: the formula without it has numbers.
-                expr = simplified(self.constants.value.definitions[symbol])
-                formula += [] if expr.is_number else [self.phrases.math(expr)]
-            put = () if expr.is_Symbol or expr.is_number else self.constants.substituted(expr, value)
+                expr = simplified(self.constants.value.definitions.get(symbol, expr))
+                formula += (
+                    [] if expr.is_number or len(formula) and expr == formula[0].expr else [self.phrases.math(expr)]
+                )
+            plain = expr.is_Symbol or expr.is_number or any(known(s) is None for s in expr.free_symbols)
+            put = () if plain else self.constants.substituted(expr, value)
             return (self.phrases.math(symbol), *formula, *put, value)
         sides: list[Any] = [self.phrases.math(symbol)]
         if not expr.is_number and self.numeric.readable(expr):
