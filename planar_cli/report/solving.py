@@ -45,17 +45,15 @@ class SolvingTelling:
         if self._is_constant(symbol):
             assert self.constants is not None
             value = self.constants.shown(symbol)
-            formula = [] if expr.is_number else [self.phrases.math(expr)]
+            told = [] if expr.is_number else [expr]
             known = self.constants.value.known
             if any(known(s) is None for s in expr.free_symbols):
                 # What has no number cancels: the formula without it has numbers.
                 expr = simplified(self.constants.value.definitions.get(symbol, expr))
-                formula += (
-                    [] if expr.is_number or len(formula) and expr == formula[0].expr else [self.phrases.math(expr)]
-                )
+                told += [] if expr.is_number or expr in told else [expr]
             plain = expr.is_Symbol or expr.is_number or any(known(s) is None for s in expr.free_symbols)
             put = () if plain else self.constants.substituted(expr, value)
-            return (self.phrases.math(symbol), *formula, *put, value)
+            return (self.phrases.math(symbol), *(self.phrases.math(e) for e in told), *put, value)
         sides: list[Any] = [self.phrases.math(symbol)]
         if not expr.is_number and self.numeric.readable(expr):
             sides.append(self.phrases.math(expr))
