@@ -301,6 +301,9 @@ def unknowns_bare(page: Page) -> Iterator[str]:
             continue
         solved = re.fullmatch(r"\(\d+\).*:|(?:\S+: )?by numerical integration:|.* of \S+:", r.lead)
         single = len(r.sides) == 2
+        if single and r.lead.startswith("mass of") and r.sides[1].endswith(" m"):
+            # Twice a mass m, which only looks like two metres.
+            continue
         integrated = single and re.search("by (numerical integration|quadrature)", r.sides[1])
         if integrated or (solved and single and (v := value_of(r.sides[1])) and v[0]):
             yield r.text
