@@ -70,3 +70,10 @@ def test_a_length_and_an_elastic_blow_stay_numbers() -> None:
     """A natural length cancels against places; e = 1 says that the speeds are exchanged."""
     page = _page("impact/cart-against-a-cart-on-a-buffer")
     assert "5 l_0" not in page
+
+
+def test_radii_of_wheels_get_letters_that_cancel_against_places() -> None:
+    """The rack touches the pinion 40 mm below its centre, which is the radius."""
+    page = _page("motion/rack-driven-by-a-crossed-belt")
+    assert "r_wheel ω_wheel = -r_driver ω_driver" in page
+    assert "s = r_pinion θ_wheel,2" in page

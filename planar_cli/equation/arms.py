@@ -52,6 +52,10 @@ class Arms:
             found = self._known[start, end] = self._found(start, end)
         return found
 
+    def centre(self, place: Vec) -> Vec:
+        """The centre of the wheel that a place is, as the file gives it; the place itself where it is none."""
+        return next((c for c, _ in self._rims() if self._same(c, place)), place)
+
     def outlined(self, outline: Outline, point: Vec) -> Outline:
         """An arc whose tangent at a point of it is written with the radius alone."""
         if outline.kind != "arc" or outline.center is None:

@@ -171,7 +171,7 @@ class Displacer:
         assert joining.path is not None
         assert edge.slide is not None
         t = joining.path.tangent
-        height = t.cross(center - joining.point)
+        height = t.cross(self.scene.arms.between(joining.point, center))
         spins = {e.body: e.spin for e in self.tree.edges}
         turning = (edge.spin or ZERO) - (spins.get(edge.parent) or ZERO)
         drift = joining.drift or Vec(ZERO, ZERO)
@@ -283,9 +283,9 @@ class Displacer:
         drift = joining.drift or Vec(ZERO, ZERO)
         way = drift.dot(roll.tangent) * self.time * (-1 if edge.backward else 1)
         if other == 0:
-            height = roll.tangent.cross(rim - start)
+            height = roll.tangent.cross(self.scene.arms.between(start, rim))
             return parent.point(rim + roll.tangent * (way - height * relative))
-        hub = start + roll.tangent.turned() / other
+        hub = self.scene.arms.centre(start + roll.tangent.turned() / other)
         if own == 0:
             # A straight edge on a rim: the normal turns with the edge, (θ_b - θ_a) ρ of it has passed the foot.
             passed = roll.tangent * (relative / other)

@@ -1,20 +1,22 @@
-"""Numbers of joints and loads get the letters that every page writes for them: μ, μ_s, μ_k, e, k, c, F, M.
+"""Numbers of joints, loads and wheels get the letters that every page writes: μ, μ_s, μ_k, e, k, c, F, M, r.
 
 A file may give them as numbers where they stand (`mu: 0.3`). A formula needs the letter: F = μ N, not F = 0.3 N.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
 from typing import Any
 
 from planar_cli.problem.expression import Name, Number
 from planar_cli.problem.keys import keys_of
-from planar_cli.problem.scene import Problem, Symbol
+from planar_cli.problem.scene import Body, Problem, Round, Symbol
 from planar_cli.problem.scope import Member, members_of
 from planar_cli.records import record
 
 LETTERS = {
+    "radius": "r",
     "stiffness": "k",
     "natural_length": "l_0",
     "coefficient": "c",
@@ -26,6 +28,7 @@ LETTERS = {
 """The letters that every page writes for such a key."""
 OF_LOADS = {("Force", "magnitude"): "F", ("Torque", "moment"): "M"}
 LENGTHS = ("natural_length",)
+RADIUS = "radius"
 RESERVED = ("g", "t", "pi", "infinity")
 
 
@@ -51,6 +54,7 @@ def lettered(problem: Problem) -> Problem:
     cases = tuple(replace(case, problem=lettered(case.problem)) for case in problem.cases)
     # Beside letters without numbers a number stays: the answer is a formula of those letters.
     literals = [] if problem.symbols else [x for m in members_of(problem) for x in _literals(m)]
+    literals += [] if problem.symbols else list(_radii(problem))
     given: dict[str, Symbol] = {}
     names: dict[tuple[tuple[str, str], str], str] = {}
     taken = _taken(problem)
@@ -65,6 +69,7 @@ def lettered(problem: Problem) -> Problem:
     return replace(
         problem,
         given=(*problem.given, *given.values()),
+        bodies=tuple(_with_radius(b, names) for b in problem.bodies),
         joints=tuple(_with_letters(j, names) for j in problem.joints),
         loads=tuple(_with_letters(x, names) for x in problem.loads),
         cases=cases,
@@ -82,6 +87,21 @@ def _literals(member: Member) -> list[_Literal]:
         for key, value in found
         if isinstance(value, Number) and value.value not in (0, 1)
     ]
+
+
+def _radii(problem: Problem) -> Iterator[_Literal]:
+    """The radii of wheels: arms of their rims are told by them."""
+    for body in problem.bodies:
+        shape = body.shape
+        if isinstance(shape, Round) and isinstance(shape.radius, Number):
+            yield _Literal((RADIUS, body.name), RADIUS, shape.radius)
+
+
+def _with_radius(body: Body, names: dict[tuple[tuple[str, str], str], str]) -> Body:
+    name = names.get(((RADIUS, body.name), RADIUS))
+    if name is None or not isinstance(body.shape, Round) or not isinstance(body.shape.radius, Number):
+        return body
+    return replace(body, shape=replace(body.shape, radius=Name(name, None, body.shape.radius.mark)))
 
 
 def _letter(kind: str, key: str) -> str:
