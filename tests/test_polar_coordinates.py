@@ -139,3 +139,19 @@ find: {eom: ddot(x)}
     told = page(text)
     assert "= -k x/m" in told
     assert "differentiated" not in told
+
+
+def test_a_particle_that_is_placed_by_numbers_is_a_point_of_its_name() -> None:
+    text = """\
+plane: horizontal
+points: {O: [0, 0]}
+bodies: {sat: {particle: [1 m, 0], mass: 1 kg}}
+loads: [force: {body: sat, magnitude: (1 N*m^2)/r(sat).mag^2, towards: O}]
+states:
+  1: [t = 0, v(sat).x = 0 m/s, v(sat).y = 1.2 m/s]
+  2: [r(sat).mag is largest]
+find: {far: r(sat).mag @ 2, v: v(sat).mag @ 2}
+"""
+    # 1/far = 2/1.2² - 1
+    assert answers(text) == pytest.approx({"far": 1.44 / 0.56, "v": 1.2 * 0.56 / 1.44})
+    assert "conservation of angular momentum about O" in page(text)

@@ -34,8 +34,10 @@ class Partner:
     particle: bool = False
 
 
-def meeting_of(scene: Scene, between: tuple[str, ...], normal: Vec | None, mark: Mark) -> Meeting:
-    """Where `between` meet. `normal`: the direction that the file gives; refused where the shapes leave it open."""
+def meeting_of(scene: Scene, between: tuple[str, ...], normal: Vec | None, mark: Mark, at: str = "") -> Meeting:
+    """Where `between` meet. `normal`: the direction that the file gives; refused where the shapes leave it open. `at`:
+    the point that the file names, "": none.
+    """
     a, b = (partner_of(scene, name) for name in between)
     point = _point(scene, a, b)
     if point is None and normal is not None:
@@ -47,7 +49,8 @@ def meeting_of(scene: Scene, between: tuple[str, ...], normal: Vec | None, mark:
     if across is None:
         text = f"the direction in which {a.name} and {b.name} strike each other is open"
         raise refuse(mark, "PL528", text, "write `normal: 0 deg`, the direction of the common normal")
-    side = _side(scene, a, b, across, point)
+    named = scene.point(at) if at and at not in between and scene.owner(at) in (a.body, b.body) else None
+    side = _side(scene, a, b, across, point, named)
     return Meeting(point, across * side if side else across, bool(side))
 
 
@@ -186,6 +189,15 @@ def _normal(scene: Scene, a: Partner, b: Partner, point: Vec, mark: Mark) -> Vec
     return None
 
 
+def _is_struck_anywhere(scene: Scene, partner: Partner, normal: Vec) -> bool:
+    """May a particle come to a body from the side of its mass centre too: to a named point of it, or along its line?"""
+    if partner.body == GROUND or partner.particle or partner.name in scene.surfaces:
+        return False
+    if partner.line is not None:
+        return not scene.is_zero(scene.as_drawn(partner.line[1].dot(normal)))
+    return partner.center is None and not isinstance(scene.bodies[partner.name].shape, Plate)
+
+
 def _unit(scene: Scene, v: Vec) -> Vec:
     length = scene.length(v)
     return Vec(v.x / length, v.y / length)
@@ -195,8 +207,10 @@ def _turned(v: Vec) -> Vec:
     return Vec(-v.y, v.x)
 
 
-def _side(scene: Scene, a: Partner, b: Partner, normal: Vec, point: Vec) -> int:
-    """+1 where b lies on the side of the normal, -1 where it lies on the other; 0 where the drawing does not tell."""
+def _side(scene: Scene, a: Partner, b: Partner, normal: Vec, point: Vec, named: Vec | None) -> int:
+    """+1 where b lies on the side of the normal, -1 where it lies on the other; 0 where the drawing does not tell.
+    `named`: the point of one of them that the other strikes.
+    """
 
     def sign(expr: sp.Expr) -> int:
         return scene.sign(scene.as_drawn(expr))
@@ -210,10 +224,15 @@ def _side(scene: Scene, a: Partner, b: Partner, normal: Vec, point: Vec) -> int:
         return scene.sign(reach) if told else 0
     pairs = ((b, a, 1), (a, b, -1))
     for partner, other, sense in pairs:
-        if partner.particle and partner.center is not None and other.line is not None:
+        if not partner.particle or partner.center is None:
+            continue
+        if other.line is not None and scene.is_zero(scene.as_drawn(other.line[1].dot(normal))):
             side = sign((partner.center - other.line[0]).dot(normal)) * sense
             if side:
                 return side
+        if _is_struck_anywhere(scene, other, normal):
+            # A stop, or a wall from inside: only where the particle is drawn tells from which side it comes.
+            return sign((partner.center - named).dot(normal)) * sense if named is not None else 0
     # A surface may lie anywhere on the body that carries it: what strikes it tells first.
     for partner, _, sense in sorted(pairs, key=lambda pair: pair[0].name in scene.surfaces):
         if partner.body == GROUND:

@@ -59,9 +59,9 @@ class StruckScene(Scene):
                 constant.append(symbol)
         return constant
 
-    def meeting(self, between: tuple[str, ...], normal: Side | None, mark: Mark) -> Meeting:
-        """Where two bodies strike each other."""
-        return meeting_of(self, between, None if normal is None else self.unit(normal), mark)
+    def meeting(self, between: tuple[str, ...], normal: Side | None, mark: Mark, at: str = "") -> Meeting:
+        """Where two bodies strike each other. `at`: the point that the file names."""
+        return meeting_of(self, between, None if normal is None else self.unit(normal), mark, at)
 
     def distance(self, between: tuple[str, ...], value: Valuation) -> Decimal | None:
         """How far apart two bodies are, in m; None where their shapes do not tell."""

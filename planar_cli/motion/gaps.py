@@ -20,6 +20,8 @@ from planar_cli.problem.geometry import Vec
 from planar_cli.problem.scene import GROUND
 from planar_cli.records import record
 
+NEAR = 1e-9
+"""Nearer than this part of the scene's extent two drawn places are one."""
 FACING = math.cos(math.pi / 4)
 """An edge faces a direction if its normal is nearer to it than the edge itself."""
 
@@ -60,12 +62,17 @@ class Gap:
 
 
 def gaps_of(
-    scene: Carried, feet: Feet, between: tuple[str, ...], normal: Vec | None = None, later: bool = False
+    scene: Carried,
+    feet: Feet,
+    between: tuple[str, ...],
+    normal: Vec | None = None,
+    later: bool = False,
+    named: Vec | None = None,
 ) -> tuple[Gap, ...]:
     """All pairs of the outlines of two partners that may touch. `normal`: the direction that the file gives. `later`:
-    they strike in another position than the drawn one.
+    they strike in another position than the drawn one. `named`: the point of one of them that the file names.
     """
-    ours, theirs = (boundaries(scene, partner) for partner in between)
+    ours, theirs = (_named(scene, boundaries(scene, partner), named) for partner in between)
     found = [gap for a in ours for b in theirs for gap in _pair(scene, feet, a, b)]
     if normal is None:
         return tuple(found or _ends(scene, ours, theirs, None))
@@ -78,6 +85,18 @@ def gaps_of(
     ends = _ends(scene, ours, theirs, normal) if all(gap.thin is not None for gap in turning) else []
     met = [_where(scene, gap, scene.graph.of(gap.normal.dot(normal)), 1) for gap in turning]
     return (*met, *(_where(scene, end, scene.graph.of(turning[0].normal.dot(normal)), -1) for end in ends))
+
+
+def _named(scene: Carried, found: list[Boundary], named: Vec | None) -> list[Boundary]:
+    """Of several corners the one that the file names, if it is among them."""
+
+    def is_named(corner: Corner) -> bool:
+        assert named is not None
+        gap: Vec = corner.place - named
+        return math.hypot(scene.graph.of(gap.x).value, scene.graph.of(gap.y).value) <= NEAR * scene.extent
+
+    met = [] if named is None else [b for b in found if isinstance(b, Corner) and is_named(b)]
+    return [b for b in found if not isinstance(b, Corner) or b in met] if met else found
 
 
 def _where(scene: Carried, gap: Gap, cosine: Term, sense: int) -> Gap:

@@ -271,7 +271,9 @@ class MovingScene(Carried):
         if len(between) != 2:
             return ()
         later = joint.during is None or not self.problem.holds_at_first(joint.during)
-        found = gaps_of(self, self.feet, between, None if normal is None else self.unit(normal), later)
+        at = getattr(joint, "at", "")
+        named = self.point(at) if at and self.owner(at) in {self.carrier(p) for p in between} else None
+        found = gaps_of(self, self.feet, between, None if normal is None else self.unit(normal), later, named)
         other = self.pressed(joint.name) < 0
         found = tuple(g.from_other_side() if other and not g.told else g for g in found)
         return tuple(self.facings.both_sides(g) for g in found)

@@ -155,7 +155,7 @@ class Surface:
 class Particle:
     """`place`: a point's name, coordinates, or None (`free`: from the relations)."""
 
-    place: str | At | Polar | None
+    place: str | At | None
 
 
 @record

@@ -155,9 +155,11 @@ def _with_polar(problem: Problem, body: Body, centre: str, distance: Side, angle
     if isinstance(body.shape.place, str):
         points = tuple(_moved(p, body.shape.place, place) for p in problem.points)
         return replace(problem, coordinates=coordinates, points=points, states=states)
-    placed = replace(body, shape=replace(body.shape, place=place))
+    # What is placed by numbers is a point of its body's name.
+    placed = replace(body, shape=replace(body.shape, place=body.name))
     bodies = tuple(placed if b.name == body.name else b for b in problem.bodies)
-    return replace(problem, coordinates=coordinates, bodies=bodies, states=states)
+    points = (*problem.points, Point(body.name, place, body.mark))
+    return replace(problem, coordinates=coordinates, points=points, bodies=bodies, states=states)
 
 
 def _moved(point: Point, name: str, place: Polar) -> Point:

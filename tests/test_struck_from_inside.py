@@ -1,0 +1,60 @@
+"""A particle strikes a named point of a body, from the side of the body's mass centre or from the other."""
+
+from __future__ import annotations
+
+import pytest
+from answered import solved
+
+SLOT = """\
+plane: horizontal
+points: {{G: [{centre}, 0], S: [0.2 m, 0], Q: [0.5 m, 0]}}
+bodies:
+  cart: {{points: [G, Q], center: G, mass: 4 kg, inertia: 1 kg*m^2}}
+  ball: {{particle: S, mass: 1 kg}}
+joints:
+  - guide: {{body: cart, along: 0 deg, name: rail}}
+  - guide: {{point: S, along: cart, name: track}}
+  - impact: {{{keys}}}
+states:
+  1: [t = 0, cart at rest, v(ball).x = 2 m/s]
+  2: [x(S) = 0.5 m]
+  3: [just after 2]
+find: {{v: v(ball).x @ 3, lost: KE(all) @ 2 - KE(all) @ 3}}
+"""
+KEYS = [
+    "between: [ball, cart], at: Q, normal: 0 deg, restitution: 0, during: 2->3",
+    "between: [cart, ball], at: Q, normal: 180 deg, restitution: 0, during: 2->3",
+    "between: [ball, cart], at: Q, normal: 0 deg, restitution: 0",
+]
+
+
+@pytest.mark.parametrize("keys", KEYS)
+@pytest.mark.parametrize("centre", ["0", "1 m", "0.1 m", "-2 m"])
+def test_a_ball_strikes_the_end_of_its_slot(tmp_path, keys: str, centre: str) -> None:  # type: ignore[no-untyped-def]
+    """Wherever the mass centre of the cart lies: m v = (m + M) u."""
+    found = solved(tmp_path, SLOT.format(keys=keys, centre=centre))
+    assert float(found["v"].values[0]) == pytest.approx(0.4)
+    assert float(found["lost"].values[0]) == pytest.approx(1.6)
+
+
+ROD = """\
+plane: horizontal
+points: {O: [0, 0], S: [0.2 m, 0], Q: [0.5 m, 0]}
+bodies:
+  rod: {rod: [O, Q], mass: 3 kg}
+  ball: {particle: S, mass: 1 kg}
+joints:
+  - pin: {at: O, between: [ground, rod]}
+  - guide: {point: S, along: rod, name: track}
+  - impact: {between: [ball, rod], at: Q, normal: 0 deg, restitution: 0.5, during: 2->3}
+states:
+  1: [t = 0, omega(rod) = 0 rad/s, v(ball/rod).along(rod) = 2 m/s]
+  2: [r(S/O).mag = 0.5 m]
+  3: [just after 2]
+find: {v: v(ball/rod).along(rod) @ 3}
+"""
+
+
+def test_a_ball_strikes_the_stop_at_the_end_of_a_rod(tmp_path) -> None:  # type: ignore[no-untyped-def]
+    found = solved(tmp_path, ROD)
+    assert float(found["v"].values[0]) == pytest.approx(-1.0)
